@@ -6,12 +6,14 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
+import rsal.data.RangeArray;
 import rsal.data.Twist2d;
 import rsal.navigation.avoid.LocalPlanner.Motion;
 import rsal.navigation.avoid.LocalPlanner.Target;
@@ -62,6 +64,38 @@ public abstract class LocalPlannerContract {
         assertThat(drive.pose.position().distanceTo(new Point2d(3.5, 0))).isLessThan(0.4);
     }
 
+    /// Cones say how far things are, and no more than roughly where.
+    @Test
+    void passesAPostBySonarsAlone() {
+        Drive drive = new Drive(BOX, List.of(new Point2d(1.5, 0.1), new Point2d(1.5, 0), new Point2d(1.5, -0.1)));
+        drive.sonars = 16;
+        drive.goTo(new Point2d(3.5, 0), 60);
+        assertThat(drive.pose.position().distanceTo(new Point2d(3.5, 0))).isLessThan(0.4);
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4})
+    void touchesNothingBySonarsAlone(long seed) {
+        var random = new SplittableRandom(seed);
+        var posts = new ArrayList<Point2d>();
+        for (int i = 0; i < 20; i++) {
+            posts.addAll(drum(Pose2d.polar(random.nextDouble(0.9, 5), random.nextDouble(2 * Math.PI))));
+        }
+        Drive drive = new Drive(BOX, posts);
+        drive.sonars = 16;
+        for (int goal = 0; goal < 4; goal++) {
+            drive.goTo(new Point2d(random.nextDouble(-4, 4), random.nextDouble(-4, 4)), 15);
+        }
+        assertThat(drive.way).as("way made with seed %d", seed).isGreaterThan(0.5);
+    }
+
+    /// The rim of one of 0.2 m.
+    private static List<Point2d> drum(Pose2d place) {
+        return IntStream.range(0, 24)
+                .mapToObj(i -> place.compose(new Pose2d(0, 0, i * Math.PI / 12)).transform(new Point2d(0.1, 0)))
+                .toList();
+    }
+
     @Test
     void goesToAPlaceBeforeAWall() {
         var room = new ArrayList<Point2d>();
@@ -110,6 +144,7 @@ public abstract class LocalPlannerContract {
         private Twist2d velocity = Twist2d.STOP;
         private double fastest;
         private double way;
+        private int sonars; // around it; 0 for a laser
 
         public Drive(Footprint footprint, List<Point2d> posts) {
             this.planner = planner(footprint);
@@ -127,12 +162,36 @@ public abstract class LocalPlannerContract {
 
         Obstacles look() {
             obstacles.clear();
+            if (sonars > 0) {
+                obstacles.add(listen());
+                return obstacles;
+            }
             Pose2d baseFromWorld = pose.inverse();
             posts.forEach(post -> {
                 Point2d seen = baseFromWorld.transform(post);
                 obstacles.add(seen.x(), seen.y());
             });
             return obstacles;
+        }
+
+        /// A ring of cones of 30°, each of which tells how far the nearest post in it is.
+        private RangeArray listen() {
+            double cone = Math.toRadians(30);
+            List<Pose2d> mounts = IntStream.range(0, sonars)
+                    .mapToDouble(i -> i * 2 * Math.PI / sonars)
+                    .mapToObj(angle -> new Pose2d(0, 0, angle).compose(new Pose2d(0.15, 0, 0)))
+                    .toList();
+            var ranges = new float[sonars];
+            for (int i = 0; i < sonars; i++) {
+                Pose2d sonarFromWorld = pose.compose(mounts.get(i)).inverse();
+                ranges[i] = (float) posts.stream()
+                        .map(sonarFromWorld::transform)
+                        .filter(post -> Math.abs(Math.atan2(post.y(), post.x())) <= cone / 2)
+                        .mapToDouble(post -> Math.hypot(post.x(), post.y()))
+                        .min()
+                        .orElse(Double.POSITIVE_INFINITY);
+            }
+            return new RangeArray(mounts, cone, 0, VIEW, ranges);
         }
 
         public void goTo(Point2d goal, double seconds) {
