@@ -23,7 +23,7 @@ describe('a frame', () => {
     expect(full?.pose?.x).toBeCloseTo(-12.345, 3);
     expect(full?.pose?.y).toBeCloseTo(6.789, 3);
     expect(full?.pose?.heading).toBeCloseTo(-2.5, 3);
-    expect(full).toMatchObject({ isTruth: true, stalled: true, speed: 0.4, turnRate: -0.25 });
+    expect(full).toMatchObject({ isTruth: true, stalled: true, speed: 0.4, sideways: -0.1, turnRate: -0.25 });
   });
 
   it('has what a localizer believes', () => {

@@ -29,6 +29,7 @@ const GRIPPER = 1 << 9;
 const LIT = 1 << 10;
 const ODOM = 1 << 11;
 const ELSEWHERE = 1 << 12;
+const SIDEWAYS = 1 << 13;
 
 const HOLDING = 1;
 
@@ -104,6 +105,8 @@ export interface RobotState {
   stalled: boolean;
   /** Forward [m/s], as its wheels measure it. */
   speed: number;
+  /** To the left [m/s]; of omnidirectional bases. */
+  sideways: number;
   /** Counter-clockwise [rad/s]. */
   turnRate: number;
   estimate: Estimate | null;
@@ -209,6 +212,7 @@ function robotAt(view: DataView, offset: number, blocks: Reader): RobotState {
     lit: has(LIT),
     odom: has(ODOM) ? aligned(blocks) : null,
     elsewhere: has(ELSEWHERE) ? elsewhere(blocks) : [],
+    sideways: has(SIDEWAYS) ? sideways(blocks) : 0,
   };
 }
 
@@ -240,6 +244,12 @@ function aligned(reader: Reader): Pose {
   const pose = reader.pose();
   reader.align();
   return pose;
+}
+
+function sideways(reader: Reader): number {
+  const speed = reader.int16() / 1000;
+  reader.align();
+  return speed;
 }
 
 function path(reader: Reader): Int32Array {

@@ -52,16 +52,21 @@ describe('a robot', () => {
 });
 
 describe('the motion of a robot', () => {
-  it('is what many small steps give', () => {
-    const [speed, turnRate] = [0.6, -0.9];
+  it.each([
+    [0.6, 0],
+    [-0.3, 0],
+    [0, 0.4],
+    [-0.2, -0.5],
+  ])('is what many small steps give, %d m/s ahead and %d m/s to the left', (speed, sideways) => {
+    const turnRate = -0.9;
     let [x, y, heading] = [1, 2, 0.4];
     const small = 1e-4;
     for (let time = 0; time < 2; time += small) {
-      x += small * speed * Math.cos(heading);
-      y += small * speed * Math.sin(heading);
+      x += small * (speed * Math.cos(heading) - sideways * Math.sin(heading));
+      y += small * (speed * Math.sin(heading) + sideways * Math.cos(heading));
       heading += small * turnRate;
     }
-    const end = motionOf({ x: 1, y: 2, heading: 0.4 }, speed, turnRate).at(-1)!;
+    const end = motionOf({ x: 1, y: 2, heading: 0.4 }, speed, turnRate, sideways).at(-1)!;
     expect(end.x).toBeCloseTo(x, 3);
     expect(end.y).toBeCloseTo(y, 3);
     const straight = motionOf({ x: 0, y: 0, heading: Math.PI / 2 }, 0.5, 0).at(-1)!;

@@ -33,12 +33,16 @@ export const drawMotion: Layer = (context, { info, frame, view, selected }) => {
   context.lineJoin = 'round';
   context.lineWidth = 3 / view.scale;
   context.globalAlpha = 0.7;
-  frame.robots.forEach(({ pose, speed, turnRate }, i) => {
-    if (pose === null || Math.abs(speed) < STANDING || (frame.robots.length > MANY && i !== selected)) {
+  frame.robots.forEach(({ pose, speed, sideways, turnRate }, i) => {
+    if (
+      pose === null ||
+      Math.hypot(speed, sideways) < STANDING ||
+      (frame.robots.length > MANY && i !== selected)
+    ) {
       return;
     }
     context.beginPath();
-    for (const { x, y } of motionOf(pose, speed, turnRate)) {
+    for (const { x, y } of motionOf(pose, speed, turnRate, sideways)) {
       context.lineTo(x, y);
     }
     context.strokeStyle = info.robots[i]!.color;
@@ -52,16 +56,20 @@ export const drawMotion: Layer = (context, { info, frame, view, selected }) => {
  *
  * @param speed ahead [m/s]
  * @param turnRate counter-clockwise [rad/s]
+ * @param sideways to the left [m/s]
  */
 export function motionOf(
   { x, y, heading }: Pose,
   speed: number,
   turnRate: number,
+  sideways = 0,
 ): { x: number; y: number }[] {
+  const way = Math.hypot(speed, sideways);
+  const direction = heading + Math.atan2(sideways, speed);
   return Array.from({ length: STEPS + 1 }, (_, step) => {
     const turn = (turnRate * AHEAD * step) / STEPS;
-    const length = (speed * AHEAD * step) / STEPS;
+    const length = (way * AHEAD * step) / STEPS;
     const chord = turn === 0 ? length : (2 * length * Math.sin(turn / 2)) / turn;
-    return { x: x + chord * Math.cos(heading + turn / 2), y: y + chord * Math.sin(heading + turn / 2) };
+    return { x: x + chord * Math.cos(direction + turn / 2), y: y + chord * Math.sin(direction + turn / 2) };
   });
 }

@@ -62,6 +62,7 @@ final class FrameEncoder {
     static final int LIT = 1 << 10;
     static final int ODOM = 1 << 11;
     static final int ELSEWHERE = 1 << 12;
+    static final int SIDEWAYS = 1 << 13;
 
     static final int HOLDING = 1;
 
@@ -186,7 +187,8 @@ final class FrameEncoder {
                 | (robot.gripper().isPresent() ? GRIPPER : 0)
                 | (robot.lit() ? LIT : 0)
                 | (mapFromOdom(robot).isPresent() ? ODOM : 0)
-                | (elsewhere(robot).isEmpty() ? 0 : ELSEWHERE);
+                | (elsewhere(robot).isEmpty() ? 0 : ELSEWHERE)
+                | (sideways(robot) == 0 ? 0 : SIDEWAYS);
     }
 
     /// The truth where there is one, else what its localizer believes, or where its stand-in is.
@@ -218,6 +220,16 @@ final class FrameEncoder {
             out.putShort((short) 0);
         });
         elsewhere(elsewhere(robot));
+        short sideways = sideways(robot);
+        if (sideways != 0) {
+            reserve(4);
+            out.putShort(sideways).putShort((short) 0);
+        }
+    }
+
+    /// To the left [mm/s]; only omnidirectional bases have such a speed.
+    private static short sideways(RobotView robot) {
+        return milli(robot.odometry().map(o -> o.value().velocity().vy()).orElse(0.0));
     }
 
     /// Where its localizer has the frame of odometry on the map (REP 105), or its best pose where nothing localizes it.

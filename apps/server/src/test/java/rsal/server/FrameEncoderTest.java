@@ -217,7 +217,7 @@ class FrameEncoderTest {
                 "pioneer3at",
                 false,
                 Optional.of(new Pose2d(-12.345, 6.789, -2.5)),
-                Optional.of(stamped(new Odometry(new Pose2d(1, 2, 0.5), new Twist2d(0.4, 0, -0.25), true))),
+                Optional.of(stamped(new Odometry(new Pose2d(1, 2, 0.5), new Twist2d(0.4, -0.1, -0.25), true))),
                 Optional.of(stamped(estimate)),
                 Optional.of(stamped(particles)),
                 Optional.of(stamped(scan)),
