@@ -10,6 +10,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import rsal.experiment.Manifest.Measure;
 import rsal.experiment.statistics.Effect;
@@ -86,6 +87,17 @@ public record Findings(Manifest manifest, List<Row> rows) {
     ///
     /// @param factor one of [Design#compared]
     public Effect effect(Factor factor, String level, Measure measure) {
+        return effect(factor, level, (Row row) -> value(row, measure));
+    }
+
+    /// Likewise what it does to the share of runs that end in some way, in percentage points: a run that ends so counts
+    /// for 100, another one for 0.
+    public Effect effectOnShare(Factor factor, String level, String outcome) {
+        return effect(
+                factor, level, (Row row) -> OptionalDouble.of(row.outcome().equals(outcome) ? 100 : 0));
+    }
+
+    private Effect effect(Factor factor, String level, Function<Row, OptionalDouble> value) {
         var rowOf = new HashMap<Long, Map<Integer, Row>>(); // by seed and combination
         rows.forEach(
                 row -> rowOf.computeIfAbsent(row.seed(), _ -> new HashMap<>()).put(row.combination(), row));
@@ -95,15 +107,15 @@ public record Findings(Manifest manifest, List<Row> rows) {
             Map<Integer, Row> here = rowOf.getOrDefault(seed, Map.of());
             blocks.add(changes.entrySet().stream()
                     .map(change -> new Pair(
-                            valueIfThere(here.get(change.getKey().number()), measure),
-                            valueIfThere(here.get(change.getValue().number()), measure)))
+                            valueIfThere(here.get(change.getKey().number()), value),
+                            valueIfThere(here.get(change.getValue().number()), value)))
                     .toList());
         }
         return Effect.of(blocks);
     }
 
-    private OptionalDouble valueIfThere(@Nullable Row row, Measure measure) {
-        return row != null ? value(row, measure) : OptionalDouble.empty();
+    private static OptionalDouble valueIfThere(@Nullable Row row, Function<Row, OptionalDouble> value) {
+        return row != null ? value.apply(row) : OptionalDouble.empty();
     }
 
     /// From each combination with the factor's first level to the one that is the same but for it.

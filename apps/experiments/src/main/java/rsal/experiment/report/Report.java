@@ -11,6 +11,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.BiFunction;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import java.util.stream.StreamSupport;
@@ -24,6 +25,7 @@ import rsal.experiment.Manifest.Session;
 import rsal.experiment.Recordings;
 import rsal.experiment.Row;
 import rsal.experiment.statistics.BoxPlot;
+import rsal.experiment.statistics.Effect;
 import rsal.experiment.statistics.Mean;
 import rsal.experiment.statistics.Share;
 import rsal.scenario.Counted;
@@ -147,6 +149,23 @@ public final class Report {
     private void summary() {
         var clear = new ArrayList<String>();
         int asked = 0;
+        for (String outcome : toldApart()) {
+            for (Change change : changes(outcome)) {
+                asked += change.effect().difference().flatMap(Mean::interval).isPresent() ? 1 : 0;
+                if (change.effect().isClear()) {
+                    Mean difference = change.effect().difference().orElseThrow();
+                    clear.add(
+                            "<li><b>%s</b>: %s percentage points of runs that end as <b>%s</b> (95 %%: %s), over %s.</li>%n"
+                                    .formatted(
+                                            text(change.toString()),
+                                            text(Numbers.signed(difference.value())),
+                                            text(outcome),
+                                            text(Numbers.signed(
+                                                    difference.interval().orElseThrow())),
+                                            Counted.of(difference.count(), "seed")));
+                }
+            }
+        }
         for (Measure measure : findings.manifest().measures()) {
             for (Change change : changes(measure)) {
                 asked += change.effect().difference().flatMap(Mean::interval).isPresent() ? 1 : 0;
@@ -214,7 +233,45 @@ public final class Report {
             rows.add(cells);
         }
         html.append(Html.table("Shares of outcomes, with 95 % confidence intervals (Wilson's)", 1, header, rows));
+        effectsOnShares();
         html.append("</section>\n");
+    }
+
+    /// The outcomes whose shares tell something by themselves: of two, one is what the other isn't.
+    private List<String> toldApart() {
+        List<String> outcomes = Figures.outcomes(findings);
+        return outcomes.size() <= 2 ? outcomes.subList(0, outcomes.size() / 2) : outcomes;
+    }
+
+    private void effectsOnShares() {
+        List<String> outcomes = Figures.outcomes(findings);
+        if (outcomes.size() < 2 || findings.design().compared().isEmpty()) {
+            return;
+        }
+        html.append("<h3>What each change does to it</h3>\n");
+        var rows = new ArrayList<List<String>>();
+        for (String outcome : outcomes) {
+            for (Change change : changes(outcome)) {
+                rows.add(Stream.concat(Stream.of(outcome), cells(change)).toList());
+            }
+        }
+        html.append(Html.table(
+                "Differences in shares of outcomes, in percentage points, all else equal, by seed",
+                2,
+                List.of("outcome", "change", "seeds used", "mean difference", "95 % (Student's)"),
+                rows));
+        html.append("<p class=\"note\">A run that ends so counts for 100, another one for 0; of each seed the mean over"
+                + " all that is varied besides. The interval is rough where seeds are few, or nearly all runs end"
+                + " alike.</p>\n");
+    }
+
+    private static Stream<String> cells(Change change) {
+        Effect effect = change.effect();
+        return Stream.of(
+                change.toString(),
+                "%d of %d".formatted(effect.complete(), effect.blocks()),
+                effect.difference().map(d -> Numbers.signed(d.value())).orElse("–"),
+                effect.difference().flatMap(Mean::interval).map(Numbers::signed).orElse("–"));
     }
 
     private void measure(Measure measure) {
@@ -271,11 +328,19 @@ public final class Report {
     }
 
     private List<Change> changes(Measure measure) {
+        return changes((factor, to) -> findings.effect(factor, to, measure));
+    }
+
+    private List<Change> changes(String outcome) {
+        return changes((factor, to) -> findings.effectOnShare(factor, to, outcome));
+    }
+
+    private List<Change> changes(BiFunction<Factor, String, Effect> effect) {
         var changes = new ArrayList<Change>();
         for (Factor factor : findings.design().compared()) {
             String from = factor.levels().getFirst();
             for (String to : factor.levels().subList(1, factor.levels().size())) {
-                changes.add(new Change(factor.argument(), from, to, findings.effect(factor, to, measure)));
+                changes.add(new Change(factor.argument(), from, to, effect.apply(factor, to)));
             }
         }
         return changes;
@@ -297,23 +362,7 @@ public final class Report {
                 "Differences in %s, all else equal, by seed".formatted(measure.name()),
                 1,
                 List.of("change", "seeds used", "mean difference", "95 % (Student's)"),
-                changes.stream()
-                        .map(change -> List.of(
-                                change.toString(),
-                                "%d of %d"
-                                        .formatted(
-                                                change.effect().complete(),
-                                                change.effect().blocks()),
-                                change.effect()
-                                        .difference()
-                                        .map(d -> Numbers.signed(d.value()))
-                                        .orElse("–"),
-                                change.effect()
-                                        .difference()
-                                        .flatMap(Mean::interval)
-                                        .map(Numbers::signed)
-                                        .orElse("–")))
-                        .toList()));
+                changes.stream().map(change -> cells(change).toList()).toList()));
         html.append("<p class=\"note\">Of each seed the mean over all that is varied besides; seeds in which a value"
                 + " is missing are left out.</p>\n");
     }

@@ -108,6 +108,23 @@ class ReportTest {
         assertThat(findings.value(findings.rows().getFirst(), ERROR)).hasValue(1.5);
     }
 
+    /// With "b", seed 3 has no time left whatever the hunters: one seed of twelve.
+    @Test
+    void tellsWhatAChangeDoesToHowRunsEnd() {
+        Effect effect = findings.effectOnShare(WORDS, "b & <b>", "timeout");
+        assertThat(effect.complete()).isEqualTo(12);
+        assertThat(effect.difference().orElseThrow().value()).isEqualTo(100 / 12.0, within(1e-9));
+        assertThat(effect.isClear()).isFalse();
+        assertThat(findings.effectOnShare(HUNTERS, "4", "timeout")
+                        .difference()
+                        .orElseThrow()
+                        .value())
+                .isZero();
+        assertThat(Report.html(findings))
+                .contains("Differences in shares of outcomes")
+                .contains(Numbers.signed(100 / 12.0));
+    }
+
     @Test
     void carriesAllThatItNeedsAndNothingThatIsNotEscaped() throws Exception {
         Path page = folder.resolve("report.html");
