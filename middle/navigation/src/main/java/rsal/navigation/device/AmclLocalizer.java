@@ -43,7 +43,7 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     private final Amcl amcl;
     private final Scheduler scheduler;
     private final List<CompletableFuture<Void>> followers = new ArrayList<>();
-    private final Scrutiny scrutiny = Scrutiny.ofAnyScans();
+    private final Scrutiny scrutiny = Scrutiny.ofAnyScans(this::tellSkipped);
     private final RecentOdometry wheels = new RecentOdometry();
     private Optional<PoseEstimate> start;
     private boolean restart = true;
@@ -80,13 +80,19 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     }
 
     void look(LaserScanner laser, int beams, double maxRange) {
-        laser.subscribe(
-                scan -> onRanges(scrutiny.accepts(scan), scan.time(), () -> Beams.of(scan.value(), beams, maxRange)));
+        laser.subscribe(scan -> {
+            if (scrutiny.accepts(scan)) {
+                onRanges(scan.time(), () -> Beams.of(scan.value(), beams, maxRange));
+            }
+        });
     }
 
     void look(SonarArray sonars, double maxRange) {
-        sonars.subscribe(ranges ->
-                onRanges(scrutiny.acceptsRanges(ranges), ranges.time(), () -> Beams.of(ranges.value(), maxRange)));
+        sonars.subscribe(ranges -> {
+            if (scrutiny.acceptsRanges(ranges)) {
+                onRanges(ranges.time(), () -> Beams.of(ranges.value(), maxRange));
+            }
+        });
     }
 
     @Override
@@ -109,7 +115,6 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
 
     private void onOdometry(Stamped<Odometry> odometry) {
         if (!scrutiny.acceptsOdometry(odometry)) {
-            tellSkipped();
             return;
         }
         lastOdometry = scheduler.instant();
@@ -133,18 +138,12 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         }
     }
 
-    private void tellSkipped() {
-        if (scrutiny.skipped() == 1) {
-            LOG.log(Level.WARNING, () -> "(%s) skips bad readings.%s".formatted(info().id(), scrutiny.told()));
-        }
+    private void tellSkipped(String told) {
+        LOG.log(Level.WARNING, () -> "(%s) skips bad readings.%s".formatted(info().id(), told));
     }
 
     /// Waits until everything measured at this instant is here, odometry too.
-    private void onRanges(boolean accepted, Instant time, Supplier<Beams> beams) {
-        if (!accepted) {
-            tellSkipped();
-            return;
-        }
+    private void onRanges(Instant time, Supplier<Beams> beams) {
         lastRanges = scheduler.instant();
         if (!busy) {
             busy = true;
@@ -154,9 +153,8 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
 
     private void correct(Instant time, Supplier<Beams> beams) {
         Optional<Pose2d> odometry = wheels.odomFromBase(time);
-        if (odometry.isEmpty() && wheels.newest().isPresent()) {
+        if (wheels.hasForgotten(time)) {
             scrutiny.skipTooOld();
-            tellSkipped();
         }
         if (odometry.isEmpty() || !(restart || amcl.due(odometry.get(), beams))) {
             busy = false;
@@ -212,8 +210,7 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     }
 
     private Health silence(String what) {
-        var stale =
-                new Health.Stale("No %s for more than %d s.%s".formatted(what, PATIENCE.toSeconds(), scrutiny.told()));
+        Health stale = scrutiny.silence(what, PATIENCE);
         scrutiny.reset();
         return stale;
     }

@@ -39,7 +39,7 @@ final class RecentOdometry {
     /// Where the base was at a time: between two of them, or at the newest when that is older. Empty before the first,
     /// and when nothing tells any more.
     Optional<Pose2d> odomFromBase(Instant time) {
-        if (readings.isEmpty() || isForgotten(time)) {
+        if (readings.isEmpty() || hasForgotten(time)) {
             return Optional.empty();
         }
         Stamped<Odometry> later = readings.getLast();
@@ -57,7 +57,11 @@ final class RecentOdometry {
         return Optional.of(pose(later));
     }
 
-    private boolean isForgotten(Instant time) {
+    /// Whether nothing tells any more where the base was at a time, though it has been told of since.
+    boolean hasForgotten(Instant time) {
+        if (readings.isEmpty()) {
+            return false;
+        }
         Instant oldest = readings.getFirst().time();
         boolean full = !readings.getLast().time().isBefore(oldest.plus(KEPT));
         return time.isBefore(full ? oldest : oldest.minus(SLACK));

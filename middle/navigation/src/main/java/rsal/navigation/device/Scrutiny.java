@@ -3,36 +3,45 @@ package rsal.navigation.device;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import rsal.data.LaserScan;
 import rsal.data.Odometry;
 import rsal.data.Pose2d;
 import rsal.data.RangeArray;
 import rsal.data.Stamped;
+import rsal.device.Health;
 
 /// Looks at what a laser or sonars and wheels say before anything is made of it, and counts what is not to be used:
 /// what
-/// is out of order in time, has another number of beams than before where that matters, or no number where one must be.
+/// is out of order in time, has another number of beams than before where that matters, or no number where one must
+/// be.
 final class Scrutiny {
     private final boolean sameCount;
+    private final Consumer<String> onFirst;
     private int skipped;
     private String why = "";
     private int beams;
     private @Nullable Instant lastScan;
     private @Nullable Instant lastOdometry;
 
-    private Scrutiny(boolean sameCount) {
+    private Scrutiny(boolean sameCount, Consumer<String> onFirst) {
         this.sameCount = sameCount;
+        this.onFirst = onFirst;
     }
 
     /// For those to whom all scans must look alike.
-    static Scrutiny ofScansAlike() {
-        return new Scrutiny(true);
+    ///
+    /// @param onFirst is given what is [#told] when the first reading is skipped
+    static Scrutiny ofScansAlike(Consumer<String> onFirst) {
+        return new Scrutiny(true, onFirst);
     }
 
     /// For those who take each scan by itself: some lasers give now more beams and now fewer.
-    static Scrutiny ofAnyScans() {
-        return new Scrutiny(false);
+    ///
+    /// @param onFirst as above
+    static Scrutiny ofAnyScans(Consumer<String> onFirst) {
+        return new Scrutiny(false, onFirst);
     }
 
     /// Whether a scan can be used.
@@ -91,9 +100,17 @@ final class Scrutiny {
         return skipped == 0 ? "" : " Skipped so far: %d, the last since %s.".formatted(skipped, why);
     }
 
+    /// Of one that has had nothing of use for so long.
+    Health silence(String what, Duration patience) {
+        return new Health.Stale("No %s for more than %d s.%s".formatted(what, patience.toSeconds(), told()));
+    }
+
     private void skip(String what, String fault) {
         skipped++;
         why = "of a bad %s: %s".formatted(what, fault);
+        if (skipped == 1) {
+            onFirst.accept(told());
+        }
     }
 
     private static Optional<String> backwards(@Nullable Instant last, Instant now) {

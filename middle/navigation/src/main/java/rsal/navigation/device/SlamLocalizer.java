@@ -54,7 +54,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     private final Slam.Settings settings;
     private final Scheduler scheduler;
     private final List<CompletableFuture<Void>> followers = new ArrayList<>();
-    private final Scrutiny scrutiny = Scrutiny.ofScansAlike();
+    private final Scrutiny scrutiny = Scrutiny.ofScansAlike(this::tellSkipped);
     private Supplier<List<Mate>> mates = List::of;
     private Pose2d start;
     private boolean told; // where it was
@@ -164,7 +164,6 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
 
     private void onOdometry(Stamped<Odometry> reading) {
         if (!scrutiny.acceptsOdometry(reading)) {
-            tellSkipped();
             return;
         }
         lastOdometry = scheduler.instant();
@@ -181,7 +180,6 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     /// Waits until everything measured at this instant is here, odometry too.
     private void onScan(Stamped<LaserScan> scan) {
         if (!scrutiny.accepts(scan)) {
-            tellSkipped();
             return;
         }
         lastScan = scheduler.instant();
@@ -191,17 +189,14 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         }
     }
 
-    private void tellSkipped() {
-        if (scrutiny.skipped() == 1) {
-            LOG.log(Level.WARNING, () -> "(%s) skips bad readings.%s".formatted(info().id(), scrutiny.told()));
-        }
+    private void tellSkipped(String told) {
+        LOG.log(Level.WARNING, () -> "(%s) skips bad readings.%s".formatted(info().id(), told));
     }
 
     private void look(Stamped<LaserScan> scan) {
         Optional<Pose2d> taken = odometry.odomFromBase(scan.time());
-        if (taken.isEmpty() && odometry.newest().isPresent()) {
+        if (odometry.hasForgotten(scan.time())) {
             scrutiny.skipTooOld();
-            tellSkipped();
         }
         if (taken.isEmpty() || (known != null && known.isOf(scan.time(), taken.get()))) {
             busy = false;
@@ -282,14 +277,10 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
             return; // that is worse
         }
         if (isSilent(lastScan)) {
-            health(silence("scan"));
+            health(scrutiny.silence("scan", PATIENCE));
         } else if (isSilent(lastOdometry)) {
-            health(silence("odometry"));
+            health(scrutiny.silence("odometry", PATIENCE));
         }
-    }
-
-    private Health silence(String what) {
-        return new Health.Stale("No %s for more than %d s.%s".formatted(what, PATIENCE.toSeconds(), scrutiny.told()));
     }
 
     private boolean isSilent(Instant last) {

@@ -14,7 +14,7 @@ import rsal.data.Stamped;
 import rsal.data.Twist2d;
 
 class ScrutinyTest {
-    private final Scrutiny scrutiny = Scrutiny.ofScansAlike();
+    private final Scrutiny scrutiny = Scrutiny.ofScansAlike(_ -> {});
 
     private static Stamped<LaserScan> scan(double seconds, double angleMin, float... ranges) {
         return new Stamped<>(
@@ -63,7 +63,7 @@ class ScrutinyTest {
 
     @Test
     void scansMayHaveOtherNumbersOfBeamsWhereThatDoesNotMatter() {
-        Scrutiny any = Scrutiny.ofAnyScans();
+        Scrutiny any = Scrutiny.ofAnyScans(_ -> {});
         assertThat(any.accepts(scan(1, -1, 2, 2, 2))).isTrue();
         assertThat(any.accepts(scan(1.1, -1, 2, 2))).isTrue();
         assertThat(any.accepts(scan(1.2, -1))).isFalse();
@@ -73,7 +73,7 @@ class ScrutinyTest {
 
     @Test
     void sonarsAreLookedAtLikewise() {
-        Scrutiny any = Scrutiny.ofAnyScans();
+        Scrutiny any = Scrutiny.ofAnyScans(_ -> {});
         assertThat(any.acceptsRanges(sonars(1, Pose2d.ORIGIN, 2))).isTrue();
         assertThat(any.acceptsRanges(sonars(1.1, Pose2d.ORIGIN, Float.NaN))).isFalse();
         assertThat(any.told()).contains("reading of sonars").contains("NaN");
