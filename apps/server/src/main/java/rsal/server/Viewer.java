@@ -87,7 +87,7 @@ final class Viewer {
         look(live, past, passed);
         Feed feed = looking == null ? live : looking;
         if (feed != null) {
-            offer(feed, Optional.of(reach(past, live == null ? MotorsOff.NONE : live.motorsOff())));
+            offer(feed, reach(past, live == null ? MotorsOff.NONE : live.motorsOff()));
         }
     }
 
@@ -119,11 +119,7 @@ final class Viewer {
     }
 
     /// Sends what is new of the run, as far as the viewer has taken what it was sent before.
-    synchronized void offer(Feed feed) {
-        offer(feed, Optional.empty());
-    }
-
-    private void offer(Feed feed, Optional<Reach> reach) {
+    private void offer(Feed feed, Reach farthest) {
         if (isWaitedFor() && ++offersWaited > PATIENCE) {
             if (offersWaited == PATIENCE + 1) { // it is not gone at once
                 counts.letGo(Reason.SILENT);
@@ -134,7 +130,7 @@ final class Viewer {
                 begin(feed);
             }
             sendNews(feed);
-            reach.ifPresent(now -> sendReach(now, isDue(feed)));
+            sendReach(farthest, isDue(feed));
             sendFrame(feed);
             sendEvents(feed);
         }

@@ -99,9 +99,7 @@ class HistoryTest {
         var history = new History(feed);
         var line = new Times();
         var viewer = new Viewer(line, new ViewerCounts());
-        for (int tenth = 0; tenth <= 50; tenth++) {
-            keep(history, tenth);
-        }
+        keepFiveSeconds(history);
         offer(viewer, history);
         assertThat(line.newest()).isEqualTo("5.0 now");
         viewer.received(look(new LookBack(
@@ -134,9 +132,7 @@ class HistoryTest {
         var history = new History(feed);
         var line = new Times();
         var viewer = new Viewer(line, new ViewerCounts());
-        for (int tenth = 0; tenth <= 50; tenth++) {
-            keep(history, tenth);
-        }
+        keepFiveSeconds(history);
         for (int i = 0; i < 20; i++) {
             viewer.offer(null, history, Duration.ofMillis(50)); // its page is still loading
         }
@@ -199,6 +195,12 @@ class HistoryTest {
         assertThat(history.trails(Duration.ofDays(1)).robots().getFirst().times())
                 .endsWith(60.0);
         assertThat(history.trails(Duration.ofSeconds(-1)).robots()).isEmpty();
+    }
+
+    private void keepFiveSeconds(History history) {
+        for (int tenth = 0; tenth <= 50; tenth++) {
+            keep(history, tenth);
+        }
     }
 
     private void keep(History history, int tenth) {

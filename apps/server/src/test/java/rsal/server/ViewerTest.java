@@ -26,14 +26,14 @@ class ViewerTest {
 
     @Test
     void isToldEverythingWhenItComes() {
-        viewer.offer(feed(1, 40, 3));
+        offer(feed(1, 40, 3));
         assertThat(line.takeAll()).containsExactly("run 1", "details of 40", "frame 40", "events 1-3");
     }
 
     @Test
     void hasAtMostTwoFramesUnderWay() {
         for (long frame = 1; frame <= 10; frame++) {
-            viewer.offer(feed(1, frame, 0));
+            offer(feed(1, frame, 0));
         }
         assertThat(line.takeAll())
                 .filteredOn(message -> message.startsWith("frame"))
@@ -42,37 +42,37 @@ class ViewerTest {
 
     @Test
     void getsTheNewestFrameAsSoonAsItHasTakenOne() {
-        viewer.offer(feed(1, 1, 0));
-        viewer.offer(feed(1, 2, 0));
-        viewer.offer(feed(1, 3, 0));
+        offer(feed(1, 1, 0));
+        offer(feed(1, 2, 0));
+        offer(feed(1, 3, 0));
         line.takeAll();
         viewer.received(frame(1));
-        viewer.offer(feed(1, 9, 0));
+        offer(feed(1, 9, 0));
         assertThat(line.takeAll()).containsExactly("details of 9 since 2", "frame 9");
     }
 
     @Test
     void getsNoFrameTwice() {
-        viewer.offer(feed(1, 1, 0));
+        offer(feed(1, 1, 0));
         line.takeAll();
         viewer.received(frame(1));
-        viewer.offer(feed(1, 1, 0));
+        offer(feed(1, 1, 0));
         assertThat(line.takeAll()).isEmpty();
     }
 
     @Test
     void missesNoEventHoweverSlowItIs() {
         int all = 2 * Viewer.EVENTS + 1;
-        viewer.offer(feed(1, 1, 1));
+        offer(feed(1, 1, 1));
         for (int i = 0; i < 5; i++) {
-            viewer.offer(feed(1, 1, all)); // it has not taken the first yet
+            offer(feed(1, 1, all)); // it has not taken the first yet
         }
         viewer.received(events(1));
-        viewer.offer(feed(1, 1, all));
+        offer(feed(1, 1, all));
         viewer.received(events(501));
-        viewer.offer(feed(1, 1, all));
+        offer(feed(1, 1, all));
         viewer.received(events(1001));
-        viewer.offer(feed(1, 1, all));
+        offer(feed(1, 1, all));
         assertThat(line.takeAll())
                 .filteredOn(message -> message.startsWith("events"))
                 .containsExactly("events 1-1", "events 2-501", "events 502-1001");
@@ -80,38 +80,38 @@ class ViewerTest {
 
     @Test
     void isCountedWithWhatItWasSentAndWhatNot() {
-        viewer.offer(feed(1, 1, 3));
-        viewer.offer(feed(1, 2, 3));
-        viewer.offer(feed(1, 5, 3)); // two are under way
+        offer(feed(1, 1, 3));
+        offer(feed(1, 2, 3));
+        offer(feed(1, 5, 3)); // two are under way
         assertThat(counts.skippedFrames()).isZero();
         viewer.received(frame(2));
-        viewer.offer(feed(1, 9, 3));
+        offer(feed(1, 9, 3));
         assertThat(counts.skippedFrames()).isEqualTo(9 - 2 - 1);
         assertThat(counts.messages(Kind.FRAME)).isEqualTo(3);
         assertThat(counts.bytes(Kind.FRAME)).isEqualTo(3);
         assertThat(counts.messages(Kind.RUN)).isEqualTo(1);
         assertThat(counts.bytes(Kind.RUN)).isEqualTo("run 1".length());
         assertThat(counts.messages(Kind.EVENTS)).isEqualTo(1);
-        viewer.offer(feed(2, 4, 0)); // counted anew
+        offer(feed(2, 4, 0)); // counted anew
         assertThat(counts.skippedFrames()).isEqualTo(6);
     }
 
     @Test
     void isShownAnotherRunFromItsBeginning() {
-        viewer.offer(feed(1, 70, 2));
+        offer(feed(1, 70, 2));
         line.takeAll();
-        viewer.offer(feed(2, 1, 1));
+        offer(feed(2, 1, 1));
         assertThat(line.takeAll()).containsExactly("run 2", "details of 1", "frame 1", "events 1-1");
     }
 
     @Test
     void isSentNothingWhileItsLineIsBusyWhateverItClaims() {
-        viewer.offer(feed(1, 1, 1));
+        offer(feed(1, 1, 1));
         line.takeAll();
         line.clear = false;
         viewer.received(frame(Long.MAX_VALUE));
         viewer.received(events(Long.MAX_VALUE));
-        viewer.offer(feed(2, 2, 9));
+        offer(feed(2, 2, 9));
         assertThat(line.takeAll()).isEmpty();
     }
 
@@ -119,20 +119,20 @@ class ViewerTest {
     void isLetGoWhenItTakesNothingForTooLong() {
         for (int i = 0; i <= Viewer.PATIENCE; i++) {
             viewer.received(frame(0)); // says something, but takes nothing
-            viewer.offer(feed(1, 1, 0));
+            offer(feed(1, 1, 0));
             assertThat(line.cut).isFalse();
         }
         assertThat(counts.gone(Reason.SILENT)).isZero();
-        viewer.offer(feed(1, 1, 0));
+        offer(feed(1, 1, 0));
         assertThat(line.cut).isTrue();
-        viewer.offer(feed(1, 1, 0)); // its connection has yet to end
+        offer(feed(1, 1, 0)); // its connection has yet to end
         assertThat(counts.gone(Reason.SILENT)).isEqualTo(1);
     }
 
     @Test
     void isKeptAsLongAsItTakesSomethingNowAndThen() {
         for (long frame = 1; frame <= 3L * Viewer.PATIENCE; frame++) {
-            viewer.offer(feed(1, frame, 0));
+            offer(feed(1, frame, 0));
             if (frame % 100 == 0) {
                 viewer.received(frame(frame));
             }
@@ -142,36 +142,36 @@ class ViewerTest {
 
     @Test
     void isKeptWhenThereIsNothingNewForIt() {
-        viewer.offer(feed(1, 1, 0));
+        offer(feed(1, 1, 0));
         viewer.received(frame(1));
         for (int i = 0; i < 2 * Viewer.PATIENCE; i++) {
-            viewer.offer(feed(1, 1, 0));
+            offer(feed(1, 1, 0));
         }
         assertThat(line.cut).isFalse();
     }
 
     @Test
     void isToldWhoHasComeBeforeTheFrameThatHasThem() {
-        viewer.offer(feed(1, 1, 0));
+        offer(feed(1, 1, 0));
         line.takeAll();
         robots = 5;
-        viewer.offer(feed(1, 2, 0));
-        viewer.offer(feed(1, 2, 0));
+        offer(feed(1, 2, 0));
+        offer(feed(1, 2, 0));
         assertThat(line.takeAll()).containsExactly("robots from 2", "details of 2 since 1", "frame 2");
-        viewer.offer(feed(2, 1, 0));
+        offer(feed(2, 1, 0));
         assertThat(line.takeAll()).containsExactly("run 2", "details of 1", "frame 1");
     }
 
     @Test
     void isToldOfEachThingOnceAndOfEachThatGoes() {
         roster = things(1, 2, 3);
-        viewer.offer(feed(1, 1, 0));
+        offer(feed(1, 1, 0));
         assertThat(line.takeAll()).containsExactly("run 1", "things +[1, 2, 3] -[]", "details of 1", "frame 1");
         roster = things(2, 4);
-        viewer.offer(feed(1, 1, 0));
-        viewer.offer(feed(1, 1, 0));
+        offer(feed(1, 1, 0));
+        offer(feed(1, 1, 0));
         assertThat(line.takeAll()).containsExactly("things +[4] -[1, 3]");
-        viewer.offer(feed(2, 1, 0));
+        offer(feed(2, 1, 0));
         assertThat(line.takeAll()).contains("things +[2, 4] -[]");
     }
 
@@ -179,7 +179,7 @@ class ViewerTest {
     void isToldOfManyThingsLittleByLittle() {
         roster = things(IntStream.rangeClosed(1, 2 * Roster.BATCH + 1).toArray());
         for (int offers = 0; offers < 5; offers++) {
-            viewer.offer(feed(1, 1, 0));
+            offer(feed(1, 1, 0));
         }
         assertThat(line.takeAll())
                 .filteredOn(message -> message.startsWith("things"))
@@ -209,11 +209,20 @@ class ViewerTest {
         assertThat(line.takeAll()).singleElement().asString().contains("\"until\":2.0");
     }
 
+    /// Of a run of which nothing is told but what is new now.
+    private void offer(Feed feed) {
+        viewer.offer(feed, past(0, 0), Duration.ZERO);
+    }
+
     private static Past past(int seconds) {
+        return past(1, seconds);
+    }
+
+    private static Past past(int run, int seconds) {
         return new Past() {
             @Override
             public int number() {
-                return 1;
+                return run;
             }
 
             @Override
