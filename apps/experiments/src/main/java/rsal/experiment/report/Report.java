@@ -148,39 +148,22 @@ public final class Report {
     /// What makes a difference, first.
     private void summary() {
         var clear = new ArrayList<String>();
-        int asked = 0;
+        long asked = 0;
         for (String outcome : toldApart()) {
-            for (Change change : changes(outcome)) {
-                asked += change.effect().difference().flatMap(Mean::interval).isPresent() ? 1 : 0;
-                if (change.effect().isClear()) {
-                    Mean difference = change.effect().difference().orElseThrow();
-                    clear.add(
-                            "<li><b>%s</b>: %s percentage points of runs that end as <b>%s</b> (95 %%: %s), over %s.</li>%n"
-                                    .formatted(
-                                            text(change.toString()),
-                                            text(Numbers.signed(difference.value())),
-                                            text(outcome),
-                                            text(Numbers.signed(
-                                                    difference.interval().orElseThrow())),
-                                            Counted.of(difference.count(), "seed")));
-                }
-            }
+            List<Change> changes = changes(outcome);
+            asked += known(changes);
+            changes.stream()
+                    .filter(change -> change.effect().isClear())
+                    .map(change -> item(change, " percentage points of runs that end as", outcome, ""))
+                    .forEach(clear::add);
         }
         for (Measure measure : findings.manifest().measures()) {
-            for (Change change : changes(measure)) {
-                asked += change.effect().difference().flatMap(Mean::interval).isPresent() ? 1 : 0;
-                if (change.effect().isClear()) {
-                    Mean difference = change.effect().difference().orElseThrow();
-                    clear.add("<li><b>%s</b>: %s of <b>%s</b> (95 %%: %s), over %s%s.</li>%n"
-                            .formatted(
-                                    text(change.toString()),
-                                    text(Numbers.signed(difference.value()) + unit(measure)),
-                                    text(measure.name()),
-                                    text(Numbers.signed(difference.interval().orElseThrow())),
-                                    Counted.of(difference.count(), "seed"),
-                                    judged(measure, difference.value())));
-                }
-            }
+            List<Change> changes = changes(measure);
+            asked += known(changes);
+            changes.stream()
+                    .filter(change -> change.effect().isClear())
+                    .map(change -> item(change, unit(measure) + " of", measure.name(), judged(measure, change)))
+                    .forEach(clear::add);
         }
         html.append("<section>\n<h2>In short</h2>\n");
         if (asked == 0) {
@@ -200,7 +183,30 @@ public final class Report {
         html.append("</section>\n");
     }
 
-    private static String judged(Measure measure, double difference) {
+    /// How many have a confidence interval.
+    private static long known(List<Change> changes) {
+        return changes.stream()
+                .filter(change ->
+                        change.effect().difference().flatMap(Mean::interval).isPresent())
+                .count();
+    }
+
+    /// @param unit with what joins it to the name
+    /// @param judged what is said behind it
+    private static String item(Change change, String unit, String name, String judged) {
+        Mean difference = change.effect().difference().orElseThrow();
+        return "<li><b>%s</b>: %s <b>%s</b> (95 %%: %s), over %s%s.</li>%n"
+                .formatted(
+                        text(change.toString()),
+                        text(Numbers.signed(difference.value()) + unit),
+                        text(name),
+                        text(Numbers.signed(difference.interval().orElseThrow())),
+                        Counted.of(difference.count(), "seed"),
+                        judged);
+    }
+
+    private static String judged(Measure measure, Change change) {
+        double difference = change.effect().difference().orElseThrow().value();
         return switch (measure.better()) {
             case "less" -> difference < 0 ? ": better" : ": worse";
             case "more" -> difference > 0 ? ": better" : ": worse";
