@@ -4,9 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.SplittableRandom;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.IntConsumer;
 import rsal.bench.Plot.Bars.Bar;
 import rsal.data.OccupancyGrid;
+import rsal.data.Path2d;
 import rsal.data.Point2d;
 import rsal.navigation.grid.DistanceField;
 import rsal.navigation.jumppoint.JumpPoints;
@@ -19,16 +21,23 @@ import rsal.navigation.wavefront.Wavefront;
 /// hospital of 3117 × 1189, for a robot of 0.5 m. Times are those of the processor.
 ///
 /// Names are `wavefront.<map>.<what>ms`. What: nothing, a way between two places that were not asked for before;
-/// `full.`, what the way costs from everywhere; `again.`, from another place to the same goal; `around.`, the same
-/// around something that is not on the map; `costs.`, where the robot can be and how dear it is; `shortest.`, a
-/// shortest way by jump points.
+/// `full.`, what the way costs from everywhere; `again.`, from another place to the same goal; `moved.`, to a goal half
+/// a
+/// meter beside that; `around.`, to it around something that is not on the map; `mended.`, to it when that has just
+/// come
+/// onto the map, or is gone from it; `costs.`, where the robot can be and how dear it is; `shortest.`, a shortest way
+/// by
+/// jump points.
 final class PlanningBench implements Bench {
     private static final Clearance CLEARANCE = new Clearance(0.25, 0.6, 3); // [m]
     private static final double SLACK = 0.5; // [m]
     private static final double WARM = 3; // [s]
     private static final int PLANS = 10; // of a measurement
     private static final int FRESH = 300; // goals; that many later nobody remembers one
-    private static final List<String> KINDS = List.of("", "full.", "again.", "around.", "costs.", "shortest.");
+    private static final double AHEAD = 3; // [m]
+    private static final int BOX = 5; // cells from the middle to the sides of what comes onto the map
+    private static final List<String> KINDS =
+            List.of("", "full.", "again.", "around.", "mended.", "mendedfar.", "costs.", "shortest.");
 
     private enum Site {
         CAVE2560,
@@ -76,6 +85,9 @@ final class PlanningBench implements Bench {
         var jumps = new JumpPoints(costs);
         List<Point2d> places = places(costs, random);
         Point2d goal = places.getFirst();
+        for (Point2d start : places.subList(1, 1 + PLANS)) {
+            found(ways.plan(start, goal, SLACK)); // so that it is kept, whatever is measured first
+        }
         Plan.Found plan = (Plan.Found) ways.plan(places.get(1), goal, SLACK);
         Point2d inTheWay = plan.path().points().get(plan.path().points().size() / 2);
         for (String kind : KINDS) {
@@ -85,6 +97,8 @@ final class PlanningBench implements Bench {
             IntConsumer job = switch (kind) {
                 case "full." -> _ -> check(ways.everywhere(goal, SLACK).isPresent());
                 case "again." -> i -> found(ways.plan(places.get(1 + i % PLANS), goal, SLACK));
+                case "mended." -> mending(ways, withBox(map, ahead(plan.path())), places.get(1), goal);
+                case "mendedfar." -> mending(ways, withBox(map, inTheWay), places.get(1), goal);
                 case "around." -> _ -> found(ways.plan(places.get(1), goal, SLACK, List.of(inTheWay)));
                 case "shortest." -> i -> found(jumps.plan(places.get(1 + i % PLANS), goal, SLACK));
                 case "costs." -> _ -> CostMap.of(map, DistanceField.toNotFree(map), CLEARANCE);
@@ -95,6 +109,45 @@ final class PlanningBench implements Bench {
             bars.add(new Bar(site.label(), kind.isEmpty() ? "first" : kind.replace(".", ""), result.value()));
         }
         return bars;
+    }
+
+    /// Where the robot on its way sees what is new.
+    private static Point2d ahead(Path2d path) {
+        double left = AHEAD;
+        for (int i = 1; i < path.points().size(); i++) {
+            Point2d from = path.points().get(i - 1);
+            Point2d to = path.points().get(i);
+            double length = from.distanceTo(to);
+            if (left <= length) {
+                double share = left / length;
+                return new Point2d(from.x() + share * (to.x() - from.x()), from.y() + share * (to.y() - from.y()));
+            }
+            left -= length;
+        }
+        throw new IllegalStateException("The way is too short.");
+    }
+
+    /// Plans while something comes and goes.
+    private static IntConsumer mending(Wavefront ways, OccupancyGrid other, Point2d start, Point2d goal) {
+        List<CostMap> maps = List.of(CostMap.of(other, DistanceField.toNotFree(other), CLEARANCE), ways.map());
+        var now = new AtomicReference<>(ways);
+        return i -> {
+            Wavefront next = now.get().over(maps.get(i % 2)).orElseThrow();
+            found(next.plan(start, goal, SLACK));
+            now.set(next);
+        };
+    }
+
+    private static OccupancyGrid withBox(OccupancyGrid map, Point2d middle) {
+        byte[] cells = map.cells().clone();
+        for (int row = map.row(middle.y()) - BOX; row <= map.row(middle.y()) + BOX; row++) {
+            for (int column = map.column(middle.x()) - BOX; column <= map.column(middle.x()) + BOX; column++) {
+                if (map.contains(column, row)) {
+                    cells[row * map.width() + column] = OccupancyGrid.OCCUPIED;
+                }
+            }
+        }
+        return new OccupancyGrid(map.width(), map.height(), map.resolution(), map.originX(), map.originY(), cells);
     }
 
     private static double[] times(IntConsumer job, int repeats) {

@@ -1,7 +1,6 @@
 package rsal.navigation.wavefront;
 
 import java.util.Arrays;
-import java.util.function.IntConsumer;
 import org.jspecify.annotations.Nullable;
 
 /// A wave that spreads from one cell of a [CostMap] over the eight neighbors of each and leaves in each cell what
@@ -27,22 +26,22 @@ import org.jspecify.annotations.Nullable;
 /// cheapest ways to that cell depends neither on the guide nor on the order in which it gets there, for it goes on
 /// until all of them are found.
 ///
-/// Starts anew without allocating. Not safe for several threads at once.
+/// Starts anew without allocating. When the map has changed a little it is mended rather than started anew ([#over],
+/// [Mending]). Not safe for several threads at once.
 final class Wave {
     /// The value of a cell that the wave did not reach.
     static final int UNREACHED = Integer.MAX_VALUE;
 
-    private static final int BUCKETS = 2048; // a power of 2, more than twice what a run and two steps cost
-    private static final int ROOM = 16; // of a bucket at first
+    private static final int BUCKETS = Buckets.COUNT; // more than twice what a run and two steps cost
     private static final int RUN = 800; // what a straight run may cost
     private static final int DIAGONAL_RUN = 100; // the same of a diagonal one: it may well be overtaken
     private static final int SIDE = CostMap.SIDE;
     private static final int DIAGONAL = CostMap.diagonal(CostMap.SIDE);
 
     // In the field, in which a way's cost is added to that of the source: so a new array needs no filling.
-    private static final int OPEN = 0; // and not reached
-    private static final int SOURCE = -(1 << 30); // all that is less is blocked
-    private static final int BLOCKED = Integer.MIN_VALUE;
+    static final int OPEN = 0; // and not reached
+    static final int SOURCE = -(1 << 30); // all that is less is blocked
+    static final int BLOCKED = Integer.MIN_VALUE;
     private static final int FARTHEST = OPEN - BUCKETS; // that the wave passes on, so that all it reaches is below OPEN
 
     private final CostMap map;
@@ -80,14 +79,54 @@ final class Wave {
     }
 
     Wave(CostMap map) {
+        this(map, new int[map.ground().length]);
+        blockAsOnMap();
+    }
+
+    /// @param field what each cell holds; where the map is blocked only, it is not looked at beside what is open
+    private Wave(CostMap map, int[] field) {
         this.map = map;
         this.ground = map.ground();
         this.width = map.grid().width();
-        this.field = new int[ground.length];
+        this.field = field;
         this.steps = new int[] {1, width, -1, -width, 1};
         this.lowest = 0;
         this.highest = field.length - 1;
-        blockAsOnMap();
+    }
+
+    CostMap map() {
+        return map;
+    }
+
+    /// The same wave over another map, as if it had spread as far there: what differs is mended, the rest is kept. Not
+    /// for one that is hurried or for which cells were blocked. This one is not to be used any more.
+    ///
+    /// @param changes of its map, which stays open where the wave comes from
+    Wave over(Changes changes) {
+        boolean isDone = along.isEmpty() && across.isEmpty();
+        var mending = new Mending(changes, field, isDone ? OPEN : front);
+        var mended = new Wave(changes.to(), mending.field());
+        mended.goOn(mending.borders(), front);
+        return mended;
+    }
+
+    /// Passes on what cells hold, in every direction.
+    ///
+    /// @param borders such cells as [Mending#borders] has them
+    /// @param until from here on it spreads when it is asked to
+    private void goOn(long[] borders, int until) {
+        front = until;
+        if (borders.length > 0) {
+            front = Mending.value(borders[0]);
+        }
+        int next = 0;
+        while (next < borders.length || front < until) {
+            for (; next < borders.length && Mending.value(borders[next]) == front; next++) {
+                passOnAround(Mending.cell(borders[next]));
+            }
+            expand();
+            front++;
+        }
     }
 
     /// Forgets where it was and what was blocked.
@@ -133,8 +172,13 @@ final class Wave {
         guide = towards;
         field[source] = SOURCE;
         front = SOURCE + least(source);
-        along.push(front, source, 0); // as if it had been reached
-        along.push(front, source, 2); // from either side
+        passOnAround(source);
+    }
+
+    /// Lets a cell of the next bucket pass the wave on in every direction.
+    private void passOnAround(int cell) {
+        along.push(front, cell, 0); // as if it had been reached
+        along.push(front, cell, 2); // from either side
     }
 
     /// Spreads on until it is known what the way to a cell costs.
@@ -352,61 +396,5 @@ final class Wave {
 
     private int least(int cell) {
         return guide == null ? 0 : guide.least(cell);
-    }
-
-    /// Cells in the order of what they cost.
-    private static final class Buckets {
-        private final int[][] entries = new int[BUCKETS][ROOM];
-        private final int[] counts = new int[BUCKETS];
-
-        void push(int value, int cell, int quarter) {
-            int bucket = bucket(value);
-            int count = counts[bucket];
-            if (count == entries[bucket].length) {
-                entries[bucket] = Arrays.copyOf(entries[bucket], 2 * count);
-            }
-            entries[bucket][count] = (cell << 2) | quarter;
-            counts[bucket] = count + 1;
-        }
-
-        int count(int value) {
-            return counts[bucket(value)];
-        }
-
-        boolean isEmpty(int value) {
-            return count(value) == 0;
-        }
-
-        int[] entries(int value) {
-            return entries[bucket(value)];
-        }
-
-        void empty(int value) {
-            counts[bucket(value)] = 0;
-        }
-
-        void clear() {
-            Arrays.fill(counts, 0);
-        }
-
-        void forEach(IntConsumer cells) {
-            for (int bucket = 0; bucket < BUCKETS; bucket++) {
-                for (int i = 0; i < counts[bucket]; i++) {
-                    cells.accept(cell(entries[bucket][i]));
-                }
-            }
-        }
-
-        static int cell(int entry) {
-            return entry >> 2;
-        }
-
-        static int quarter(int entry) {
-            return entry & 3;
-        }
-
-        private static int bucket(int value) {
-            return value & (BUCKETS - 1);
-        }
     }
 }

@@ -16,12 +16,14 @@ import rsal.navigation.wavefront.Wave.Guide;
 /// The wave of a goal is kept when it is asked for again: robots with the same goal share it, and to plan again
 /// under way costs next to nothing. Around obstacles that are not on the map it searches from the start, and knows
 /// from the kept wave what the way would cost without them (a heuristic for A* that is exact where no obstacle is
-/// in the way): that takes the less the smaller the detour. What is planned never depends on what was planned before.
+/// in the way): that takes the less the smaller the detour. Over a map that
+/// has changed a little, waves are mended ([#over]). What is planned never depends on what was planned before.
 ///
 /// May be asked on any thread, by several at once.
 public final class Wavefront {
     private static final double NO_DEARER = 1.02;
     private static final int STRIDE = 4; // cells; how closely corners are looked for
+    private static final int MOST_CHANGED = 20; // of so many cells one may have changed to mend waves
 
     private final CostMap map;
     private final OccupancyGrid grid;
@@ -29,10 +31,25 @@ public final class Wavefront {
     private final Waves waves;
 
     public Wavefront(CostMap map) {
+        this(map, new Waves(map));
+    }
+
+    private Wavefront(CostMap map, Waves waves) {
         this.map = map;
         this.grid = map.grid();
         this.width = grid.width();
-        this.waves = new Waves(map);
+        this.waves = waves;
+    }
+
+    /// The same over a map that has changed a little: it takes the kept waves over and mends what differs when it is
+    /// asked for them. This one may still be asked, but has to begin anew.
+    ///
+    /// @param next may be larger or smaller
+    /// @return empty when more than one of 20 cells has changed, or the cells of the maps do not lie on each other
+    public Optional<Wavefront> over(CostMap next) {
+        return Changes.between(map, next)
+                .filter(changes -> changes.cells().length <= next.ground().length / MOST_CHANGED)
+                .map(changes -> new Wavefront(next, waves.over(changes)));
     }
 
     public CostMap map() {

@@ -1,0 +1,185 @@
+package rsal.navigation.wavefront;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import rsal.data.OccupancyGrid;
+import rsal.data.Point2d;
+import rsal.navigation.grid.DistanceField;
+import rsal.navigation.grid.RandomMaps;
+import rsal.navigation.wavefront.CostMap.Clearance;
+
+/// Waves over maps that change hold what new ones do.
+class MendingTest {
+    private static final double CELL = 0.05; // m
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12})
+    void holdsWhatANewWaveDoes(long seed) {
+        var random = new SplittableRandom(seed);
+        var clearance = new Clearance(0.06, 0.06 + random.nextInt(3) * 0.1, random.nextInt(6));
+        var grid = RandomMaps.of(random, 60 + random.nextInt(100), 50, random.nextDouble() * 0.04);
+        CostMap map = costs(grid, clearance);
+        var wave = new Wave(map);
+        int source = open(map, random);
+        wave.start(source);
+        for (int i = 0; i < 20; i++) {
+            spreadSome(wave, map, random);
+            OccupancyGrid next = changed(map.grid(), random);
+            CostMap nextMap = costs(next, clearance);
+            Changes changes = Changes.between(map, nextMap).orElseThrow();
+            int moved = changes.moved(source);
+            if (moved < 0 || !nextMap.isOpen(moved)) {
+                continue;
+            }
+            wave = wave.over(changes);
+            map = nextMap;
+            source = moved;
+            check(wave, map, source, random, "seed %d, %d".formatted(seed, i));
+            if (random.nextInt(5) == 0) {
+                wave.clear(); // starts anew as well
+                source = open(map, random);
+                wave.start(source);
+            }
+        }
+    }
+
+    /// What it knows is right at once, and the rest once it has spread.
+    private static void check(Wave wave, CostMap map, int source, SplittableRandom random, String what) {
+        var fresh = new Wave(map);
+        fresh.start(source);
+        fresh.spread(-1);
+        for (int cell = 0; cell < map.ground().length; cell++) {
+            if (map.isOpen(cell) && Math.min(wave.at(cell), fresh.at(cell)) < wave.known()) {
+                assertThat(wave.at(cell)).as("%s, cell %d", what, cell).isEqualTo(fresh.at(cell));
+            }
+        }
+        int target = open(map, random);
+        wave.spread(target);
+        assertThat(wave.at(target)).as(what).isEqualTo(fresh.at(target));
+        if (random.nextBoolean()) {
+            wave.spread(-1);
+            assertThat(field(wave, map)).as(what).isEqualTo(field(fresh, map));
+        }
+    }
+
+    private static void spreadSome(Wave wave, CostMap map, SplittableRandom random) {
+        switch (random.nextInt(3)) {
+            case 0 -> wave.spread(open(map, random));
+            case 1 -> wave.spread(-1);
+            default -> {} // as far as it was
+        }
+    }
+
+    /// A few rectangles of walls and of nothing; at times the map is cut or grows on some sides.
+    private static OccupancyGrid changed(OccupancyGrid before, SplittableRandom random) {
+        boolean isMoved = random.nextInt(3) == 0;
+        int left = isMoved ? random.nextInt(-5, 6) : 0;
+        int low = isMoved ? random.nextInt(-5, 6) : 0;
+        int width = before.width() + left + (isMoved ? random.nextInt(-5, 6) : 0);
+        int height = before.height() + low + (isMoved ? random.nextInt(-5, 6) : 0);
+        var cells = new byte[width * height];
+        for (int cell = 0; cell < cells.length; cell++) {
+            int column = cell % width - left;
+            int row = cell / width - low;
+            cells[cell] = before.contains(column, row) ? before.at(column, row) : OccupancyGrid.FREE;
+        }
+        int rectangles = random.nextInt(4);
+        for (int i = 0; i < rectangles; i++) {
+            int firstColumn = random.nextInt(width);
+            int firstRow = random.nextInt(height);
+            int columns = 1 + random.nextInt(random.nextBoolean() ? 3 : 30);
+            int rows = 1 + random.nextInt(random.nextBoolean() ? 3 : 30);
+            byte value = random.nextBoolean() ? OccupancyGrid.OCCUPIED : OccupancyGrid.FREE;
+            for (int row = firstRow; row < Math.min(height, firstRow + rows); row++) {
+                for (int column = firstColumn; column < Math.min(width, firstColumn + columns); column++) {
+                    cells[row * width + column] = value;
+                }
+            }
+        }
+        return new OccupancyGrid(
+                width, height, CELL, before.originX() - left * CELL, before.originY() - low * CELL, cells);
+    }
+
+    /// Whoever plans over maps that change plans as one who has seen none of those before.
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
+    void plansAsIfTheMapHadAlwaysBeenSo(long seed) {
+        var random = new SplittableRandom(seed);
+        var clearance = new Clearance(0.06, 0.2, 3);
+        CostMap map = costs(RandomMaps.of(random, 150, 120, 0.005), clearance);
+        var ways = new Wavefront(map);
+        Point2d goal = map.grid().middle(open(map, random));
+        int handedOn = 0;
+        int found = 0;
+        for (int i = 0; i < 40; i++) {
+            if (random.nextInt(4) == 0) {
+                CostMap next = costs(changed(map.grid(), random), clearance);
+                Optional<Wavefront> over = ways.over(next);
+                handedOn += over.isPresent() ? 1 : 0;
+                ways = over.orElseGet(() -> new Wavefront(next));
+                map = next;
+            }
+            Point2d start = map.grid().middle(open(map, random));
+            Point2d asked = random.nextInt(3) == 0 ? near(goal, random) : goal;
+            List<Point2d> obstacles = random.nextInt(3) == 0 ? List.of(near(start, random)) : List.of();
+            Plan plan = ways.plan(start, asked, 0.1, obstacles);
+            assertThat(plan)
+                    .as("seed %d, %d", seed, i)
+                    .isEqualTo(new Wavefront(map).plan(start, asked, 0.1, obstacles));
+            found += plan instanceof Plan.Found ? 1 : 0;
+        }
+        assertThat(handedOn).isPositive();
+        assertThat(found).isGreaterThan(10);
+    }
+
+    private static Point2d near(Point2d place, SplittableRandom random) {
+        return new Point2d(place.x() + random.nextDouble(-0.5, 0.5), place.y() + random.nextDouble(-0.5, 0.5));
+    }
+
+    @Test
+    void mapsOnOtherLatticesOrThatAreQuiteDifferentHandNothingOn() {
+        var clearance = new Clearance(0, 0, 0);
+        var room = new OccupancyGrid(40, 40, 0.1, 0, 0, new byte[1600]);
+        var ways = new Wavefront(costs(room, clearance));
+        assertThat(ways.over(costs(new OccupancyGrid(40, 40, 0.1, 0.05, 0, new byte[1600]), clearance)))
+                .as("half a cell aside")
+                .isEmpty();
+        assertThat(ways.over(costs(new OccupancyGrid(40, 40, 0.2, 0, 0, new byte[1600]), clearance)))
+                .as("larger cells")
+                .isEmpty();
+        assertThat(ways.over(costs(new OccupancyGrid(40, 40, 0.1, 1e9, 0, new byte[1600]), clearance)))
+                .as("elsewhere")
+                .isEmpty();
+        assertThat(ways.over(costs(new OccupancyGrid(40, 40, 0.1, 2, 0, new byte[1600]), clearance)))
+                .as("half of it new")
+                .isEmpty();
+        assertThat(ways.over(costs(new OccupancyGrid(41, 40, 0.1, 0, 0, new byte[1640]), clearance)))
+                .as("a column more")
+                .isPresent();
+    }
+
+    private static int[] field(Wave wave, CostMap map) {
+        return IntStream.range(0, map.ground().length)
+                .map(cell -> wave.isOpen(cell) ? wave.at(cell) : Wave.UNREACHED)
+                .toArray();
+    }
+
+    private static int open(CostMap map, SplittableRandom random) {
+        int cell = random.nextInt(map.ground().length);
+        while (!map.isOpen(cell)) {
+            cell = random.nextInt(map.ground().length);
+        }
+        return cell;
+    }
+
+    private static CostMap costs(OccupancyGrid map, Clearance clearance) {
+        return CostMap.of(map, DistanceField.toNotFree(map), clearance);
+    }
+}
