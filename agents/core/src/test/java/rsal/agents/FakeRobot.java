@@ -152,10 +152,10 @@ public final class FakeRobot {
         @Override
         public GoalHandle<Progress, Result> goTo(Pose2d mapFromGoal, Tolerance tolerance) {
             if (driving()) {
-                end(new Result.Cancelled());
+                end(Result.Cancelled.by(mapFromGoal));
             }
             goals.add(mapFromGoal);
-            underWay = new GoalSource<>(() -> end(new Result.Cancelled()));
+            underWay = new GoalSource<>(() -> end(Result.Cancelled.asked()));
             return underWay;
         }
 

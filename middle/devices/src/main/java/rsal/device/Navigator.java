@@ -1,6 +1,7 @@
 package rsal.device;
 
 import java.time.Duration;
+import java.util.Locale;
 import java.util.Optional;
 import rsal.data.OccupancyGrid;
 import rsal.data.Path2d;
@@ -61,7 +62,19 @@ public interface Navigator extends Device {
     sealed interface Result {
         record Reached(Pose2d mapFromBase) implements Result {}
 
-        record Cancelled() implements Result {}
+        /// @param why who or what called it off: for people
+        record Cancelled(String why) implements Result {
+            /// By whoever has the goal's handle.
+            public static Cancelled asked() {
+                return new Cancelled("Whoever gave the goal called it off.");
+            }
+
+            /// By a goal that came later.
+            public static Cancelled by(Pose2d mapFromNext) {
+                return new Cancelled(
+                        String.format(Locale.ROOT, "A new goal came, (%.2f, %.2f).", mapFromNext.x(), mapFromNext.y()));
+            }
+        }
 
         record NoPath(String why) implements Result {}
 

@@ -139,7 +139,7 @@ final class Words {
     static String of(Navigator.Result result) {
         return switch (result) {
             case Navigator.Result.Reached _ -> "reached";
-            case Navigator.Result.Cancelled _ -> "cancelled";
+            case Navigator.Result.Cancelled(String why) -> "cancelled. " + why;
             case Navigator.Result.NoPath(String why) -> "no path. " + why;
             case Navigator.Result.Stuck(var _, var _, String why) -> "stuck. " + why;
         };

@@ -147,7 +147,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
             parts.avoidance().reset();
         } else {
             next.succeed(old);
-            old.end(new Result.Cancelled());
+            old.end(Result.Cancelled.by(mapFromGoal));
         }
         return next.handle();
     }

@@ -70,7 +70,7 @@ final class Trip {
     private final Pose2d mapFromGoal;
     private final Tolerance tolerance;
     private final Consumer<Trip> onEnd;
-    private final GoalSource<Progress, Result> source = new GoalSource<>(() -> end(new Result.Cancelled()));
+    private final GoalSource<Progress, Result> source = new GoalSource<>(() -> end(Result.Cancelled.asked()));
     private final Instant started;
     private List<Seen> seen = new ArrayList<>();
     private @Nullable Route route;
@@ -186,7 +186,10 @@ final class Trip {
     /// What to command when nobody knows where the robot or anything else is.
     Twist2d blindBeat() {
         if (scheduler.instant().isAfter(giveUp)) {
-            end(new Result.NoPath("It is not known where the robot is or what is around it."));
+            end(new Result.Stuck(
+                    mapFromBase,
+                    Duration.between(started, scheduler.instant()),
+                    "It is not known where the robot is or what is around it."));
         }
         return Twist2d.STOP;
     }

@@ -124,7 +124,13 @@ class SilenceTest {
         Pose2d before = base.mapFromBase();
         scheduler.advance(Duration.ofSeconds(1));
         assertThat(base.mapFromBase().distanceTo(before)).isLessThan(1e-9);
-        goal.cancel();
+
+        scheduler.advance(Duration.ofMinutes(5));
+        assertThat(goal.result().toCompletableFuture())
+                .as("given up at last, where it stands")
+                .isCompletedWithValueMatching(ending -> ending instanceof Navigator.Result.Stuck stuck
+                        && stuck.mapFromBase().distanceTo(before) < 0.2
+                        && stuck.why().contains("not known where the robot is"));
     }
 
     @Test

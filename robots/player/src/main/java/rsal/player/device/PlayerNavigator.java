@@ -122,7 +122,7 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
         if (!mapFromGoal.isFinite()) {
             throw new IllegalArgumentException("A goal must be finite, not (%s).".formatted(mapFromGoal));
         }
-        end(new Result.Cancelled());
+        end(Result.Cancelled.by(mapFromGoal));
         var goal = new Trip[1];
         GoalSource<Progress, Result> source = new GoalSource<>(() -> cancel(goal[0]));
         goal[0] = new Trip(mapFromGoal, tolerance, clock.instant(), source);
@@ -152,7 +152,7 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
     private void cancel(Trip old) {
         if (old.equals(trip)) {
             stop();
-            end(new Result.Cancelled());
+            end(Result.Cancelled.asked());
         }
     }
 
@@ -174,7 +174,7 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
     public void end() {
         if (trip != null) {
             stop();
-            end(new Result.Cancelled());
+            end(new Result.Cancelled("The connection to the robot is closed."));
         }
     }
 

@@ -79,7 +79,7 @@ public abstract class NavigatorContract extends DeviceContract<Navigator> {
         handle.cancel();
         handle.cancel();
         advance(2);
-        assertThat(endings).containsExactly(new Result.Cancelled());
+        assertThat(endings).containsExactly(Result.Cancelled.asked());
         assertThat(device().goal()).isEmpty();
         assertStanding();
     }
@@ -90,7 +90,7 @@ public abstract class NavigatorContract extends DeviceContract<Navigator> {
         advance(3);
         Result second =
                 await(device().goTo(WORLD.pose('b', 0), Tolerance.position(0.4)).result(), LONG);
-        assertThat(first).containsExactly(new Result.Cancelled());
+        assertThat(first).containsExactly(Result.Cancelled.by(WORLD.pose('b', 0)));
         assertThat(second).isInstanceOf(Result.Reached.class);
         assertThat(truth().distanceTo(WORLD.pose('b', 0))).isLessThan(0.7);
     }

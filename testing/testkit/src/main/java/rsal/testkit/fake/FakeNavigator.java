@@ -55,7 +55,7 @@ public final class FakeNavigator extends DeviceCore implements Navigator {
         }
         goals.add(mapFromGoal);
         if (drive != null) {
-            end(drive, new Result.Cancelled());
+            end(drive, Result.Cancelled.by(mapFromGoal));
         }
         var next = new Drive(mapFromGoal, tolerance, scheduler.instant());
         drive = next;
@@ -130,7 +130,7 @@ public final class FakeNavigator extends DeviceCore implements Navigator {
             this.goal = goal;
             this.tolerance = tolerance;
             this.since = since;
-            this.source = new GoalSource<>(() -> end(this, new Result.Cancelled()));
+            this.source = new GoalSource<>(() -> end(this, Result.Cancelled.asked()));
         }
     }
 
