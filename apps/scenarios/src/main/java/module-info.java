@@ -4,6 +4,7 @@ module rsal.scenarios {
     requires transitive rsal.agents;
     requires transitive rsal.devices;
     requires java.desktop; // draws worlds
+    requires java.management; // processor time of threads
     requires tools.jackson.databind;
     requires static org.jspecify;
 

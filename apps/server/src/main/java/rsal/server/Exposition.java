@@ -12,6 +12,7 @@ import io.prometheus.metrics.model.snapshots.MetricSnapshot;
 import io.prometheus.metrics.model.snapshots.MetricSnapshots;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.time.Duration;
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
@@ -34,6 +35,7 @@ import rsal.server.CurrentRun.Numbered;
 import rsal.server.Family.Sample;
 import rsal.server.ViewerCounts.Kind;
 import rsal.server.ViewerCounts.Reason;
+import rsal.time.Phase;
 
 /// What Prometheus is shown at `/metrics`: numbers that are there anyway, read when it asks, on any thread. It never
 /// waits for the run. Counters go on from run to run; the rest is of the run that is shown.
@@ -128,6 +130,12 @@ final class Exposition {
                 .count();
     }
 
+    private static List<Sample> byPhase(Map<Phase, Duration> times) {
+        return times.entrySet().stream()
+                .map(phase -> Sample.of(Family.seconds(phase.getValue()), "phase", Family.word(phase.getKey())))
+                .toList();
+    }
+
     private static Stream<MetricSnapshot> counted(Metrics metrics) {
         List<TopicTraffic> topics = metrics.topics();
         var events = new TreeMap<>(metrics.events());
@@ -141,10 +149,11 @@ final class Exposition {
                 Family.counter(
                         "rsal_phase_seconds_total",
                         "Real time that the thread of the run spent in each phase.",
-                        metrics.phases().entrySet().stream()
-                                .map(phase -> Sample.of(
-                                        Family.seconds(phase.getValue()), "phase", Family.word(phase.getKey())))
-                                .toList()),
+                        byPhase(metrics.phases())),
+                Family.counter(
+                        "rsal_phase_cpu_seconds_total",
+                        "Processor time that the thread of the run spent in each phase, about: one phase in 31 is measured.",
+                        byPhase(metrics.processors())),
                 Family.counter(
                         "rsal_messages_said_total", "Messages that agents said.", byTopic(topics, TopicTraffic::said)),
                 Family.counter(

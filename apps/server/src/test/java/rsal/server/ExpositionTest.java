@@ -82,6 +82,7 @@ class ExpositionTest {
             assertThat(metrics.types())
                     .containsEntry("rsal_step_duration_seconds", "histogram")
                     .containsEntry("rsal_phase_seconds_total", "counter")
+                    .containsEntry("rsal_phase_cpu_seconds_total", "counter")
                     .containsEntry("rsal_run_speed_ratio", "gauge")
                     .containsEntry("rsal_viewers", "gauge")
                     .containsEntry("rsal_history_bytes", "gauge")

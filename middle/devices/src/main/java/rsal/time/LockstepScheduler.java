@@ -41,7 +41,7 @@ public final class LockstepScheduler implements Scheduler {
 
     /// @param workers where [#compute] runs; `Runnable::run` for one thread
     public LockstepScheduler(Instant start, Executor workers) {
-        this(start, workers, new PhaseTimes(() -> 0));
+        this(start, workers, PhaseTimes.none());
     }
 
     /// @param times told what phases take; what other threads handed in counts as the first phase after it

@@ -44,7 +44,7 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
     /// @param workers where [#compute] runs; not shared with tasks that wait
     /// @param onFailure told what a task threw, on the thread that ran it
     public WallScheduler(String name, Executor workers, Consumer<? super Throwable> onFailure) {
-        this(name, workers, onFailure, new PhaseTimes(() -> 0));
+        this(name, workers, onFailure, PhaseTimes.none());
     }
 
     /// @param times told what phases take; what other threads run exclusively counts as [Phase#THINK], what they hand

@@ -2,6 +2,8 @@ package rsal.scenario.run;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.net.InetSocketAddress;
 import java.time.Duration;
 import java.time.Instant;
@@ -55,6 +57,7 @@ import rsal.time.WallScheduler;
 /// events of the run. A run in real time can't be paused or paced: it goes on at speed 1.
 @AllowedToReadWallClock("It holds the run back to the pace that people want to watch, and says how long it took.")
 public final class LiveRun implements AutoCloseable {
+    private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
     private static final Logger LOG = System.getLogger(LiveRun.class.getName());
     private static final AtomicLong RUNS = new AtomicLong();
     private static final Duration PATIENCE = Duration.ofSeconds(1);
@@ -71,7 +74,7 @@ public final class LiveRun implements AutoCloseable {
             new Requests(result.handle((_, _) -> LATE));
     private final Viewers eventViewers = new Viewers();
     private final ExecutorService helpers;
-    private final PhaseTimes phaseTimes = new PhaseTimes(System::nanoTime);
+    private final PhaseTimes phaseTimes = new PhaseTimes(System::nanoTime, LiveRun::processorTime);
     private final StepTimes stepTimes = new StepTimes();
     private final Scheduler scheduler;
     private final Instant began;
@@ -472,10 +475,17 @@ public final class LiveRun implements AutoCloseable {
     /// What it has counted so far; also when it has ended. Never waits for the run.
     public Metrics metrics() {
         var phases = new EnumMap<Phase, Duration>(Phase.class);
+        var processors = new EnumMap<Phase, Duration>(Phase.class);
         for (Phase phase : Phase.values()) {
             phases.put(phase, phaseTimes.of(phase));
+            processors.put(phase, phaseTimes.processor(phase));
         }
-        return new Metrics(snapshot().time(), stepTimes.soFar(), phases, traffic.topics(), journal.kinds());
+        return new Metrics(snapshot().time(), stepTimes.soFar(), phases, processors, traffic.topics(), journal.kinds());
+    }
+
+    /// Of the thread that asks [ns]; 0 where the machine doesn't tell.
+    private static long processorTime() {
+        return THREADS.isCurrentThreadCpuTimeSupported() ? THREADS.getCurrentThreadCpuTime() : 0;
     }
 
     /// Tells when there is a new event. A listener that throws is told no more.

@@ -19,23 +19,23 @@ import rsal.time.Phase;
 /// @param time that has passed in the run
 /// @param steps how much real time steps of simulated time took, without waiting; empty in real time
 /// @param phases real time that went into each, all of them
+/// @param processors time of the processor that did, about
 /// @param topics what was said, by topic
 /// @param events how many there were of each kind, those too that are not kept
 public record Metrics(
         Duration time,
         Histogram steps,
         Map<Phase, Duration> phases,
+        Map<Phase, Duration> processors,
         List<TopicTraffic> topics,
         Map<String, Long> events) {
     /// Of no run.
-    public static final Metrics NONE = new Metrics(Duration.ZERO, Histogram.EMPTY, Map.of(), List.of(), Map.of());
+    public static final Metrics NONE =
+            new Metrics(Duration.ZERO, Histogram.EMPTY, Map.of(), Map.of(), List.of(), Map.of());
 
     public Metrics {
-        var all = new EnumMap<Phase, Duration>(Phase.class);
-        for (Phase phase : Phase.values()) {
-            all.put(phase, phases.getOrDefault(phase, Duration.ZERO));
-        }
-        phases = Collections.unmodifiableMap(all);
+        phases = all(phases);
+        processors = all(processors);
         topics = List.copyOf(topics);
         events = Collections.unmodifiableMap(new TreeMap<>(events));
     }
@@ -46,9 +46,18 @@ public record Metrics(
                 time.plus(other.time),
                 steps.plus(other.steps),
                 both(phases, other.phases, Duration::plus),
+                both(processors, other.processors, Duration::plus),
                 new ArrayList<>(both(byTopic(topics), byTopic(other.topics(known())), TopicTraffic::plus)
                         .values()),
                 both(events, other.events, Long::sum));
+    }
+
+    private static Map<Phase, Duration> all(Map<Phase, Duration> times) {
+        var all = new EnumMap<Phase, Duration>(Phase.class);
+        for (Phase phase : Phase.values()) {
+            all.put(phase, times.getOrDefault(phase, Duration.ZERO));
+        }
+        return Collections.unmodifiableMap(all);
     }
 
     /// The topics that more may be said about; empty for any.

@@ -16,6 +16,7 @@ class MetricsTest {
                 Duration.ofSeconds(10),
                 times(3_000, 10_000, 10_001, 6_000_000_000L),
                 Map.of(Phase.WORLD, Duration.ofMillis(1), Phase.THINK, Duration.ofMillis(5)),
+                Map.of(Phase.OBSERVE, Duration.ofMillis(10)),
                 List.of(
                         new TopicTraffic("hello", 3, 2, Map.of(Loss.CHANCE, 1L)),
                         new TopicTraffic("pose", 7, 7, Map.of())),
@@ -24,6 +25,7 @@ class MetricsTest {
                 Duration.ofSeconds(1),
                 times(4_000),
                 Map.of(Phase.WORLD, Duration.ofMillis(2)),
+                Map.of(Phase.OBSERVE, Duration.ofMillis(20), Phase.DEVICES, Duration.ofMillis(40)),
                 List.of(
                         new TopicTraffic("alarm", 1, 1, Map.of()),
                         new TopicTraffic("hello", 10, 1, Map.of(Loss.CHANCE, 4L, Loss.RANGE, 5L))),
@@ -43,6 +45,16 @@ class MetricsTest {
                         Duration.ofMillis(5),
                         Phase.OBSERVE,
                         Duration.ZERO));
+        assertThat(both.processors())
+                .isEqualTo(Map.of(
+                        Phase.WORLD,
+                        Duration.ZERO,
+                        Phase.DEVICES,
+                        Duration.ofMillis(40),
+                        Phase.THINK,
+                        Duration.ZERO,
+                        Phase.OBSERVE,
+                        Duration.ofMillis(30)));
         assertThat(both.topics())
                 .containsExactly(
                         new TopicTraffic("alarm", 1, 1, Map.of()),
@@ -60,7 +72,7 @@ class MetricsTest {
             List<TopicTraffic> topics = IntStream.range(from, from + 400)
                     .mapToObj(i -> new TopicTraffic("topic " + i, 1, 0, Map.of()))
                     .toList();
-            all = all.plus(new Metrics(Duration.ZERO, Histogram.EMPTY, Map.of(), topics, Map.of()));
+            all = all.plus(new Metrics(Duration.ZERO, Histogram.EMPTY, Map.of(), Map.of(), topics, Map.of()));
         }
         assertThat(all.topics()).hasSize(800 + 1);
         assertThat(all.topics()).contains(new TopicTraffic("…", 3 * 400, 0, Map.of()));

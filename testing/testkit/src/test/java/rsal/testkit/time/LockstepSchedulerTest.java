@@ -2,6 +2,7 @@ package rsal.testkit.time;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.time.Duration;
 import java.time.Instant;
@@ -161,11 +162,10 @@ class LockstepSchedulerTest extends SchedulerContract {
         Task after(long nanos, Phase phase, Runnable task);
     }
 
-    /// A random play of tasks, the same on every scheduler that keeps the order.
     @Test
     void tellsWhatEachPhaseTakes() {
         var clock = new AtomicLong();
-        var times = new PhaseTimes(clock::get);
+        var times = new PhaseTimes(clock::get, () -> 0);
         var timed = new LockstepScheduler(Instant.EPOCH, Runnable::run, times);
         timed.every(millis(10), Phase.WORLD, () -> clock.addAndGet(3));
         timed.every(millis(20), Phase.THINK, () -> {
@@ -182,6 +182,31 @@ class LockstepSchedulerTest extends SchedulerContract {
         assertThat(times.of(Phase.OBSERVE)).isZero();
     }
 
+    /// One phase in 31 stands for all: over many steps that comes out right.
+    @Test
+    void tellsAboutWhatEachPhaseTakesOfAProcessor() {
+        var processor = new AtomicLong();
+        var asked = new AtomicLong();
+        var times = new PhaseTimes(() -> 0, () -> {
+            asked.incrementAndGet();
+            return processor.get();
+        });
+        var timed = new LockstepScheduler(Instant.EPOCH, Runnable::run, times);
+        timed.every(millis(10), Phase.WORLD, () -> processor.addAndGet(300));
+        timed.every(millis(20), Phase.THINK, () -> processor.addAndGet(5_000));
+        timed.every(millis(20), Phase.DEVICES, () -> processor.addAndGet(100));
+        for (int i = 0; i < 2_000; i++) {
+            timed.advance(millis(10));
+            processor.addAndGet(1_000_000); // between two steps, nobody's
+        }
+        assertThat((double) times.processor(Phase.WORLD).toNanos()).isCloseTo(2_000 * 300, withinPercentage(5));
+        assertThat((double) times.processor(Phase.THINK).toNanos()).isCloseTo(1_000 * 5_000, withinPercentage(5));
+        assertThat((double) times.processor(Phase.DEVICES).toNanos()).isCloseTo(1_000 * 100, withinPercentage(5));
+        assertThat(times.processor(Phase.OBSERVE)).isZero();
+        assertThat(asked.get()).as("looks at the processor's clock").isLessThan(1_000);
+    }
+
+    /// A random play of tasks, the same on every scheduler that keeps the order.
     private static final class Play {
         private static final List<Phase> PHASES = List.of(Phase.values());
 

@@ -213,7 +213,7 @@ class WallSchedulerTest extends SchedulerContract {
     @Test
     void tellsWhatEachPhaseTakes() {
         var clock = new AtomicLong();
-        var times = new PhaseTimes(clock::get);
+        var times = new PhaseTimes(clock::get, () -> 0);
         try (var timed = new WallScheduler("run-timed", workers, failures::add, times)) {
             var done = new CompletableFuture<String>();
             timed.execute(
