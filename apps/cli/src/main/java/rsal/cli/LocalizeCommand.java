@@ -461,15 +461,16 @@ final class LocalizeCommand extends Subcommand {
     private void tell(RunView run) {
         if (seeds == 1) {
             out().println(
-                            "      time        x        y     deg  ± m   confidence             particles      ms  error m");
+                            "      time        x        y     deg  ± m ± deg   confidence             particles      ms  error m");
             for (StepView step : run.steps) {
-                out().println("%10.2f %8.2f %8.2f %7.1f %5.2f %5.2f %-13s %9d %9.2f %8s"
+                out().println("%10.2f %8.2f %8.2f %7.1f %5.2f %5.1f %5.2f %-13s %9d %9.2f %8s"
                         .formatted(
                                 step.time,
                                 step.x,
                                 step.y,
                                 Math.toDegrees(step.heading),
                                 Math.sqrt(step.covariance[0] + step.covariance[3]),
+                                Math.toDegrees(Math.sqrt(step.covariance[5])),
                                 step.confidence,
                                 step.quality,
                                 step.particles,
