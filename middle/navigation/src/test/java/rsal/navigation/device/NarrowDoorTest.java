@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Pose2d;
 import rsal.device.Navigator.Result;
 import rsal.device.Navigator.Tolerance;
@@ -40,24 +41,50 @@ class NarrowDoorTest {
     @ParameterizedTest
     @CsvSource({"vfh, 1", "vfh, 2", "vfh, 3", "nd, 1", "nd, 2", "snd, 1", "snd, 2", "mpc, 1"})
     void bothGetThrough(String planner, long seed) {
+        NavigationRun run = run(planner, seed);
+        assertThat(change(run)).hasSize(2).allMatch(Result.Reached.class::isInstance);
+        assertThat(run.simulation.contacts()).isEmpty();
+    }
+
+    /// They may get stuck there.
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void withDwaTheyTouchNothingAndSayWhatCameOfIt(long seed) {
+        NavigationRun run = run("dwa", seed);
+        assertThat(change(run))
+                .hasSize(2)
+                .allSatisfy(result -> assertThat(result).isInstanceOfAny(Result.Reached.class, Result.Stuck.class));
+        assertThat(run.simulation.contacts()).isEmpty();
+    }
+
+    private static NavigationRun run(String planner, long seed) {
         Pose2d left = ROOMS.pose('a', 0);
         Pose2d right = ROOMS.pose('b', Math.PI);
         var model = NavigationRun.pioneer("urg04lx");
-        NavigationRun run = new NavigationRun(
+        return new NavigationRun(
                         ROOMS.grid(),
                         seed,
                         Runnable::run,
                         List.of(NavigationRun.robot("r0", model, left), NavigationRun.robot("r1", model, right)))
                 .with(new AmclDriver(), Map.of())
                 .with(new NavigatorDriver(), Map.of("local", planner));
+    }
+
+    /// Sends each to where the other is; within three minutes.
+    private static List<Result> change(NavigationRun run) {
         run.advance(1);
         var results = new ArrayList<Result>();
-        run.navigator("r0").goTo(right, Tolerance.position(0.4)).result().thenAccept(results::add);
-        run.navigator("r1").goTo(left, Tolerance.position(0.4)).result().thenAccept(results::add);
+        run.navigator("r0")
+                .goTo(ROOMS.pose('b', Math.PI), Tolerance.position(0.4))
+                .result()
+                .thenAccept(results::add);
+        run.navigator("r1")
+                .goTo(ROOMS.pose('a', 0), Tolerance.position(0.4))
+                .result()
+                .thenAccept(results::add);
         for (int second = 0; second < 180 && results.size() < 2; second++) {
             run.advance(1);
         }
-        assertThat(results).hasSize(2).allMatch(Result.Reached.class::isInstance);
-        assertThat(run.simulation.contacts()).isEmpty();
+        return results;
     }
 }
