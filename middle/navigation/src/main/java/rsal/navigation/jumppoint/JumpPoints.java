@@ -13,9 +13,15 @@ import rsal.navigation.wavefront.Ends;
 import rsal.navigation.wavefront.Plan;
 
 /// Finds shortest ways for single questions, without a wave over the whole map: jump point search (D. Harabor,
-/// A. Grastien, Online Graph Pruning for Pathfinding on Grid Maps, AAAI 2011), which of all equally long ways over
-/// the eight neighbors follows one, and looks at cells only where it can turn ([OpenCells]). The way is then pulled
-/// straight wherever a robot can go straight, so it may have any angle.
+/// A. Grastien, Online Graph Pruning for Pathfinding on Grid Maps, AAAI 2011, definitions 1 and 2, algorithms 1 and 2),
+/// which of all equally long ways over the eight neighbors follows one, and looks at cells only where it can turn.
+///
+/// Differs from the paper in these points:
+/// * Ways do not cut corners: a step across one needs both cells beside it. So neighbors are forced one cell later.
+/// * Many cells are scanned at once ([OpenCells]).
+/// * Costs are whole numbers, 10 and 14, so that ways which are as long compare as such.
+/// * A cell that is reached again by a way as long goes on in those directions only that are new.
+/// * The way is pulled straight in the end wherever a robot can go straight, so it may have any angle.
 ///
 /// Knows where a robot can be but not how dear it is to be there: ways go by as near to obstacles as is allowed.
 /// [rsal.navigation.wavefront.Wavefront] plans ways that keep off.

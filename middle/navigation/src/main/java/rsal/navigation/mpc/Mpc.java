@@ -17,11 +17,21 @@ import rsal.navigation.avoid.Obstacles;
 /// the quickest of them begins with, and looks again.
 ///
 /// After G. Williams and others, Information Theoretic MPC for Model-Based Reinforcement Learning (ICRA 2017), from
-/// which it has the sampling around the last plan, and O. Brock, O. Khatib, High-speed Navigation Using the Global
-/// Dynamic Window Approach (ICRA 1999), from which it has the navigation function as what is left to do. Differs from
-/// the first in that the best sample counts, not the mean, which may lie between two sides of a post; that samples
-/// are drawn closer in a few rounds (cross-entropy method, R. Rubinstein, 1999); and that some samples are the same
-/// each time, so that it never gets stuck in its last plan.
+/// whose algorithm (MPPI) it has the sampling around the last plan, moved on by the time since, and O. Brock, O.
+/// Khatib, High-speed Navigation Using the Global Dynamic Window Approach (ICRA 1999), from which it has the navigation
+/// function as what is left to do.
+///
+/// Differs from Williams in these points:
+/// * The best sample counts, not the mean weighted by costs, which may lie between two sides of a post. So there is no
+///   temperature ("λ"), and no cost of the noise.
+/// * Samples are drawn closer in a few rounds, each around the best so far. That is like the cross-entropy method (R.
+///   Rubinstein, The Cross-Entropy Method for Combinatorial and Continuous Optimization, Methodology and Computing in
+///   Applied Probability 1, 1999) with an elite of one and spreads that are halved, not measured.
+/// * Some samples are the same each time, so that it never gets stuck in its last plan.
+/// * The model is that of a drive with limits, not learned.
+///
+/// Differs from Brock and Khatib in that what is left is a time, not a count of cells (NF1), and in that it plans four
+/// pieces of a way of more than a second, not one arc.
 ///
 /// The random numbers are its own and the same in each call. The last word has [Caution].
 public final class Mpc implements LocalPlanner {

@@ -5,15 +5,21 @@ import rsal.data.Covariance2d;
 import rsal.data.Pose2d;
 
 /// Lays a scan onto the lines on which the points of a reference lie: A. Censi, An ICP variant using a
-/// point-to-line metric (ICRA 2008).
+/// point-to-line metric (ICRA 2008): pairs of nearest points, then the pose with the least squares of distances along
+/// the normals of the reference, again and again.
 ///
-/// Differs in that each step is one of Gauss and Newton, small turns taken for straight, with weights that
-/// fall with the distance (Cauchy's), in that a line's direction is that of the neighbors within the same
-/// scan, and in that pairs whose surfaces face different ways are none. What is on no line counts as a point,
-/// a little. The covariance is the inverse of the normal equations of pairs on lines alone, as the points of a
-/// long wall seen from afar are on none and lie near each other by chance; for a deviation of at least
-/// [#LEAST_DEVIATION], as if each [#ALIKE] pairs told the same, and for what they say nothing about that of
-/// [#VAGUE_METERS] and [#VAGUE_RADIANS].
+/// Differs from the paper in these points:
+/// * Each step is one of Gauss and Newton, small turns taken for straight; the paper solves it in closed form.
+/// * Pairs that lie apart count less (weights of Cauchy) and are none beyond a distance that shrinks from step to
+///   step; the paper trims a share of them.
+/// * A line's direction is that of the neighbors within the same scan, not that through the two nearest points.
+/// * Pairs whose surfaces face different ways are none. What is on no line counts as a point, a little.
+/// * The nearest point is found by cells ([Nearest]), not by tables of jumps along the scan.
+///
+/// The covariance is not that of A. Censi, An Accurate Closed-Form Estimate of ICP's Covariance (ICRA 2007), but the
+/// inverse of the normal equations of pairs on lines alone, as the points of a long wall seen from afar are on none and
+/// lie near each other by chance; for a deviation of at least [#LEAST_DEVIATION], as if each [#ALIKE] pairs told the
+/// same, and for what they say nothing about that of [#VAGUE_METERS] and [#VAGUE_RADIANS].
 ///
 /// Immutable; may be shared between threads.
 public final class LineMatcher {

@@ -17,6 +17,15 @@ import rsal.navigation.scanmatch.Match;
 /// through walls, and, where the search went far, only when several scans on end agree on it: E. Olson,
 /// Recognizing places using spectrally clustered local matches, Robotics and Autonomous Systems 57 (2009), of
 /// which this keeps the idea that wrong places don't agree.
+///
+/// Differs from the paper in these points:
+/// * Two loops agree or don't: they put the newer frames at the same place, within bounds ([#agreeing]). The paper
+///   weighs how well each pair fits, and finds those that agree by the dominant eigenvector of the matrix of all pairs.
+/// * Two that agree are enough. Whether a place is like no other near it, and larger than the robot's uncertainty
+/// (local
+///   uniqueness, global sufficiency) is not tested; what contradicts others later is refused ([Refused]).
+/// * Scans are searched for by a [CorrelativeMatcher], then laid on by a [LineMatcher], with beams through walls as
+///   evidence against.
 final class LoopCloser {
     private static final double DETOUR = 8; // m; less than this way is no loop
     private static final double VIEW = 6; // m; who is so near sees the same

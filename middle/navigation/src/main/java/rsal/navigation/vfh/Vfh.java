@@ -10,11 +10,13 @@ import rsal.navigation.avoid.LocalPlanner;
 import rsal.navigation.avoid.Obstacles;
 
 /// Chooses a direction by a polar histogram of obstacles: I. Ulrich, J. Borenstein, VFH+: Reliable Obstacle
-/// Avoidance for Fast Mobile Robots (ICRA 1998), in the paper's four stages: obstacles grown by the robot's radius
-/// and a safety distance (primary histogram), a binary histogram by two thresholds (hysteresis), a masked one by
-/// the circles that the robot can turn on, and candidates in narrow and wide openings with a cost of three weighted
-/// angles, of which that to the target must weigh more than the other two together. The weights are those that its
-/// implementations have as defaults.
+/// Avoidance for Fast Mobile Robots (ICRA 1998), in the four stages of its section 2:
+/// * the primary polar histogram (2.1): obstacles grown by the robot's radius and a safety distance;
+/// * the binary one (2.2), by two thresholds with hysteresis;
+/// * the masked one (2.3), by the circles that the robot can turn on;
+/// * the steering direction (2.4): of candidates in narrow and wide openings the one with the least sum of three
+///   weighted angles, of which that to the target must weigh more than the other two together. The weights are those
+///   that its implementations have as defaults.
 ///
 /// Differs from the paper in these points:
 /// * The histogram is made of what the sensors see now, not of a certainty grid, and holds the nearest obstacle
@@ -165,8 +167,8 @@ public final class Vfh implements LocalPlanner {
         return caution.guarded(wanted, motion.velocity(), obstacles);
     }
 
-    /// The primary histogram, made binary: which directions lead to an obstacle, grown by the robot's radius and
-    /// safety distance, before the target is reached.
+    /// The primary histogram, made binary (sections 2.1 and 2.2): which directions lead to an obstacle, grown by the
+    /// robot's radius and safety distance, before the target is reached.
     private void fill(Obstacles obstacles, double reach, double heading) {
         Arrays.fill(nearest, Double.POSITIVE_INFINITY);
         double least = radius + safetyDistance;
@@ -195,7 +197,7 @@ public final class Vfh implements LocalPlanner {
         return Math.min(limits.turnRate(), settings.turning().most(speed));
     }
 
-    /// Closes also the directions that the robot, at its speed, can only turn to through an obstacle.
+    /// Closes also the directions that the robot, at its speed, can only turn to through an obstacle (section 2.3).
     private void mask(Obstacles obstacles, double heading, Twist2d velocity) {
         System.arraycopy(closed, 0, masked, 0, sectors);
         double speed = Math.abs(velocity.vx());
@@ -220,7 +222,7 @@ public final class Vfh implements LocalPlanner {
         }
     }
 
-    /// The candidate directions of the paper and the cheapest of them.
+    /// The candidate directions of the paper and the cheapest of them (section 2.4).
     private boolean choose(double target, double heading) {
         bestCost = COSTLY;
         int start = 0;
