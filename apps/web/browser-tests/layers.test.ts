@@ -6,6 +6,7 @@ import { eventually } from './eventually';
 import { Rsal } from './rsal';
 import { picture, visits } from './visits';
 import { poseOf, type Place } from './world';
+import type { Mounts } from '../src/api/messages';
 import { texts } from '../src/texts';
 
 const SCENARIO = fileURLToPath(new URL('layers.yaml', import.meta.url));
@@ -30,11 +31,12 @@ interface Changed extends Place {
 
 describe.skipIf(!chromium)('each layer of the map', () => {
   const { openRun } = visits();
+  let rsal: Rsal;
   let page: Page;
   let expected: Record<keyof typeof texts.layers, Shown>;
 
   beforeAll(async () => {
-    const rsal = await Rsal.run(SCENARIO, '--port', '0');
+    rsal = await Rsal.run(SCENARIO, '--port', '0');
     page = await openRun(rsal.url, { viewport: { width: 1400, height: 900 } });
     await page.locator('tr[data-robot="rover"]').click();
     const goal = { x: -1, y: -2.2 };
@@ -58,6 +60,10 @@ describe.skipIf(!chromium)('each layer of the map', () => {
     const green: Rgb = [0x00, 0x9e, 0x73];
     const red: Rgb = [0xcc, 0x00, 0x33];
     const ink = await inks();
+    const mounted = (await mountsOf('rover')).map(({ x, y, heading }) => {
+      const sensor = { ...aside(aside(rover!, x), y, Math.PI / 2), heading: rover!.heading + heading };
+      return aside(sensor, 0.05);
+    });
     const pairs = [
       [orange, blue],
       [orange, green],
@@ -127,7 +133,7 @@ describe.skipIf(!chromium)('each layer of the map', () => {
         colors: [[ink.accent!]],
       },
       axes: {
-        at: [{ x: 0.1, y: 0 }, aside(rover!, 0.2)],
+        at: [{ x: 0.1, y: 0 }, aside(rover!, 0.2), ...mounted],
         within: near([{ x: 0, y: 0 }, { x: -5, y: -2.5 }, rover!], 1.5),
         colors: [[0xd6, 0x28, 0x28] as Rgb, [0x12, 0x88, 0x3f] as Rgb, ink.text!].map((color) => [
           color,
@@ -148,11 +154,20 @@ describe.skipIf(!chromium)('each layer of the map', () => {
 
   const distance = (a: Place, b: Place) => Math.hypot(a.x - b.x, a.y - b.y);
 
-  /** So far ahead of a robot [m]. */
-  const aside = ({ x, y, heading }: Place & { heading: number }, far: number) => ({
-    x: x + far * Math.cos(heading),
-    y: y + far * Math.sin(heading),
+  /** So far ahead of a robot, or to another side of it [m, rad]. */
+  const aside = <P extends Place & { heading: number }>(pose: P, far: number, turn = 0): P => ({
+    ...pose,
+    x: pose.x + far * Math.cos(pose.heading + turn),
+    y: pose.y + far * Math.sin(pose.heading + turn),
   });
+
+  /** Where its laser, its camera and each of its sonars are. */
+  async function mountsOf(robot: string) {
+    const { mounts } = (await (await fetch(`${rsal.origin}/api/mounts?robot=${robot}`)).json()) as Mounts;
+    expect(new Set(mounts.map(({ device }) => device))).toEqual(new Set(['sonar', 'laser', 'camera']));
+    expect(mounts).toHaveLength(8 + 1 + 1);
+    return mounts;
+  }
 
   /** Of the map's palette, by name. */
   const inks = (): Promise<Record<string, Rgb>> =>

@@ -11,6 +11,7 @@ import type {
   Drive,
   Links,
   Mistake,
+  Mounts,
   Motors,
   NewAgent,
   NewRobot,
@@ -146,6 +147,8 @@ export const api = {
   /** What a robot's cameras make out. @param time of what has been [s of the run]; null for the present */
   blobs: (robot: string, time: number | null = null) => about<Cameras>('blobs', robot, time),
   /** What places cost a robot's navigator, of 100; null when it tells none. */
+  /** Where a robot's devices are. @param time of what has been [s of the run]; null for the present */
+  mounts: (robot: string, time: number | null = null) => about<Mounts>('mounts', robot, time),
   costs: (robot: string) => grid(`costs?${query({ robot })}`, robot),
   /** Where the map that a device of a robot has drawn is, to be saved. */
   drawnFiles: (run: number, robot: string, device: string, time: number | null = null) =>

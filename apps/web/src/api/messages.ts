@@ -355,6 +355,17 @@ export interface MotorsOff {
   switchedOff: string[];
 }
 
+export interface MountInfo {
+  device: string;
+  x: number;
+  y: number;
+  heading: number;
+}
+
+export interface Mounts {
+  mounts: MountInfo[];
+}
+
 export interface NewAgent {
   type: string;
   robot: string;

@@ -1,4 +1,4 @@
-import type { CameraView, CarriedInfo, LinkInfo, RealDetails, RunInfo } from '../api/messages';
+import type { CameraView, CarriedInfo, LinkInfo, MountInfo, RealDetails, RunInfo } from '../api/messages';
 import type { Frame, MovedThing, Pose } from '../live/frame';
 import type { Things } from '../live/things';
 import type { Trails } from '../live/trails';
@@ -33,6 +33,8 @@ export interface Scene {
   links: readonly LinkInfo[];
   /** What the selected robot's cameras make out, while that is shown. */
   cameras: readonly CameraView[];
+  /** Where the selected robot's devices are mounted, while that is shown. */
+  mounts: readonly MountInfo[];
   view: View;
   /** How many pixels of a canvas a CSS pixel is wide. */
   density: number;

@@ -7,6 +7,8 @@ import { boxesOf } from './names';
 /** An axis is at least this long [px], and as long as this on a large scale [m]. */
 const LEAST_PIXELS = 26;
 const LENGTH = 0.3;
+/** Where several stand close together, they are shorter. */
+const SMALL = 0.4;
 /** x red, y green, as usual. */
 const X = '#d62828';
 const Y = '#12883f';
@@ -19,31 +21,39 @@ const FONT = '600 11px system-ui, sans-serif';
 export interface Axes {
   name: string;
   pose: Pose;
+  /** Whether it is one of several that stand close together. */
+  small?: boolean;
 }
 
 const hiding = (box: Box, others: readonly Box[]) => others.find((other) => overlap(box, other) > 0);
 
 /**
- * The frames that are known of a robot: the map's, its base's and its laser's as they are, its odometry's, and its base's
- * as it is believed to be.
+ * The frames that are known of a robot: the map's, its base's and its devices' as they are, its odometry's, and its base's
+ * as it is believed to be. A device with several sensors has its name at the first of them.
  */
 export function axesOf({
   info,
   frame,
   poses,
+  mounts,
   selected,
-}: Pick<Scene, 'info' | 'frame' | 'poses' | 'selected'>): Axes[] {
+}: Pick<Scene, 'info' | 'frame' | 'poses' | 'mounts' | 'selected'>): Axes[] {
   const all: Axes[] = [{ name: 'map', pose: { x: 0, y: 0, heading: 0 } }];
   const pose = selected === null ? null : (poses[selected] ?? null);
   if (selected === null || pose === null) {
     return all;
   }
   const { id } = info.robots[selected]!;
-  const { estimate, scan, odom } = frame.robots[selected]!;
+  const { estimate, odom } = frame.robots[selected]!;
   all.push({ name: `${id}/base_link`, pose });
-  if (scan) {
-    all.push({ name: 'laser', pose: compose(pose, scan.baseFromLaser) });
-  }
+  mounts.forEach((mount, i) => {
+    const isNext = mount.device === mounts[i - 1]?.device;
+    all.push({
+      name: isNext ? '' : mount.device,
+      pose: compose(pose, mount),
+      small: isNext || mount.device === mounts[i + 1]?.device,
+    });
+  });
   if (odom) {
     all.push({ name: `${id}/odom`, pose: odom });
   }
@@ -56,15 +66,16 @@ export function axesOf({
 /** Axes of frames, on the floor: x and y, with the frame's name at its origin, or below what is written there. */
 export const drawAxes: Layer = (context, scene) => {
   const { view, palette } = scene;
-  const length = Math.max(LENGTH, LEAST_PIXELS / view.scale);
+  const whole = Math.max(LENGTH, LEAST_PIXELS / view.scale);
   context.save();
   view.leave(context);
   context.lineCap = 'round';
   context.textBaseline = 'top';
   const written: Box[] = boxesOf(context, scene);
   context.font = FONT;
-  for (const { name, pose } of axesOf(scene)) {
+  for (const { name, pose, small } of axesOf(scene)) {
     const origin = view.toPixel(pose);
+    const length = small ? SMALL * whole : whole;
     for (const [color, angle] of [
       [X, pose.heading],
       [Y, pose.heading + Math.PI / 2],
@@ -82,6 +93,9 @@ export const drawAxes: Layer = (context, scene) => {
         context.lineWidth = width;
         context.stroke();
       }
+    }
+    if (name === '') {
+      continue;
     }
     const width = context.measureText(name).width + GAP;
     const box = { x: origin.px + 5, y: origin.py + 4, width, height: HEIGHT };

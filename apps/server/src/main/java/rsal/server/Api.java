@@ -147,6 +147,9 @@ final class Api {
         routes.get("/api/blobs", request -> {
             answerWhenDone(request, readings(request), told -> CameraViews.of(told.readings()));
         });
+        routes.get("/api/mounts", request -> {
+            answerWhenDone(request, readings(request), told -> Mountings.of(told.readings()));
+        });
         routes.get("/api/costs", request -> {
             answerWhenDone(request, running(request).costs(asked(request, "robot")));
         });

@@ -315,6 +315,16 @@ final class Messages {
     /// @param range how far it is [m]; absent when the camera can't tell
     record BlobInfo(String color, double from, double to, Optional<Double> range) {}
 
+    /// Where devices of a robot are mounted, of those of which that is told.
+    ///
+    /// @param mounts several in a row of a device with several sensors
+    record Mounts(List<MountInfo> mounts) {}
+
+    /// @param x in the robot's base frame [m]
+    /// @param y likewise [m]
+    /// @param heading likewise [rad]
+    record MountInfo(String device, double x, double y, double heading) {}
+
     /// @param proxy whether a stand-in of it is in the simulated world
     /// @param silence for how long nobody has told where it is, if that is longer than it should be [s]
     record RealDetails(boolean proxy, Optional<Double> silence) {}

@@ -74,6 +74,9 @@ final class ReplayApi {
         routes.get(
                 "/api/blobs",
                 request -> Api.answer(request, CameraViews.of(readings(request).readings())));
+        routes.get(
+                "/api/mounts",
+                request -> Api.answer(request, Mountings.of(readings(request).readings())));
         routes.get("/api/*", _ -> {
             throw new Refusal(409, "This was not recorded.");
         });
