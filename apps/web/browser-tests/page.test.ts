@@ -499,11 +499,11 @@ describe.skipIf(!chromium)('the page', () => {
     await page.getByText('hunter-1 goes for prey-1').first().waitFor();
     await page.getByRole('button', { name: 'Chart', exact: true }).click();
     await page.locator('.arrow.all', { hasText: 'hunter-1 goes for prey-1' }).first().waitFor();
-    const about = page.getByLabel('Of one topic or protocol');
+    const topic = page.getByLabel('Of one topic');
     await page.locator('.arrow.all', { hasText: 'prey-1 is at' }).first().waitFor({ state: 'detached' });
-    await about.selectOption('pose'); // which is too much at first
+    await topic.selectOption('pose'); // which is too much at first
     await page.locator('.arrow.all', { hasText: 'prey-1 is at' }).nth(3).waitFor();
-    await about.selectOption('all topics and protocols');
+    await topic.selectOption('all topics');
     await page.locator('.arrow.all', { hasText: 'hunter-1 goes for prey-1' }).first().waitFor();
   });
 

@@ -26,7 +26,7 @@ describe.skipIf(!chromium)('what people work with', () => {
   it('a chart shows who said what to whom, one after the other, and one conversation alone', async () => {
     const panel = page.locator('.panel', { hasText: 'Events' });
     await panel.getByRole('button', { name: 'Chart' }).click();
-    await panel.getByLabel('Of one topic or protocol').selectOption({ label: 'conversations' });
+    await panel.getByLabel('Of one topic').selectOption({ label: 'conversations' });
     const arrows = panel.locator('.arrow');
     await arrows.nth(3).waitFor();
     const places = () =>
@@ -50,7 +50,17 @@ describe.skipIf(!chromium)('what people work with', () => {
     await eventually(async () => (await arrows.count()) < all, 'other conversations are left out');
     await panel.getByRole('button', { name: '✕' }).click();
     await eventually(async () => (await arrows.count()) >= all, 'they are back');
-    await panel.getByLabel('Of one topic or protocol').selectOption({ label: 'all topics and protocols' });
+    await panel.getByLabel('Of one protocol').selectOption({ index: 1 });
+    await eventually(async () => (await arrows.count()) > 0, 'there are some');
+    expect(await panel.locator('.arrow:not([disabled])').count(), 'all of conversations').toBe(
+      await arrows.count(),
+    );
+    await picture(page, 'chart-protocol');
+    await panel.getByLabel('Of one topic').selectOption({ label: 'hello' });
+    await panel.getByText('Nothing of this was said yet; choose something else above.').waitFor();
+    await panel.getByLabel('Of one protocol').selectOption({ label: 'all protocols' });
+    await arrows.first().waitFor();
+    await panel.getByLabel('Of one topic').selectOption({ label: 'all topics' });
     await eventually(
       async () => (await panel.locator('.arrow.all').count()) > 0,
       'what is for all is there, too',

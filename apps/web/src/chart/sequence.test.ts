@@ -91,14 +91,14 @@ it('what one says to all again and again is there once, until a topic is chosen'
     '73: here ×1',
   ]);
   expect(left).toBe(0);
-  expect(sequenceOf(all, { ...ANY, about: 'depot' }, 100).arrows).toHaveLength(6);
+  expect(sequenceOf(all, { ...ANY, topic: 'depot' }, 100).arrows).toHaveLength(6);
 });
 
 it('what is said to one agent is a conversation, too', () => {
   const speech: SaidInfo = { ...toAll, to: 'collect-1', topic: 'speech' };
   const all = [events[0]!, event('fetch', speech, 'achieve: wait')];
   expect(hasConversations(all)).toBe(true);
-  expect(sequenceOf(all, { ...ANY, about: CONVERSATIONS }, 100).arrows.map(({ label }) => label)).toEqual([
+  expect(sequenceOf(all, { ...ANY, topic: CONVERSATIONS }, 100).arrows.map(({ label }) => label)).toEqual([
     'achieve: wait',
   ]);
 });
@@ -114,17 +114,26 @@ it('columns are those who speak or are spoken to in it, in the order of the run'
   expect(sequenceOf(events, ANY, 2).left).toBe(3);
 });
 
-it('an agent, a protocol or topic, and a conversation leave the others out', () => {
+it('an agent, a topic, a protocol, and a conversation leave the others out, each and together', () => {
   expect(words({ ...ANY, agent: 'follow-1' })).toEqual(['hunt → follow-1: cfp', 'follow-1 → hunt: inform']);
-  expect(words({ ...ANY, about: 'prey' })).toEqual(['escape-1 → all: prey-1 is at (1, 2)']);
-  expect(words({ ...ANY, about: CONVERSATIONS })).toHaveLength(4);
-  expect(words({ ...ANY, about: 'fipa-contract-net', conversation: 'other#1' })).toEqual([
+  expect(words({ ...ANY, topic: 'prey' })).toEqual(['escape-1 → all: prey-1 is at (1, 2)']);
+  expect(words({ ...ANY, topic: CONVERSATIONS })).toHaveLength(4);
+  const net = { ...ANY, protocol: 'fipa-contract-net' };
+  expect(words(net)).toHaveLength(4);
+  expect(words({ ...net, topic: 'agent/hunt' })).toEqual([
+    'follow-2 → hunt: refuse!',
     'follow-1 → hunt: inform',
   ]);
+  expect(words({ ...net, topic: 'agent/hunt', agent: 'follow-1' })).toEqual(['follow-1 → hunt: inform']);
+  expect(words({ ...net, topic: CONVERSATIONS, conversation: 'other#1' })).toEqual([
+    'follow-1 → hunt: inform',
+  ]);
+  expect(words({ ...net, topic: 'prey' })).toEqual([]);
 });
 
 it('there is to choose what was said', () =>
   expect(choiceOf(events)).toEqual({
     agents: ['escape-1', 'follow-1', 'follow-2', 'hunt'],
-    about: ['fipa-contract-net', 'prey'],
+    topics: ['agent/follow-1', 'agent/follow-2', 'agent/hunt', 'prey'],
+    protocols: ['fipa-contract-net'],
   }));

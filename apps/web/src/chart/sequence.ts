@@ -1,20 +1,21 @@
 import type { EventInfo, RoutineInfo, SaidInfo } from '../api/messages';
 import { brief } from '../format';
 
-/** What to show of all that was said; each empty for any. */
+/** What to show of all that was said: what meets each of these, which are empty for any. */
 export interface Wanted {
   /** Who says it, or hears it by name. */
   agent: string;
-  /** A topic, a protocol, or all [CONVERSATIONS]. */
-  about: string;
+  /** Of one topic, or all [CONVERSATIONS]. */
+  topic: string;
+  protocol: string;
   /** Id of a conversation. */
   conversation: string;
 }
 
-/** Whatever is part of one, or said to one agent: no topic or protocol is called so. */
+/** Whatever is part of one, or said to one agent: no topic is called so. */
 export const CONVERSATIONS = '*';
 
-export const ANY: Wanted = { agent: '', about: '', conversation: '' };
+export const ANY: Wanted = { agent: '', topic: '', protocol: '', conversation: '' };
 
 /** Something that was said, as a line from one column to another. */
 export interface Arrow {
@@ -46,8 +47,8 @@ export interface Sequence {
 /** What there is to choose from. */
 export interface Choice {
   agents: string[];
-  /** Protocols and topics. */
-  about: string[];
+  topics: string[];
+  protocols: string[];
 }
 
 const REFUSALS = new Set(['refuse', 'reject-proposal', 'failure', 'not-understood', 'cancel']);
@@ -59,7 +60,7 @@ const SOON = 30;
 export function sequenceOf(events: readonly EventInfo[], wanted: Wanted, most: number): Sequence {
   const some = events.filter((event) => isWanted(event, wanted));
   const times =
-    wanted.about === ANY.about ? withoutRepetitions(some) : new Map(some.map((event) => [event, 1]));
+    wanted.topic === ANY.topic ? withoutRepetitions(some) : new Map(some.map((event) => [event, 1]));
   const all = [...times.keys()];
   const shown = all.slice(-most);
   const there = new Set(shown.flatMap(partners));
@@ -96,8 +97,13 @@ function withoutRepetitions(events: readonly EventInfo[]): Map<EventInfo, number
 }
 
 export function choiceOf(events: readonly EventInfo[]): Choice {
-  const about = events.flatMap(({ said }) => (said ? [said.protocol || said.topic] : []));
-  return { agents: [...new Set(events.flatMap(partners))].sort(), about: [...new Set(about)].sort() };
+  const said = events.flatMap((event) => event.said ?? []);
+  const different = (names: string[]) => [...new Set(names)].sort();
+  return {
+    agents: different(events.flatMap(partners)),
+    topics: different(said.map(({ topic }) => topic)),
+    protocols: different(said.map(({ protocol }) => protocol)).filter((name) => name !== ''),
+  };
 }
 
 /** Of events and of what is said so often that it is none, what is about a topic, oldest first. */
@@ -125,11 +131,12 @@ export const hasConversations = (events: readonly EventInfo[]): boolean =>
 /** Whether it is part of a conversation. Agents in AgentSpeak have some, too, of which only they know which is which. */
 const isTalk = ({ to, conversation }: SaidInfo): boolean => conversation !== '' || to !== '';
 
-function isWanted({ subject, said }: EventInfo, { agent, about, conversation }: Wanted): boolean {
+function isWanted({ subject, said }: EventInfo, { agent, topic, protocol, conversation }: Wanted): boolean {
   return (
     said !== null &&
     (agent === '' || agent === subject || agent === said.to) &&
-    (about === '' || (about === CONVERSATIONS ? isTalk(said) : about === (said.protocol || said.topic))) &&
+    (topic === '' || (topic === CONVERSATIONS ? isTalk(said) : topic === said.topic)) &&
+    (protocol === '' || protocol === said.protocol) &&
     (conversation === '' || conversation === said.conversation)
   );
 }
