@@ -17,4 +17,20 @@ export default ts.config(
     files: ['**/*.svelte', '**/*.svelte.ts'],
     languageOptions: { parserOptions: { parser: ts.parser, svelteConfig } },
   },
+  {
+    // what people read is in one place
+    files: ['src/**'],
+    ignores: ['src/texts.ts', 'src/**/*.test.ts'],
+    rules: {
+      'no-restricted-syntax': [
+        'error',
+        ...[
+          ':not(SvelteStyleElement) > SvelteText[value=/[A-Za-z]{2}/]',
+          'SvelteAttribute[key.name=/^(alt|aria-label|label|placeholder|title)$/] > SvelteLiteral[value=/[A-Za-z]{2}/]',
+          ':not(NewExpression[callee.name="Error"]) > Literal[value=/^[A-Z][a-z]*( [a-z]+){2}/]',
+          'TemplateElement[value.raw=/[a-z]+( [a-z]+){2}/]',
+        ].map((selector) => ({ selector, message: 'This text belongs to src/texts.ts.' })),
+      ],
+    },
+  },
 );

@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { actionOf, isModified, keys, isWritten } from './keyboard';
+import { actionOf, isModified, isWritten } from './keyboard';
+import { texts } from './texts';
 
 function press(key: string, more: object = {}) {
   return actionOf({
@@ -114,5 +115,5 @@ it('is known where somebody writes', () => {
 it('the documentation has the keys that the help has', () => {
   const page = readFileSync(new URL('../../../docs/reference/page.md', import.meta.url), 'utf8');
   const rows = [...page.matchAll(/^\| (.+) \| (.+) \|$/gm)].map(([, key, meaning]) => [key, meaning]);
-  expect(rows.slice(1)).toEqual(keys); // after the head
+  expect(rows.slice(1)).toEqual(texts.help.keys); // after the head
 });

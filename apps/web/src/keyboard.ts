@@ -37,45 +37,6 @@ const ZOOM = 1.25;
 const PAN = 60;
 const TURN = Math.PI / 12;
 
-/** Shown in the help. */
-export const keys: [string, string][] = [
-  ['F8', 'emergency stop, wherever the focus is; re-arm with the button that then appears'],
-  [
-    'Space',
-    'emergency stop, unless a button, a list or a field has the focus; who looks back is in the present again',
-  ],
-  ['P', 'pause, resume'],
-  ['.', 'one step, while paused'],
-  [',', 'look one moment back'],
-  ['[  ]', 'look at the marked event before, after'],
-  ['L', 'look at the present again'],
-  ['+  −', 'faster, slower'],
-  ['1 … 9', 'select a robot'],
-  ['G', 'send the selected robot: click on the map, drag for its heading'],
-  ['F', 'follow the selected robot'],
-  ['E', 'look from the selected robot, as on board, unless one is driven'],
-  ['T', 'measure distances: drag on the map'],
-  ['K', 'drive the selected robot by keys, or let go of it'],
-  [
-    'W A S D',
-    'while driving: ahead, left, back, right; the arrows do the same, Q and E go sideways, Shift goes fast',
-  ],
-  ['← ↑ ↓ →', 'move the map'],
-  ['Shift ← →', 'turn the map, unless a robot is driven'],
-  ['N', 'turn it back, so that y is up'],
-  ['V', 'look at it from above, or at an angle, with heights'],
-  ['I  O', 'zoom in, out'],
-  ['0', 'show the whole map'],
-  ['H', 'hide the panels, so that the map has all room, or show them again'],
-  ['M', 'add something in the middle of the map, or remove what is there'],
-  ['C', 'choose a scenario'],
-  ['X', 'look at the newest sweep'],
-  ['B', 'look at runs side by side'],
-  ['R', 'restart'],
-  ['Esc', 'let go, close'],
-  ['?', 'this help'],
-];
-
 /** Types nothing, and no browser wants it: so it can work in fields and dialogs, too, and is not hit while writing. */
 const EMERGENCY_STOP = 'F8';
 

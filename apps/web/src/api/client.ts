@@ -45,6 +45,7 @@ import type {
   Topics,
   Trails,
 } from './messages';
+import { texts } from '../texts';
 import { access } from './access.svelte';
 import { decodeGrid, type Grid } from './grid';
 
@@ -146,9 +147,9 @@ export const api = {
   trails: (time: number | null) => found<Trails>(time === null ? 'trails' : `trails?time=${String(time)}`),
   /** What a robot's cameras make out. @param time of what has been [s of the run]; null for the present */
   blobs: (robot: string, time: number | null = null) => about<Cameras>('blobs', robot, time),
-  /** What places cost a robot's navigator, of 100; null when it tells none. */
   /** Where a robot's devices are. @param time of what has been [s of the run]; null for the present */
   mounts: (robot: string, time: number | null = null) => about<Mounts>('mounts', robot, time),
+  /** What places cost a robot's navigator, of 100; null when it tells none. */
   costs: (robot: string) => grid(`costs?${query({ robot })}`, robot),
   /** Where the map that a device of a robot has drawn is, to be saved. */
   drawnFiles: (run: number, robot: string, device: string, time: number | null = null) =>
@@ -231,9 +232,9 @@ async function send(
     answer = await response.json(); // which may be given up, too
   } catch {
     if (mayWait && stop.aborted) {
-      throw new RefusedError('Not waited for, as the emergency stop came first: it may still be done.', []);
+      throw new RefusedError(texts.refused.stopFirst, []);
     }
-    throw new RefusedError('The server does not answer.', []);
+    throw new RefusedError(texts.refused.noAnswer, []);
   }
   if (!response.ok) {
     const refused = answer as Refused;
