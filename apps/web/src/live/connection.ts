@@ -10,15 +10,18 @@ const LONGEST_BEGINNING_MILLIS = 300;
 /** For how long words wait for the frame behind them, which the server sends along with them. */
 const LONGEST_BUNDLE_MILLIS = 30;
 
-/** A line that public/early.js has opened, with what it has brought, and the code by which it has ended. */
-interface Early {
+/** With what it has brought before somebody listened, and the code by which it has ended. */
+interface Line {
   socket: WebSocket;
   said: (ArrayBuffer | string)[];
   closed: number | null;
 }
 
+// of public/early.js
 declare global {
-  var rsalEarly: Early | undefined;
+  var rsalOpen: () => Line;
+  /** The first. */
+  var rsalEarly: Line | undefined;
 }
 
 /** How events begin. */
@@ -42,7 +45,7 @@ export function look(wish: Partial<LookBack>): void {
 
 /** Listens to the run for as long as the page is open, and comes back by itself when the server does. */
 export function connect(listener: Listener): void {
-  const { socket, said, closed } = takeEarly() ?? { socket: open(), said: [], closed: null };
+  const { socket, said, closed } = takeEarly() ?? rsalOpen();
   line = socket;
   const take = (data: ArrayBuffer | string) => {
     if (typeof data === 'string') {
@@ -77,14 +80,8 @@ export function connect(listener: Listener): void {
   queueMicrotask(listen); // once what listens is there
 }
 
-function open(): WebSocket {
-  const socket = new WebSocket(new URL('api/live', location.href.replace(/^http/, 'ws')));
-  socket.binaryType = 'arraybuffer';
-  return socket;
-}
-
-/** The line that public/early.js has opened, once. */
-function takeEarly(): Early | undefined {
+/** The line that was opened while this was loaded, once. */
+function takeEarly(): Line | undefined {
   const early = globalThis.rsalEarly;
   globalThis.rsalEarly = undefined;
   return early;
