@@ -71,9 +71,8 @@ export const drawAxes: Layer = (context, scene) => {
   view.leave(context);
   context.lineCap = 'round';
   context.textBaseline = 'top';
-  const written: Box[] = boxesOf(context, scene);
-  context.font = FONT;
-  for (const { name, pose, small } of axesOf(scene)) {
+  const all = axesOf(scene);
+  for (const { pose, small } of all) {
     const origin = view.toPixel(pose);
     const length = small ? SMALL * whole : whole;
     for (const [color, angle] of [
@@ -94,11 +93,13 @@ export const drawAxes: Layer = (context, scene) => {
         context.stroke();
       }
     }
-    if (name === '') {
-      continue;
-    }
+  }
+  const written: Box[] = boxesOf(context, scene);
+  context.font = FONT;
+  for (const { name, pose } of all.filter((axes) => axes.name !== '')) {
+    const { px, py } = view.toPixel(pose);
     const width = context.measureText(name).width + GAP;
-    const box = { x: origin.px + 5, y: origin.py + 4, width, height: HEIGHT };
+    const box = { x: px + 5, y: py + 4, width, height: HEIGHT };
     for (let under = hiding(box, written); under; under = hiding(box, written)) {
       box.y = under.y + under.height;
     }
