@@ -464,7 +464,7 @@ public final class Amcl {
         }
         switch (settings.model()) {
             case FIELD -> map.walls.logs(beams, particles, block, logs);
-            case BEAM -> map.reaches.logs(beams, particles, logs);
+            case BEAM -> map.reaches.logs(beams, particles, block, logs);
         }
         for (int i = 0; i < particles.count; i++) {
             logs[i] *= beamWeight;

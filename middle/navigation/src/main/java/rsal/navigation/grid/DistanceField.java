@@ -70,6 +70,29 @@ public final class DistanceField {
         return new DistanceField(map, transform(map, cell -> cells[cell] != OccupancyGrid.FREE));
     }
 
+    public int width() {
+        return width;
+    }
+
+    public int height() {
+        return height;
+    }
+
+    /// Side of a cell [m].
+    public double resolution() {
+        return resolution;
+    }
+
+    /// Of the lower-left cell's lower-left corner [m].
+    public double originX() {
+        return originX;
+    }
+
+    /// Likewise.
+    public double originY() {
+        return originY;
+    }
+
     /// Distance of a cell [m], row by row as in the map; +∞ everywhere when there is nothing to be near to.
     public float at(int cell) {
         return meters[cell];
