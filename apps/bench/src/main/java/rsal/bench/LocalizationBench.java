@@ -3,6 +3,7 @@ package rsal.bench;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.function.Function;
 import java.util.function.Predicate;
@@ -35,10 +36,17 @@ import rsal.settings.Location;
 /// Localization by particles.
 ///
 /// Names are `amcl.<case>.<what>`:
-/// * `amcl.<particles>x<beams>.ms`: an update in the office, on one core.
+/// * `amcl.<particles>x<beams>.ms`: an update in the office, on one core; `.ns` the same by beam and particle, and
+///   `.beam.ns` what more beams cost each particle: those that 180 have more.
+/// * `amcl.100robots.<sensor>.cores`: share of a core that 100 robots in the office take which measure ten times a
+///   second, driven for half a minute from where they were told to start; `.always.cores` with an update each time, as
+///   far as they go and turn or not.
 /// * `amcl.office.<sensor>.<what>`: how far off a robot is that drives through the office and was told where it
 ///   starts; 20 drives of a minute. `sure` is the share of the time in which it says to be localized and is: who
 ///   never says so is never wrong either.
+/// * `amcl.office.simulated.<sensor>.<what>`: likewise of a simulated Pioneer and its device `amcl`, told where it
+/// starts,
+///   with the laser or sonars of the simulator, their noise and that of its wheels.
 /// * `amcl.kidnap.recovered`: share of 40 robots that, carried elsewhere in the office, are right and say
 ///   to be localized within half a minute.
 /// * `amcl.corridor.falseConfidence`: share of the time in which a robot in a corridor that looks the same from both
@@ -50,8 +58,12 @@ import rsal.settings.Location;
 ///   errors.
 final class LocalizationBench implements Bench {
     private static final List<String> OF_LOGS = List.of("converged", "rmse", "worst", "p95", "falseConfidence");
+    private static final List<String> OF_TOURS = List.of("median", "p95", "sure");
     private static final List<String> SENSORS = List.of("laser", "sonar16", "sonar8");
     private static final List<int[]> SIZES = List.of(new int[] {500, 18}, new int[] {1000, 50}, new int[] {1000, 180});
+    private static final int MANY_BEAMS = 180;
+    private static final int ROBOTS = 100;
+    private static final List<String> SENSORS_OF_MANY = List.of("laser", "sonar16");
     private static final int SEEDS = 50;
     private static final int SCANS = 40;
     private static final int DRIVES = 20;
@@ -63,12 +75,19 @@ final class LocalizationBench implements Bench {
     @Override
     public List<String> names() {
         var names = new ArrayList<String>();
-        SIZES.forEach(size -> names.add(name(size)));
-        for (String sensor : SENSORS) {
-            names.add("amcl.office.%s.median".formatted(sensor));
-            names.add("amcl.office.%s.p95".formatted(sensor));
-            names.add("amcl.office.%s.sure".formatted(sensor));
+        for (int[] size : SIZES) {
+            names.add(name(size, "ms"));
+            names.add(name(size, "ns"));
+            if (size[1] < MANY_BEAMS) {
+                names.add(name(size, "beam.ns"));
+            }
         }
+        for (String sensor : SENSORS_OF_MANY) {
+            names.add(nameOfMany(sensor));
+            names.add(nameOfAlways(sensor));
+        }
+        SENSORS.forEach(sensor -> OF_TOURS.forEach(what -> names.add(nameOfTours(sensor) + what)));
+        SENSORS.forEach(sensor -> OF_TOURS.forEach(what -> names.add(nameOfSimulated(sensor) + what)));
         names.add("amcl.kidnap.recovered");
         names.add("amcl.corridor.falseConfidence");
         for (String log : PublicLogs.NAMES) {
@@ -77,8 +96,24 @@ final class LocalizationBench implements Bench {
         return names;
     }
 
-    private static String name(int[] size) {
-        return "amcl.%dx%d.ms".formatted(size[0], size[1]);
+    private static String name(int[] size, String what) {
+        return "amcl.%dx%d.%s".formatted(size[0], size[1], what);
+    }
+
+    private static String nameOfTours(String sensor) {
+        return "amcl.office.%s.".formatted(sensor);
+    }
+
+    private static String nameOfSimulated(String sensor) {
+        return "amcl.office.simulated.%s.".formatted(sensor);
+    }
+
+    private static String nameOfMany(String sensor) {
+        return "amcl.%drobots.%s.cores".formatted(ROBOTS, sensor);
+    }
+
+    private static String nameOfAlways(String sensor) {
+        return "amcl.%drobots.%s.always.cores".formatted(ROBOTS, sensor);
     }
 
     private static String name(String log) {
@@ -89,25 +124,17 @@ final class LocalizationBench implements Bench {
     public void measure(Assignment assignment) {
         var office = new Drive(new Maps(FileSource.disk()).read("office", Location.of("office")));
         for (int[] size : SIZES) {
-            if (assignment.wants(name(size))) {
-                assignment.tell(
-                        Result.less(name(size), "ms", updateTimes(office, size[0], size[1], assignment.repeats())));
-            }
+            measure(office, size[0], size[1], assignment);
         }
-        if (SIZES.stream().anyMatch(size -> assignment.wants(name(size)))) {
+        if (SIZES.stream().anyMatch(size -> assignment.wants(name(size, "ms")))) {
             assignment.show(timesBySize(office));
         }
+        for (String sensor : SENSORS_OF_MANY) {
+            measureMany(office, sensor, assignment);
+        }
         for (String sensor : SENSORS) {
-            String name = "amcl.office.%s.".formatted(sensor);
-            if (Stream.of("median", "p95", "sure").anyMatch(what -> assignment.wants(name + what))) {
-                List<Belief> beliefs = tours(office, sensor);
-                double[] errors =
-                        beliefs.stream().mapToDouble(Belief::error).sorted().toArray();
-                assignment.tell(
-                        Result.less(name + "median", "m", errors[errors.length / 2]),
-                        Result.less(name + "p95", "m", errors[(int) (0.95 * errors.length)]),
-                        Result.more(name + "sure", "", share(beliefs, Belief::rightlySure)));
-            }
+            tellBeliefs(nameOfTours(sensor), () -> tours(office, sensor), assignment);
+            tellBeliefs(nameOfSimulated(sensor), () -> simulated(sensor), assignment);
         }
         if (assignment.wants("amcl.kidnap.recovered")) {
             assignment.tell(Result.more("amcl.kidnap.recovered", "", recovered(office)));
@@ -134,6 +161,66 @@ final class LocalizationBench implements Bench {
         }
     }
 
+    private static void measure(Drive office, int particles, int beams, Assignment assignment) {
+        int[] size = {particles, beams};
+        String name = name(size, "");
+        if (Stream.of("ms", "ns", "beam.ns").noneMatch(what -> assignment.wants(name + what))) {
+            return;
+        }
+        double[] ms = updateTimes(office, particles, beams, assignment.repeats());
+        double each = 1e6 / particles / beams;
+        assignment.tell(
+                Result.less(name + "ms", "ms", ms),
+                Result.less(
+                        name + "ns",
+                        "ns",
+                        Arrays.stream(ms).map(one -> one * each).toArray()));
+        if (assignment.wants(name + "beam.ns")) {
+            double[] ofMany = updateTimes(office, particles, MANY_BEAMS, assignment.repeats());
+            double eachMore = 1e6 / particles / (MANY_BEAMS - beams);
+            assignment.tell(Result.less(
+                    name + "beam.ns",
+                    "ns",
+                    IntStream.range(0, ms.length)
+                            .mapToDouble(i -> (ofMany[i] - ms[i]) * eachMore)
+                            .toArray()));
+        }
+    }
+
+    private static void measureMany(Drive office, String sensor, Assignment assignment) {
+        if (!assignment.wants(nameOfMany(sensor)) && !assignment.wants(nameOfAlways(sensor))) {
+            return;
+        }
+        var fleet = new LocalizedFleet(
+                office,
+                map(office, sensor),
+                ROBOTS,
+                HALF_A_MINUTE,
+                (pose, random) -> look(office, sensor, pose, random));
+        if (assignment.wants(nameOfMany(sensor))) {
+            assignment.tell(Result.less(nameOfMany(sensor), "cores", cores(fleet, settings(sensor), assignment)));
+        }
+        if (assignment.wants(nameOfAlways(sensor))) {
+            assignment.tell(
+                    Result.less(nameOfAlways(sensor), "cores", cores(fleet, eachTime(settings(sensor)), assignment)));
+        }
+    }
+
+    /// Of a first run, only for the machine to learn the code, nothing is told.
+    private static double[] cores(LocalizedFleet fleet, Settings settings, Assignment assignment) {
+        fleet.cores(settings);
+        return IntStream.range(0, assignment.repeats())
+                .mapToDouble(_ -> fleet.cores(settings))
+                .toArray();
+    }
+
+    /// As the device `amcl` has them if nobody says otherwise.
+    private static Settings settings(String sensor) {
+        return isLaser(sensor)
+                ? settings(150, 5000, 15, SensorModel.Kind.FIELD)
+                : settings(150, 5000, 3, SensorModel.Kind.BEAM);
+    }
+
     private static Settings settings(int fewest, int most, double independentBeams, SensorModel.Kind model) {
         return new Settings(
                 fewest,
@@ -144,6 +231,32 @@ final class LocalizationBench implements Bench {
                 new OdometryModel(0.06, 0.05, 0.08),
                 new Kld(0.05, 2.33),
                 model);
+    }
+
+    private static Settings eachTime(Settings settings) {
+        return new Settings(
+                settings.minParticles(),
+                settings.maxParticles(),
+                settings.independentBeams(),
+                0,
+                0,
+                settings.odometry(),
+                settings.kld(),
+                settings.model());
+    }
+
+    private static boolean isLaser(String sensor) {
+        return sensor.equals("laser");
+    }
+
+    private static LocalizationMap map(Drive drive, String sensor) {
+        return new LocalizationMap(drive.map(), isLaser(sensor) ? 0.1 : 0.25, 0.05);
+    }
+
+    private static Beams look(Drive drive, String sensor, Pose2d mapFromBase, SplittableRandom random) {
+        return isLaser(sensor)
+                ? Beams.of(drive.laser(mapFromBase, random), 60, 30)
+                : Beams.of(drive.sonars(mapFromBase, sensor.equals("sonar16") ? 16 : 8, random), 5);
     }
 
     private static Plot timesBySize(Drive office) {
@@ -185,7 +298,7 @@ final class LocalizationBench implements Bench {
         return watch.thread() * 1e3 / ticks.size(); // that of all threads is told in steps of 10 ms
     }
 
-    private static PoseEstimate about(Pose2d pose) {
+    static PoseEstimate about(Pose2d pose) {
         return PoseEstimate.of(pose, Covariance2d.ofDeviations(0.2, 0.2, Math.toRadians(10)));
     }
 
@@ -232,25 +345,42 @@ final class LocalizationBench implements Bench {
         return (double) beliefs.stream().filter(which).count() / beliefs.size();
     }
 
+    private static void tellBeliefs(String name, Supplier<List<Belief>> drives, Assignment assignment) {
+        if (OF_TOURS.stream().noneMatch(what -> assignment.wants(name + what))) {
+            return;
+        }
+        List<Belief> beliefs = drives.get();
+        double[] errors = beliefs.stream().mapToDouble(Belief::error).sorted().toArray();
+        assignment.tell(
+                Result.less(name + "median", "m", errors[errors.length / 2]),
+                Result.less(name + "p95", "m", errors[(int) (0.95 * errors.length)]),
+                Result.more(name + "sure", "", share(beliefs, Belief::rightlySure)));
+    }
+
+    /// Of all drives.
+    private static List<Belief> simulated(String sensor) {
+        Map<String, String> sensors = switch (sensor) {
+            case "laser" -> Map.of("laser", "urg04lx");
+            case "sonar16" -> Map.of("sonar", "front8rear8dx");
+            default -> Map.of("sonar", "front8");
+        };
+        return IntStream.rangeClosed(1, DRIVES)
+                .boxed()
+                .flatMap(seed -> SimulatedDrive.run(sensors, seed, MINUTE).stream())
+                .map(told -> new Belief(told.estimate(), told.truth()))
+                .toList();
+    }
+
     /// Of all drives.
     private static List<Belief> tours(Drive office, String sensor) {
-        boolean laser = sensor.equals("laser");
-        var map = new LocalizationMap(office.map(), laser ? 0.1 : 0.25, 0.05);
+        LocalizationMap map = map(office, sensor);
         var beliefs = new ArrayList<Belief>();
         for (int seed = 1; seed <= DRIVES; seed++) {
             var random = new SplittableRandom(seed);
             List<Tick> ticks = office.tour(office.anywhere(random), MINUTE, random);
-            var amcl = new Amcl(
-                    map,
-                    laser
-                            ? settings(150, 5000, 15, SensorModel.Kind.FIELD)
-                            : settings(150, 5000, 3, SensorModel.Kind.BEAM),
-                    random);
+            var amcl = new Amcl(map, settings(sensor), random);
             amcl.start(about(ticks.getFirst().mapFromBase()));
-            Function<Pose2d, Beams> look = laser
-                    ? pose -> Beams.of(office.laser(pose, random), 60, 30)
-                    : pose -> Beams.of(office.sonars(pose, sensor.equals("sonar16") ? 16 : 8, random), 5);
-            beliefs.addAll(follow(ticks, amcl, look));
+            beliefs.addAll(follow(ticks, amcl, pose -> look(office, sensor, pose, random)));
         }
         return beliefs;
     }

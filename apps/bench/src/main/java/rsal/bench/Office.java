@@ -1,6 +1,7 @@
 package rsal.bench;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -33,9 +34,17 @@ final class Office {
 
     /// @param starts where the robots `r0`, `r1` and so on start
     static RobotSystem open(List<Pose2d> starts, long seed, Scheduler time) {
+        return open(starts, Map.of("laser", "urg04lx"), seed, time);
+    }
+
+    /// The same with other sensors.
+    ///
+    /// @param sensors parts by where they are mounted
+    static RobotSystem open(List<Pose2d> starts, Map<String, String> sensors, long seed, Scheduler time) {
         Location here = Location.of("bench");
-        RobotModel pioneer = new RobotModels(FILES)
-                .read("pioneer2dx", here, Map.of("laser", new RobotModels.Choice("urg04lx", here)));
+        var choices = new HashMap<String, RobotModels.Choice>();
+        sensors.forEach((mount, part) -> choices.put(mount, new RobotModels.Choice(part, here)));
+        RobotModel pioneer = new RobotModels(FILES).read("pioneer2dx", here, choices);
         var specs = new ArrayList<RobotSpec>();
         for (Pose2d start : starts) {
             specs.add(new RobotSpec("r" + specs.size(), "robot", pioneer, Optional.of(start), "#000000"));
