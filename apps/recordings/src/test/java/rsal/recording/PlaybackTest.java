@@ -84,8 +84,8 @@ class PlaybackTest {
                             .ignoringFieldsMatchingRegexes(
                                     "odometry\\.value\\.(time|frame)",
                                     "gripper.*",
-                                    "estimate\\.value\\.value\\.(hypotheses\\.)?covariance\\.(xTheta|yTheta)",
-                                    "estimate\\.value\\.value\\.hypotheses\\.weight",
+                                    "(estimate|readings)\\.value\\.value\\.(hypotheses\\.)?covariance\\.(xTheta|yTheta)",
+                                    "(estimate|readings)\\.value\\.value\\.hypotheses\\.weight",
                                     "(scan|ranges)\\.value\\.frame",
                                     "path\\.points.*")
                             .isEqualTo(then.robots());
