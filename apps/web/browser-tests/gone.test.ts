@@ -4,7 +4,7 @@ import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
-import { visits } from './visits';
+import { picture, visits } from './visits';
 
 const SCENARIO = fileURLToPath(new URL('faulty.yaml', import.meta.url));
 
@@ -31,7 +31,7 @@ describe.skipIf(!chromium)('a robot that is gone', () => {
   const row = (robot: string) => page.locator(`tr[data-robot="${robot}"]`);
   const says = (robot: string) => row(robot).locator('.behavior').innerText();
   const isGone = (robot: string) =>
-    eventually(async () => (await says(robot)) === 'gone', `${robot} is gone`);
+    eventually(async () => (await says(robot)).startsWith('gone'), `${robot} is gone`);
 
   it('is said to be so, and asked no more what it can do', async () => {
     await isGone('stays');
@@ -42,6 +42,19 @@ describe.skipIf(!chromium)('a robot that is gone', () => {
     expect(await page.locator('[data-agent] .gone').innerText()).toBe('its robot is gone');
     await page.waitForTimeout(1500); // while the details go on changing
     expect(asked).toBe(0);
+  });
+
+  it('is said for how long it has been so, and when its agent was heard last', async () => {
+    await isGone('stays');
+    const age = async (text: Promise<string>) => Number(/(\d+) s/.exec(await text)?.[1] ?? NaN);
+    const agent = page.locator('[data-agent] .age');
+    await agent.waitFor();
+    const [robot, before] = [await age(says('stays')), await age(agent.innerText())];
+    expect(before).toBeGreaterThanOrEqual(5);
+    await eventually(async () => (await age(says('stays'))) > robot + 1, 'it is gone for longer');
+    await eventually(async () => (await age(agent.innerText())) > before, 'nothing is heard of its agent');
+    await picture(page, 'gone-for');
+    expect(await row('vanishes').locator('.behavior').innerText(), 'it is there again').not.toContain('gone');
   });
 
   it('can be told something again once it is back', async () => {

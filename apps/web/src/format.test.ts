@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { brief, clockTime, degrees, factor, unsigned } from './format';
+import { age, brief, clockTime, degrees, factor, unsigned } from './format';
 
 it.each([
   [0, '0:00.0'],
@@ -9,6 +9,14 @@ it.each([
   [3600, '1:00:00.0'],
   [7325.5, '2:02:05.5'],
 ])('%f seconds are %s', (seconds, text) => expect(clockTime(seconds)).toBe(text));
+
+it.each([
+  [5.9, '5 s'],
+  [119, '119 s'],
+  [120, '2 min'],
+  [7199, '119 min'],
+  [7200, '2 h'],
+])('what was %f s ago is %s old', (seconds, text) => expect(age(seconds)).toBe(text));
 
 it.each([
   [1, '1×'],

@@ -31,6 +31,12 @@ export function seconds(value: number): string {
   return `${value.toFixed(1)} s`;
 }
 
+/** How long ago something was, as roughly as people want it: `12 s`, `5 min`, `3 h`. */
+export function age(seconds: number): string {
+  const [minutes, hours] = [Math.floor(seconds / 60), Math.floor(seconds / 3600)];
+  return seconds < 120 ? `${Math.floor(seconds)} s` : minutes < 120 ? `${minutes} min` : `${hours} h`;
+}
+
 /** Words in which nothing is less than nothing: `-0°`, `-0.00` are what is left of a small number when it is rounded. */
 export function unsigned(words: string): string {
   return words.includes('-0') ? words.replace(/(?<![\w.])-(?=0(?:\.0+)?(?![\d.]))/g, '') : words;

@@ -1,4 +1,5 @@
-import type { DeviceDetails } from './api/messages';
+import type { DeviceDetails, RobotDetails } from './api/messages';
+import { age } from './format';
 
 /** Every text of the page. */
 export const texts = {
@@ -212,12 +213,12 @@ export const texts = {
       'Ambiguous: what it measures fits as well elsewhere, or anywhere along a corridor, or the map that it draws is bent',
     devices: 'Devices',
     stalled: 'stalled',
-    gone: 'gone',
+    gone: (age: string) => (age === '' ? 'gone' : `gone for ${age}`),
     realMark: (proxy: boolean) => (proxy ? '◈' : '◆'),
     real: (proxy: boolean) =>
       proxy ? 'real; simulated robots see a stand-in of it' : 'real; simulated robots see nothing of it',
     seconds: (time: number) => `${time.toFixed(0)} s`,
-    silent: (time: number) => `silent for ${time.toFixed(0)} s`,
+    silent: (age: string) => `silent for ${age}`,
     silentHint: 'Nobody tells where it is: maybe it is out of reach, or off',
     goneHint: 'A fault has taken it away: it senses nothing, hears nobody and can be told nothing',
     unknown: '–',
@@ -317,7 +318,9 @@ export const texts = {
   },
   agents: {
     title: 'Agents',
-    sent: (count: number) => `${count} messages`,
+    sent: (count: number) => counted(count, 'message'),
+    quiet: (age: string) => `${age} ago`,
+    quietHint: (time: string) => `It said the last of them at ${time}`,
     gone: 'its robot is gone',
     messages: 'Last messages',
     none: 'No agents run.',
@@ -667,6 +670,11 @@ export const texts = {
 
 export function deviceText({ name, driver, health, reason }: DeviceDetails): string {
   return `${name} (${driver}) ${texts.robots.health[health]}. ${reason}`.trim();
+}
+
+/** That a robot is gone, and for how long if anybody knows. */
+export function goneText({ goneFor }: RobotDetails): string {
+  return texts.robots.gone(goneFor === null ? '' : age(goneFor));
 }
 
 /** Their names, unless they are too many for a sentence. */

@@ -35,6 +35,7 @@ export interface AgentDetails {
   state: string;
   beliefs: Record<string, string>;
   sent: number;
+  lastSent: number | null;
   messages: string[];
 }
 
@@ -502,6 +503,7 @@ export interface Restart {
 export interface RobotDetails {
   id: string;
   gone: boolean;
+  goneFor: number | null;
   inCharge: string;
   behavior: string;
   driver: string;

@@ -283,6 +283,7 @@ final class Decoder {
                 spec.color(),
                 spec.model().name(),
                 robot.flag("gone"),
+                Optional.of(duration(robot, "gone_for")).filter(Duration::isPositive),
                 robot.pose("truth"),
                 told.odometry,
                 told.estimate,
@@ -425,9 +426,13 @@ final class Decoder {
     }
 
     private static RobotView.Real real(Fields robot) {
-        double silence = Math.clamp(robot.number("silence"), 0, 1e9); // NaN becomes NaN, and that 0
-        return new RobotView.Real(
-                robot.flag("proxy"), robot.pose("stand_in"), Optional.of(Duration.ofNanos((long) (silence * 1e9))));
+        return new RobotView.Real(robot.flag("proxy"), robot.pose("stand_in"), Optional.of(duration(robot, "silence")));
+    }
+
+    /// Of a number of seconds.
+    private static Duration duration(Fields fields, String name) {
+        double seconds = Math.clamp(fields.number(name), 0, 1e9); // NaN becomes NaN, and that 0
+        return Duration.ofNanos((long) (seconds * 1e9));
     }
 
     private static Stamped<ParticleCloud> particles(Fields fields, Instant taken) {
@@ -478,7 +483,7 @@ final class Decoder {
                 fields.text("topic"));
     }
 
-    private static AgentView agent(Fields fields, Speech speech) {
+    private AgentView agent(Fields fields, Speech speech) {
         var entry = new Directory.Entry(
                 fields.text("name"), fields.text("role"), fields.text("type"), fields.text("robot"), "");
         return new AgentView(
@@ -488,7 +493,8 @@ final class Decoder {
                         fields.text("state"),
                         pairs(fields.all("beliefs")),
                         speech.sent()),
-                speech.last());
+                speech.last(),
+                speech.time().map(time -> Duration.between(start, Instant.ofEpochSecond(0, time))));
     }
 
     /// What an agent shows of itself, which says nothing of what it wants.

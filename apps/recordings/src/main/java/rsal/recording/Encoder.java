@@ -221,6 +221,7 @@ public final class Encoder {
         robot.real().flatMap(RobotView.Real::standIn).ifPresent(standIn -> pose(18, standIn));
         out.bool(19, robot.stopped());
         out.bool(26, robot.switchedOff());
+        robot.goneFor().ifPresent(time -> out.number(27, time.toNanos() / 1e9));
         robot.real().ifPresent(real -> {
             out.bool(20, true);
             out.bool(21, real.proxy());

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /// The newest of everything that was recorded up to some time: messages as they are in the file, and what agents said
 /// last. For one thread.
@@ -33,8 +34,9 @@ final class Held {
     /// What an agent has said.
     ///
     /// @param last newest few, oldest first
-    record Speech(long sent, List<String> last) {
-        private static final Speech NONE = new Speech(0, List.of());
+    /// @param time of the last, as a recording has it [ns]; empty when it has said nothing
+    record Speech(long sent, List<String> last, Optional<Long> time) {
+        private static final Speech NONE = new Speech(0, List.of(), Optional.empty());
 
         Speech {
             last = List.copyOf(last);
@@ -45,10 +47,11 @@ final class Held {
             return last.stream().mapToLong(words -> 2L * words.length()).sum();
         }
 
-        private Speech and(String words) {
+        private Speech and(String words, long now) {
             var all = new ArrayList<>(last);
             all.add(words);
-            return new Speech(sent + 1, all.subList(Math.max(0, all.size() - LAST_WORDS), all.size()));
+            return new Speech(
+                    sent + 1, all.subList(Math.max(0, all.size() - LAST_WORDS), all.size()), Optional.of(now));
         }
     }
 
@@ -76,10 +79,11 @@ final class Held {
         return bytes <= MOST_BYTES && messages.size() <= MOST_MESSAGES;
     }
 
+    /// @param time as a recording has it [ns]
     /// @return whether there is room for it
-    boolean said(String agent, String words) {
+    boolean said(String agent, String words, long time) {
         Speech before = speeches.getOrDefault(agent, Speech.NONE);
-        Speech after = before.and(words);
+        Speech after = before.and(words, time);
         speeches.put(agent, after);
         bytes += after.bytes() - before.bytes();
         return bytes <= MOST_BYTES && speeches.size() <= MOST_MESSAGES;

@@ -61,7 +61,8 @@ final class Own {
             .withMany(23, "lacks", Kind.STRING)
             .with(24, "gripper_raised", Kind.DOUBLE)
             .withMany(25, "carried", CARRIED)
-            .with(26, "switched_off", Kind.BOOL);
+            .with(26, "switched_off", Kind.BOOL)
+            .with(27, "gone_for", Kind.DOUBLE);
     static final MessageType STATE = MessageType.named("rsal.State")
             .with(1, "timestamp", Foxglove.TIMESTAMP)
             .with(2, "hash", Kind.STRING)

@@ -193,7 +193,8 @@ public final class Playback implements Closeable {
             case Topics.EVENTS -> true; // known from the beginning
             case Topics.MESSAGES -> {
                 Fields fields = Fields.read(Own.MESSAGE, data);
-                yield held.said(fields.text("from"), clip(fields.text("topic") + ": " + fields.text("words")));
+                yield held.said(
+                        fields.text("from"), clip(fields.text("topic") + ": " + fields.text("words")), publishTime);
             }
             case Topics.ROBOTS, Topics.AGENTS, Topics.MINDS ->
                 held.put(Topics.about(topic, Fields.read(SECOND_TEXT, data).text("about")), publishTime, data);

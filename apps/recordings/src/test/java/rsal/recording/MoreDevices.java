@@ -98,6 +98,7 @@ record MoreDevices(Witness told) implements Witness {
                 robot.color(),
                 robot.model(),
                 robot.gone(),
+                robot.goneFor(),
                 robot.truth(),
                 robot.odometry(),
                 robot.estimate(),

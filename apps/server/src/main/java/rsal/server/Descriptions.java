@@ -441,6 +441,7 @@ final class Descriptions {
         return new RobotDetails(
                 robot.id(),
                 robot.gone(),
+                robot.goneFor().map(time -> (double) time.toSeconds()),
                 robot.inCharge(),
                 robot.behavior(),
                 robot.driver(),
@@ -489,6 +490,7 @@ final class Descriptions {
                 view.state(),
                 view.beliefs(),
                 view.sent(),
+                agent.lastSaid().map(time -> time.toMillis() / 1e3),
                 agent.lastMessages());
     }
 

@@ -268,6 +268,7 @@ final class Messages {
             String failure) {}
 
     /// @param gone whether a fault has taken it away: it can't be told anything
+    /// @param goneFor for how long nobody has told where it is, when it is gone and anybody ever has [s]
     /// @param inCharge behavior that drives it, or its navigator; empty when neither does
     /// @param behavior what somebody told it to do, as an [Order] does; empty when nobody did
     /// @param driver who drives it, as [Drive] has it; empty when nobody does
@@ -278,6 +279,7 @@ final class Messages {
     record RobotDetails(
             String id,
             boolean gone,
+            Optional<Double> goneFor,
             String inCharge,
             String behavior,
             String driver,
@@ -348,6 +350,7 @@ final class Messages {
 
     /// @param robot id of its robot; empty when it has none
     /// @param state what it says it is doing
+    /// @param lastSent when it sent the last of its messages [s of the run]; absent while it has sent none
     /// @param messages newest few that it sent, newest last
     record AgentDetails(
             String name,
@@ -358,6 +361,7 @@ final class Messages {
             String state,
             Map<String, String> beliefs,
             long sent,
+            Optional<Double> lastSent,
             List<String> messages) {
         enum Status {
             RUNNING,

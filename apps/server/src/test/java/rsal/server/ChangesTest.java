@@ -21,11 +21,23 @@ class ChangesTest {
 
     private static RobotDetails robot(String id, String behavior) {
         return new RobotDetails(
-                id, false, "", behavior, "", false, "", List.of(), Optional.empty(), List.of(), List.of());
+                id,
+                false,
+                Optional.empty(),
+                "",
+                behavior,
+                "",
+                false,
+                "",
+                List.of(),
+                Optional.empty(),
+                List.of(),
+                List.of());
     }
 
     private static AgentDetails agent(String name, String state) {
-        return new AgentDetails(name, "role", "type", "", AgentDetails.Status.RUNNING, state, Map.of(), 0, List.of());
+        return new AgentDetails(
+                name, "role", "type", "", AgentDetails.Status.RUNNING, state, Map.of(), 0, Optional.empty(), List.of());
     }
 
     private static Details details(List<RobotDetails> robots, List<AgentDetails> agents) {

@@ -33,6 +33,7 @@ class RealRobotsTest {
                 Optional.empty(),
                 Optional.empty(),
                 Optional.empty(),
+                Optional.empty(),
                 Path2d.EMPTY,
                 Optional.empty(),
                 "",

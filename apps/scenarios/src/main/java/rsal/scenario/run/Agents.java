@@ -1,5 +1,7 @@
 package rsal.scenario.run;
 
+import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -50,6 +52,7 @@ final class Agents implements AutoCloseable {
 
     private final RunPlan plan;
     private final Scheduler scheduler;
+    private final Instant begun;
     private final Journal journal;
     private final Observer observer;
     private final Faults faults;
@@ -59,6 +62,7 @@ final class Agents implements AutoCloseable {
     private final Turns turns;
     private final Map<String, PlannedAgent> started = new HashMap<>(); // by name
     private final Map<String, Deque<String>> lastMessages = new HashMap<>(); // in words
+    private final Map<String, Instant> lastSaid = new HashMap<>(); // when
     private final Map<String, String> lastWords = new HashMap<>();
     private final Map<String, Pose2d> mapFromAsked = new HashMap<>(); // where the operator wants robots
     private final Conversations conversations = new Conversations();
@@ -89,6 +93,7 @@ final class Agents implements AutoCloseable {
         this.team = team;
         this.where = where;
         this.traffic = traffic;
+        this.begun = scheduler.instant();
         this.talks = new Talks(scheduler.instant());
         this.mailboxes = new Mailboxes(scheduler.instant());
         this.diaries = new Diaries(scheduler);
@@ -252,6 +257,7 @@ final class Agents implements AutoCloseable {
         String words = Words.of(message); // if it can't be made, the one who says it is told, and nothing was said
         traffic.said(message);
         journal.said(message, words);
+        lastSaid.put(message.sender(), scheduler.instant());
         var last = lastMessages.computeIfAbsent(message.sender(), _ -> new ArrayDeque<>());
         last.addLast(message.topic().name() + ": " + words);
         if (last.size() > LAST_MESSAGES) {
@@ -461,9 +467,16 @@ final class Agents implements AutoCloseable {
     List<AgentView> views() {
         return society.stream()
                 .flatMap(agents -> agents.views().stream())
-                .map(view -> new AgentView(
-                        view, List.copyOf(lastMessages.getOrDefault(view.agent().name(), new ArrayDeque<>()))))
+                .map(this::view)
                 .toList();
+    }
+
+    private AgentView view(Society.View view) {
+        String name = view.agent().name();
+        return new AgentView(
+                view,
+                List.copyOf(lastMessages.getOrDefault(name, new ArrayDeque<>())),
+                Optional.ofNullable(lastSaid.get(name)).map(when -> Duration.between(begun, when)));
     }
 
     /// Stops them all; what they still say is not journaled.

@@ -21,6 +21,7 @@ import rsal.device.SimulationControl.Carried;
 /// @param color `#rrggbb`
 /// @param model name of its model
 /// @param gone whether a fault has taken it away
+/// @param goneFor for how long nobody has told where one that is gone is; empty when it is there, or nobody ever has
 /// @param truth where it really is, in the map frame; empty where nobody knows
 /// @param map as it has drawn it itself so far, in the map frame
 /// @param path the way its navigator intends to take
@@ -41,6 +42,7 @@ public record RobotView(
         String color,
         String model,
         boolean gone,
+        Optional<Duration> goneFor,
         Optional<Pose2d> truth,
         Optional<Stamped<Odometry>> odometry,
         Optional<Stamped<PoseEstimate>> estimate,

@@ -106,6 +106,7 @@ final class RobotViews {
                 spec.color(),
                 robot.model().name(),
                 faults.isGone(id),
+                faults.isGone(id) ? silence(robot) : Optional.empty(),
                 world.truth(id),
                 robot.find(DriveBase.class).filter(_ -> there).flatMap(DriveBase::latest),
                 localizer.flatMap(Localizer::latest).filter(estimate -> placements.isOfHere(id, estimate)),
@@ -141,10 +142,12 @@ final class RobotViews {
     }
 
     private RobotView.Real real(Robot robot) {
-        return new RobotView.Real(
-                proxies.has(robot.id()),
-                proxies.mapFromProxy(robot.id()),
-                teller(robot).flatMap(Sensor::latest).map(this::age));
+        return new RobotView.Real(proxies.has(robot.id()), proxies.mapFromProxy(robot.id()), silence(robot));
+    }
+
+    /// For how long nobody has told where a robot is; empty when nobody ever has.
+    private Optional<Duration> silence(Robot robot) {
+        return teller(robot).flatMap(Sensor::latest).map(this::age);
     }
 
     private Duration age(Stamped<?> reading) {

@@ -82,6 +82,19 @@ class FaultsTest {
                     .orElseThrow();
         }
 
+        /// From a time in the run [s] to its end.
+        Duration since(double time) {
+            return last.time().minusMillis(Math.round(1000 * time));
+        }
+
+        Duration lastSaid(String agent) {
+            return last.agents().stream()
+                    .filter(view -> view.view().agent().name().equals(agent))
+                    .findFirst()
+                    .flatMap(AgentView::lastSaid)
+                    .orElseThrow();
+        }
+
         /// What an agent shows.
         int shown(String agent, String belief) {
             return last.agents().stream()
@@ -220,6 +233,10 @@ class FaultsTest {
         assertThat(run.measure("gone")).isCloseTo(4, within(0.11));
         RobotView gone = run.robot("hunter-1");
         assertThat(gone.gone()).isTrue();
+        assertThat(gone.goneFor().orElseThrow()).isBetween(run.since(4.2), run.since(3.8));
+        assertThat(run.robot("hunter-2").goneFor()).isEmpty();
+        assertThat(run.lastSaid("chat-1")).isLessThan(Duration.ofMillis(4100));
+        assertThat(run.lastSaid("chat-2")).isGreaterThan(run.last.time().minusMillis(600));
         assertThat(gone.truth()).isEmpty();
         assertThat(gone.ranges()).isEmpty();
         assertThat(gone.devices()).extracting(DeviceView::health).hasOnlyElementsOfType(Health.Lost.class);
