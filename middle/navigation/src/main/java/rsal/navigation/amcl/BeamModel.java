@@ -91,7 +91,7 @@ public final class BeamModel implements SensorModel {
     }
 
     /// What of beams is the same for all poses.
-    private final class Rays {
+    private static final class Rays {
         final int count;
         final float[] originX;
         final float[] originY;

@@ -26,7 +26,7 @@ final class Cones {
     private static final double STEP = 0.04; // m, of what is kept
     private static final int NOTHING = 255;
     private static final byte[] NOT_KEPT = {};
-    private static final byte[] BESIDE_A_WALL = {};
+    private static final byte[] BESIDE_A_WALL = {0}; // told from what is kept by its length, as the other
     private static final double[] COS = new double[DIRECTIONS];
     private static final double[] SIN = new double[DIRECTIONS];
 
@@ -88,13 +88,13 @@ final class Cones {
         }
         int cell = r * width + c;
         byte[] reaches = kept.getAcquire(cell);
-        if (reaches == NOT_KEPT) {
+        if (reaches.length == NOT_KEPT.length) {
             reaches = ask(cell);
         }
-        if (reaches == BESIDE_A_WALL) {
+        if (reaches.length == BESIDE_A_WALL.length) {
             return exact(originX + column * CELL, originY + row * CELL, cos, sin, limit);
         }
-        int steps = reaches == NOT_KEPT ? steps(fromMiddle(cell, direction)) : reaches[direction] & 0xFF;
+        int steps = reaches.length == NOT_KEPT.length ? steps(fromMiddle(cell, direction)) : reaches[direction] & 0xFF;
         if (steps == NOTHING) {
             return Double.POSITIVE_INFINITY;
         }
@@ -112,7 +112,7 @@ final class Cones {
             keptCells.incrementAndGet();
             reaches = around(middleX(cell), middleY(cell));
         }
-        if (reaches != NOT_KEPT) {
+        if (reaches.length > NOT_KEPT.length) {
             kept.setRelease(cell, reaches);
         }
         return reaches;
@@ -123,7 +123,8 @@ final class Cones {
     }
 
     private double middleY(int cell) {
-        return originY + (cell / width + 0.5) * CELL;
+        int row = cell / width;
+        return originY + (row + 0.5) * CELL;
     }
 
     private double fromMiddle(int cell, int direction) {
