@@ -21,13 +21,11 @@ import rsal.navigation.wavefront.Wavefront;
 /// hospital of 3117 × 1189, for a robot of 0.5 m. Times are those of the processor.
 ///
 /// Names are `wavefront.<map>.<what>ms`. What: nothing, a way between two places that were not asked for before;
-/// `full.`, what the way costs from everywhere; `again.`, from another place to the same goal; `moved.`, to a goal half
-/// a
-/// meter beside that; `around.`, to it around something that is not on the map; `mended.`, to it when that has just
-/// come
-/// onto the map, or is gone from it; `costs.`, where the robot can be and how dear it is; `shortest.`, a shortest way
-/// by
-/// jump points.
+/// `full.`, what the way costs from everywhere; `again.`, from another place to the same goal; `around.`, the same
+/// around something in the middle of the way that is not on the map; `mended.`, the same when something has just come
+/// onto the map or gone from it 3 m ahead of the robot, `mended.halfway.` in the middle of the way, `mended.goal.` 3 m
+/// before the goal, for which costs are drawn beforehand; `costs.`, where the robot can be and how dear it is;
+/// `shortest.`, a shortest way by jump points.
 final class PlanningBench implements Bench {
     private static final Clearance CLEARANCE = new Clearance(0.25, 0.6, 3); // [m]
     private static final double SLACK = 0.5; // [m]
@@ -36,8 +34,8 @@ final class PlanningBench implements Bench {
     private static final int FRESH = 300; // goals; that many later nobody remembers one
     private static final double AHEAD = 3; // [m]
     private static final int BOX = 5; // cells from the middle to the sides of what comes onto the map
-    private static final List<String> KINDS =
-            List.of("", "full.", "again.", "around.", "mended.", "mendedfar.", "costs.", "shortest.");
+    private static final List<String> KINDS = List.of(
+            "", "full.", "again.", "around.", "mended.", "mended.halfway.", "mended.goal.", "costs.", "shortest.");
 
     private enum Site {
         CAVE2560,
@@ -97,8 +95,10 @@ final class PlanningBench implements Bench {
             IntConsumer job = switch (kind) {
                 case "full." -> _ -> check(ways.everywhere(goal, SLACK).isPresent());
                 case "again." -> i -> found(ways.plan(places.get(1 + i % PLANS), goal, SLACK));
-                case "mended." -> mending(ways, withBox(map, ahead(plan.path())), places.get(1), goal);
-                case "mendedfar." -> mending(ways, withBox(map, inTheWay), places.get(1), goal);
+                case "mended." -> mending(ways, withBox(map, along(plan.path(), AHEAD)), places.get(1), goal);
+                case "mended.halfway." -> mending(ways, withBox(map, inTheWay), places.get(1), goal);
+                case "mended.goal." ->
+                    mending(ways, withBox(map, along(plan.path(), plan.path().length() - AHEAD)), places.get(1), goal);
                 case "around." -> _ -> found(ways.plan(places.get(1), goal, SLACK, List.of(inTheWay)));
                 case "shortest." -> i -> found(jumps.plan(places.get(1 + i % PLANS), goal, SLACK));
                 case "costs." -> _ -> CostMap.of(map, DistanceField.toNotFree(map), CLEARANCE);
@@ -106,14 +106,17 @@ final class PlanningBench implements Bench {
             };
             var result = Result.less(site.name(kind), "ms", times(job, assignment.repeats()));
             assignment.tell(result);
-            bars.add(new Bar(site.label(), kind.isEmpty() ? "first" : kind.replace(".", ""), result.value()));
+            bars.add(new Bar(
+                    site.label(),
+                    kind.isEmpty() ? "first" : kind.replace(".", " ").strip(),
+                    result.value()));
         }
         return bars;
     }
 
-    /// Where the robot on its way sees what is new.
-    private static Point2d ahead(Path2d path) {
-        double left = AHEAD;
+    /// @param way from its start [m]
+    private static Point2d along(Path2d path, double way) {
+        double left = way;
         for (int i = 1; i < path.points().size(); i++) {
             Point2d from = path.points().get(i - 1);
             Point2d to = path.points().get(i);
@@ -132,7 +135,7 @@ final class PlanningBench implements Bench {
         List<CostMap> maps = List.of(CostMap.of(other, DistanceField.toNotFree(other), CLEARANCE), ways.map());
         var now = new AtomicReference<>(ways);
         return i -> {
-            Wavefront next = now.get().over(maps.get(i % 2)).orElseThrow();
+            Wavefront next = now.get().over(maps.get(i % 2));
             found(next.plan(start, goal, SLACK));
             now.set(next);
         };

@@ -78,9 +78,9 @@ public interface Navigator extends Device {
 
         record NoPath(String why) implements Result {}
 
-        /// It got no nearer for too long.
+        /// It got no nearer for too long, or nobody knew for too long where it is.
         ///
-        /// @param mapFromBase where
+        /// @param mapFromBase where, as known last; the map's origin when it was never known, which `why` tells
         /// @param tried since when it worked on this goal
         /// @param why what it tried, what is left, what is near: for people
         record Stuck(Pose2d mapFromBase, Duration tried, String why) implements Result {}

@@ -8,15 +8,14 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongSupplier;
 
 /// How much real time, and how much of a processor's, went into each [Phase] of a run so far. One thread at a time
-/// counts, which takes a look at the clock for each phase and instant; any thread may ask. Nothing in a run may depend
-/// on
-/// it.
+/// counts, which takes a look at the clock for each phase and instant; any thread may ask. Nothing in a run may
+/// depend on it.
 ///
 /// To ask for a thread's processor time takes some microseconds, as long as a phase of a small run: it is asked for
-/// around
-/// one of [#SAMPLED] only, which stands for all of them. There is no rhythm of phases that goes by a prime.
+/// around one phase of 31 on average, drawn at random so that no rhythm of phases hides from it, which stands for the
+/// others.
 public final class PhaseTimes {
-    private static final int SAMPLED = 31;
+    private static final int SAMPLED = 31; // one of so many, on average
 
     private final LongSupplier clock;
     private final LongSupplier processor;
@@ -26,7 +25,8 @@ public final class PhaseTimes {
     // of who counts
     private long since;
     private long processorSince;
-    private int ran; // since a phase whose processor time was looked at
+    private int left = 1; // phases until one whose processor time is looked at has run
+    private int random = 1; // never 0; of its own, as nothing in a run may depend on it
 
     /// @param clock real time [ns]
     /// @param processor time of the processor that the thread which asks has taken [ns]
@@ -51,17 +51,26 @@ public final class PhaseTimes {
         long now = clock.getAsLong();
         add(real, phase, now - since);
         since = now;
-        if (ran == 0) {
+        if (left == 1) {
             add(processors, phase, SAMPLED * (processor.getAsLong() - processorSince));
+            left = 2 + drawn(2 * SAMPLED - 2);
         }
-        ran = (ran + 1) % SAMPLED;
+        left--;
         sample();
     }
 
     private void sample() {
-        if (ran == 0) {
+        if (left == 1) {
             processorSince = processor.getAsLong();
         }
+    }
+
+    /// From 0 to less than a bound: G. Marsaglia, Xorshift RNGs, Journal of Statistical Software 8 (2003).
+    private int drawn(int bound) {
+        random ^= random << 13;
+        random ^= random >>> 17;
+        random ^= random << 5;
+        return Integer.remainderUnsigned(random, bound);
     }
 
     public Duration of(Phase phase) {

@@ -6,7 +6,9 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
@@ -43,6 +45,7 @@ final class Exploration {
     private final LeftAlone leftAlone = new LeftAlone();
     private final Sequence sequence = new Sequence(); // only the look under way touches it
     private final Drawing drawing; // likewise
+    private Map<CostMap.Clearance, Wavefront> open = Map.of(); // likewise: on the last map, without where they were
     private Instant lastLook = Instant.MIN;
     private boolean looking;
 
@@ -167,14 +170,14 @@ final class Exploration {
         List<Frontier> frontiers = Frontiers.of(map, settings.shortest()).stream()
                 .filter(f -> alone.stream().noneMatch(place -> LeftAlone.isSame(place, f.place())))
                 .toList();
-        var open = new HashMap<CostMap.Clearance, Wavefront>();
+        var openNow = new HashMap<CostMap.Clearance, Wavefront>();
         var openWhereDriven = new HashMap<CostMap.Clearance, Wavefront>();
         var founds = new ArrayList<Found>();
         var costs = new double[ready.size()][frontiers.size()];
         for (int robot = 0; robot < ready.size(); robot++) {
             Ready one = ready.get(robot);
             CostMap.Clearance room = one.body().clearance();
-            Wavefront ways = open.computeIfAbsent(room, c -> new Wavefront(CostMap.of(map, toNotFree, c)));
+            Wavefront ways = openNow.computeIfAbsent(room, c -> over(CostMap.of(map, toNotFree, c), open.get(c)));
             Found found = Found.by(ways, one.place(), frontiers);
             if (found.leadsNowhere() && !frontiers.isEmpty()) {
                 Wavefront back = openWhereDriven.computeIfAbsent(
@@ -192,6 +195,7 @@ final class Exploration {
                         one.goes() ? found.reaches().get(i).cost() - (going ? LOYALTY : 0) : Double.POSITIVE_INFINITY;
             }
         }
+        open = openNow;
         List<Optional<Integer>> chosen = Division.assign(frontiers, costs, settings.view());
         var orders = new ArrayList<Order>();
         for (int robot = 0; robot < ready.size(); robot++) {
@@ -210,6 +214,11 @@ final class Exploration {
                     complete ? narrow(map, toNotFree, ready.get(robot), frontiers) : List.of()));
         }
         return orders;
+    }
+
+    /// What was found out on the map before counts on, for the goals that robots still have.
+    private static Wavefront over(CostMap now, @Nullable Wavefront before) {
+        return before == null ? new Wavefront(now) : before.over(now);
     }
 
     /// How a robot gets to frontiers.

@@ -1,10 +1,7 @@
 package rsal.navigation.device;
 
 import java.util.LinkedHashMap;
-import java.util.List;
-import java.util.Map;
 import java.util.function.Function;
-import java.util.function.Predicate;
 
 /// Things that take a while to compute and are the same for several robots: computed for the first, kept for the
 /// others. Keeps the newest few. Locks, since runs on threads of their own may share a driver.
@@ -19,13 +16,5 @@ final class Shared<K, V> {
             values.pollFirstEntry();
         }
         return value;
-    }
-
-    /// Those that are kept for such keys, newest first.
-    synchronized List<V> of(Predicate<? super K> keys) {
-        return values.sequencedEntrySet().reversed().stream()
-                .filter(entry -> keys.test(entry.getKey()))
-                .map(Map.Entry::getValue)
-                .toList();
     }
 }

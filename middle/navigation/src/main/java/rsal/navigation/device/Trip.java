@@ -75,6 +75,7 @@ final class Trip {
     private List<Seen> seen = new ArrayList<>();
     private @Nullable Route route;
     private Pose2d mapFromBase = Pose2d.ORIGIN;
+    private boolean knewPlace; // else that is nothing but the map's origin
     private Instant localized; // when it was last not lost
     private boolean planning;
     private Instant planned;
@@ -138,6 +139,7 @@ final class Trip {
     void succeed(Trip old) {
         seen = old.seen;
         mapFromBase = old.mapFromBase;
+        knewPlace = old.knewPlace;
         Route way = old.route;
         if (way == null || !isSeeable(way.end(), mapFromGoal.position(), Math.max(1, way.remaining() / 4))) {
             return;
@@ -189,7 +191,9 @@ final class Trip {
             end(new Result.Stuck(
                     mapFromBase,
                     Duration.between(started, scheduler.instant()),
-                    "It is not known where the robot is or what is around it."));
+                    knewPlace
+                            ? "It is not known any more where the robot is or what is around it."
+                            : "It was never known where the robot is and what is around it."));
         }
         return Twist2d.STOP;
     }
@@ -197,6 +201,7 @@ final class Trip {
     /// What to command now.
     Twist2d beat(Situation now) {
         mapFromBase = now.mapFromBase();
+        knewPlace = true;
         if (!isLost(now)) {
             localized = now.now();
         }

@@ -44,16 +44,10 @@ final class Ways {
         return footprint.inscribedRadius() + Caution.room(footprint, arguments.number(WALL_DISTANCE.name()));
     }
 
-    /// For a robot with such a [#clearance]. Of a map that was much the same before, what was found out is mended.
+    /// For a robot with such a [#clearance].
     Wavefront of(OccupancyGrid map, Footprint footprint, Arguments arguments) {
         Clearance clearance = clearance(footprint, arguments);
-        return ways.of(new Key(map, clearance), _ -> {
-            CostMap costs = CostMap.of(map, field(map), clearance);
-            return ways.of(before -> before.clearance().equals(clearance)).stream()
-                    .flatMap(before -> before.over(costs).stream())
-                    .findFirst()
-                    .orElseGet(() -> new Wavefront(costs));
-        });
+        return ways.of(new Key(map, clearance), _ -> new Wavefront(CostMap.of(map, field(map), clearance)));
     }
 
     /// Who looks for shortest ways for such a robot.

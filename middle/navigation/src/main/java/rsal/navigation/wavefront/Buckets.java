@@ -4,8 +4,8 @@ import java.util.Arrays;
 import java.util.function.IntConsumer;
 
 /// Cells in the order of what they cost, each with a quarter turn: R. Dial's buckets (Algorithm 360, CACM 12, 1969).
-/// All
-/// that wait at a time cost less than [#COUNT] more than the cheapest of them. Not safe for several threads at once.
+/// All that wait at a time cost less than [#COUNT] more than the cheapest of them. Not safe for several threads at
+/// once.
 final class Buckets {
     /// A power of 2.
     static final int COUNT = 2048;

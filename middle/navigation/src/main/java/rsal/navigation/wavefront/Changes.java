@@ -7,6 +7,9 @@ import rsal.data.OccupancyGrid;
 /// In which cells one map costs something else than another that lies on the same lattice; each may reach beyond the
 /// other, and beyond a map all is blocked.
 final class Changes {
+    /// Of so many cells one may have changed.
+    static final int SHARE = 20;
+
     private static final double ALIGNED = 1e-6; // of a cell
 
     private final CostMap from;
@@ -21,11 +24,9 @@ final class Changes {
         this.to = to;
         this.columns = columns;
         this.rows = rows;
-        compare();
-        cells = Arrays.copyOf(cells, count);
     }
 
-    /// Empty when the maps' cells do not lie on each other.
+    /// Empty when more than one of [#SHARE] cells has changed, or the maps' cells do not lie on each other.
     static Optional<Changes> between(CostMap from, CostMap to) {
         OccupancyGrid old = from.grid();
         OccupancyGrid now = to.grid();
@@ -36,9 +37,11 @@ final class Changes {
                 && Math.abs(rows - Math.rint(rows)) < ALIGNED
                 && Math.abs(columns) < now.width() + old.width() // else they share nothing,
                 && Math.abs(rows) < now.height() + old.height(); // and the numbers may be too large
-        return isAligned
-                ? Optional.of(new Changes(from, to, (int) Math.rint(columns), (int) Math.rint(rows)))
-                : Optional.empty();
+        if (!isAligned) {
+            return Optional.empty();
+        }
+        var changes = new Changes(from, to, (int) Math.rint(columns), (int) Math.rint(rows));
+        return changes.compare() ? Optional.of(changes) : Optional.empty();
     }
 
     CostMap from() {
@@ -82,9 +85,11 @@ final class Changes {
         return moved;
     }
 
-    private void compare() {
+    /// @return whether they are few; else it has stopped
+    private boolean compare() {
         int width = to.grid().width();
-        for (int row = 0; row < to.grid().height(); row++) {
+        int most = to.ground().length / SHARE;
+        for (int row = 0; row < to.grid().height() && count <= most; row++) {
             if (row < firstRow() || row >= endRow() || firstColumn() >= endColumn()) {
                 addOpen(row, 0, width);
             } else {
@@ -93,6 +98,8 @@ final class Changes {
                 addOpen(row, endColumn(), width);
             }
         }
+        cells = Arrays.copyOf(cells, count);
+        return count <= most;
     }
 
     private void compare(int row) {

@@ -5,18 +5,22 @@ import java.util.Arrays;
 /// Takes what a wave has left in the cells of one map over to another that is much the same, and finds out from where
 /// it must be passed on again.
 ///
-/// A cell keeps what it holds as long as one of its neighbors that costs less leads to it for no more; those that none
-/// leads to any more are forgotten, the cheapest first, as each may be what others of its neighbors hold on to. Cells
-/// beside those that were forgotten or have changed are the borders from which the wave spreads anew; where ways have
-/// become cheaper it overwrites what cells hold. (G. Ramalingam, T. Reps, An Incremental Algorithm for a Generalization
-/// of the Shortest-Path Problem, J. Algorithms 21, 1996, for several changes at once as in their section 4; here
-/// changed
-/// are cells, thus all steps from, to and beside them. They reckon what each forgotten cell costs through its neighbors
-/// beforehand, here the wave does when it gets there.)
+/// A cell keeps what it holds as long as one of its neighbors that costs less leads to it for no more; those that
+/// none leads to any more are forgotten, the cheapest first, as each may be what others of its neighbors hold on to.
+/// Cells beside those that were forgotten or have changed are the borders from which the wave spreads anew; where
+/// ways have become cheaper it overwrites what cells hold. (G. Ramalingam, T. Reps, An Incremental Algorithm for a
+/// Generalization of the Shortest-Path Problem, J. Algorithms 21, 1996, for several changes at once as in their
+/// section 4; here changed are cells, thus all steps from, to and beside them. They reckon what each forgotten cell
+/// costs through its neighbors beforehand, here the wave does when it gets there.)
 ///
 /// Of a wave that has not spread over all of the map only what is final is taken over, and all cells that can have a
 /// neighbor that is not are borders, too: which of its neighbors a cell left to others was decided on the old map.
+///
+/// Where too much would be forgotten, as when something comes up beside the source, it gives up: a new wave is sooner
+/// where it is wanted.
 final class Mending {
+    private static final int SHARE = 4; // of so many cells one may be forgotten
+
     private static final int MOST = CostMap.diagonal(2 * CostMap.DEAREST); // that a step costs
     private static final int ROOM = 1024; // at first
 
@@ -25,6 +29,7 @@ final class Mending {
     private final int[] field;
     private final Cells checked = new Cells(); // which may have lost what they hold on to
     private final Cells borders = new Cells();
+    private final boolean isDone;
 
     /// @param field what the cells of the old map hold; it is written to
     /// @param known cells that hold less are final
@@ -46,11 +51,16 @@ final class Mending {
         for (int cell : changes.cells()) {
             collectAround(cell, checked);
         }
-        forgetWhatNothingLeadsTo();
+        isDone = forgetWhatNothingLeadsTo();
         for (int cell : changes.cells()) {
             collectAround(cell, borders);
         }
         borders.sort();
+    }
+
+    /// Whether it did not give up.
+    boolean isDone() {
+        return isDone;
     }
 
     /// What the cells of the new map hold.
@@ -113,7 +123,8 @@ final class Mending {
         return field[cell] >= Wave.SOURCE && field[cell] < Wave.OPEN;
     }
 
-    private void forgetWhatNothingLeadsTo() {
+    /// @return whether that was not too much
+    private boolean forgetWhatNothingLeadsTo() {
         checked.sort();
         long[] first = checked.all();
         var waiting = new Buckets();
@@ -121,7 +132,7 @@ final class Mending {
         int next = 0;
         int value = 0;
         var forgotten = new Cells();
-        while (count > 0 || next < first.length) {
+        while ((count > 0 || next < first.length) && forgotten.count <= field.length / SHARE) {
             value = count > 0 ? value : value(first[next]);
             for (; next < first.length && value(first[next]) == value; next++) {
                 waiting.push(value, cell(first[next]), 0);
@@ -139,9 +150,10 @@ final class Mending {
             waiting.empty(value);
             value++;
         }
-        for (long one : forgotten.all()) {
-            collectAround(cell(one), borders);
+        for (int i = 0; i < forgotten.count; i++) {
+            collectAround(cell(forgotten.entries[i]), borders);
         }
+        return forgotten.count <= field.length / SHARE;
     }
 
     /// @return how many

@@ -1,6 +1,7 @@
 package rsal.navigation.wavefront;
 
 import java.util.Arrays;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /// A wave that spreads from one cell of a [CostMap] over the eight neighbors of each and leaves in each cell what
@@ -98,16 +99,22 @@ final class Wave {
         return map;
     }
 
-    /// The same wave over another map, as if it had spread as far there: what differs is mended, the rest is kept. Not
-    /// for one that is hurried or for which cells were blocked. This one is not to be used any more.
+    /// The same wave over another map, which knows at least as much: what differs is mended, the rest is kept. Not for
+    /// one that is hurried or for which cells were blocked. Whatever comes of it, this one is not to be used any
+    /// more.
     ///
     /// @param changes of its map, which stays open where the wave comes from
-    Wave over(Changes changes) {
+    /// @return empty when a new one is sooner where it is wanted
+    Optional<Wave> over(Changes changes) {
         boolean isDone = along.isEmpty() && across.isEmpty();
-        var mending = new Mending(changes, field, isDone ? OPEN : front);
+        int until = Math.min(front, FARTHEST + 1); // a new one would not get farther
+        var mending = new Mending(changes, field, isDone ? OPEN : until);
+        if (!mending.isDone()) {
+            return Optional.empty();
+        }
         var mended = new Wave(changes.to(), mending.field());
-        mended.goOn(mending.borders(), front);
-        return mended;
+        mended.goOn(mending.borders(), until);
+        return Optional.of(mended);
     }
 
     /// Passes on what cells hold, in every direction.

@@ -23,7 +23,6 @@ import rsal.navigation.wavefront.Wave.Guide;
 public final class Wavefront {
     private static final double NO_DEARER = 1.02;
     private static final int STRIDE = 4; // cells; how closely corners are looked for
-    private static final int MOST_CHANGED = 20; // of so many cells one may have changed to mend waves
 
     private final CostMap map;
     private final OccupancyGrid grid;
@@ -41,15 +40,16 @@ public final class Wavefront {
         this.waves = waves;
     }
 
-    /// The same over a map that has changed a little: it takes the kept waves over and mends what differs when it is
-    /// asked for them. This one may still be asked, but has to begin anew.
-    ///
-    /// @param next may be larger or smaller
-    /// @return empty when more than one of 20 cells has changed, or the cells of the maps do not lie on each other
-    public Optional<Wavefront> over(CostMap next) {
-        return Changes.between(map, next)
-                .filter(changes -> changes.cells().length <= next.ground().length / MOST_CHANGED)
-                .map(changes -> new Wavefront(next, waves.over(changes)));
+    /// The same over a map that has changed. If that is not much, no more than one cell of [Changes#SHARE], it takes
+    /// over the waves that are kept here and mends them when it is asked for their goals; the map may also have
+    /// grown or shrunk. This one may still be asked, but keeps no waves any more.
+    public Wavefront over(CostMap next) {
+        return new Wavefront(next, waves.over(next));
+    }
+
+    /// For how many goals waves are kept.
+    public int kept() {
+        return waves.kept();
     }
 
     public CostMap map() {

@@ -15,7 +15,8 @@ import org.jspecify.annotations.Nullable;
 /// that lasts. When there is no room for one more, a goal gets the wave of another that it was asked for
 /// [#ASKED_SINCE] times since, so that no wave goes to and fro between many goals that are all in use (as LRU-K has
 /// it: E. O'Neil, P. O'Neil, G. Weikum, SIGMOD 1993). When the map changes a little they are handed on to those of the
-/// next one, each to be mended when it is used. Safe for several threads.
+/// next one, each to be mended when it is used; those that nobody asked for on the last two maps are not. Safe for
+/// several threads.
 final class Waves {
     private static final int MOST_KEPT = 16;
     private static final int CELLS_KEPT = 16_000_000; // of all waves together; 64 MB
@@ -27,6 +28,8 @@ final class Waves {
     private final List<Kept> kept = new ArrayList<>();
     private final Map<Integer, Asked> waiting = new LinkedHashMap<>(); // goals without a wave, oldest first
     private final ArrayDeque<Wave> lent = new ArrayDeque<>();
+    private final long askedAtFirst; // what was asked by then when this map came
+    private final long askedBefore; // likewise of the map before
     private long asked;
 
     /// When a goal was asked for: the last times, as many as count.
@@ -71,70 +74,85 @@ final class Waves {
     /// A wave that is kept. Whoever looks at it or lets it spread holds its lock: that of the map before may still be
     /// asked by somebody.
     private static final class Lasting {
-        private Wave wave;
-        private int source = -1; // where it comes from, a cell of its map
-
-        private Lasting(CostMap map) {
-            this.wave = new Wave(map);
-        }
+        private @Nullable Wave wave; // none while it is mended, so that none is left half mended
+        private int source; // where it comes from, a cell of its map; −1 while it has not started
 
         /// @param last how the map came about, if it has changed
         synchronized <R> R use(CostMap map, @Nullable Changes last, int goalCell, Function<Wave, R> use) {
-            if (wave.map() != map) {
-                Optional<Changes> changes = last != null && last.from() == wave.map()
-                        ? Optional.of(last)
-                        : Changes.between(wave.map(), map);
-                moveTo(map, changes, goalCell);
-            }
+            Wave now = over(map, last, goalCell);
             if (source != goalCell) {
-                wave.clear();
-                wave.start(goalCell);
+                now.clear();
+                now.start(goalCell);
                 source = goalCell;
             }
-            return use.apply(wave);
+            return use.apply(now);
         }
 
-        private void moveTo(CostMap map, Optional<Changes> changes, int goalCell) {
-            Optional<Wave> moved = changes.filter(some -> source >= 0 && some.moved(source) == goalCell)
-                    .map(wave::over);
-            source = moved.isPresent() ? goalCell : -1;
-            wave = moved.orElseGet(() -> new Wave(map));
+        private Wave over(CostMap map, @Nullable Changes last, int goalCell) {
+            Wave old = wave;
+            if (old != null && old.map() == map) {
+                return old;
+            }
+            wave = null;
+            Optional<Wave> mended = old == null || source < 0 ? Optional.empty() : mended(old, map, last, goalCell);
+            source = mended.isPresent() ? goalCell : -1;
+            Wave now = mended.orElseGet(() -> new Wave(map));
+            wave = now;
+            return now;
+        }
+
+        private Optional<Wave> mended(Wave old, CostMap map, @Nullable Changes last, int goalCell) {
+            Optional<Changes> changes =
+                    last != null && last.from() == old.map() ? Optional.of(last) : Changes.between(old.map(), map);
+            return changes.filter(some -> some.moved(source) == goalCell).flatMap(old::over);
         }
     }
 
     Waves(CostMap map) {
-        this(map, null);
+        this(map, null, 0, 0);
     }
 
-    private Waves(CostMap map, @Nullable Changes last) {
+    private Waves(CostMap map, @Nullable Changes last, long asked, long askedBefore) {
         this.map = map;
         this.last = last;
+        this.asked = asked;
+        this.askedAtFirst = asked;
+        this.askedBefore = askedBefore;
     }
 
-    /// Does something with the wave of a goal that is kept; empty when it isn't yet.
-    <R> Optional<R> from(int goalCell, Function<Wave, R> use) {
-        return kept(goalCell).map(one -> one.use(map, last, goalCell, use));
+    /// Those over another map, to which the waves are handed on if it is much the same. What goals were asked for
+    /// counts on.
+    synchronized Waves over(CostMap other) {
+        Optional<Changes> few = kept.isEmpty() && waiting.isEmpty() ? Optional.empty() : Changes.between(map, other);
+        Waves next = new Waves(other, few.orElse(null), asked, askedAtFirst);
+        few.ifPresent(changes -> handOn(changes, next));
+        return next;
     }
 
-    /// Those over a map that has become another, which is open where they come from. What they were asked for counts
-    /// on.
-    synchronized Waves over(Changes changes) {
-        var next = new Waves(changes.to(), changes);
-        next.asked = asked;
+    private void handOn(Changes changes, Waves next) {
+        kept.sort(Comparator.comparingLong((Kept one) -> one.asked).reversed());
         for (Kept one : kept) {
             int goal = changes.moved(one.goal);
-            if (goal >= 0 && next.map.isOpen(goal)) {
+            if (one.asked > askedBefore && next.hasRoom() && goal >= 0 && next.map.isOpen(goal)) {
                 next.kept.add(new Kept(one.lasting, goal, one.asked));
             }
         }
+        kept.clear();
         waiting.forEach((cell, times) -> {
             int goal = changes.moved(cell);
             if (goal >= 0) {
                 next.waiting.put(goal, times.copy());
             }
         });
-        kept.clear();
-        return next;
+    }
+
+    synchronized int kept() {
+        return kept.size();
+    }
+
+    /// Does something with the wave of a goal that is kept; empty when it isn't yet.
+    <R> Optional<R> from(int goalCell, Function<Wave, R> use) {
+        return kept(goalCell).map(one -> one.use(map, last, goalCell, use));
     }
 
     /// Does something with a wave that nobody else uses, is cleared and has not started.
@@ -170,17 +188,20 @@ final class Waves {
 
     /// A new wave while there is room, else that which was not asked for the longest, if it may be had.
     private Optional<Kept> room(int goalCell, Asked times) {
-        boolean full = kept.size() >= MOST_KEPT || (kept.size() + 1L) * map.ground().length > CELLS_KEPT;
-        if (full && !kept.isEmpty()) {
+        if (!hasRoom() && !kept.isEmpty()) {
             Optional<Kept> given = kept.stream()
                     .min(Comparator.comparingLong(one -> one.asked))
                     .filter(one -> times.isOftenSince(one.asked));
             given.ifPresent(one -> one.goal = goalCell);
             return given;
         }
-        var made = new Kept(new Lasting(map), goalCell, asked);
+        var made = new Kept(new Lasting(), goalCell, asked);
         kept.add(made);
         return Optional.of(made);
+    }
+
+    private boolean hasRoom() {
+        return kept.size() < MOST_KEPT && (kept.size() + 1L) * map.ground().length <= CELLS_KEPT;
     }
 
     private synchronized Wave taken() {

@@ -17,6 +17,8 @@ import rsal.navigation.device.Exploration.Seen;
 import rsal.navigation.grid.ScanMapper.PosedScan;
 import rsal.navigation.scanmatch.Walls;
 import rsal.navigation.wavefront.CostMap.Clearance;
+import rsal.navigation.wavefront.Plan;
+import rsal.navigation.wavefront.Wavefront;
 
 class ExplorationTest {
     private static final Exploration.Settings SETTINGS = new Exploration.Settings(0.1, 0.6, 4);
@@ -73,6 +75,33 @@ class ExplorationTest {
         assertThat(orders.get(1).goal()).isEmpty();
         assertThat(orders.get(1).complete()).isFalse();
         assertThat(orders.get(1).map()).isEqualTo(orders.get(0).map());
+    }
+
+    /// What it found out of ways to a goal that it still has.
+    @Test
+    void aNextLookTakesOverWhatIsKnownOfWays() {
+        var team = new Exploration(SETTINGS);
+        var place = new Pose2d(3.2, 2, 0);
+        var goal = new Point2d(1, 1);
+        var ready = List.of(new Ready(SMALL, place.position(), Optional.empty(), true));
+        List<PosedScan> scans = new ArrayList<>(around(place));
+        Wavefront first = team.orders(List.of(new Seen(SMALL, List.copyOf(scans))), ready, List.of())
+                .getFirst()
+                .ways();
+        first.plan(place.position(), goal, 0.1);
+        first.plan(place.position(), goal, 0.1);
+        assertThat(first.kept()).isEqualTo(1);
+
+        scans.addAll(around(new Pose2d(3.0, 1.8, 0)));
+        Wavefront second = team.orders(List.of(new Seen(SMALL, scans)), ready, List.of())
+                .getFirst()
+                .ways();
+
+        assertThat(second.map().grid().cells()).isNotEqualTo(first.map().grid().cells());
+        assertThat(second.kept()).isEqualTo(1);
+        assertThat(second.plan(place.position(), goal, 0.1))
+                .isInstanceOf(Plan.Found.class)
+                .isEqualTo(new Wavefront(second.map()).plan(place.position(), goal, 0.1));
     }
 
     @Test

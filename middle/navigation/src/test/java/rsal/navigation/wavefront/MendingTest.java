@@ -2,10 +2,14 @@ package rsal.navigation.wavefront;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -29,18 +33,28 @@ class MendingTest {
         var wave = new Wave(map);
         int source = open(map, random);
         wave.start(source);
-        for (int i = 0; i < 20; i++) {
+        int count = 0;
+        for (int i = 0; i < 40; i++) {
             spreadSome(wave, map, random);
+            int from = source;
             OccupancyGrid next = changed(map.grid(), random);
             CostMap nextMap = costs(next, clearance);
-            Changes changes = Changes.between(map, nextMap).orElseThrow();
-            int moved = changes.moved(source);
+            Optional<Changes> few = Changes.between(map, nextMap);
+            int moved = few.map(changes -> changes.moved(from)).orElse(-1);
             if (moved < 0 || !nextMap.isOpen(moved)) {
                 continue;
             }
-            wave = wave.over(changes);
+            Changes changes = few.get();
+            Optional<Wave> mended = wave.over(changes);
             map = nextMap;
             source = moved;
+            count += mended.isPresent() ? 1 : 0;
+            if (mended.isEmpty()) {
+                wave = new Wave(map);
+                wave.start(source);
+                continue;
+            }
+            wave = mended.get();
             check(wave, map, source, random, "seed %d, %d".formatted(seed, i));
             if (random.nextInt(5) == 0) {
                 wave.clear(); // starts anew as well
@@ -48,6 +62,7 @@ class MendingTest {
                 wave.start(source);
             }
         }
+        assertThat(count).as("mended").isGreaterThan(5);
     }
 
     /// What it knows is right at once, and the rest once it has spread.
@@ -121,9 +136,8 @@ class MendingTest {
         for (int i = 0; i < 40; i++) {
             if (random.nextInt(4) == 0) {
                 CostMap next = costs(changed(map.grid(), random), clearance);
-                Optional<Wavefront> over = ways.over(next);
-                handedOn += over.isPresent() ? 1 : 0;
-                ways = over.orElseGet(() -> new Wavefront(next));
+                ways = ways.over(next);
+                handedOn += ways.kept();
                 map = next;
             }
             Point2d start = map.grid().middle(open(map, random));
@@ -143,26 +157,81 @@ class MendingTest {
         return new Point2d(place.x() + random.nextDouble(-0.5, 0.5), place.y() + random.nextDouble(-0.5, 0.5));
     }
 
+    /// Whoever still has the map before may ask while others ask of the next one.
+    @Test
+    void severalMayAskOfBothMapsAtOnce() throws Exception {
+        var random = new SplittableRandom(3);
+        var clearance = new Clearance(0.06, 0.2, 3);
+        CostMap before = costs(RandomMaps.of(random, 150, 120, 0.005), clearance);
+        CostMap after = costs(changed(before.grid(), random), clearance);
+        Point2d goal = before.grid().middle(open(before, random));
+        List<Point2d> starts = Stream.generate(() -> before.grid().middle(open(before, random)))
+                .limit(10)
+                .toList();
+        var old = new Wavefront(before);
+        old.plan(starts.getFirst(), goal, 0.1);
+        old.plan(starts.getFirst(), goal, 0.1);
+        assertThat(old.kept()).isEqualTo(1);
+        try (var threads = Executors.newFixedThreadPool(4)) {
+            Wavefront next = old.over(after);
+            var asked = new ArrayList<Future<Plan>>();
+            for (int i = 0; i < 200; i++) {
+                Wavefront ways = i % 3 == 0 ? old : next;
+                Point2d start = starts.get(i % 10);
+                asked.add(threads.submit(() -> ways.plan(start, goal, 0.1)));
+            }
+            for (int i = 0; i < 200; i++) {
+                CostMap map = i % 3 == 0 ? before : after;
+                assertThat(asked.get(i).get()).isEqualTo(new Wavefront(map).plan(starts.get(i % 10), goal, 0.1));
+            }
+        }
+    }
+
     @Test
     void mapsOnOtherLatticesOrThatAreQuiteDifferentHandNothingOn() {
-        var clearance = new Clearance(0, 0, 0);
-        var room = new OccupancyGrid(40, 40, 0.1, 0, 0, new byte[1600]);
-        var ways = new Wavefront(costs(room, clearance));
-        assertThat(ways.over(costs(new OccupancyGrid(40, 40, 0.1, 0.05, 0, new byte[1600]), clearance)))
+        assertThat(keptBy(new OccupancyGrid(40, 40, 0.1, 0.05, 0, new byte[1600])))
                 .as("half a cell aside")
-                .isEmpty();
-        assertThat(ways.over(costs(new OccupancyGrid(40, 40, 0.2, 0, 0, new byte[1600]), clearance)))
+                .isZero();
+        assertThat(keptBy(new OccupancyGrid(40, 40, 0.2, 0, 0, new byte[1600])))
                 .as("larger cells")
-                .isEmpty();
-        assertThat(ways.over(costs(new OccupancyGrid(40, 40, 0.1, 1e9, 0, new byte[1600]), clearance)))
+                .isZero();
+        assertThat(keptBy(new OccupancyGrid(40, 40, 0.1, 1e9, 0, new byte[1600])))
                 .as("elsewhere")
-                .isEmpty();
-        assertThat(ways.over(costs(new OccupancyGrid(40, 40, 0.1, 2, 0, new byte[1600]), clearance)))
+                .isZero();
+        assertThat(keptBy(new OccupancyGrid(40, 40, 0.1, 2, 0, new byte[1600])))
                 .as("half of it new")
-                .isEmpty();
-        assertThat(ways.over(costs(new OccupancyGrid(41, 40, 0.1, 0, 0, new byte[1640]), clearance)))
+                .isZero();
+        assertThat(keptBy(new OccupancyGrid(41, 40, 0.1, 0, 0, new byte[1640])))
                 .as("a column more")
-                .isPresent();
+                .isEqualTo(1);
+    }
+
+    /// How many of one wave over a room of 40 × 40 cells are kept over another map.
+    private static int keptBy(OccupancyGrid next) {
+        var clearance = new Clearance(0, 0, 0);
+        var ways = new Wavefront(costs(new OccupancyGrid(40, 40, 0.1, 0, 0, new byte[1600]), clearance));
+        ways.plan(new Point2d(1, 1), new Point2d(3, 3), 0);
+        ways.plan(new Point2d(1, 1), new Point2d(3, 3), 0);
+        assertThat(ways.kept()).isEqualTo(1);
+        return ways.over(costs(next, clearance)).kept();
+    }
+
+    @Test
+    void whatNobodyAskedForOnTwoMapsIsNotHandedOn() {
+        var clearance = new Clearance(0, 0, 0);
+        CostMap map = costs(new OccupancyGrid(40, 40, 0.1, 0, 0, new byte[1600]), clearance);
+        CostMap same = costs(new OccupancyGrid(40, 40, 0.1, 0, 0, new byte[1600]), clearance);
+        Point2d start = new Point2d(1, 1);
+        Point2d goal = new Point2d(3, 3);
+        var ways = new Wavefront(map);
+        ways.plan(start, goal, 0);
+        ways.plan(start, goal, 0);
+        ways = ways.over(same).over(map);
+        assertThat(ways.kept()).as("asked for two maps ago").isEqualTo(1);
+        ways.plan(start, goal, 0);
+        ways = ways.over(same).over(map);
+        assertThat(ways.kept()).as("likewise, after being mended").isEqualTo(1);
+        assertThat(ways.over(same).kept()).isZero();
     }
 
     private static int[] field(Wave wave, CostMap map) {
