@@ -16,8 +16,8 @@ import rsal.navigation.grid.DistanceField;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
 
-/// Readings of a ring of sonars judged [1/s], for 500 particles around a pose in the office, against walking all three
-/// rays of each cone through every cell up to the wall, with a logarithm for each cone.
+/// Readings of a ring of sonars judged [1/s], for 500 particles around a pose in the office where cones are known,
+/// against walking all rays of each cone through every cell up to the wall, with a logarithm for each cone.
 @State(Scope.Thread)
 @Fork(1)
 @Warmup(iterations = 3, time = 2)
@@ -25,15 +25,16 @@ import rsal.settings.Location;
 public class ConeLikelihood {
     private static final int PARTICLES = 500;
     private static final double CONE = Math.toRadians(30);
-    private static final double SIDE_RAY = 0.35 * CONE; // as the model has it
+    private static final double STEP = 2 * Math.PI / Cones.DIRECTIONS;
     private static final double REACH = 5; // m
-    private static final double ALIKE = 0.05; // of a logarithm; the kernel overlooks corners now and then
+    private static final double ALIKE = 0.05; // of a logarithm; the kernel knows ranges by cell and direction
 
     @Param({"8", "16"})
     int sonars;
 
     private final Particles particles = new Particles(PARTICLES);
     private final double[] logs = new double[PARTICLES];
+    private final PoseBlock block = new PoseBlock();
     private OccupancyGrid office;
     private BeamModel model;
     private Beams ring;
@@ -67,7 +68,7 @@ public class ConeLikelihood {
     @Benchmark
     @OperationsPerInvocation(PARTICLES)
     public double[] kernel() {
-        model.logs(ring, particles, logs);
+        model.logs(ring, particles, block, logs);
         return logs;
     }
 
@@ -87,8 +88,12 @@ public class ConeLikelihood {
     }
 
     private double shortest(double x, double y, double direction) {
-        return Math.min(
-                walk(x, y, direction), Math.min(walk(x, y, direction - SIDE_RAY), walk(x, y, direction + SIDE_RAY)));
+        int aside = Cones.raysAside(CONE);
+        double shortest = Double.POSITIVE_INFINITY;
+        for (int ray = -aside; ray <= aside; ray++) {
+            shortest = Math.min(shortest, walk(x, y, direction + ray * STEP));
+        }
+        return shortest;
     }
 
     private double walk(double x, double y, double direction) {
