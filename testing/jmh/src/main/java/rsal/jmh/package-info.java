@@ -1,2 +1,2 @@
-/// Runs the benchmarks of kernels, which are in the packages of what they measure.
+/// Runs the benchmarks of kernels, which are in the packages of what they measure, and has what slow ones share.
 package rsal.jmh;

@@ -92,7 +92,8 @@ final class RobotViews {
     private RobotView view(RobotSpec spec, Robot robot) {
         String id = robot.id();
         Placements placements = world.placements();
-        boolean there = !faults.isGone(id) && !world.lacks(id);
+        boolean gone = faults.isGone(id);
+        boolean there = !gone && !world.lacks(id);
         Optional<Controls> told = team.controls(id);
         Optional<Localizer> localizer = team.localizer(robot).filter(_ -> there && placements.isBeliefOfHere(id));
         Optional<Navigator> navigator = told.flatMap(orders -> orders.outfit().find(Navigator.class))
@@ -105,8 +106,8 @@ final class RobotViews {
                 robot.role(),
                 spec.color(),
                 robot.model().name(),
-                faults.isGone(id),
-                faults.isGone(id) ? silence(robot) : Optional.empty(),
+                gone,
+                gone ? silence(robot) : Optional.empty(),
                 world.truth(id),
                 robot.find(DriveBase.class).filter(_ -> there).flatMap(DriveBase::latest),
                 localizer.flatMap(Localizer::latest).filter(estimate -> placements.isOfHere(id, estimate)),

@@ -20,22 +20,23 @@ import java.util.Arrays;
 /// where it is wanted.
 final class Mending {
     private static final int SHARE = 4; // of so many cells one may be forgotten
-
     private static final int MOST = CostMap.diagonal(2 * CostMap.DEAREST); // that a step costs
     private static final int ROOM = 1024; // at first
 
     private final CostMap to;
     private final int width;
+    private final int[] around; // steps to a cell and its neighbors
     private final int[] field;
     private final Cells checked = new Cells(); // which may have lost what they hold on to
     private final Cells borders = new Cells();
-    private final boolean isDone;
+    private final boolean gaveUp;
 
     /// @param field what the cells of the old map hold; it is written to
     /// @param known cells that hold less are final
     Mending(Changes changes, int[] field, int known) {
         this.to = changes.to();
         this.width = to.grid().width();
+        this.around = new int[] {-width - 1, -width, -width + 1, -1, 0, 1, width - 1, width, width + 1};
         this.field = changes.isSameSize() ? field : changes.moved(field);
         if (!changes.isSameSize()) {
             for (int cell : to.shore()) {
@@ -51,16 +52,23 @@ final class Mending {
         for (int cell : changes.cells()) {
             collectAround(cell, checked);
         }
-        isDone = forgetWhatNothingLeadsTo();
+        var forgotten = new Cells();
+        gaveUp = !forgetWhatNothingLeadsTo(forgotten);
+        if (gaveUp) {
+            return;
+        }
+        for (int i = 0; i < forgotten.count; i++) {
+            collectAround(cell(forgotten.entries[i]), borders);
+        }
         for (int cell : changes.cells()) {
             collectAround(cell, borders);
         }
         borders.sort();
     }
 
-    /// Whether it did not give up.
-    boolean isDone() {
-        return isDone;
+    /// Whether too much would have been forgotten: there is nothing to go on from then.
+    boolean gaveUp() {
+        return gaveUp;
     }
 
     /// What the cells of the new map hold.
@@ -100,21 +108,19 @@ final class Mending {
         } else if (field[cell] < Wave.SOURCE) {
             field[cell] = Wave.OPEN;
         }
-        for (int dy = -width; dy <= width; dy += width) {
-            for (int next = cell + dy - 1; next <= cell + dy + 1; next++) {
-                if (next >= 0 && next < field.length && !to.isOpen(next)) {
-                    field[next] = Wave.BLOCKED; // on the shore from now on
-                }
+        for (int step : around) {
+            int next = cell + step;
+            if (next >= 0 && next < field.length && !to.isOpen(next)) {
+                field[next] = Wave.BLOCKED; // on the shore from now on
             }
         }
     }
 
     private void collectAround(int cell, Cells into) {
-        for (int dy = -width; dy <= width; dy += width) {
-            for (int next = cell + dy - 1; next <= cell + dy + 1; next++) {
-                if (next >= 0 && next < field.length && isReached(next)) {
-                    into.add(field[next], next);
-                }
+        for (int step : around) {
+            int next = cell + step;
+            if (next >= 0 && next < field.length && isReached(next)) {
+                into.add(field[next], next);
             }
         }
     }
@@ -123,15 +129,15 @@ final class Mending {
         return field[cell] >= Wave.SOURCE && field[cell] < Wave.OPEN;
     }
 
+    /// @param forgotten to add to
     /// @return whether that was not too much
-    private boolean forgetWhatNothingLeadsTo() {
+    private boolean forgetWhatNothingLeadsTo(Cells forgotten) {
         checked.sort();
         long[] first = checked.all();
         var waiting = new Buckets();
         int count = 0; // of those that wait
         int next = 0;
         int value = 0;
-        var forgotten = new Cells();
         while ((count > 0 || next < first.length) && forgotten.count <= field.length / SHARE) {
             value = count > 0 ? value : value(first[next]);
             for (; next < first.length && value(first[next]) == value; next++) {
@@ -150,21 +156,17 @@ final class Mending {
             waiting.empty(value);
             value++;
         }
-        for (int i = 0; i < forgotten.count; i++) {
-            collectAround(cell(forgotten.entries[i]), borders);
-        }
         return forgotten.count <= field.length / SHARE;
     }
 
     /// @return how many
     private int checkAround(int cell, int value, Buckets waiting) {
         int count = 0;
-        for (int dy = -width; dy <= width; dy += width) {
-            for (int next = cell + dy - 1; next <= cell + dy + 1; next++) {
-                if (isReached(next) && field[next] > value && field[next] <= value + MOST) {
-                    waiting.push(field[next], next, 0);
-                    count++;
-                }
+        for (int step : around) {
+            int next = cell + step;
+            if (isReached(next) && field[next] > value && field[next] <= value + MOST) {
+                waiting.push(field[next], next, 0);
+                count++;
             }
         }
         return count;

@@ -109,7 +109,7 @@ final class Wave {
         boolean isDone = along.isEmpty() && across.isEmpty();
         int until = Math.min(front, FARTHEST + 1); // a new one would not get farther
         var mending = new Mending(changes, field, isDone ? OPEN : until);
-        if (!mending.isDone()) {
+        if (mending.gaveUp()) {
             return Optional.empty();
         }
         var mended = new Wave(changes.to(), mending.field());

@@ -11,6 +11,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 import rsal.data.OccupancyGrid;
+import rsal.jmh.CellWalk;
 import rsal.map.Maps;
 import rsal.navigation.grid.DistanceField;
 import rsal.settings.FileSource;
@@ -89,37 +90,11 @@ public class ConeLikelihood {
 
     private double shortest(double x, double y, double direction) {
         int aside = Cones.raysAside(CONE);
-        double shortest = Double.POSITIVE_INFINITY;
+        double shortest = REACH;
         for (int ray = -aside; ray <= aside; ray++) {
-            shortest = Math.min(shortest, walk(x, y, direction + ray * STEP));
+            double along = direction + ray * STEP;
+            shortest = Math.min(shortest, CellWalk.range(office, x, y, Math.cos(along), Math.sin(along), REACH));
         }
         return shortest;
-    }
-
-    private double walk(double x, double y, double direction) {
-        double dx = Math.cos(direction);
-        double dy = Math.sin(direction);
-        int column = office.column(x);
-        int row = office.row(y);
-        int stepColumn = dx > 0 ? 1 : -1;
-        int stepRow = dy > 0 ? 1 : -1;
-        double toColumn = (office.x(column) + stepColumn * office.resolution() / 2 - x) / dx;
-        double toRow = (office.y(row) + stepRow * office.resolution() / 2 - y) / dy;
-        double way = 0;
-        while (way <= REACH && office.contains(column, row)) {
-            if (office.at(column, row) == OccupancyGrid.OCCUPIED) {
-                return way;
-            }
-            if (toColumn < toRow) {
-                way = toColumn;
-                toColumn += office.resolution() / Math.abs(dx);
-                column += stepColumn;
-            } else {
-                way = toRow;
-                toRow += office.resolution() / Math.abs(dy);
-                row += stepRow;
-            }
-        }
-        return REACH;
     }
 }
