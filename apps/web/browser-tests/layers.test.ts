@@ -19,7 +19,7 @@ interface Shown {
   at: Place[];
   /** Where it may be seen. */
   within: (place: Place) => boolean;
-  /** Each pixel is what was there before, mixed with those of one of these groups; one or two in each. */
+  /** Each pixel is what was there before, mixed with those of one of these groups; one or two in each; see {@link isMixed}. */
   colors: Rgb[][];
 }
 
@@ -34,6 +34,7 @@ describe.skipIf(!chromium)('each layer of the map', () => {
   let rsal: Rsal;
   let page: Page;
   let expected: Record<keyof typeof texts.layers, Shown>;
+  let floor: Rgb;
 
   beforeAll(async () => {
     rsal = await Rsal.run(SCENARIO, '--port', '0');
@@ -45,6 +46,7 @@ describe.skipIf(!chromium)('each layer of the map', () => {
     await rsal.post('pause');
     await page.getByTestId('time').getByText('x').waitFor({ state: 'detached' });
     await settled();
+    floor = (await inks()).free!;
     expected = await all(goal);
     await picture(page, 'layers');
   });
@@ -256,7 +258,7 @@ describe.skipIf(!chromium)('each layer of the map', () => {
     }
     expect(changed.filter((place) => !within(place)).slice(0, 3), 'elsewhere nothing changes').toEqual([]);
     const some = changed.filter((_, i) => i % Math.ceil(changed.length / 3000) === 0);
-    const odd = some.filter((pixel) => !colors.some((group) => isMixed(pixel, group)));
+    const odd = some.filter((pixel) => !colors.some((group) => isMixed(pixel, floor, group)));
     expect(odd.length / some.length, `such as ${JSON.stringify(odd.slice(0, 3))}`).toBeLessThan(0.03);
 
     await chip.click();
@@ -267,20 +269,23 @@ describe.skipIf(!chromium)('each layer of the map', () => {
   });
 });
 
-/** Whether a pixel is what it would be without a layer, under some of one color, and of a second if there is one. */
-function isMixed(pixel: Changed, [first, second]: Rgb[]): boolean {
+/**
+ * Whether some of one color is added to a pixel, and of a second if there is one: to what was there before, or to the
+ * floor under the soft edge of what is drawn above it.
+ */
+function isMixed({ without, with: seen }: Changed, floor: Rgb, [first, second]: Rgb[]): boolean {
   const STEPS = 20;
   const NEAR = 12;
-  for (let one = 0; one <= STEPS; one++) {
-    for (let two = 0; two <= (second ? STEPS - one : 0); two++) {
-      const share = (STEPS - one - two) / STEPS;
-      const isNear = pixel.with.every((value, i) => {
-        const mixed =
-          share * pixel.without[i]! + (one / STEPS) * first![i]! + (two / STEPS) * (second?.[i] ?? 0);
-        return Math.abs(value - mixed) < NEAR;
-      });
-      if (isNear) {
-        return true;
+  for (const under of [without, floor]) {
+    for (let one = 0; one <= STEPS; one++) {
+      for (let two = 0; two <= (second ? STEPS - one : 0); two++) {
+        const isNear = seen.every((value, i) => {
+          const added = one * (first![i]! - under[i]!) + two * ((second?.[i] ?? 0) - under[i]!);
+          return Math.abs(value - without[i]! - added / STEPS) < NEAR;
+        });
+        if (isNear) {
+          return true;
+        }
       }
     }
   }

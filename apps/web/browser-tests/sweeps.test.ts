@@ -100,6 +100,7 @@ describe.skipIf(!chromium)('a sweep', () => {
     const fifth = page.locator('[data-run]').nth(4);
     const seed = /\d+/.exec(await fifth.locator('span').first().innerText())![0];
     await fifth.getByRole('button', { name: 'Watch' }).click();
+    await form(page).waitFor({ state: 'hidden' }); // keys are the dialog's until then
     await page.getByText(`seed ${seed}`).first().waitFor(); // of the run that is shown now
     await eventually(async () => (await page.locator('tr[data-robot]').count()) === 2, 'with two robots');
     await page.keyboard.press('x');
