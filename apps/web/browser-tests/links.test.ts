@@ -61,6 +61,23 @@ describe.skipIf(!chromium)('who hears whom', () => {
     }, 'somebody said something');
   });
 
+  it('is shown of what has been, too', async () => {
+    const page = await opened('light');
+    const asked: string[] = [];
+    page.on('request', (request) => asked.push(request.url()));
+    const without = await drawn(page);
+    await layer(page).click();
+    await eventually(async () => (await drawn(page)) > without + 1000, 'lines are drawn');
+    await page.keyboard.press(',');
+    await page.locator('[data-past=true]').waitFor();
+    asked.length = 0;
+    await eventually(async () => asked.some((url) => /api\/links.*time=/.test(url)), 'it is asked about');
+    await eventually(async () => (await drawn(page)) > without + 1000, 'they were so then');
+    await picture(page, 'links-past');
+    await page.keyboard.press('l');
+    await page.locator('[data-past=false]').waitFor();
+  });
+
   it('looks well in the dark, and is accessible', async () => {
     const page = await opened('dark');
     await layer(page).click();

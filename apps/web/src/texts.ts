@@ -118,6 +118,7 @@ export const texts = {
     blobsHint: 'Select a robot to see what its cameras make out.',
     noBlobs: (robot: string) => `${robot} has no camera that finds blobs.`,
     linksHint: 'So many robots: select one to see whom it hears.',
+    linksUnkept: 'Of so many robots, who heard whom is told only while the run goes on, as it is now.',
     loading: 'Loading the map…',
     goalHint: (robot: string) => `Click where ${robot} shall go; drag to set its heading. Esc cancels.`,
     place: (x: string, y: string, heading: string) => `${x}, ${y} m, ${heading}`,

@@ -88,8 +88,9 @@ export const api = {
     ofRun<PastNumbers>('numbers/past', { robot, device, number }),
   /** @param time of what has been [s of the run]; null for the present */
   agent: (name: string, time: number | null = null) => ofRun<AgentInside>('agent', { name }, time),
-  /** @param robot that is chosen, of many; empty for none */
-  links: (robot: string) => about<Links>('links', robot),
+  /** @param robot that is chosen, of many; empty for none
+   * @param time of what has been [s of the run]; null for the present */
+  links: (robot: string, time: number | null = null) => about<Links>('links', robot, time),
   sayable: () => found<Sayables>('sayable'),
   say: (wish: Saying) => post('say', wish),
   agentTypes: () => found<AgentTypes>('agents/types'),

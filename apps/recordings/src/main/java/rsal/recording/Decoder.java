@@ -46,6 +46,7 @@ import rsal.robot.RobotSpec;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.AgentView;
 import rsal.scenario.run.DeviceView;
+import rsal.scenario.run.Link;
 import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.Reading;
 import rsal.scenario.run.RobotView;
@@ -128,7 +129,18 @@ final class Decoder {
     /// Of a run of which no state was recorded.
     Snapshot nothing() {
         return new Snapshot(
-                0, Duration.ZERO, true, false, 1, 0, Optional.empty(), List.of(), List.of(), planned, List.of());
+                0,
+                Duration.ZERO,
+                true,
+                false,
+                1,
+                0,
+                Optional.empty(),
+                List.of(),
+                List.of(),
+                planned,
+                List.of(),
+                List.of());
     }
 
     Snapshot snapshot(Held held, Duration time, Optional<String> outcome) {
@@ -164,6 +176,8 @@ final class Decoder {
                 robots.add(robot(robot, mate.spec(), held, devices.getOrDefault(id, List.of()), time));
             }
         }
+        List<Link> links = read(held, Topics.LINKS, Own.LINKS, (fields, _) -> links(fields))
+                .orElse(List.of());
         before = now;
         return new Snapshot(
                 0,
@@ -176,7 +190,18 @@ final class Decoder {
                 robots,
                 agents,
                 List.copyOf(team.values()),
-                things);
+                things,
+                links);
+    }
+
+    private static List<Link> links(Fields fields) {
+        return fields.all("links").stream()
+                .map(link -> new Link(
+                        link.text("one"),
+                        link.text("other"),
+                        new Link.Way(link.flag("there"), link.flag("said_there")),
+                        new Link.Way(link.flag("back"), link.flag("said_back"))))
+                .toList();
     }
 
     /// Where robots are, by their names: as people are shown them.

@@ -33,6 +33,7 @@ import rsal.recording.proto.MessageType;
 import rsal.recording.proto.ProtoWriter;
 import rsal.scenario.run.AgentView;
 import rsal.scenario.run.DeviceView;
+import rsal.scenario.run.Link;
 import rsal.scenario.run.Reading;
 import rsal.scenario.run.RobotView;
 import rsal.scenario.run.RunEvent;
@@ -167,6 +168,28 @@ public final class Encoder {
         for (AgentView agent : now.agents()) {
             agent(agent, time);
         }
+        links(now.links(), time);
+    }
+
+    /// That there are none is told when there were some.
+    private void links(List<Link> links, long time) throws IOException {
+        boolean never = links.isEmpty() && !last.containsKey(Topics.LINKS);
+        if (never || !isNew(Topics.LINKS, links)) {
+            return;
+        }
+        out.clear();
+        timestamp(1, time);
+        for (Link link : links) {
+            int begun = out.begin(2);
+            out.string(1, link.one());
+            out.string(2, link.other());
+            out.bool(3, link.there().open());
+            out.bool(4, link.back().open());
+            out.bool(5, link.there().used());
+            out.bool(6, link.back().used());
+            out.end(begun);
+        }
+        write(Topics.LINKS, Own.LINKS, time, time, Map.of());
     }
 
     private void state(Snapshot now, String hash, long time) throws IOException {

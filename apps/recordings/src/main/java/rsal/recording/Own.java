@@ -149,6 +149,17 @@ final class Own {
             .withMany(3, "beliefs", Foxglove.KEY_VALUE)
             .withMany(4, "goals", GOAL);
 
+    static final MessageType LINK = MessageType.named("rsal.Link")
+            .with(1, "one", Kind.STRING)
+            .with(2, "other", Kind.STRING)
+            .with(3, "there", Kind.BOOL)
+            .with(4, "back", Kind.BOOL)
+            .with(5, "said_there", Kind.BOOL)
+            .with(6, "said_back", Kind.BOOL);
+    static final MessageType LINKS = MessageType.named("rsal.Links")
+            .with(1, "timestamp", Foxglove.TIMESTAMP)
+            .withMany(2, "links", LINK);
+
     // what devices tell: see ReadingType
 
     static final MessageType TWIST = MessageType.named("rsal.Twist")

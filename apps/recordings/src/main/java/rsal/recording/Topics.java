@@ -11,6 +11,7 @@ final class Topics {
     static final String AGENTS = "/agents";
     static final String MINDS = "/minds";
     static final String MESSAGES = "/messages";
+    static final String LINKS = "/links";
     static final String SCAN = "scan";
     static final String RANGES = "ranges";
     static final String PARTICLES = "particles";

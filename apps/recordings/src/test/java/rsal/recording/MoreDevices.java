@@ -78,7 +78,8 @@ record MoreDevices(Witness told) implements Witness {
                                 .toList(),
                         now.agents(),
                         now.team(),
-                        now.things()),
+                        now.things(),
+                        now.links()),
                 hash);
     }
 

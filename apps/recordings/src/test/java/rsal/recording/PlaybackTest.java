@@ -33,6 +33,7 @@ import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
 import rsal.scenario.run.Answer;
+import rsal.scenario.run.Link;
 import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.NavigatorState;
 import rsal.scenario.run.Reading;
@@ -67,11 +68,15 @@ class PlaybackTest {
                     assertThat(result.measures()).isEqualTo(seen.result.measures());
                     assertThat(result.outOfBounds()).isEqualTo(seen.result.outOfBounds());
                 });
+                assertThat(seen.snapshots.stream().map(Snapshot::links).distinct())
+                        .as("robots hear each other, once they speak")
+                        .hasSizeGreaterThan(1);
                 for (Snapshot then : seen.snapshots) {
                     Snapshot now = playback.at(then.time());
                     assertThat(now.time()).isEqualTo(then.time());
                     assertThat(now.outcome()).isEqualTo(then.outcome());
                     assertThat(now.things()).isEqualTo(then.things());
+                    assertThat(now.links()).isEqualTo(then.links());
                     assertThat(now.team()).hasSameSizeAs(then.team());
                     assertThat(now.agents())
                             .usingRecursiveComparison()
@@ -91,6 +96,37 @@ class PlaybackTest {
                             .isEqualTo(then.robots());
                 }
             }
+        }
+    }
+
+    @Test
+    void whoHeardWhomIsToldAgain() throws Exception {
+        Path scenario = folder.resolve("radio.yaml");
+        Files.writeString(scenario, """
+                rsal: 1
+                scenario: radio
+                title: Robots that hear each other, but for one that nobody hears
+                world: { map: four-rooms }
+                robots:
+                  scout:
+                    count: 3
+                    model: pioneer2dx
+                    pose: { free: true, clearance: 0.6 }
+                    devices: { laser: urg04lx, localizer: { type: amcl }, planner: { type: wavefront }, navigator: {} }
+                agents:
+                  nav: { type: nav, robot: scout }
+                communication: { range: 30 }
+                faults: [{ kind: lost, from: [nav-1] }]
+                """);
+        Path file = folder.resolve("radio.mcap");
+        Seen seen = record(Recorded.plan(scenario.toString(), 7, 5), file);
+        List<Link> last = seen.snapshots.getLast().links();
+        assertThat(last)
+                .filteredOn(link -> link.one().equals("scout-1"))
+                .hasSize(2)
+                .allMatch(link -> !link.there().open() && link.back().open());
+        try (Playback playback = open(file)) {
+            assertThat(playback.at(playback.until()).links()).isEqualTo(last);
         }
     }
 

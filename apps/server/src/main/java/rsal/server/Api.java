@@ -142,7 +142,7 @@ final class Api {
                 "/api/communication",
                 request -> answerWhenDone(request, seen(request).communication()));
         routes.get("/api/links", request -> {
-            answerWhenDone(request, running(request).links(asked(request, "robot")));
+            answerWhenDone(request, links(request));
         });
         routes.get("/api/blobs", request -> {
             answerWhenDone(request, readings(request), told -> CameraViews.of(told.readings()));
@@ -445,6 +445,14 @@ final class Api {
                 .<CompletionStage<Answer>>map(time -> CompletableFuture.completedStage(
                         seats.find(request).recollection().readings(robot, time)))
                 .orElseGet(() -> seen(request).readings(robot));
+    }
+
+    /// Who hears whom; at another time than now when that is asked for.
+    private CompletionStage<Answer> links(Context request) {
+        return Past.askedBack(request)
+                .<CompletionStage<Answer>>map(time -> CompletableFuture.completedStage(
+                        seats.find(request).recollection().links(time)))
+                .orElseGet(() -> running(request).links(asked(request, "robot")));
     }
 
     /// What an agent has in mind; at another time than now when that is asked for.

@@ -705,9 +705,10 @@ final class Messages {
     /// Who heard what so far in a run that limits communication; else nothing. Of more than 10,000 pairs the sums only.
     record Communication(List<HearingInfo> communication) {}
 
-    /// Which robots' agents hear each other now. Where nothing limits that, all do, and those are told that spoke.
+    /// Which robots' agents hear each other. Where nothing limits that, all do, and those are told that spoke.
     ///
-    /// @param ofChosen whether there are so many robots that only links of the one asked for are told
+    /// @param ofChosen whether there are so many robots that only links of the one asked for are told, and of what has
+    /// been none
     record Links(List<LinkInfo> links, boolean ofChosen) {}
 
     /// @param one id of a robot

@@ -18,6 +18,7 @@ import rsal.data.Stamped;
 import rsal.scenario.run.AgentView;
 import rsal.scenario.run.Answer;
 import rsal.scenario.run.Inside;
+import rsal.scenario.run.Link;
 import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.MindChange;
 import rsal.scenario.run.Reading;
@@ -26,8 +27,8 @@ import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.Snapshot;
 
 /// What can be asked about a live run's past, beside the frames of its [History]: what devices had told, twice a second
-/// of the run and where it was paused, as whoever goes on by steps looks closely, and what agents showed and had in
-/// mind, once a second. Minds are those of [#MOST_MINDS] agents: of more, of those that somebody asked about last.
+/// of the run and where it was paused, as whoever goes on by steps looks closely, who heard whom, and what agents showed
+/// and had in mind, once a second. Minds are those of [#MOST_MINDS] agents: of more, of those that somebody asked about last.
 /// Within [#MOST_BYTES] it reaches back to the beginning, ever more coarsely ([Thinned]). All methods may be called
 /// from any thread, [#look] from one at a time.
 final class Recollection {
@@ -47,7 +48,10 @@ final class Recollection {
 
     /// @param robots what their devices had told last, by robot; of maps a [PackedMap]
     /// @param agents what they showed, by name
-    private record Moment(Map<String, List<Reading>> robots, Map<String, Society.View> agents) {}
+    /// @param links which robots' agents heard each other
+    private record Moment(Map<String, List<Reading>> robots, Map<String, Society.View> agents, List<Link> links) {
+        static final Moment NONE = new Moment(Map.of(), Map.of(), List.of());
+    }
 
     /// Keeps what is new, when it is time for that. What agents have in mind it asks for, which is answered later, on
     /// another thread.
@@ -82,8 +86,7 @@ final class Recollection {
 
     /// What is as it was before is the same object.
     private Moment moment(Snapshot now) {
-        Moment before =
-                moments.at(now.time()).map(Thinned.Entry::value).orElseGet(() -> new Moment(Map.of(), Map.of()));
+        Moment before = moments.at(now.time()).map(Thinned.Entry::value).orElse(Moment.NONE);
         var robots = new HashMap<String, List<Reading>>();
         for (RobotView robot : now.robots()) {
             List<Reading> known = before.robots.getOrDefault(robot.id(), List.of());
@@ -98,7 +101,7 @@ final class Recollection {
             Society.View known = before.agents.get(agent.view().agent().name());
             agents.put(agent.view().agent().name(), agent.view().equals(known) ? known : agent.view());
         }
-        return new Moment(robots, agents);
+        return new Moment(robots, agents, now.links().equals(before.links) ? before.links : now.links());
     }
 
     private static Reading packed(Reading reading, List<Reading> before) {
@@ -153,7 +156,7 @@ final class Recollection {
         Thinned.Entry<Moment> then;
         Duration asked;
         synchronized (this) {
-            then = moments.at(time).orElseGet(() -> new Thinned.Entry<>(Duration.ZERO, new Moment(Map.of(), Map.of())));
+            then = moments.at(time).orElseGet(() -> new Thinned.Entry<>(Duration.ZERO, Moment.NONE));
             asked = seen == null || seen.time().compareTo(time) > 0 ? time : seen.time();
         }
         Duration since = asked.minus(then.time());
@@ -180,6 +183,12 @@ final class Recollection {
 
     private static Stamped<?> unpacked(Stamped<?> told) {
         return told.value() instanceof PackedMap packed ? new Stamped<>(told.time(), told.frame(), packed.map()) : told;
+    }
+
+    /// Which robots' agents heard each other.
+    synchronized Answer.Linked links(Duration time) {
+        Moment then = moments.at(time).map(Thinned.Entry::value).orElse(Moment.NONE);
+        return new Answer.Linked(then.links, then.robots.size() > Snapshot.MOST_LINKED && then.links.isEmpty());
     }
 
     /// What an agent did, believed and wanted then.

@@ -182,6 +182,7 @@ class FrameEncoderTest {
                 robots,
                 List.of(),
                 List.of(),
+                List.of(),
                 List.of());
     }
 

@@ -58,6 +58,7 @@ class RealRobotsTest {
                 List.of(robot),
                 List.of(),
                 List.of(),
+                List.of(),
                 List.of());
     }
 

@@ -151,6 +151,14 @@ class ReplayServerTest {
     }
 
     @Test
+    void tellsWhoHeardWhom() throws Exception {
+        assertThat(get("/api/links?time=4").body())
+                .contains("\"ofChosen\":false", "\"one\":\"prey-1\"")
+                .containsPattern("\"said(There|Back)\":true");
+        assertThat(get("/api/links?time=0").body()).contains("\"links\":[]");
+    }
+
+    @Test
     void tellsWhatCamerasMadeOut() throws Exception {
         server.close();
         show("find-and-collect", 5);

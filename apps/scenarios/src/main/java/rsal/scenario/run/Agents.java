@@ -369,7 +369,7 @@ final class Agents implements AutoCloseable {
     ///
     /// @param chosen id of the robot whose links are told when there are many robots; maybe of none
     /// @param now in real time [ns]
-    Answer links(String chosen, long now) {
+    Answer.Linked links(String chosen, long now) {
         var speakers = new LinkedHashMap<String, List<String>>(); // names of those who run, by robot
         for (Directory.Entry agent : society.orElseThrow().directory().agents()) {
             if (!agent.robot().isEmpty()) {
@@ -388,6 +388,13 @@ final class Agents implements AutoCloseable {
                                                 places.getOrDefault(to, Optional.empty())))
                         .isPresent(),
                 now);
+    }
+
+    /// The same of all robots, at most a second of the run old; none of many robots.
+    ///
+    /// @param now in real time [ns]
+    List<Link> links(long now) {
+        return society.isEmpty() ? List.of() : links.inThisSecond(() -> links("", now));
     }
 
     /// Whether anybody of those in range would be heard by one of the others.

@@ -3,16 +3,19 @@ package rsal.scenario.run;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
+import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiPredicate;
+import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import rsal.agent.Message;
 
-/// Which robots' agents hear each other, for people who look. What was heard lately is noted only while somebody does.
+/// Which robots' agents hear each other, for people who look. What was heard lately is noted only while somebody does:
+/// until nobody has for [#PATIENCE], in real time and in that of the run.
 /// Draws nothing at random, and changes nothing of the run. All calls on the run's thread, or on that of an agent while
 /// it is that one's turn.
 final class Links {
@@ -22,8 +25,8 @@ final class Links {
     /// For how long something counts as said lately, in time of the run.
     static final Duration LATELY = Duration.ofSeconds(1);
 
-    /// For how long it is noted after somebody has looked, in real time [ns].
-    static final long PATIENCE = 3_000_000_000L;
+    /// For how long it is noted after somebody has looked.
+    static final Duration PATIENCE = Duration.ofSeconds(3);
 
     /// A fast team says more within [#LATELY] than can be seen.
     private static final int MOST_NOTED = 20_000;
@@ -33,6 +36,9 @@ final class Links {
     private final LinkedHashMap<Pair, Instant> lately = new LinkedHashMap<>(); // the newest last
     private boolean looked;
     private long lookedAt; // [ns]
+    private Instant lookedThen = Instant.MIN; // in time of the run
+    private Instant second = Instant.MIN; // of the run, in which they were looked for last
+    private List<Link> inSecond = List.of();
 
     /// From one robot to another.
     private record Pair(String from, String to) {}
@@ -68,10 +74,22 @@ final class Links {
     ///
     /// @param now [ns]
     void beat(long now) {
-        if (looked && now - lookedAt > PATIENCE) {
+        if (looked
+                && now - lookedAt > PATIENCE.toNanos()
+                && clock.instant().isAfter(lookedThen.plus(PATIENCE))) {
             looked = false;
             lately.clear();
         }
+    }
+
+    /// Looked for once in each second of the run, however often that is asked.
+    List<Link> inThisSecond(Supplier<Answer.Linked> look) {
+        Instant now = clock.instant().truncatedTo(ChronoUnit.SECONDS);
+        if (!now.equals(second)) {
+            second = now;
+            inSecond = look.get().links();
+        }
+        return inSecond;
     }
 
     /// Those of all robots, or, where these are too many, of one.
@@ -83,6 +101,7 @@ final class Links {
     Answer.Linked look(Set<String> robots, String chosen, BiPredicate<String, String> hears, long now) {
         looked = true;
         lookedAt = now;
+        lookedThen = clock.instant();
         forget();
         var ids = List.copyOf(robots);
         boolean ofChosen = ids.size() > MOST_ROBOTS;

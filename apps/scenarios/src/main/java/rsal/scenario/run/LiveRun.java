@@ -826,7 +826,8 @@ public final class LiveRun implements AutoCloseable {
                 stage == null ? List.of() : stage.robotViews(),
                 stage == null ? List.of() : stage.agentViews(),
                 stage == null ? List.of() : stage.team(),
-                stage == null ? List.of() : stage.world().things());
+                stage == null ? List.of() : stage.world().things(),
+                stage == null ? List.of() : stage.links(handClock.getAsLong()));
     }
 
     private Duration elapsed() {

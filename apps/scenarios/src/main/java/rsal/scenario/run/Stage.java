@@ -260,6 +260,11 @@ final class Stage implements AutoCloseable {
         return agents.links(chosen, now);
     }
 
+    /// @param now in real time [ns]
+    List<Link> links(long now) {
+        return agents.links(now);
+    }
+
     /// @param time since the run's start
     /// @param now in real time [ns]
     LastLook lastLook(Duration time, long now) {

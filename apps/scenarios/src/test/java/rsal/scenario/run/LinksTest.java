@@ -53,11 +53,17 @@ class LinksTest {
         says("amy", "bob");
         assertThat(look(BOTH, "").links()).containsExactly(new Link("a", "b", SILENT, SILENT));
         says("amy", "bob");
-        links.beat(Links.PATIENCE + 1);
+        long impatient = Links.PATIENCE.toNanos() + 1;
+        links.beat(impatient);
+        assertThat(look(BOTH, "").links())
+                .as("in the time of the run it was looked for just now")
+                .containsExactly(new Link("a", "b", SPOKEN, SILENT));
+        now = now.plus(Links.PATIENCE).plusNanos(1);
+        links.beat(impatient);
         says("amy", "bob");
         assertThat(look(BOTH, "").links()).containsExactly(new Link("a", "b", SILENT, SILENT));
         says("amy", "bob");
-        links.beat(Links.PATIENCE);
+        links.beat(impatient - 1);
         assertThat(look(BOTH, "").links()).containsExactly(new Link("a", "b", SPOKEN, SILENT));
     }
 
