@@ -33,6 +33,13 @@ public interface Navigator extends Device {
     /// The way it intends to take from here; empty without a goal.
     Path2d path();
 
+    /// How it means to get on along that way within the next second or two, around what it sees, as whatever steers
+    /// it told last: in the map frame, from where it took the robot to be, at most 16 points. Empty without a goal,
+    /// while it stands or turns in place, and of one that tells none.
+    default Path2d localPath() {
+        return Path2d.EMPTY;
+    }
+
     /// What places of its map cost it, as `nav_msgs/OccupancyGrid` has costs: [OccupancyGrid#FREE] where
     /// nothing is near, up to 99 where it is dearest, [OccupancyGrid#OCCUPIED] where its middle can't be, and
     /// [OccupancyGrid#UNKNOWN] where the map knows nothing. Not to be written to. Empty of one that plans by no

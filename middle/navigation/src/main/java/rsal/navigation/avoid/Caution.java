@@ -1,12 +1,14 @@
 package rsal.navigation.avoid;
 
+import java.util.List;
 import rsal.data.Footprint;
+import rsal.data.Point2d;
 import rsal.data.Twist2d;
 import rsal.navigation.avoid.LocalPlanner.Motion;
 import rsal.navigation.avoid.LocalPlanner.Target;
 
 /// The last word of a local planner: a [ContactGuard], turning in place, and what to do where the robot is too long
-/// to turn. Each robot needs its own.
+/// to turn. So it knows where the robot goes on. Each robot needs its own.
 public final class Caution {
     /// Room that is kept from all obstacles [m]: about what odometry and scans are wrong within a robot's length.
     public static final double MARGIN = 0.04;
@@ -17,6 +19,7 @@ public final class Caution {
 
     private final DriveLimits limits;
     private final ContactGuard guard;
+    private final Ahead ahead = new Ahead();
     private double creeping; // m/s
 
     /// @param reaction how long a command lasts before the next one can take effect [s]
@@ -36,7 +39,9 @@ public final class Caution {
 
     /// What of a command is safe.
     public Twist2d guarded(Twist2d wanted, Twist2d velocity, Obstacles obstacles) {
-        return guard.limit(wanted, velocity, obstacles);
+        Twist2d safe = guard.limit(wanted, velocity, obstacles);
+        ahead.on(safe);
+        return safe;
     }
 
     /// What of a command is safe. Where the robot is too long to turn, it creeps on or back first, until it can
@@ -44,6 +49,12 @@ public final class Caution {
     ///
     /// @param turn that is missing [rad]
     public Twist2d guarded(Twist2d wanted, double turn, Twist2d velocity, Obstacles obstacles) {
+        Twist2d command = safeOrCreeping(wanted, turn, velocity, obstacles);
+        ahead.into(turn, command);
+        return command;
+    }
+
+    private Twist2d safeOrCreeping(Twist2d wanted, double turn, Twist2d velocity, Obstacles obstacles) {
         Twist2d safe = guard.limit(wanted, velocity, obstacles);
         boolean wedged = Math.abs(safe.vx()) < CREEP / 4 && Math.abs(safe.omega()) < Math.abs(wanted.omega()) / 2;
         if (!wedged || Math.abs(turn) < SMALL) {
@@ -75,7 +86,9 @@ public final class Caution {
         if (target.arriving()) {
             speed = Math.min(speed, limits.arriving(target.distance()));
         }
-        return guarded(Twist2d.drive(speed, omega), direction, motion.velocity(), obstacles);
+        Twist2d command = guarded(Twist2d.drive(speed, omega), direction, motion.velocity(), obstacles);
+        arrivesAt(target);
+        return command;
     }
 
     /// Turns in place by an angle [rad].
@@ -85,8 +98,32 @@ public final class Caution {
         return guarded(Twist2d.drive(0, omega), angle, velocity, obstacles);
     }
 
+    /// What it let through last is nothing: the robot is to stand.
+    public void stands() {
+        ahead.nowhere();
+    }
+
+    /// What it let through last leads so far at most [m].
+    public void upTo(double longest) {
+        ahead.upTo(longest);
+    }
+
+    /// What it let through last leads to a target, and not past it if it is to come to rest there.
+    public void arrivesAt(Target target) {
+        if (target.arriving()) {
+            ahead.upTo(target.distance());
+        }
+    }
+
+    /// Where what it let through last leads within 2 s, as [LocalPlanner#way] has it: on its arc, or into the direction
+    /// that it turns to.
+    public List<Point2d> way() {
+        return ahead.points();
+    }
+
     /// Forgets what it did.
     public void reset() {
         creeping = 0;
+        ahead.nowhere();
     }
 }

@@ -10,6 +10,9 @@ import rsal.data.Twist2d;
 ///
 /// Keeps what it did last, so each robot needs its own, on one thread.
 public interface LocalPlanner {
+    /// How many points [#way] has at most.
+    int WAY_POINTS = 16;
+
     /// Where to go.
     ///
     /// @param place to head for
@@ -50,6 +53,13 @@ public interface LocalPlanner {
 
     /// What of somebody else's command is safe.
     Twist2d guarded(Obstacles obstacles, Twist2d wanted, Motion motion);
+
+    /// The way that it means to go on by what it commanded last, for people to see: places of the base one after the
+    /// other, in the base frame as that was then [m], the first of them its origin; at most [#WAY_POINTS].
+    /// Made when it is asked for. Empty where it stands or turns in place, and of one that tells none.
+    default List<Point2d> way() {
+        return List.of();
+    }
 
     /// Forgets what it did, as when the robot has been carried away.
     void reset();

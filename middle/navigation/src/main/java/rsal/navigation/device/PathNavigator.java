@@ -107,6 +107,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
     private @Nullable Trip trip;
     private boolean paused;
     private boolean held; // as motors were off
+    private boolean driving; // by its last command, not only turning
 
     PathNavigator(DeviceInfo info, Parts parts, Settings settings, Scheduler scheduler, RandomGenerator random) {
         super(info);
@@ -188,6 +189,11 @@ final class PathNavigator extends DeviceCore implements Navigator {
         return trip == null ? Path2d.EMPTY : trip.path();
     }
 
+    @Override
+    public Path2d localPath() {
+        return trip == null || paused || !driving ? Path2d.EMPTY : trip.localPath();
+    }
+
     private void onEnd(Trip ended) {
         if (ended.equals(trip)) {
             trip = null;
@@ -200,6 +206,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
         boolean off = !parts.base().enabled();
         if (now == null || paused || off) {
             held |= off;
+            driving = false;
             if (!health().isOk()) {
                 look(); // it may be well again
             }
@@ -211,6 +218,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
         }
         Optional<Situation> situation = look();
         Twist2d command = situation.map(now::beat).orElseGet(now::blindBeat);
+        driving = command.vx() != 0;
         if (now.equals(trip)) {
             parts.base().command(command);
         }

@@ -170,6 +170,15 @@ final class Trip {
         return route == null ? Path2d.EMPTY : route.left(mapFromBase.position());
     }
 
+    /// The way that its local planner means to go; turning to and fro, it is not asked.
+    Path2d localPath() {
+        return manoeuvre == Manoeuvre.SHUNT
+                ? Path2d.EMPTY
+                : new Path2d(parts.avoidance().way().stream()
+                        .map(mapFromBase::transform)
+                        .toList());
+    }
+
     /// The first ending counts.
     void end(Result result) {
         if (!source.ended()) {

@@ -1,8 +1,10 @@
 package rsal.navigation.dwa;
 
 import java.util.Arrays;
+import java.util.List;
 import rsal.data.Angles;
 import rsal.data.Footprint;
+import rsal.data.Point2d;
 import rsal.data.Twist2d;
 import rsal.navigation.avoid.Caution;
 import rsal.navigation.avoid.DriveLimits;
@@ -82,7 +84,10 @@ public final class Dwa implements LocalPlanner {
             return turnAway(obstacles, target, motion);
         }
         turning = 0;
-        return caution.guarded(Twist2d.drive(speed, omega), motion.velocity(), obstacles);
+        Twist2d command = caution.guarded(Twist2d.drive(speed, omega), motion.velocity(), obstacles);
+        double free = way(speed, omega, obstacles);
+        caution.upTo(target.arriving() ? Math.min(free, target.distance()) : free);
+        return command;
     }
 
     private static double mix(double from, double to, int i, int count) {
@@ -173,6 +178,12 @@ public final class Dwa implements LocalPlanner {
     @Override
     public Twist2d guarded(Obstacles obstacles, Twist2d wanted, Motion motion) {
         return caution.guarded(wanted, motion.velocity(), obstacles);
+    }
+
+    /// On the arc that it chose, until something would be hit.
+    @Override
+    public List<Point2d> way() {
+        return caution.way();
     }
 
     @Override

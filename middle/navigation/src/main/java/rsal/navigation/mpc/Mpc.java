@@ -1,5 +1,7 @@
 package rsal.navigation.mpc;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.SplittableRandom;
 import rsal.data.Angles;
 import rsal.data.Footprint;
@@ -37,6 +39,8 @@ import rsal.navigation.avoid.Obstacles;
 public final class Mpc implements LocalPlanner {
     private static final int KNOTS = 4;
     private static final int STEPS_PER_KNOT = 6;
+    private static final int STEPS = KNOTS * STEPS_PER_KNOT;
+    private static final int STEPS_PER_POINT = 3;
     private static final double DT = 0.06; // s
     private static final double KNOT = STEPS_PER_KNOT * DT; // s
     private static final int ROUNDS = 4;
@@ -71,6 +75,7 @@ public final class Mpc implements LocalPlanner {
     private double[] trial = new double[2 * KNOTS];
     private double[] best = new double[2 * KNOTS];
     private boolean planned;
+    private Motion from = new Motion(Pose2d.ORIGIN, Twist2d.STOP); // where it made the plan
     private Target target = Target.at(new Point2d(0, 0), true);
     private double goalX;
     private double goalY;
@@ -153,6 +158,7 @@ public final class Mpc implements LocalPlanner {
             return turnToWay(obstacles, motion);
         }
         planned = true;
+        from = motion;
         System.arraycopy(best, 0, plan, 0, plan.length);
         return caution.guarded(Twist2d.drive(best[0], best[1]), motion.velocity(), obstacles);
     }
@@ -248,9 +254,8 @@ public final class Mpc implements LocalPlanner {
         double cost = LATER * Math.abs(trial[1] - w) / limits.turnRate();
         double gain = limits.acceleration() * DT;
         double turnGain = limits.turnAcceleration() * DT;
-        int steps = KNOTS * STEPS_PER_KNOT;
         double room = 0;
-        for (int step = 0; step < steps; step++) {
+        for (int step = 0; step < STEPS; step++) {
             int knot = step / STEPS_PER_KNOT;
             v += Math.clamp(trial[2 * knot] - v, -gain, gain);
             w += Math.clamp(trial[2 * knot + 1] - w, -turnGain, turnGain);
@@ -259,7 +264,7 @@ public final class Mpc implements LocalPlanner {
             y += v * DT * Math.sin(theta - w * DT / 2);
             room = room(x, y, theta);
             if (room < 0) {
-                return HOPELESS * (2 - (double) step / steps);
+                return HOPELESS * (2 - (double) step / STEPS);
             }
             double safe = settings.creep() + settings.speedPerRoom() * room;
             cost += DT * TOO_FAST * Math.max(0, Math.abs(v) - safe);
@@ -311,6 +316,43 @@ public final class Mpc implements LocalPlanner {
     public Twist2d guarded(Obstacles obstacles, Twist2d wanted, Motion motion) {
         planned = false;
         return caution.guarded(wanted, motion.velocity(), obstacles);
+    }
+
+    /// The best of those that it drove in its head, as far as that is to lead; where it has none, where it was let go.
+    @Override
+    public List<Point2d> way() {
+        List<Point2d> let = caution.way();
+        return planned && !let.isEmpty() ? rollout() : let;
+    }
+
+    /// Drives through the plan, as [#cost] does through a trial.
+    private List<Point2d> rollout() {
+        Pose2d baseFromOdom = from.odomFromBase().inverse();
+        double x = from.odomFromBase().x();
+        double y = from.odomFromBase().y();
+        double theta = from.odomFromBase().theta();
+        double v = from.velocity().vx();
+        double w = from.velocity().omega();
+        double gain = limits.acceleration() * DT;
+        double turnGain = limits.turnAcceleration() * DT;
+        var points = new ArrayList<Point2d>(STEPS / STEPS_PER_POINT + 1);
+        points.add(new Point2d(0, 0));
+        for (int step = 0; step < STEPS; step++) {
+            int knot = step / STEPS_PER_KNOT;
+            v += Math.clamp(plan[2 * knot] - v, -gain, gain);
+            w += Math.clamp(plan[2 * knot + 1] - w, -turnGain, turnGain);
+            theta += w * DT;
+            x += v * DT * Math.cos(theta - w * DT / 2);
+            y += v * DT * Math.sin(theta - w * DT / 2);
+            boolean there = arrives(x, y);
+            if (there || (step + 1) % STEPS_PER_POINT == 0) {
+                points.add(baseFromOdom.transform(new Point2d(x, y)));
+            }
+            if (there) {
+                break;
+            }
+        }
+        return points;
     }
 
     @Override

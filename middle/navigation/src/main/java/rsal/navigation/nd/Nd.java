@@ -1,8 +1,10 @@
 package rsal.navigation.nd;
 
+import java.util.List;
 import java.util.Optional;
 import rsal.data.Angles;
 import rsal.data.Footprint;
+import rsal.data.Point2d;
 import rsal.data.Twist2d;
 import rsal.navigation.avoid.Caution;
 import rsal.navigation.avoid.DriveLimits;
@@ -121,6 +123,11 @@ public final class Nd implements LocalPlanner {
     @Override
     public Twist2d guarded(Obstacles obstacles, Twist2d wanted, Motion motion) {
         return caution.guarded(wanted, motion.velocity(), obstacles);
+    }
+
+    @Override
+    public List<Point2d> way() {
+        return caution.way();
     }
 
     @Override

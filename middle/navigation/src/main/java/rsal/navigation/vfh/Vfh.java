@@ -1,8 +1,10 @@
 package rsal.navigation.vfh;
 
 import java.util.Arrays;
+import java.util.List;
 import rsal.data.Angles;
 import rsal.data.Footprint;
+import rsal.data.Point2d;
 import rsal.data.Twist2d;
 import rsal.navigation.avoid.Caution;
 import rsal.navigation.avoid.DriveLimits;
@@ -128,6 +130,11 @@ public final class Vfh implements LocalPlanner {
     }
 
     @Override
+    public List<Point2d> way() {
+        return caution.way();
+    }
+
+    @Override
     public void reset() {
         Arrays.fill(closed, false);
         previous = Double.NaN;
@@ -143,6 +150,7 @@ public final class Vfh implements LocalPlanner {
         mask(obstacles, heading, motion.velocity());
         if (!choose(Angles.wrap(heading + target.bearing()), heading)) {
             previous = Double.NaN;
+            caution.stands();
             return Twist2d.STOP;
         }
         previous = bestDirection;
@@ -154,7 +162,9 @@ public final class Vfh implements LocalPlanner {
         if (target.arriving()) {
             speed = Math.min(speed, limits.arriving(distance));
         }
-        return caution.guarded(Twist2d.drive(speed, omega), turn, motion.velocity(), obstacles);
+        Twist2d command = caution.guarded(Twist2d.drive(speed, omega), turn, motion.velocity(), obstacles);
+        caution.arrivesAt(target);
+        return command;
     }
 
     @Override

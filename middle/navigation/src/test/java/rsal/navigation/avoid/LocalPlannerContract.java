@@ -115,6 +115,28 @@ public abstract class LocalPlannerContract {
     }
 
     @Test
+    void tellsTheWayThatItMeansToGo() {
+        LocalPlanner planner = planner(BOX);
+        assertThat(planner.way()).isEmpty();
+        var nothing = new Obstacles(VIEW);
+        var target = new Point2d(2, 0.5);
+        var motion = new Motion(new Pose2d(3, 4, 1), Twist2d.drive(0.3, 0));
+        planner.drive(nothing, Target.at(target, false), motion);
+        List<Point2d> way = planner.way();
+        assertThat(way.getLast().distanceTo(target)).isLessThan(new Point2d(0, 0).distanceTo(target) - 0.3);
+        assertThat(way.getLast().y()).isPositive();
+        planner.drive(nothing, Target.at(new Point2d(0.25, 0), true), motion);
+        assertThat(new Path2d(planner.way()).length()).isBetween(0.05, 0.3);
+        planner.turn(nothing, 1, motion);
+        assertThat(planner.way()).isEmpty();
+        planner.drive(nothing, Target.at(target, false), motion);
+        planner.guarded(nothing, Twist2d.drive(-0.1, 0), motion);
+        assertThat(planner.way().getLast().distanceTo(new Point2d(-0.2, 0))).isLessThan(1e-9);
+        planner.reset();
+        assertThat(planner.way()).isEmpty();
+    }
+
+    @Test
     void passesAPost() {
         Drive drive = new Drive(BOX, List.of(new Point2d(1.5, 0.1), new Point2d(1.5, 0), new Point2d(1.5, -0.1)));
         drive.goTo(new Point2d(3.5, 0), 40);
@@ -144,6 +166,24 @@ public abstract class LocalPlannerContract {
             drive.goTo(new Point2d(random.nextDouble(-4, 4), random.nextDouble(-4, 4)), 15);
         }
         assertThat(drive.way).as("way made with seed %d", seed).isGreaterThan(0.5);
+    }
+
+    /// Drives among drums and sees whether the ways that it tells lead through one: for planners that know theirs to be
+    /// free not only as far as they need to stop.
+    ///
+    /// @param inside how far a drum may reach into the outline on such a way [m]
+    protected void assertTellsFreeWays(long seed, double inside) {
+        var random = new SplittableRandom(seed);
+        var drums = new ArrayList<Point2d>();
+        for (int i = 0; i < 25; i++) {
+            drums.addAll(drum(Pose2d.polar(random.nextDouble(0.9, 5), random.nextDouble(2 * Math.PI))));
+        }
+        Drive drive = new Drive(seed % 2 == 0 ? BOX : WEDGE, drums);
+        drive.inside = inside;
+        for (int goal = 0; goal < 4; goal++) {
+            drive.goTo(new Point2d(random.nextDouble(-4, 4), random.nextDouble(-4, 4)), 15);
+        }
+        assertThat(drive.freeWays).as("ways told with seed %d", seed).isGreaterThan(20);
     }
 
     /// The rim of one of 0.2 m.
@@ -230,6 +270,8 @@ public abstract class LocalPlannerContract {
         private double fastest;
         private double way;
         private int sonars; // around it; 0 for a laser
+        private double inside = Double.POSITIVE_INFINITY; // its outline on the ways that it tells
+        private int freeWays;
 
         public Drive(Footprint footprint, List<Point2d> posts) {
             this.planner = planner(footprint);
@@ -282,8 +324,44 @@ public abstract class LocalPlannerContract {
         public void goTo(Point2d goal, double seconds) {
             for (int beat = 0; beat * BEAT < seconds && pose.position().distanceTo(goal) > 0.3; beat++) {
                 Target target = Target.at(pose.inverse().transform(goal), true);
-                move(planner.drive(look(), target, motion()));
+                Twist2d command = planner.drive(look(), target, motion());
+                assertTellsAWay(command);
+                move(command);
             }
+        }
+
+        private void assertTellsAWay(Twist2d command) {
+            List<Point2d> told = planner.way();
+            if (Math.abs(command.vx()) < 0.01) {
+                assertThat(told).isEmpty();
+                return;
+            } else if (told.isEmpty()) {
+                assertThat(Math.abs(command.vx())).isLessThan(0.03);
+                return;
+            }
+            assertThat(told).hasSizeBetween(2, LocalPlanner.WAY_POINTS);
+            assertThat(told.getFirst()).isEqualTo(new Point2d(0, 0));
+            assertThat(told.get(1).x() * command.vx()).isPositive();
+            assertThat(new Path2d(told).length()).isLessThan(LIMITS.speed() * 2 + 0.01);
+            if (command.vx() > 0.1) {
+                assertIsFree(told);
+            }
+        }
+
+        private void assertIsFree(List<Point2d> way) {
+            for (int i = 1; i < way.size() - 1; i++) {
+                Point2d before = way.get(i - 1);
+                Point2d after = way.get(i + 1);
+                double heading = Math.atan2(after.y() - before.y(), after.x() - before.x());
+                Pose2d there = new Pose2d(way.get(i).x(), way.get(i).y(), heading).inverse();
+                for (int k = 0; k < obstacles.count(); k++) {
+                    Point2d seen = there.transform(obstacles.at(k));
+                    assertThat(body.distance(seen.x(), seen.y()))
+                            .as("%s from place %d of %s", seen, i, way)
+                            .isGreaterThan(-inside);
+                }
+            }
+            freeWays++;
         }
 
         /// Heads for what is next on a way, as navigators do.

@@ -1,5 +1,7 @@
 package rsal.navigation.dwa;
 
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Footprint;
 import rsal.navigation.avoid.LocalPlanner;
 import rsal.navigation.avoid.LocalPlannerContract;
@@ -8,5 +10,11 @@ class DwaTest extends LocalPlannerContract {
     @Override
     protected LocalPlanner planner(Footprint footprint, double reaction, double beat) {
         return new Dwa(footprint, LIMITS, Dwa.Settings.of(0.25, 3), reaction);
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4})
+    void tellsAWayThatIsFree(long seed) {
+        assertTellsFreeWays(seed, 0);
     }
 }

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
@@ -19,6 +21,12 @@ class MpcTest extends LocalPlannerContract {
     @Override
     protected LocalPlanner planner(Footprint footprint, double reaction, double beat) {
         return new Mpc(footprint, LIMITS, new Mpc.Settings(8, 0.05, 0.5, 4), reaction, beat);
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4})
+    void tellsAWayThatIsFree(long seed) {
+        assertTellsFreeWays(seed, 0.05);
     }
 
     @Test

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
 import rsal.device.DriveBase;
@@ -69,6 +70,26 @@ public abstract class NavigatorContract extends DeviceContract<Navigator> {
         await(handle.result(), LONG);
         assertThat(device().goal()).isEmpty();
         assertThat(device().path().points()).isEmpty();
+    }
+
+    @Test
+    void theWayThatItMeansToGoBeginsWhereItIs() {
+        assertThat(device().localPath().points()).isEmpty();
+        GoalHandle<Progress, Result> handle = device().goTo(WORLD.pose('a', 0));
+        for (int look = 0; look < 20; look++) {
+            advance(0.5);
+            List<Point2d> points = device().localPath().points();
+            assertThat(points).hasSizeLessThanOrEqualTo(16);
+            points.stream()
+                    .limit(1)
+                    .forEach(first ->
+                            assertThat(first.distanceTo(truth().position())).isLessThan(0.5));
+        }
+        device().pause();
+        assertThat(device().localPath().points()).isEmpty();
+        device().resume();
+        await(handle.result(), LONG);
+        assertThat(device().localPath().points()).isEmpty();
     }
 
     @Test
