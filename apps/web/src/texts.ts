@@ -191,7 +191,8 @@ export const texts = {
     particles: 'Where localizers suspect robots to be',
     trails: 'Where robots were',
     paths: 'Ways that robots intend to take',
-    motion: 'Where their motion takes robots within 2 s',
+    motion:
+      'Where robots go next: as their local planners mean to, else where their motion takes them within 2 s',
     goals: 'Where robots drive to',
     estimates: 'Where robots believe to be; ellipses hold 95 %',
     links: 'Who hears whom',

@@ -31,10 +31,11 @@ describe('a frame', () => {
     expect(full?.estimate).toMatchObject({ headingDeviation: 0.2, xx: 0.25, xy: 0.125, yy: 0.5 });
   });
 
-  it('has goal and path', () => {
+  it('has goal, path and how the robot means to get on along that', () => {
     expect(full?.goal?.y).toBeCloseTo(-1.5, 3);
     expect(full?.goal?.heading).toBeCloseTo(0.75, 3);
     expect([...(full?.path ?? [])]).toEqual([-12300, 6800, 0, -1500]);
+    expect([...(full?.localPath ?? [])]).toEqual([-12300, 6800, -12700, 6400, -12900, 5900]);
   });
 
   it('has the scan, with what is no distance', () => {
@@ -98,6 +99,7 @@ describe('a frame', () => {
       estimate: null,
       goal: null,
       path: null,
+      localPath: null,
       scan: null,
       cones: null,
       particles: null,

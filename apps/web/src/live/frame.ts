@@ -30,6 +30,7 @@ const LIT = 1 << 10;
 const ODOM = 1 << 11;
 const ELSEWHERE = 1 << 12;
 const SIDEWAYS = 1 << 13;
+const LOCAL_PATH = 1 << 14;
 
 const HOLDING = 1;
 
@@ -113,6 +114,8 @@ export interface RobotState {
   goal: Pose | null;
   /** x, y [mm] of one point after the other. */
   path: Int32Array | null;
+  /** Likewise, how it means to get on along that way next, from where it takes itself to be. */
+  localPath: Int32Array | null;
   scan: Scan | null;
   cones: Cones | null;
   particles: Particles | null;
@@ -213,6 +216,7 @@ function robotAt(view: DataView, offset: number, blocks: Reader): RobotState {
     odom: has(ODOM) ? aligned(blocks) : null,
     elsewhere: has(ELSEWHERE) ? elsewhere(blocks) : [],
     sideways: has(SIDEWAYS) ? sideways(blocks) : 0,
+    localPath: has(LOCAL_PATH) ? path(blocks) : null,
   };
 }
 

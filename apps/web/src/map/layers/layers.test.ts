@@ -1,12 +1,13 @@
 import { describe, expect, it, vi } from 'vitest';
-import { BROKEN, NOTHING, TOO_CLOSE, type Pose } from '../../live/frame';
+import { BROKEN, NOTHING, TOO_CLOSE, type Pose, type RobotState } from '../../live/frame';
 import { bgrOf, Dots } from './dots';
+import type { Scene } from '../scene';
 import { ellipse } from './estimates';
 import { poolCells } from './floor';
 import { compose } from './frames';
 import { gridStep } from './grid';
 import { nameOf } from './names';
-import { motionOf } from './paths';
+import { drawMotion, motionOf } from './paths';
 import { handleOf, radius } from './robots';
 import { eachBeam, strengthOf } from './scans';
 
@@ -72,6 +73,53 @@ describe('the motion of a robot', () => {
     const straight = motionOf({ x: 0, y: 0, heading: Math.PI / 2 }, 0.5, 0).at(-1)!;
     expect(straight.x).toBeCloseTo(0);
     expect(straight.y).toBeCloseTo(1);
+  });
+});
+
+describe('where a robot goes next', () => {
+  const driving = { pose: { x: 1, y: 2, heading: 0 }, speed: 0.5, sideways: 0, turnRate: 0, localPath: null };
+
+  /** Lines that are drawn, by their places. */
+  function drawn(robots: Partial<RobotState>[], selected?: number) {
+    const lines: [number, number][][] = [];
+    const context = {
+      beginPath: () => lines.push([]),
+      lineTo: (x: number, y: number) => lines.at(-1)!.push([x, y]),
+      stroke: () => undefined,
+    };
+    drawMotion(
+      context as unknown as CanvasRenderingContext2D,
+      {
+        info: { robots: robots.map(() => ({ color: '#0072b2' })) },
+        frame: { robots },
+        view: { scale: 100 },
+        selected,
+      } as unknown as Scene,
+    );
+    return lines;
+  }
+
+  it('is the way that its local planner means to go', () => {
+    const localPath = Int32Array.of(1000, 2000, 1500, 2250, 1750, 2750);
+    expect(drawn([{ ...driving, localPath }])).toEqual([
+      [
+        [1, 2],
+        [1.5, 2.25],
+        [1.75, 2.75],
+      ],
+    ]);
+    expect(drawn([{ ...driving, localPath, speed: 0 }])).toHaveLength(1);
+  });
+
+  it('is where its motion takes it when nobody tells', () => {
+    const [arc] = drawn([driving, { ...driving, speed: 0 }, { ...driving, pose: null }]);
+    expect(arc![0]).toEqual([1, 2]);
+    expect(arc!.at(-1)).toEqual([2, 2]);
+  });
+
+  it('is drawn of the selected one only where there are many', () => {
+    expect(drawn(Array<Partial<RobotState>>(61).fill(driving), 3)).toHaveLength(1);
+    expect(drawn(Array<Partial<RobotState>>(60).fill(driving), 3)).toHaveLength(60);
   });
 });
 

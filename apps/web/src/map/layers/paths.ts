@@ -18,32 +18,39 @@ export const drawPaths: Layer = (context, { info, frame, view }) => {
     if (path === null) {
       return;
     }
-    context.beginPath();
-    for (let at = 0; at < path.length; at += 2) {
-      context.lineTo(path[at]! / 1000, path[at + 1]! / 1000);
-    }
+    follow(context, path);
     context.strokeStyle = info.robots[i]!.color;
     context.stroke();
   });
   context.setLineDash([]);
 };
 
-/** Where their present motion takes robots next. */
+/** A line through places, x and y [mm] of one after the other. */
+function follow(context: CanvasRenderingContext2D, places: Int32Array) {
+  context.beginPath();
+  for (let at = 0; at < places.length; at += 2) {
+    context.lineTo(places[at]! / 1000, places[at + 1]! / 1000);
+  }
+}
+
+/** Where robots go next: the way that their local planners mean to go, else where their present motion takes them. */
 export const drawMotion: Layer = (context, { info, frame, view, selected }) => {
   context.lineJoin = 'round';
   context.lineWidth = 3 / view.scale;
   context.globalAlpha = 0.7;
-  frame.robots.forEach(({ pose, speed, sideways, turnRate }, i) => {
-    if (
-      pose === null ||
-      Math.hypot(speed, sideways) < STANDING ||
-      (frame.robots.length > MANY && i !== selected)
-    ) {
+  frame.robots.forEach(({ pose, localPath, speed, sideways, turnRate }, i) => {
+    if (pose === null || (frame.robots.length > MANY && i !== selected)) {
       return;
     }
-    context.beginPath();
-    for (const { x, y } of motionOf(pose, speed, turnRate, sideways)) {
-      context.lineTo(x, y);
+    if (localPath !== null) {
+      follow(context, localPath);
+    } else if (Math.hypot(speed, sideways) < STANDING) {
+      return;
+    } else {
+      context.beginPath();
+      for (const { x, y } of motionOf(pose, speed, turnRate, sideways)) {
+        context.lineTo(x, y);
+      }
     }
     context.strokeStyle = info.robots[i]!.color;
     context.stroke();

@@ -55,7 +55,8 @@ public final class CsvExport {
         for (Channel channel : file.channels()) {
             Optional<MessageType> type = file.schema(channel).map(Schema::name).map(KNOWN::get);
             type.filter(known -> !known.equals(Foxglove.SCENE_UPDATE)
-                            || channel.topic().endsWith("/" + Topics.PATH))
+                            || channel.topic().endsWith("/" + Topics.PATH)
+                            || channel.topic().endsWith("/" + Topics.LOCAL_PATH))
                     .ifPresent(known -> types.put(channel, known));
         }
     }

@@ -316,8 +316,8 @@ final class Decoder {
                 told.scan,
                 told.ranges,
                 told.map,
-                read(held, Topics.of(id, Topics.PATH), Foxglove.SCENE_UPDATE, (fields, _) -> path(fields))
-                        .orElse(Path2d.EMPTY),
+                path(held, id, Topics.PATH),
+                path(held, id, Topics.LOCAL_PATH),
                 robot.pose("goal"),
                 robot.text("in_charge"),
                 robot.text("behavior"),
@@ -487,6 +487,11 @@ final class Decoder {
         double resolution =
                 fields.within("cell_size").map(size -> size.number("x")).orElse(0.0);
         return new OccupancyGrid(width, cells.length / width, resolution, corner.x(), corner.y(), cells);
+    }
+
+    private Path2d path(Held held, String robot, String what) {
+        return read(held, Topics.of(robot, what), Foxglove.SCENE_UPDATE, (fields, _) -> path(fields))
+                .orElse(Path2d.EMPTY);
     }
 
     private static Path2d path(Fields fields) {

@@ -332,7 +332,11 @@ public final class Encoder {
             write(Topics.of(id, Topics.MAP), Foxglove.GRID, time, nanos(map.time()), Map.of());
         }
         if (isNew(id + " path", robot.path())) {
-            path(id, robot.path(), robot.color(), time);
+            path(id, Topics.PATH, robot.path(), robot.color(), time);
+        }
+        boolean leads = !robot.localPath().points().isEmpty();
+        if ((leads || last.containsKey(id + " local path")) && isNew(id + " local path", robot.localPath())) {
+            path(id, Topics.LOCAL_PATH, robot.localPath(), robot.color(), time);
         }
         boolean moved = false;
         for (Reading reading : robot.readings()) {
@@ -431,16 +435,16 @@ public final class Encoder {
     }
 
     /// A line through its points; without any, the one before is taken away.
-    private void path(String id, Path2d path, String color, long time) throws IOException {
+    private void path(String id, String what, Path2d path, String color, long time) throws IOException {
         out.clear();
         int entity = path.points().isEmpty() ? out.begin(1) : out.begin(2);
         if (path.points().isEmpty()) {
             timestamp(1, time);
-            out.string(3, "path");
+            out.string(3, what);
         } else {
             timestamp(1, time);
             out.string(2, MAP);
-            out.string(3, "path");
+            out.string(3, what);
             int line = out.begin(11);
             out.number(3, 0.04);
             path.points().forEach(point -> vector(5, point.x(), point.y(), 0.02));
@@ -448,7 +452,7 @@ public final class Encoder {
             out.end(line);
         }
         out.end(entity);
-        write(Topics.of(id, Topics.PATH), Foxglove.SCENE_UPDATE, time, time, Map.of());
+        write(Topics.of(id, what), Foxglove.SCENE_UPDATE, time, time, Map.of());
     }
 
     private void device(String id, DeviceView device, String topic, long time) throws IOException {

@@ -386,7 +386,8 @@ public final class Playback implements Closeable {
             default ->
                 topic.startsWith(Topics.of(robot, ""))
                         && !topic.equals(Topics.of(robot, Topics.PARTICLES))
-                        && !topic.equals(Topics.of(robot, Topics.PATH));
+                        && !topic.equals(Topics.of(robot, Topics.PATH))
+                        && !topic.equals(Topics.of(robot, Topics.LOCAL_PATH));
         };
     }
 

@@ -17,6 +17,7 @@ final class Topics {
     static final String PARTICLES = "particles";
     static final String MAP = "map";
     static final String PATH = "path";
+    static final String LOCAL_PATH = "local_path";
     static final String ESTIMATE = "estimate";
     static final String DEVICE = "device/";
 

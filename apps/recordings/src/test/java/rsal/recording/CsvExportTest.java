@@ -48,6 +48,7 @@ class CsvExportTest {
 
     @Test
     void eachPointOfAPathIsARow() throws Exception {
+        assertThat(table("explorer-1.local_path.csv")).hasSizeGreaterThan(20);
         List<Map<String, String>> rows = table("explorer-1.path.csv");
         assertThat(rows.getFirst().keySet()).containsExactly("log_time_s", "frame_id", "point", "x", "y");
         List<Map<String, String>> points =

@@ -108,6 +108,7 @@ record MoreDevices(Witness told) implements Witness {
                 robot.ranges(),
                 robot.map(),
                 robot.path(),
+                robot.localPath(),
                 robot.goal(),
                 robot.inCharge(),
                 robot.behavior(),

@@ -95,6 +95,10 @@ class PlaybackTest {
                                     "path\\.points.*")
                             .isEqualTo(then.robots());
                 }
+                assertThat(seen.snapshots)
+                        .flatExtracting(Snapshot::robots)
+                        .anySatisfy(
+                                robot -> assertThat(robot.localPath().points()).hasSizeBetween(2, 16));
             }
         }
     }

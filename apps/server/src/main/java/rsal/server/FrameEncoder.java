@@ -63,6 +63,7 @@ final class FrameEncoder {
     static final int ODOM = 1 << 11;
     static final int ELSEWHERE = 1 << 12;
     static final int SIDEWAYS = 1 << 13;
+    static final int LOCAL_PATH = 1 << 14;
 
     static final int HOLDING = 1;
 
@@ -188,7 +189,8 @@ final class FrameEncoder {
                 | (robot.lit() ? LIT : 0)
                 | (mapFromOdom(robot).isPresent() ? ODOM : 0)
                 | (elsewhere(robot).isEmpty() ? 0 : ELSEWHERE)
-                | (sideways(robot) == 0 ? 0 : SIDEWAYS);
+                | (sideways(robot) == 0 ? 0 : SIDEWAYS)
+                | (robot.localPath().points().isEmpty() ? 0 : LOCAL_PATH);
     }
 
     /// The truth where there is one, else what its localizer believes, or where its stand-in is.
@@ -225,6 +227,7 @@ final class FrameEncoder {
             reserve(4);
             out.putShort(sideways).putShort((short) 0);
         }
+        path(robot.localPath());
     }
 
     /// To the left [mm/s]; only omnidirectional bases have such a speed.

@@ -35,6 +35,7 @@ class RealRobotsTest {
                 Optional.empty(),
                 Optional.empty(),
                 Path2d.EMPTY,
+                Path2d.EMPTY,
                 Optional.empty(),
                 "",
                 "",

@@ -25,6 +25,7 @@ import rsal.device.SimulationControl.Carried;
 /// @param truth where it really is, in the map frame; empty where nobody knows
 /// @param map as it has drawn it itself so far, in the map frame
 /// @param path the way its navigator intends to take
+/// @param localPath how it means to get on along that way next, as [rsal.device.Navigator#localPath] has it
 /// @param goal where its navigator drives to
 /// @param inCharge name of the behavior that drives it, or of its navigator; empty when an agent drives it, or a
 /// person, or nobody, as when it is gone
@@ -51,6 +52,7 @@ public record RobotView(
         Optional<Stamped<RangeArray>> ranges,
         Optional<Stamped<OccupancyGrid>> map,
         Path2d path,
+        Path2d localPath,
         Optional<Pose2d> goal,
         String inCharge,
         String behavior,

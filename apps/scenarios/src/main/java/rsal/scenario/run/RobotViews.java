@@ -120,6 +120,7 @@ final class RobotViews {
                         .filter(ranges -> there && placements.isOfHere(id, ranges)),
                 robot.find(Mapper.class).filter(_ -> there).flatMap(Mapper::latest),
                 navigator.map(Navigator::path).orElse(Path2d.EMPTY),
+                navigator.map(Navigator::localPath).orElse(Path2d.EMPTY),
                 navigator.flatMap(Navigator::goal),
                 told.map(Controls::incharge)
                         .orElse(Optional.of(robot))
