@@ -21,8 +21,6 @@ import rsal.navigation.wavefront.CostMap.Clearance;
 
 /// Waves over maps that change hold what new ones do.
 class MendingTest {
-    private static final double CELL = 0.05; // m
-
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12})
     void holdsWhatANewWaveDoes(long seed) {
@@ -37,7 +35,7 @@ class MendingTest {
         for (int i = 0; i < 40; i++) {
             spreadSome(wave, map, random);
             int from = source;
-            OccupancyGrid next = changed(map.grid(), random);
+            OccupancyGrid next = RandomMaps.changed(map.grid(), random);
             CostMap nextMap = costs(next, clearance);
             Optional<Changes> few = Changes.between(map, nextMap);
             int moved = few.map(changes -> changes.moved(from)).orElse(-1);
@@ -92,36 +90,6 @@ class MendingTest {
         }
     }
 
-    /// A few rectangles of walls and of nothing; at times the map is cut or grows on some sides.
-    private static OccupancyGrid changed(OccupancyGrid before, SplittableRandom random) {
-        boolean isMoved = random.nextInt(3) == 0;
-        int left = isMoved ? random.nextInt(-5, 6) : 0;
-        int low = isMoved ? random.nextInt(-5, 6) : 0;
-        int width = before.width() + left + (isMoved ? random.nextInt(-5, 6) : 0);
-        int height = before.height() + low + (isMoved ? random.nextInt(-5, 6) : 0);
-        var cells = new byte[width * height];
-        for (int cell = 0; cell < cells.length; cell++) {
-            int column = cell % width - left;
-            int row = cell / width - low;
-            cells[cell] = before.contains(column, row) ? before.at(column, row) : OccupancyGrid.FREE;
-        }
-        int rectangles = random.nextInt(4);
-        for (int i = 0; i < rectangles; i++) {
-            int firstColumn = random.nextInt(width);
-            int firstRow = random.nextInt(height);
-            int columns = 1 + random.nextInt(random.nextBoolean() ? 3 : 30);
-            int rows = 1 + random.nextInt(random.nextBoolean() ? 3 : 30);
-            byte value = random.nextBoolean() ? OccupancyGrid.OCCUPIED : OccupancyGrid.FREE;
-            for (int row = firstRow; row < Math.min(height, firstRow + rows); row++) {
-                for (int column = firstColumn; column < Math.min(width, firstColumn + columns); column++) {
-                    cells[row * width + column] = value;
-                }
-            }
-        }
-        return new OccupancyGrid(
-                width, height, CELL, before.originX() - left * CELL, before.originY() - low * CELL, cells);
-    }
-
     /// Whoever plans over maps that change plans as one who has seen none of those before.
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
@@ -135,7 +103,7 @@ class MendingTest {
         int found = 0;
         for (int i = 0; i < 40; i++) {
             if (random.nextInt(4) == 0) {
-                CostMap next = costs(changed(map.grid(), random), clearance);
+                CostMap next = costs(RandomMaps.changed(map.grid(), random), clearance);
                 ways = ways.over(next);
                 handedOn += ways.kept();
                 map = next;
@@ -163,7 +131,7 @@ class MendingTest {
         var random = new SplittableRandom(3);
         var clearance = new Clearance(0.06, 0.2, 3);
         CostMap before = costs(RandomMaps.of(random, 150, 120, 0.005), clearance);
-        CostMap after = costs(changed(before.grid(), random), clearance);
+        CostMap after = costs(RandomMaps.changed(before.grid(), random), clearance);
         Point2d goal = before.grid().middle(open(before, random));
         List<Point2d> starts = Stream.generate(() -> before.grid().middle(open(before, random)))
                 .limit(10)
