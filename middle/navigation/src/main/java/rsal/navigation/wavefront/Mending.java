@@ -37,8 +37,9 @@ final class Mending {
         this.to = changes.to();
         this.width = to.grid().width();
         this.around = new int[] {-width - 1, -width, -width + 1, -1, 0, 1, width - 1, width, width + 1};
-        this.field = changes.isSameSize() ? field : changes.moved(field);
-        if (!changes.isSameSize()) {
+        boolean isSameSize = changes.overlay().isSameSize();
+        this.field = isSameSize ? field : changes.overlay().moved(field);
+        if (!isSameSize) {
             for (int cell : to.shore()) {
                 this.field[cell] = Wave.BLOCKED;
             }

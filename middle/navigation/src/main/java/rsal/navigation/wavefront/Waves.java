@@ -104,7 +104,8 @@ final class Waves {
         private Optional<Wave> mended(Wave old, CostMap map, @Nullable Changes last, int goalCell) {
             Optional<Changes> changes =
                     last != null && last.from() == old.map() ? Optional.of(last) : Changes.between(old.map(), map);
-            return changes.filter(some -> some.moved(source) == goalCell).flatMap(old::over);
+            return changes.filter(some -> some.overlay().moved(source) == goalCell)
+                    .flatMap(old::over);
         }
     }
 
@@ -132,14 +133,14 @@ final class Waves {
     private void handOn(Changes changes, Waves next) {
         kept.sort(Comparator.comparingLong((Kept one) -> one.asked).reversed());
         for (Kept one : kept) {
-            int goal = changes.moved(one.goal);
+            int goal = changes.overlay().moved(one.goal);
             if (one.asked > askedBefore && next.hasRoom() && goal >= 0 && next.map.isOpen(goal)) {
                 next.kept.add(new Kept(one.lasting, goal, one.asked));
             }
         }
         kept.clear();
         waiting.forEach((cell, times) -> {
-            int goal = changes.moved(cell);
+            int goal = changes.overlay().moved(cell);
             if (goal >= 0) {
                 next.waiting.put(goal, times.copy());
             }

@@ -38,7 +38,7 @@ class MendingTest {
             OccupancyGrid next = RandomMaps.changed(map.grid(), random);
             CostMap nextMap = costs(next, clearance);
             Optional<Changes> few = Changes.between(map, nextMap);
-            int moved = few.map(changes -> changes.moved(from)).orElse(-1);
+            int moved = few.map(changes -> changes.overlay().moved(from)).orElse(-1);
             if (moved < 0 || !nextMap.isOpen(moved)) {
                 continue;
             }
