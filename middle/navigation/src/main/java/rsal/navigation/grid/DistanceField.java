@@ -70,6 +70,17 @@ public final class DistanceField {
         return new DistanceField(map, transform(map, cell -> cells[cell] != OccupancyGrid.FREE));
     }
 
+    /// The same, to the bit, of a map that differs little from one before: what is far from all that differs is taken
+    /// over.
+    ///
+    /// @param before of the map before, also how far the nearest cell is that is not known to be free
+    public static DistanceField toNotFree(Difference difference, DistanceField before) {
+        return new Remeasuring(difference, before.meters)
+                .meters()
+                .map(meters -> new DistanceField(difference.now(), meters))
+                .orElseGet(() -> toNotFree(difference.now()));
+    }
+
     public int width() {
         return width;
     }
@@ -190,9 +201,14 @@ public final class DistanceField {
         var meters = new float[map.cells().length];
         DistanceTransform.measure(map.width(), map.height(), target, (row, squares) -> {
             for (int column = 0; column < squares.length; column++) {
-                meters[row * squares.length + column] = (float) (map.resolution() * Math.sqrt(squares[column]));
+                meters[row * squares.length + column] = meters(map, squares[column]);
             }
         });
         return meters;
+    }
+
+    /// @param square of a distance [cells²]
+    static float meters(OccupancyGrid map, double square) {
+        return (float) (map.resolution() * Math.sqrt(square));
     }
 }

@@ -1,0 +1,117 @@
+package rsal.navigation.grid;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import rsal.data.OccupancyGrid;
+
+/// Where a map differs from one from before in what is free: a few windows, such that whatever is reckoned from what
+/// is free nearby need be reckoned anew near them only. What only one of the maps has counts as different, too.
+public final class Difference {
+    private static final int NEAR = 32; // cells around windows that are looked at as well, more or less
+    private static final int SHARE = 2; // of so many cells one may be looked at
+
+    private final Overlay overlay;
+    private final List<Window> windows = new ArrayList<>();
+    private final long most;
+    private long area; // of the windows with what is near
+
+    private Difference(Overlay overlay) {
+        this.overlay = overlay;
+        this.most = most(overlay.now());
+    }
+
+    /// Empty when so much differs that all is better reckoned anew, or the maps' cells do not lie on each other.
+    public static Optional<Difference> between(OccupancyGrid before, OccupancyGrid now) {
+        return Overlay.of(before, now).map(Difference::new).filter(Difference::compare);
+    }
+
+    /// How many cells of a map may be looked at before it is better to look at all.
+    public static long most(OccupancyGrid map) {
+        return Window.of(map).area() / SHARE;
+    }
+
+    public Overlay overlay() {
+        return overlay;
+    }
+
+    public OccupancyGrid now() {
+        return overlay.now();
+    }
+
+    /// In columns and rows of the map of now; also beyond it, where the map from before reached farther.
+    public List<Window> windows() {
+        return windows;
+    }
+
+    /// @return whether that is not too much; else it has stopped
+    private boolean compare() {
+        Window shared = overlay.shared();
+        addBeside(shared, Window.of(overlay.now()));
+        addBeside(shared, overlay.old());
+        for (int row = shared.firstRow(); row < shared.endRow() && area <= most; row++) {
+            compare(shared, row);
+        }
+        return area <= most;
+    }
+
+    /// Adds what one of the maps has on the four sides of what both have.
+    private void addBeside(Window shared, Window map) {
+        addUnlessEmpty(new Window(map.firstColumn(), map.firstRow(), shared.firstColumn(), map.endRow()));
+        addUnlessEmpty(new Window(shared.endColumn(), map.firstRow(), map.endColumn(), map.endRow()));
+        addUnlessEmpty(new Window(map.firstColumn(), map.firstRow(), map.endColumn(), shared.firstRow()));
+        addUnlessEmpty(new Window(map.firstColumn(), shared.endRow(), map.endColumn(), map.endRow()));
+    }
+
+    private void addUnlessEmpty(Window window) {
+        if (!window.isEmpty()) {
+            add(window);
+        }
+    }
+
+    private void compare(Window shared, int row) {
+        byte[] before = overlay.before().cells();
+        byte[] now = overlay.now().cells();
+        int toColumn = -row * overlay.now().width();
+        int cell = shared.firstColumn() - toColumn;
+        int end = shared.endColumn() - toColumn;
+        int toOld = overlay.old(shared.firstColumn(), row) - cell;
+        while (cell < end) {
+            int same = Arrays.mismatch(before, cell + toOld, end + toOld, now, cell, end);
+            if (same < 0) {
+                return;
+            }
+            cell += same;
+            if ((before[cell + toOld] == OccupancyGrid.FREE) != (now[cell] == OccupancyGrid.FREE)) {
+                add(cell + toColumn, row);
+            }
+            cell++;
+        }
+    }
+
+    private void add(int column, int row) {
+        if (windows.isEmpty() || !windows.getLast().contains(column, row)) {
+            add(new Window(column, row, column + 1, row + 1));
+        }
+    }
+
+    /// Joins it with those with which that is no dearer than to look at both.
+    private void add(Window window) {
+        Window joined = window;
+        for (int i = 0; i < windows.size() && area <= most; i++) {
+            Window other = windows.get(i);
+            if (withNear(joined.with(other)) <= withNear(joined) + withNear(other)) {
+                joined = joined.with(other);
+                area -= withNear(windows.remove(i));
+                i = -1; // what is larger now may be joined with others
+            }
+        }
+        windows.add(joined);
+        area += withNear(joined);
+    }
+
+    private long withNear(Window window) {
+        return window.grown(NEAR).within(Window.of(overlay.now())).area();
+    }
+}
