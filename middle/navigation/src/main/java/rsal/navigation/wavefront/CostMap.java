@@ -1,13 +1,15 @@
 package rsal.navigation.wavefront;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntConsumer;
 import java.util.function.IntPredicate;
 import org.jspecify.annotations.Nullable;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
+import rsal.navigation.grid.Difference;
 import rsal.navigation.grid.DistanceField;
+import rsal.navigation.grid.Overlay;
+import rsal.navigation.grid.Window;
 
 /// Where the middle of a robot may be on a map, and how dear it is to be there. Immutable; robots of the same
 /// size that share a map share it.
@@ -33,7 +35,8 @@ public final class CostMap {
     private static final int DEAREST_SHOWN = 99; // of OccupancyGrid's values, below that of what is occupied
 
     private final OccupancyGrid grid;
-    private final double radius;
+    private final Clearance clearance;
+    private final boolean driven; // whether some of it is open as robots have been there
     private final byte[] ground;
     private final int[] shore;
     private volatile @Nullable OccupancyGrid shown;
@@ -59,7 +62,7 @@ public final class CostMap {
         /// Costs rise with the square of what is missing to comfort.
         ///
         /// @param distance no less than `radius` [m]
-        private int cost(double distance) {
+        int cost(double distance) {
             if (distance >= comfort) {
                 return STRAIGHT; // most are, and what follows takes longer
             }
@@ -68,12 +71,12 @@ public final class CostMap {
         }
     }
 
-    private CostMap(OccupancyGrid grid, double radius, byte[] costs) {
+    private CostMap(OccupancyGrid grid, Clearance clearance, boolean driven, byte[] ground, int[] shore) {
         this.grid = grid;
-        this.radius = radius;
-        markPlains(costs, grid.width());
-        this.ground = costs;
-        this.shore = shore(costs, grid.width());
+        this.clearance = clearance;
+        this.driven = driven;
+        this.ground = ground;
+        this.shore = shore;
     }
 
     /// The outermost cells of the map are blocked: nobody knows what lies beyond.
@@ -87,90 +90,38 @@ public final class CostMap {
     /// @param driven places where each of them was, one after the other [m]
     public static CostMap of(
             OccupancyGrid grid, DistanceField toNotFree, Clearance clearance, List<List<Point2d>> driven) {
-        int width = grid.width();
-        var costs = new byte[width * grid.height()];
-        double halfCell = grid.resolution() / 2; // from the middle of the obstacle's cell to its side
-        for (int row = 1; row < grid.height() - 1; row++) {
-            for (int column = 1; column < width - 1; column++) {
-                int cell = row * width + column;
-                double distance = toNotFree.at(cell) - halfCell;
-                if (distance > 0 && distance >= clearance.radius()) {
-                    costs[cell] = (byte) clearance.cost(distance);
-                }
-            }
-        }
-        byte dear = (byte) clearance.cost(clearance.radius());
-        for (List<Point2d> way : driven) {
-            for (int i = 1; i < way.size(); i++) {
-                open(grid, costs, way.get(i - 1), way.get(i), dear);
-            }
-        }
-        return new CostMap(grid, clearance.radius(), costs);
+        byte[] ground = Reckoning.all(grid, toNotFree, clearance, driven);
+        return new CostMap(grid, clearance, !driven.isEmpty(), ground, Shore.of(grid, ground));
     }
 
-    /// Opens the free cells on a straight piece of way, and of each two that touch at a corner only, one beside them.
-    private static void open(OccupancyGrid grid, byte[] costs, Point2d from, Point2d to, byte cost) {
-        int samples = Math.max(1, (int) Math.ceil(4 * from.distanceTo(to) / grid.resolution()));
-        int row = grid.row(from.y());
-        for (int i = 0; i <= samples; i++) {
-            double share = (double) i / samples;
-            int nextColumn = grid.column(from.x() + share * (to.x() - from.x()));
-            int nextRow = grid.row(from.y() + share * (to.y() - from.y()));
-            open(grid, costs, nextColumn, row, cost);
-            open(grid, costs, nextColumn, nextRow, cost);
-            row = nextRow;
+    /// The same over a map that has changed, as [#of] reckons it where nobody has been: taken over, and reckoned anew
+    /// only as near to what differs as costs reach.
+    ///
+    /// @param difference of that map from this one's
+    /// @param toNotFree of that map
+    public CostMap over(Difference difference, DistanceField toNotFree) {
+        OccupancyGrid next = difference.now();
+        double farthest = clearance.comfort() / next.resolution() + 2; // from middle to middle, and rounding
+        int reach = (int) Math.min(farthest, next.width() + next.height());
+        Window all = Window.of(next);
+        List<Window> windows = difference.windows().stream()
+                .map(window -> window.grown(reach).within(all))
+                .filter(window -> !window.isEmpty())
+                .toList();
+        if (driven || windows.stream().mapToLong(Window::area).sum() > Difference.most(next)) {
+            return of(next, toNotFree, clearance);
         }
-    }
-
-    private static void open(OccupancyGrid grid, byte[] costs, int column, int row, byte cost) {
-        boolean inside = column > 0 && row > 0 && column < grid.width() - 1 && row < grid.height() - 1;
-        int cell = row * grid.width() + column;
-        if (inside && costs[cell] == BLOCKED && grid.cells()[cell] == OccupancyGrid.FREE) {
-            costs[cell] = cost;
-        }
-    }
-
-    private static void markPlains(byte[] costs, int width) {
-        int cheap = 0; // columns in a row whose three cells cost least
-        for (int cell = width; cell < costs.length - width; cell++) {
-            boolean isCheap =
-                    cost(costs[cell - width]) == STRAIGHT && costs[cell] == STRAIGHT && costs[cell + width] == STRAIGHT;
-            cheap = isCheap ? cheap + 1 : 0;
-            if (cheap >= 3) {
-                costs[cell - 1] = PLAIN; // never across the ends of rows: those are blocked
-            }
-        }
-    }
-
-    private static int[] shore(byte[] ground, int width) {
-        var shore = new int[1024];
-        int count = 0;
-        for (int row = 0; row < ground.length; row += width) {
-            int below = Math.max(0, row - width);
-            int above = Math.min(ground.length - width, row + width);
-            int before = 0; // whether any cell of three is open, as what is BLOCKED has no bit: of the last column,
-            int here = 0; // of this one
-            for (int column = 0; column < width; column++) { // the first and the last are blocked
-                int next = column + 1 < width
-                        ? ground[below + column + 1] | ground[row + column + 1] | ground[above + column + 1]
-                        : 0;
-                if (ground[row + column] == BLOCKED && (before | here | next) != 0) {
-                    if (count == shore.length) {
-                        shore = Arrays.copyOf(shore, 2 * count);
-                    }
-                    shore[count++] = row + column;
-                }
-                before = here;
-                here = next;
-            }
-        }
-        return Arrays.copyOf(shore, count);
+        Overlay overlay = difference.overlay();
+        byte[] nextGround = overlay.moved(ground);
+        Reckoning.within(windows, next, toNotFree, clearance, nextGround);
+        return new CostMap(next, clearance, false, nextGround, Shore.over(overlay, shore, nextGround, windows));
     }
 
     /// Does something with each cell that the robot can't be in because of an obstacle that is not on the map [m].
     void around(Point2d obstacle, IntConsumer cells) {
         int column = grid.column(obstacle.x());
         int row = grid.row(obstacle.y());
+        double radius = clearance.radius();
         int reach = (int) Math.ceil(radius / grid.resolution());
         double square = radius * radius / (grid.resolution() * grid.resolution());
         for (int dy = -reach; dy <= reach; dy++) {

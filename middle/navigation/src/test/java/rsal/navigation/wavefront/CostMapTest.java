@@ -3,9 +3,17 @@ package rsal.navigation.wavefront;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.OccupancyGrid;
+import rsal.data.Point2d;
+import rsal.navigation.grid.Difference;
 import rsal.navigation.grid.DistanceField;
+import rsal.navigation.grid.RandomMaps;
 import rsal.navigation.wavefront.CostMap.Clearance;
 
 class CostMapTest {
@@ -52,5 +60,48 @@ class CostMapTest {
         assertThat(shown.at(5, 1)).as("nothing is dear").isEqualTo(OccupancyGrid.FREE);
         assertThat(shown.at(10, 1)).isEqualTo(OccupancyGrid.UNKNOWN);
         assertThat(shown.at(5, 0)).isEqualTo(OccupancyGrid.OCCUPIED);
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12})
+    void overAChangedMapIsWhatIsReckonedAnew(long seed) {
+        var random = new SplittableRandom(seed);
+        var clearance = new Clearance(random.nextInt(3) * 0.07, 0.14 + random.nextInt(3) * 0.1, random.nextInt(6));
+        OccupancyGrid grid = RandomMaps.of(random, 250 + random.nextInt(100), 250, random.nextDouble() * 0.02);
+        CostMap map = CostMap.of(grid, DistanceField.toNotFree(grid), clearance);
+        int takenOver = 0;
+        for (int i = 0; i < 30; i++) {
+            OccupancyGrid next = RandomMaps.changed(map.grid(), random);
+            var toNotFree = DistanceField.toNotFree(next);
+            CostMap anew = CostMap.of(next, toNotFree, clearance);
+            Optional<Difference> difference = Difference.between(map.grid(), next);
+            if (difference.isPresent()) {
+                CostMap over = map.over(difference.get(), toNotFree);
+                assertThat(Arrays.mismatch(over.ground(), anew.ground()))
+                        .as("ground, seed %d, %d", seed, i)
+                        .isNegative();
+                assertThat(Arrays.mismatch(over.shore(), anew.shore()))
+                        .as("shore, seed %d, %d", seed, i)
+                        .isNegative();
+                takenOver++;
+                map = over;
+            } else {
+                map = anew;
+            }
+        }
+        assertThat(takenOver).isGreaterThan(5);
+    }
+
+    @Test
+    void whereRobotsHaveBeenIsNotTakenOver() {
+        OccupancyGrid grid = RandomMaps.of(new SplittableRandom(1), 200, 200, 0.2);
+        var toNotFree = DistanceField.toNotFree(grid);
+        var clearance = new Clearance(0.2, 0.4, 3);
+        var way = List.of(new Point2d(0, 5), new Point2d(3, 9));
+        CostMap driven = CostMap.of(grid, toNotFree, clearance, List.of(way));
+        CostMap anew = CostMap.of(grid, toNotFree, clearance);
+        assertThat(driven.ground()).isNotEqualTo(anew.ground());
+        Difference none = Difference.between(grid, grid).orElseThrow();
+        assertThat(driven.over(none, toNotFree).ground()).isEqualTo(anew.ground());
     }
 }
