@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import rsal.data.OccupancyGrid;
@@ -45,7 +44,7 @@ final class Exploration {
     private final LeftAlone leftAlone = new LeftAlone();
     private final Sequence sequence = new Sequence(); // only the look under way touches it
     private final Drawing drawing; // likewise
-    private Map<CostMap.Clearance, Wavefront> open = Map.of(); // likewise: on the last map, without where they were
+    private @Nullable Terrain terrain; // likewise: the last one
     private Instant lastLook = Instant.MIN;
     private boolean looking;
 
@@ -166,22 +165,21 @@ final class Exploration {
     /// @return by robot that is ready
     List<Order> orders(List<Seen> seen, List<Ready> ready, List<Point2d> alone) {
         OccupancyGrid map = map(seen, ready);
-        DistanceField toNotFree = DistanceField.toNotFree(map);
+        Terrain now = Terrain.of(map, terrain);
+        terrain = now;
         List<Frontier> frontiers = Frontiers.of(map, settings.shortest()).stream()
                 .filter(f -> alone.stream().noneMatch(place -> LeftAlone.isSame(place, f.place())))
                 .toList();
-        var openNow = new HashMap<CostMap.Clearance, Wavefront>();
         var openWhereDriven = new HashMap<CostMap.Clearance, Wavefront>();
         var founds = new ArrayList<Found>();
         var costs = new double[ready.size()][frontiers.size()];
         for (int robot = 0; robot < ready.size(); robot++) {
             Ready one = ready.get(robot);
             CostMap.Clearance room = one.body().clearance();
-            Wavefront ways = openNow.computeIfAbsent(room, c -> over(CostMap.of(map, toNotFree, c), open.get(c)));
-            Found found = Found.by(ways, one.place(), frontiers);
+            Found found = Found.by(now.ways(room), one.place(), frontiers);
             if (found.leadsNowhere() && !frontiers.isEmpty()) {
                 Wavefront back = openWhereDriven.computeIfAbsent(
-                        room, c -> new Wavefront(CostMap.of(map, toNotFree, c, driven(seen, c))));
+                        room, c -> new Wavefront(CostMap.of(map, now.toNotFree(), c, driven(seen, c))));
                 Found further = Found.by(back, one.place(), frontiers);
                 found = further.leadsNowhere() ? found : further;
             }
@@ -195,7 +193,6 @@ final class Exploration {
                         one.goes() ? found.reaches().get(i).cost() - (going ? LOYALTY : 0) : Double.POSITIVE_INFINITY;
             }
         }
-        open = openNow;
         List<Optional<Integer>> chosen = Division.assign(frontiers, costs, settings.view());
         var orders = new ArrayList<Order>();
         for (int robot = 0; robot < ready.size(); robot++) {
@@ -204,21 +201,16 @@ final class Exploration {
             orders.add(new Order(
                     map,
                     found.ways(),
-                    toNotFree,
+                    now.toNotFree(),
                     chosen.get(robot)
                             .map(i -> new Goal(
                                     found.reaches().get(i).stand(),
                                     frontiers.get(i).place())),
                     ends(frontiers, found.reaches()),
                     complete,
-                    complete ? narrow(map, toNotFree, ready.get(robot), frontiers) : List.of()));
+                    complete ? narrow(now, ready.get(robot), frontiers) : List.of()));
         }
         return orders;
-    }
-
-    /// What was found out on the map before counts on, for the goals that robots still have.
-    private static Wavefront over(CostMap now, @Nullable Wavefront before) {
-        return before == null ? new Wavefront(now) : before.over(now);
     }
 
     /// How a robot gets to frontiers.
@@ -251,15 +243,15 @@ final class Exploration {
     }
 
     /// Ways may be wider than their cells by so much on either side.
-    private static List<Point2d> narrow(
-            OccupancyGrid map, DistanceField toNotFree, Ready robot, List<Frontier> frontiers) {
+    private static List<Point2d> narrow(Terrain terrain, Ready robot, List<Frontier> frontiers) {
         if (frontiers.isEmpty()) {
             return List.of();
         }
+        OccupancyGrid map = terrain.map();
         var kept = robot.body().clearance();
         double radius = Math.max(0, kept.radius() - LOST_TO_CELLS * map.resolution());
         var less = new CostMap.Clearance(radius, kept.comfort(), kept.weight());
-        return new Wavefront(CostMap.of(map, toNotFree, less))
+        return new Wavefront(CostMap.of(map, terrain.toNotFree(), less))
                 .everywhere(robot.place(), SLACK).stream()
                         .flatMap(from -> frontiers.stream()
                                 .map(Frontier::place)
