@@ -5,11 +5,13 @@ import java.util.List;
 import java.util.Locale;
 import java.util.SplittableRandom;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import rsal.bench.Plot.Bars.Bar;
 import rsal.data.OccupancyGrid;
 import rsal.data.Path2d;
 import rsal.data.Point2d;
+import rsal.navigation.grid.Difference;
 import rsal.navigation.grid.DistanceField;
 import rsal.navigation.jumppoint.JumpPoints;
 import rsal.navigation.wavefront.CostMap;
@@ -22,10 +24,10 @@ import rsal.navigation.wavefront.Wavefront;
 ///
 /// Names are `wavefront.<map>.<what>ms`. What: nothing, a way between two places that were not asked for before;
 /// `full.`, what the way costs from everywhere; `again.`, from another place to the same goal; `around.`, the same
-/// around something in the middle of the way that is not on the map; `mended.`, the same when something has just come
-/// onto the map or gone from it 3 m ahead of the robot, `mended.halfway.` in the middle of the way, `mended.goal.` 3 m
-/// before the goal, for which costs are drawn beforehand; `costs.`, where the robot can be and how dear it is;
-/// `shortest.`, a shortest way by jump points.
+/// around something in the middle of the way that is not on the map; `costs.`, where the robot can be and how dear it
+/// is; `mended.`, costs and a plan to a goal that is kept when something has just come onto the map or gone from it 3 m
+/// ahead of the robot, in place of `costs.` and `full.`; `mended.costs.`, the costs of that; `mended.halfway.`, in the
+/// middle of the way, `mended.goal.`, 3 m before the goal; `shortest.`, a shortest way by jump points.
 final class PlanningBench implements Bench {
     private static final Clearance CLEARANCE = new Clearance(0.25, 0.6, 3); // [m]
     private static final double SLACK = 0.5; // [m]
@@ -35,7 +37,16 @@ final class PlanningBench implements Bench {
     private static final double AHEAD = 3; // [m]
     private static final int BOX = 5; // cells from the middle to the sides of what comes onto the map
     private static final List<String> KINDS = List.of(
-            "", "full.", "again.", "around.", "mended.", "mended.halfway.", "mended.goal.", "costs.", "shortest.");
+            "",
+            "full.",
+            "again.",
+            "around.",
+            "costs.",
+            "mended.",
+            "mended.halfway.",
+            "mended.goal.",
+            "mended.costs.",
+            "shortest.");
 
     private enum Site {
         CAVE2560,
@@ -78,7 +89,8 @@ final class PlanningBench implements Bench {
         var bars = new ArrayList<Bar>();
         OccupancyGrid map = site.map();
         var random = new SplittableRandom(1);
-        CostMap costs = CostMap.of(map, DistanceField.toNotFree(map), CLEARANCE);
+        DistanceField toNotFree = DistanceField.toNotFree(map);
+        CostMap costs = CostMap.of(map, toNotFree, CLEARANCE);
         Wavefront ways = new Wavefront(costs);
         var jumps = new JumpPoints(costs);
         List<Point2d> places = places(costs, random);
@@ -87,6 +99,9 @@ final class PlanningBench implements Bench {
             found(ways.plan(start, goal, SLACK)); // so that it is kept, whatever is measured first
         }
         Plan.Found plan = (Plan.Found) ways.plan(places.get(1), goal, SLACK);
+        Known known = new Known(toNotFree, ways);
+        Known nothingKept = new Known(toNotFree, new Wavefront(costs));
+        Consumer<Wavefront> replan = now -> found(now.plan(places.get(1), goal, SLACK));
         Point2d inTheWay = plan.path().points().get(plan.path().points().size() / 2);
         for (String kind : KINDS) {
             if (!assignment.wants(site.name(kind))) {
@@ -95,10 +110,11 @@ final class PlanningBench implements Bench {
             IntConsumer job = switch (kind) {
                 case "full." -> _ -> check(ways.everywhere(goal, SLACK).isPresent());
                 case "again." -> i -> found(ways.plan(places.get(1 + i % PLANS), goal, SLACK));
-                case "mended." -> mending(ways, withBox(map, along(plan.path(), AHEAD)), places.get(1), goal);
-                case "mended.halfway." -> mending(ways, withBox(map, inTheWay), places.get(1), goal);
+                case "mended." -> changing(known, withBox(map, along(plan.path(), AHEAD)), replan);
+                case "mended.halfway." -> changing(known, withBox(map, inTheWay), replan);
                 case "mended.goal." ->
-                    mending(ways, withBox(map, along(plan.path(), plan.path().length() - AHEAD)), places.get(1), goal);
+                    changing(known, withBox(map, along(plan.path(), plan.path().length() - AHEAD)), replan);
+                case "mended.costs." -> changing(nothingKept, withBox(map, along(plan.path(), AHEAD)), _ -> {});
                 case "around." -> _ -> found(ways.plan(places.get(1), goal, SLACK, List.of(inTheWay)));
                 case "shortest." -> i -> found(jumps.plan(places.get(1 + i % PLANS), goal, SLACK));
                 case "costs." -> _ -> CostMap.of(map, DistanceField.toNotFree(map), CLEARANCE);
@@ -130,13 +146,26 @@ final class PlanningBench implements Bench {
         throw new IllegalStateException("The way is too short.");
     }
 
-    /// Plans while something comes and goes.
-    private static IntConsumer mending(Wavefront ways, OccupancyGrid other, Point2d start, Point2d goal) {
-        List<CostMap> maps = List.of(CostMap.of(other, DistanceField.toNotFree(other), CLEARANCE), ways.map());
-        var now = new AtomicReference<>(ways);
+    /// What is known of a map.
+    private record Known(DistanceField toNotFree, Wavefront ways) {
+        OccupancyGrid map() {
+            return ways.map().grid();
+        }
+
+        /// The same of another that differs little.
+        Known over(OccupancyGrid next) {
+            Difference difference = Difference.between(map(), next).orElseThrow();
+            DistanceField toNotFreeNext = DistanceField.toNotFree(difference, toNotFree);
+            return new Known(toNotFreeNext, ways.over(ways.map().over(difference, toNotFreeNext)));
+        }
+    }
+
+    /// Does something while something else comes onto the map and goes.
+    private static IntConsumer changing(Known first, OccupancyGrid other, Consumer<Wavefront> then) {
+        var now = new AtomicReference<>(first);
         return i -> {
-            Wavefront next = now.get().over(maps.get(i % 2));
-            found(next.plan(start, goal, SLACK));
+            Known next = now.get().over(i % 2 == 0 ? other : first.map());
+            then.accept(next.ways());
             now.set(next);
         };
     }
