@@ -74,9 +74,7 @@ final class Links {
     ///
     /// @param now [ns]
     void beat(long now) {
-        if (looked
-                && now - lookedAt > PATIENCE.toNanos()
-                && clock.instant().isAfter(lookedThen.plus(PATIENCE))) {
+        if (looked && now - lookedAt > PATIENCE.toNanos() && clock.instant().isAfter(lookedThen.plus(PATIENCE))) {
             looked = false;
             lately.clear();
         }
