@@ -707,8 +707,8 @@ final class Messages {
 
     /// Which robots' agents hear each other. Where nothing limits that, all do, and those are told that spoke.
     ///
-    /// @param ofChosen whether there are so many robots that only links of the one asked for are told, and of what has
-    /// been none
+    /// @param ofChosen whether there are so many robots that only links of the one asked for are told;
+    /// and of what has been, none
     record Links(List<LinkInfo> links, boolean ofChosen) {}
 
     /// @param one id of a robot

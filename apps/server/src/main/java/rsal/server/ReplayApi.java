@@ -114,7 +114,9 @@ final class ReplayApi {
 
     private Answer.Linked links(Context request) throws IOException {
         Snapshot then = playback.at(Past.asked(request));
-        return new Answer.Linked(then.links(), then.robots().size() > Snapshot.MOST_LINKED && then.links().isEmpty());
+        return new Answer.Linked(
+                then.links(),
+                then.robots().size() > Snapshot.MOST_LINKED && then.links().isEmpty());
     }
 
     private Trails trails(Context request) throws IOException {
