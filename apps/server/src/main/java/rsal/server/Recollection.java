@@ -26,13 +26,11 @@ import rsal.scenario.run.RobotView;
 import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.Snapshot;
 
-/// What can be asked about a live run's past, beside the frames of its [History]: what devices had told, twice a second
-/// of the run and where it was paused, as whoever goes on by steps looks closely, and who heard whom; and what agents
-/// showed and had in mind, once a second. Minds are those of [#MOST_MINDS] agents: of more, of those that somebody
-/// asked
-/// about last. Within [#MOST_BYTES] it reaches back to the beginning, ever more coarsely ([Thinned]). All methods may
-/// be
-/// called from any thread, [#look] from one at a time.
+/// What can be asked about a live run's past, beside the frames of its [History]: what devices had told, twice a
+/// second of the run and where it was paused, as whoever goes on by steps looks closely, and who heard whom; and
+/// what agents showed and had in mind, once a second. Minds are those of [#MOST_MINDS] agents: of more, of those
+/// that somebody asked about last. Within [#MOST_BYTES] it reaches back to the beginning, ever more coarsely
+/// ([Thinned]). All methods may be called from any thread, [#look] from one at a time.
 final class Recollection {
     static final long MOST_BYTES = 32L << 20;
     static final int MOST_MINDS = 20;

@@ -12,10 +12,9 @@ import rsal.data.OccupancyGrid;
 /// no more than the way from one to the other. The window is measured with as much around it again, and what is found
 /// within the reach is the nearest; otherwise the reach is doubled.
 ///
-/// (The dynamic transform of B. Lau, C. Sprunk, W. Burgard, Efficient Grid-Based Spatial Representations for Robot
-/// Navigation in Dynamic Environments, Robotics and Autonomous Systems 61, 2013, looks at cells that are concerned
-/// only,
-/// but passes the nearest one on from cell to cell, which is not always exact; this is, to the bit.)
+/// The dynamic transform of B. Lau, C. Sprunk, W. Burgard (Efficient Grid-Based Spatial Representations for Robot
+/// Navigation in Dynamic Environments, Robotics and Autonomous Systems 61, 2013) looks at cells that are concerned
+/// only, but passes the nearest one on from cell to cell, which is not always exact; this is, to the bit.
 final class Remeasuring {
     private static final int FIRST_REACH = 16; // cells; doubled until it is enough
 
