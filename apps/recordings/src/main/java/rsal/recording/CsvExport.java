@@ -40,7 +40,8 @@ public final class CsvExport {
                             Own.EVENT,
                             Own.MESSAGE,
                             Own.AGENT,
-                            Own.MIND))
+                            Own.MIND,
+                            Own.LINKS))
             .collect(Collectors.toUnmodifiableMap(MessageType::name, type -> type));
 
     private static final String TABLE = ".csv";

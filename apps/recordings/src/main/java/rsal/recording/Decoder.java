@@ -45,6 +45,7 @@ import rsal.robot.RobotModel;
 import rsal.robot.RobotSpec;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.AgentView;
+import rsal.scenario.run.Answer;
 import rsal.scenario.run.DeviceView;
 import rsal.scenario.run.Link;
 import rsal.scenario.run.LiveRun;
@@ -140,7 +141,7 @@ final class Decoder {
                 List.of(),
                 planned,
                 List.of(),
-                List.of());
+                Answer.Linked.NONE);
     }
 
     Snapshot snapshot(Held held, Duration time, Optional<String> outcome) {
@@ -176,8 +177,8 @@ final class Decoder {
                 robots.add(robot(robot, mate.spec(), held, devices.getOrDefault(id, List.of()), time));
             }
         }
-        List<Link> links = read(held, Topics.LINKS, Own.LINKS, (fields, _) -> links(fields))
-                .orElse(List.of());
+        Answer.Linked links = read(held, Topics.LINKS, Own.LINKS, (fields, _) -> links(fields))
+                .orElse(Answer.Linked.NONE);
         before = now;
         return new Snapshot(
                 0,
@@ -194,14 +195,15 @@ final class Decoder {
                 links);
     }
 
-    private static List<Link> links(Fields fields) {
-        return fields.all("links").stream()
+    private static Answer.Linked links(Fields fields) {
+        List<Link> links = fields.all("links").stream()
                 .map(link -> new Link(
                         link.text("one"),
                         link.text("other"),
                         new Link.Way(link.flag("there"), link.flag("said_there")),
                         new Link.Way(link.flag("back"), link.flag("said_back"))))
                 .toList();
+        return new Answer.Linked(links, fields.flag("too_many"));
     }
 
     /// Where robots are, by their names: as people are shown them.

@@ -32,6 +32,7 @@ import rsal.recording.mcap.ByteSink;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.ProtoWriter;
 import rsal.scenario.run.AgentView;
+import rsal.scenario.run.Answer;
 import rsal.scenario.run.DeviceView;
 import rsal.scenario.run.Link;
 import rsal.scenario.run.Reading;
@@ -172,14 +173,14 @@ public final class Encoder {
     }
 
     /// That there are none is told when there were some.
-    private void links(List<Link> links, long time) throws IOException {
-        boolean never = links.isEmpty() && !last.containsKey(Topics.LINKS);
-        if (never || !isNew(Topics.LINKS, links)) {
+    private void links(Answer.Linked told, long time) throws IOException {
+        boolean never = told.equals(Answer.Linked.NONE) && !last.containsKey(Topics.LINKS);
+        if (never || !isNew(Topics.LINKS, told)) {
             return;
         }
         out.clear();
         timestamp(1, time);
-        for (Link link : links) {
+        for (Link link : told.links()) {
             int begun = out.begin(2);
             out.string(1, link.one());
             out.string(2, link.other());
@@ -189,6 +190,7 @@ public final class Encoder {
             out.bool(6, link.back().used());
             out.end(begun);
         }
+        out.bool(3, told.ofChosen());
         write(Topics.LINKS, Own.LINKS, time, time, Map.of());
     }
 

@@ -12,8 +12,8 @@ import rsal.recording.proto.MessageType.Kind;
 
 /// A row is a message, or an element of its list. Columns are fields, those of messages within by their path
 /// (`pose.position.x`). Numbers of which there are many are in one cell, with spaces between them, as are messages,
-/// with
-/// colons between their fields. Bytes are left out. A device that saw nothing has a row, too, without an element.
+/// with colons between their fields. Bytes are left out. A device that saw nothing has a row, too, without an
+/// element, as have links when there are none.
 record FieldTable(MessageType type, String list) implements Table {
     private static final Map<String, String> LISTS = Map.of(
             "rsal.State", "robots",
@@ -21,7 +21,8 @@ record FieldTable(MessageType type, String list) implements Table {
             "rsal.Blobs", "blobs",
             "rsal.BumperState", "bumpers",
             "rsal.Fiducials", "fiducials",
-            "rsal.Quantities", "quantities");
+            "rsal.Quantities", "quantities",
+            "rsal.Links", "links");
 
     FieldTable(MessageType type) {
         this(type, LISTS.getOrDefault(type.name(), ""));
@@ -49,7 +50,9 @@ record FieldTable(MessageType type, String list) implements Table {
     private List<Map<String, Object>> elements(Map<String, Object> message) {
         List<?> all = message.get(list) instanceof List<?> many ? many : List.of();
         boolean isOne = list.isEmpty()
-                || (all.isEmpty() && ReadingType.named(type.name()).isPresent());
+                || (all.isEmpty()
+                        && (type.equals(Own.LINKS)
+                                || ReadingType.named(type.name()).isPresent()));
         return isOne ? List.of(Map.of()) : all.stream().map(FieldTable::fields).toList();
     }
 

@@ -158,7 +158,8 @@ final class Own {
             .with(6, "said_back", Kind.BOOL);
     static final MessageType LINKS = MessageType.named("rsal.Links")
             .with(1, "timestamp", Foxglove.TIMESTAMP)
-            .withMany(2, "links", LINK);
+            .withMany(2, "links", LINK)
+            .with(3, "too_many", Kind.BOOL);
 
     // what devices tell: see ReadingType
 

@@ -72,6 +72,16 @@ class CsvExportTest {
     }
 
     @Test
+    void eachLinkIsARow() throws Exception {
+        List<Map<String, String>> rows = table("links.csv");
+        assertThat(rows).anySatisfy(row -> {
+            assertThat(row.get("links.one")).isNotEmpty().isNotEqualTo(row.get("links.other"));
+            assertThat(row.get("links.said_there")).isEqualTo("true");
+        });
+        assertThat(rows).allMatch(row -> row.get("too_many").equals("false"));
+    }
+
+    @Test
     void whatDevicesToldHasATableForEachOfThem() throws Exception {
         List<Map<String, String>> grippers = table("collector-1.device.gripper.csv");
         assertThat(grippers).hasSizeGreaterThan(100).allSatisfy(row -> {

@@ -18,7 +18,6 @@ import rsal.data.Stamped;
 import rsal.scenario.run.AgentView;
 import rsal.scenario.run.Answer;
 import rsal.scenario.run.Inside;
-import rsal.scenario.run.Link;
 import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.MindChange;
 import rsal.scenario.run.Reading;
@@ -49,8 +48,8 @@ final class Recollection {
     /// @param robots what their devices had told last, by robot; of maps a [PackedMap]
     /// @param agents what they showed, by name
     /// @param links which robots' agents heard each other
-    private record Moment(Map<String, List<Reading>> robots, Map<String, Society.View> agents, List<Link> links) {
-        static final Moment NONE = new Moment(Map.of(), Map.of(), List.of());
+    private record Moment(Map<String, List<Reading>> robots, Map<String, Society.View> agents, Answer.Linked links) {
+        static final Moment NONE = new Moment(Map.of(), Map.of(), Answer.Linked.NONE);
     }
 
     /// Keeps what is new, when it is time for that. What agents have in mind it asks for, which is answered later, on
@@ -101,7 +100,7 @@ final class Recollection {
             Society.View known = before.agents.get(agent.view().agent().name());
             agents.put(agent.view().agent().name(), agent.view().equals(known) ? known : agent.view());
         }
-        return new Moment(robots, agents, now.links().equals(before.links) ? before.links : now.links());
+        return new Moment(robots, agents, now.links());
     }
 
     private static Reading packed(Reading reading, List<Reading> before) {
@@ -185,10 +184,9 @@ final class Recollection {
         return told.value() instanceof PackedMap packed ? new Stamped<>(told.time(), told.frame(), packed.map()) : told;
     }
 
-    /// Which robots' agents heard each other.
+    /// Which robots' agents heard each other; of very many robots none.
     synchronized Answer.Linked links(Duration time) {
-        Moment then = moments.at(time).map(Thinned.Entry::value).orElse(Moment.NONE);
-        return new Answer.Linked(then.links, then.robots.size() > Snapshot.MOST_LINKED && then.links.isEmpty());
+        return moments.at(time).map(then -> then.value().links).orElse(Answer.Linked.NONE);
     }
 
     /// What an agent did, believed and wanted then.

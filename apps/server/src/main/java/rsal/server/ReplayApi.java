@@ -71,7 +71,11 @@ final class ReplayApi {
                                 Api.asked(request, "device"),
                                 Api.asked(request, "number"))));
         routes.get("/api/trails", request -> Api.answer(request, trails(request)));
-        routes.get("/api/links", request -> Api.answer(request, Descriptions.links(links(request))));
+        routes.get(
+                "/api/links",
+                request -> Api.answer(
+                        request,
+                        Descriptions.links(playback.at(Past.asked(request)).links())));
         routes.get(
                 "/api/blobs",
                 request -> Api.answer(request, CameraViews.of(readings(request).readings())));
@@ -110,13 +114,6 @@ final class ReplayApi {
                 .orElseThrow(
                         () -> new Refusal(404, "No robot (%s) was there then.".formatted(Refusal.shortened(robot))));
         return new Answer.Read(then.time(), view.readings());
-    }
-
-    private Answer.Linked links(Context request) throws IOException {
-        Snapshot then = playback.at(Past.asked(request));
-        return new Answer.Linked(
-                then.links(),
-                then.robots().size() > Snapshot.MOST_LINKED && then.links().isEmpty());
     }
 
     private Trails trails(Context request) throws IOException {

@@ -28,6 +28,7 @@ import rsal.data.Solid;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
 import rsal.device.SimulationControl.Standing;
+import rsal.scenario.run.Answer;
 import rsal.scenario.run.RobotView;
 import rsal.scenario.run.Snapshot;
 
@@ -184,7 +185,7 @@ class FrameEncoderTest {
                 List.of(),
                 List.of(),
                 List.of(),
-                List.of());
+                Answer.Linked.NONE);
     }
 
     private static Standing moved(int number, double height) {

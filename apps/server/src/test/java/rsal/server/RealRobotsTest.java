@@ -11,6 +11,7 @@ import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
 import rsal.data.Path2d;
 import rsal.data.Pose2d;
+import rsal.scenario.run.Answer;
 import rsal.scenario.run.RobotView;
 import rsal.scenario.run.Snapshot;
 import rsal.server.Messages.RealDetails;
@@ -60,7 +61,7 @@ class RealRobotsTest {
                 List.of(),
                 List.of(),
                 List.of(),
-                List.of());
+                Answer.Linked.NONE);
     }
 
     private static Optional<RobotView.Real> real(Optional<Pose2d> standIn, Optional<Duration> silence) {

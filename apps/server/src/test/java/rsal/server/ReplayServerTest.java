@@ -155,7 +155,7 @@ class ReplayServerTest {
         assertThat(get("/api/links?time=4").body())
                 .contains("\"ofChosen\":false", "\"one\":\"prey-1\"")
                 .containsPattern("\"said(There|Back)\":true");
-        assertThat(get("/api/links?time=0").body()).contains("\"links\":[]");
+        assertThat(get("/api/links?time=soon").status()).isEqualTo(400);
     }
 
     @Test

@@ -370,31 +370,30 @@ final class Agents implements AutoCloseable {
     /// @param chosen id of the robot whose links are told when there are many robots; maybe of none
     /// @param now in real time [ns]
     Answer.Linked links(String chosen, long now) {
+        if (society.isEmpty()) {
+            return Answer.Linked.NONE;
+        }
         var speakers = new LinkedHashMap<String, List<String>>(); // names of those who run, by robot
-        for (Directory.Entry agent : society.orElseThrow().directory().agents()) {
+        for (Directory.Entry agent : society.get().directory().agents()) {
             if (!agent.robot().isEmpty()) {
                 speakers.computeIfAbsent(agent.robot(), _ -> new ArrayList<>()).add(agent.name());
             }
         }
         var places = new HashMap<String, Optional<Point2d>>();
-        speakers.keySet().forEach(robot -> places.put(robot, place(robot)));
-        return links.look(
-                speakers.keySet(),
-                chosen,
-                (from, to) -> radio.filter(way ->
-                                hears(way, speakers.getOrDefault(from, List.of()), speakers.getOrDefault(to, List.of()))
-                                        && way.reaches( // which looks for walls, and so comes last
-                                                places.getOrDefault(from, Optional.empty()),
-                                                places.getOrDefault(to, Optional.empty())))
+        var air = new Links.Air(
+                (from, to) -> radio.filter(way -> hears(
+                                way, speakers.getOrDefault(from, List.of()), speakers.getOrDefault(to, List.of())))
                         .isPresent(),
-                now);
+                (one, other) -> radio.orElseThrow()
+                        .reaches(places.computeIfAbsent(one, this::place), places.computeIfAbsent(other, this::place)));
+        return links.look(speakers.keySet(), chosen, air, now);
     }
 
-    /// The same of all robots, at most a second of the run old; none of many robots.
+    /// From now on it is noted who hears whom, as somebody will look.
     ///
     /// @param now in real time [ns]
-    List<Link> links(long now) {
-        return society.isEmpty() ? List.of() : links.inThisSecond(() -> links("", now));
+    void noteLinks(long now) {
+        links.note(now);
     }
 
     /// Whether anybody of those in range would be heard by one of the others.

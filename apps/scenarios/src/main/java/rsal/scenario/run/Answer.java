@@ -80,6 +80,9 @@ public sealed interface Answer {
     /// @param links between robots that have agents; each pair once, those that hear nothing of each other left out
     /// @param ofChosen whether there are too many robots to tell more than those of one
     record Linked(List<Link> links, boolean ofChosen) implements Answer {
+        /// Nobody hears anybody.
+        public static final Linked NONE = new Linked(List.of(), false);
+
         public Linked {
             links = List.copyOf(links);
         }

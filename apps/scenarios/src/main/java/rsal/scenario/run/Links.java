@@ -3,21 +3,18 @@ package rsal.scenario.run;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
-import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiPredicate;
-import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import rsal.agent.Message;
 
-/// Which robots' agents hear each other, for people who look. What was heard lately is noted only while somebody does:
-/// until nobody has for [#PATIENCE], in real time and in that of the run.
-/// Draws nothing at random, and changes nothing of the run. All calls on the run's thread, or on that of an agent while
-/// it is that one's turn.
+/// Which robots' agents hear each other, for people who look, now or later. What was heard lately is noted only while
+/// somebody does: until nobody has for [#PATIENCE], in real time and in that of the run. Draws nothing at random, and
+/// changes nothing of the run. All calls on the run's thread, or on that of an agent while it is that one's turn.
 final class Links {
     /// Of more robots, those of one are told: all would be half a million.
     static final int MOST_ROBOTS = 50;
@@ -34,14 +31,19 @@ final class Links {
     private final InstantSource clock;
     private final UnaryOperator<String> robotOf;
     private final LinkedHashMap<Pair, Instant> lately = new LinkedHashMap<>(); // the newest last
-    private boolean looked;
+    private boolean noting;
     private long lookedAt; // [ns]
     private Instant lookedThen = Instant.MIN; // in time of the run
-    private Instant second = Instant.MIN; // of the run, in which they were looked for last
-    private List<Link> inSecond = List.of();
 
     /// From one robot to another.
     private record Pair(String from, String to) {}
+
+    /// Who is asked how robots hear each other.
+    ///
+    /// @param sends whether what agents of one robot say would be heard by those of another, were they near;
+    /// asked in both directions
+    /// @param reaches whether they are near enough; the same in both directions, and slow to tell
+    record Air(BiPredicate<String, String> sends, BiPredicate<String, String> reaches) {}
 
     /// @param clock the run's
     /// @param robotOf the robot of an agent; empty when it has none
@@ -52,7 +54,7 @@ final class Links {
 
     /// An agent hears a message.
     void heard(Message<?> message, String listener) {
-        if (!looked) {
+        if (!noting) {
             return;
         }
         var pair = new Pair(robotOf.apply(message.sender()), robotOf.apply(listener));
@@ -70,57 +72,61 @@ final class Links {
         }
     }
 
-    /// Stops noting what nobody looks at.
+    /// Notes from now on what is heard.
     ///
-    /// @param now [ns]
-    void beat(long now) {
-        if (looked && now - lookedAt > PATIENCE.toNanos() && clock.instant().isAfter(lookedThen.plus(PATIENCE))) {
-            looked = false;
-            lately.clear();
-        }
+    /// @param now in real time [ns]
+    void note(long now) {
+        noting = true;
+        lookedAt = now;
+        lookedThen = clock.instant();
     }
 
-    /// Looked for once in each second of the run, however often that is asked.
-    List<Link> inThisSecond(Supplier<Answer.Linked> look) {
-        Instant now = clock.instant().truncatedTo(ChronoUnit.SECONDS);
-        if (!now.equals(second)) {
-            second = now;
-            inSecond = look.get().links();
+    /// Stops noting what nobody looks at.
+    ///
+    /// @param now in real time [ns]
+    void beat(long now) {
+        boolean patient =
+                now - lookedAt <= PATIENCE.toNanos() || !clock.instant().isAfter(lookedThen.plus(PATIENCE));
+        if (noting && !patient) {
+            noting = false;
+            lately.clear();
         }
-        return inSecond;
     }
 
     /// Those of all robots, or, where these are too many, of one.
     ///
     /// @param robots ids of those that have agents
     /// @param chosen id of that one; maybe of none
-    /// @param hears whether what agents of one robot say is heard by those of another; asked in both directions
     /// @param now in real time [ns]
-    Answer.Linked look(Set<String> robots, String chosen, BiPredicate<String, String> hears, long now) {
-        looked = true;
-        lookedAt = now;
-        lookedThen = clock.instant();
+    Answer.Linked look(Set<String> robots, String chosen, Air air, long now) {
+        boolean ofChosen = robots.size() > MOST_ROBOTS;
+        if (ofChosen && !robots.contains(chosen)) {
+            return new Answer.Linked(List.of(), true);
+        }
+        note(now);
         forget();
         var ids = List.copyOf(robots);
-        boolean ofChosen = ids.size() > MOST_ROBOTS;
         var links = new ArrayList<Link>();
         if (ofChosen) {
             ids.stream()
-                    .filter(other -> robots.contains(chosen) && !other.equals(chosen))
-                    .forEach(other -> link(chosen, other, hears).ifPresent(links::add));
+                    .filter(other -> !other.equals(chosen))
+                    .forEach(other -> link(chosen, other, air).ifPresent(links::add));
         } else {
             for (int i = 0; i < ids.size(); i++) {
                 for (String other : ids.subList(i + 1, ids.size())) {
-                    link(ids.get(i), other, hears).ifPresent(links::add);
+                    link(ids.get(i), other, air).ifPresent(links::add);
                 }
             }
         }
         return new Answer.Linked(links, ofChosen);
     }
 
-    private Optional<Link> link(String one, String other, BiPredicate<String, String> hears) {
-        var there = new Link.Way(hears.test(one, other), lately.containsKey(new Pair(one, other)));
-        var back = new Link.Way(hears.test(other, one), lately.containsKey(new Pair(other, one)));
+    private Optional<Link> link(String one, String other, Air air) {
+        boolean sends = air.sends.test(one, other);
+        boolean sendsBack = air.sends.test(other, one);
+        boolean near = (sends || sendsBack) && air.reaches.test(one, other);
+        var there = new Link.Way(sends && near, lately.containsKey(new Pair(one, other)));
+        var back = new Link.Way(sendsBack && near, lately.containsKey(new Pair(other, one)));
         return there.isWorthTelling() || back.isWorthTelling()
                 ? Optional.of(new Link(one, other, there, back))
                 : Optional.empty();

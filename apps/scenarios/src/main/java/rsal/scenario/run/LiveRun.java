@@ -98,6 +98,8 @@ public final class LiveRun implements AutoCloseable {
     private boolean paused;
     private int stepsWanted;
     private long witnessed; // how often everything was shown
+    private final EachSecond witnessedLinks = new EachSecond(); // apart from those who look when they like
+    private final EachSecond seenLinks = new EachSecond();
     private Duration nextWitnessed = Duration.ZERO;
     private Duration nextMinds = Duration.ZERO;
 
@@ -116,7 +118,7 @@ public final class LiveRun implements AutoCloseable {
         this.observer = new Observer(plan, journal, scheduler);
         this.traffic = new Traffic(journal, observer, plan.communication().isPresent());
         this.pace = new Pace(System::nanoTime, plan.clock() == RunPlan.Clock.WALL ? 1 : plan.speed());
-        this.snapshots = new Snapshots(System::nanoTime, this::snapshot);
+        this.snapshots = new Snapshots(System::nanoTime, sequence -> snapshot(sequence, seenLinks));
     }
 
     /// Starts a run. Robots and agents are made on its own thread; what goes wrong there ends its [#result].
@@ -339,8 +341,9 @@ public final class LiveRun implements AutoCloseable {
         return ask(stage -> new Answer.Minded(elapsed(), stage.minds(agents)));
     }
 
-    /// Which robots' agents hear each other now, as [Answer.Linked]. Looking changes nothing in the run, but costs it a
-    /// little for the seconds after: what is heard meanwhile is noted.
+    /// Which robots' agents hear each other now, as [Answer.Linked]. Looking changes nothing in the run, but costs
+    /// it a little for the seconds after: what is heard meanwhile is noted. So it is while snapshots are made of a
+    /// run of at most 50 robots.
     ///
     /// @param chosen the robot whose links are told when there are more than 50 robots; empty, or unknown, for none
     public CompletionStage<Answer> links(String chosen) {
@@ -619,6 +622,7 @@ public final class LiveRun implements AutoCloseable {
         thread = Thread.currentThread();
         var everything = new Stage(plan, scheduler, journal, observer, traffic, turns);
         stage = everything;
+        witness.ifPresent(_ -> everything.noteLinks(handClock.getAsLong()));
         everything.begin();
         scheduler.every(plan.step(), Phase.OBSERVE, () -> {
             if (everything.isReady()) { // else its end would hide that robots can't be reached
@@ -643,7 +647,7 @@ public final class LiveRun implements AutoCloseable {
                 nextWitnessed = now.plus(seen.period());
             }
             if (seen.looks()) {
-                seen.sees(snapshot(witnessed++), journal.hashSoFar());
+                seen.sees(snapshot(witnessed++, witnessedLinks), journal.hashSoFar());
             }
         }
     }
@@ -716,7 +720,8 @@ public final class LiveRun implements AutoCloseable {
     }
 
     private void finish() {
-        witness.filter(Witness::looks).ifPresent(seen -> seen.sees(snapshot(witnessed++), journal.hashSoFar()));
+        witness.filter(Witness::looks)
+                .ifPresent(seen -> seen.sees(snapshot(witnessed++, witnessedLinks), journal.hashSoFar()));
         snapshots.make();
         RunResult ended = result(String.valueOf(outcome), (System.nanoTime() - beganNanos) / 1e9);
         rememberItsEnd();
@@ -814,7 +819,9 @@ public final class LiveRun implements AutoCloseable {
                 stage == null ? List.of() : stage.hearings());
     }
 
-    private Snapshot snapshot(long sequence) {
+    /// @param links that whoever looks was shown before
+    private Snapshot snapshot(long sequence, EachSecond links) {
+        Stage everything = stage;
         return new Snapshot(
                 sequence,
                 elapsed(),
@@ -827,7 +834,9 @@ public final class LiveRun implements AutoCloseable {
                 stage == null ? List.of() : stage.agentViews(),
                 stage == null ? List.of() : stage.team(),
                 stage == null ? List.of() : stage.world().things(),
-                stage == null ? List.of() : stage.links(handClock.getAsLong()));
+                stage == null
+                        ? Answer.Linked.NONE
+                        : links.at(elapsed(), () -> everything.links("", handClock.getAsLong())));
     }
 
     private Duration elapsed() {

@@ -120,7 +120,10 @@ final class RobotViews {
                         .filter(ranges -> there && placements.isOfHere(id, ranges)),
                 robot.find(Mapper.class).filter(_ -> there).flatMap(Mapper::latest),
                 navigator.map(Navigator::path).orElse(Path2d.EMPTY),
-                navigator.map(Navigator::localPath).orElse(Path2d.EMPTY),
+                navigator
+                        .filter(_ -> !isPiloted(robot))
+                        .map(Navigator::localPath)
+                        .orElse(Path2d.EMPTY),
                 navigator.flatMap(Navigator::goal),
                 told.map(Controls::incharge)
                         .orElse(Optional.of(robot))
@@ -171,7 +174,12 @@ final class RobotViews {
         return List.copyOf(all.values());
     }
 
-    /// An engaged pilot comes first: it commands the base, whatever goal the navigator still has.
+    /// An engaged pilot commands the base, whatever goal the navigator still has.
+    private static boolean isPiloted(Robot robot) {
+        return robot.find(Pilot.class).filter(Pilot::engaged).isPresent();
+    }
+
+    /// An engaged pilot comes first.
     private static String inCharge(Robot robot) {
         return robot.find(Pilot.class)
                 .filter(Pilot::engaged)

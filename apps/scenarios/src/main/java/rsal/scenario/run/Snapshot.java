@@ -16,8 +16,8 @@ import rsal.device.SimulationControl.Standing;
 /// @param robots that are there
 /// @param team all robots that are or were there, in the order in which they came; the same list until it grows
 /// @param things what of the simulated world is no robot
-/// @param links which robots' agents hear each other, and did within a second, as it was in the same second of the run;
-/// none of more than [#MOST_LINKED] robots
+/// @param links which robots' agents hear each other, and did within a second, as it was once in this second of the
+/// run; of more than 50 robots none, and `ofChosen`
 public record Snapshot(
         long sequence,
         Duration time,
@@ -30,15 +30,11 @@ public record Snapshot(
         List<AgentView> agents,
         List<Teammate> team,
         List<Standing> things,
-        List<Link> links) {
-    /// Of more robots than this no links are told.
-    public static final int MOST_LINKED = Links.MOST_ROBOTS;
-
+        Answer.Linked links) {
     public Snapshot {
         robots = List.copyOf(robots);
         agents = List.copyOf(agents);
         team = List.copyOf(team);
         things = List.copyOf(things);
-        links = List.copyOf(links);
     }
 }

@@ -256,13 +256,15 @@ final class Stage implements AutoCloseable {
     }
 
     /// @param now in real time [ns]
-    Answer links(String chosen, long now) {
+    Answer.Linked links(String chosen, long now) {
         return agents.links(chosen, now);
     }
 
+    /// From now on it is noted who hears whom, as somebody will look.
+    ///
     /// @param now in real time [ns]
-    List<Link> links(long now) {
-        return agents.links(now);
+    void noteLinks(long now) {
+        agents.noteLinks(now);
     }
 
     /// @param time since the run's start

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -16,6 +17,7 @@ import rsal.scenario.run.Link.Way;
 class LinksTest {
     private static final Way SILENT = new Way(true, false);
     private static final Way SPOKEN = new Way(true, true);
+    private static final Links.Air ALL = new Links.Air((_, _) -> true, (_, _) -> true);
     private static final Set<String> BOTH = new LinkedHashSet<>(List.of("a", "b"));
 
     private Instant now = Instant.EPOCH;
@@ -29,7 +31,7 @@ class LinksTest {
     }
 
     private Answer.Linked look(Set<String> robots, String chosen) {
-        return links.look(robots, chosen, (_, _) -> true, 0);
+        return links.look(robots, chosen, ALL, 0);
     }
 
     @Test
@@ -71,11 +73,14 @@ class LinksTest {
     void whoNeitherHearsNorHeardIsLeftOut() {
         look(BOTH, "");
         says("bob", "amy");
-        var out = links.look(BOTH, "", (_, _) -> false, 0);
+        var out = links.look(BOTH, "", new Links.Air((_, _) -> false, (_, _) -> true), 0);
         assertThat(out.links()).containsExactly(new Link("a", "b", new Way(false, false), new Way(false, true)));
         now = now.plusSeconds(2);
-        assertThat(links.look(BOTH, "", (_, _) -> false, 0).links()).isEmpty();
-        assertThat(links.look(BOTH, "", (from, _) -> from.equals("b"), 0).links())
+        assertThat(links.look(BOTH, "", new Links.Air((_, _) -> false, (_, _) -> true), 0)
+                        .links())
+                .isEmpty();
+        assertThat(links.look(BOTH, "", new Links.Air((from, _) -> from.equals("b"), (_, _) -> true), 0)
+                        .links())
                 .containsExactly(new Link("a", "b", new Way(false, false), SILENT));
     }
 
@@ -92,6 +97,42 @@ class LinksTest {
                 .allMatch(link -> link.one().equals("robot-7"));
         assertThat(look(many, "").links()).isEmpty();
         assertThat(look(many, "nobody").links()).isEmpty();
+    }
+
+    @Test
+    void whatNobodyIsToldOfIsNotNoted() {
+        Set<String> many = robots(Links.MOST_ROBOTS);
+        many.addAll(BOTH);
+        assertThat(look(many, "").ofChosen()).isTrue();
+        says("amy", "bob");
+        assertThat(look(many, "a").links()).contains(new Link("a", "b", SILENT, SILENT));
+        says("amy", "bob");
+        assertThat(look(many, "a").links()).contains(new Link("a", "b", SPOKEN, SILENT));
+    }
+
+    @Test
+    void whoIsFarAwayIsAskedOnceAndOnlyWhereSomebodySpeaks() {
+        var asked = new ArrayList<String>();
+        var far = new Links.Air((from, _) -> from.equals("b"), (one, other) -> {
+            asked.add(one + other);
+            return false;
+        });
+        assertThat(links.look(BOTH, "", far, 0).links()).isEmpty();
+        assertThat(asked).containsExactly("ab");
+        links.look(BOTH, "", new Links.Air((_, _) -> false, far.reaches()), 0);
+        assertThat(asked).hasSize(1);
+    }
+
+    @Test
+    void areLookedForOnceInASecondAndWhatIsAsBeforeIsTheSame() {
+        var each = new EachSecond();
+        Answer.Linked first = each.at(Duration.ofMillis(1000), () -> look(BOTH, ""));
+        assertThat(each.at(Duration.ofMillis(1999), () -> Answer.Linked.NONE)).isSameAs(first);
+        assertThat(each.at(Duration.ofMillis(2000), () -> look(BOTH, ""))).isSameAs(first);
+        Set<String> three = new LinkedHashSet<>(List.of("a", "b", "c"));
+        Answer.Linked more = each.at(Duration.ofMillis(3000), () -> look(three, ""));
+        assertThat(more.links()).hasSize(3);
+        assertThat(more.links().getFirst()).isSameAs(first.links().getFirst());
     }
 
     private static Set<String> robots(int count) {
