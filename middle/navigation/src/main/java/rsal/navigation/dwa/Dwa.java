@@ -85,7 +85,7 @@ public final class Dwa implements LocalPlanner {
         }
         turning = 0;
         Twist2d command = caution.guarded(Twist2d.drive(speed, omega), motion.velocity(), obstacles);
-        double free = way(speed, omega, obstacles);
+        double free = free(speed, omega, obstacles);
         caution.upTo(target.arriving() ? Math.min(free, target.distance()) : free);
         return command;
     }
@@ -96,7 +96,7 @@ public final class Dwa implements LocalPlanner {
 
     /// The objective function; 0 when the velocity is not admissible.
     private double value(double v, double w, Obstacles obstacles, Target target) {
-        double way = way(v, w, obstacles);
+        double way = free(v, w, obstacles);
         boolean stopsInTime = v * v <= 2 * way * limits.acceleration()
                 && (v < STANDING || w * w <= 2 * way * Math.abs(w / v) * limits.turnAcceleration());
         if (!stopsInTime) {
@@ -108,7 +108,7 @@ public final class Dwa implements LocalPlanner {
     }
 
     /// How far the robot gets until it hits something [m].
-    private double way(double v, double w, Obstacles obstacles) {
+    private double free(double v, double w, Obstacles obstacles) {
         double way = settings.lookahead();
         if (v < STANDING) {
             return way;
