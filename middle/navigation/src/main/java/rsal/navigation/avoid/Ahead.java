@@ -13,7 +13,8 @@ final class Ahead {
     private static final double BEND = 0.2; // rad from one point to the next, where there are enough of them
 
     private Twist2d command = Twist2d.STOP;
-    private double turn; // into the direction [rad]; NaN on an arc
+    private boolean turns; // into a direction, else it is on its arc
+    private double turn; // that is missing to the direction [rad]
     private double longest; // m
 
     /// It stands, or turns in place.
@@ -23,13 +24,18 @@ final class Ahead {
 
     /// It goes on as it is commanded.
     void on(Twist2d command) {
-        into(Double.NaN, command);
+        go(false, 0, command);
     }
 
     /// It turns, the slower the less is missing, until it looks into a direction.
     ///
     /// @param turn that is missing now [rad]
     void into(double turn, Twist2d command) {
+        go(true, turn, command);
+    }
+
+    private void go(boolean turns, double turn, Twist2d command) {
+        this.turns = turns;
         this.turn = turn;
         this.command = command;
         longest = Double.POSITIVE_INFINITY;
@@ -68,7 +74,7 @@ final class Ahead {
     /// By what angle it has turned after some time [rad].
     private double turned(double seconds) {
         double omega = command.omega();
-        if (Double.isNaN(turn)) {
+        if (!turns) {
             return omega * seconds;
         }
         return turn * omega > 0 ? turn * -Math.expm1(-omega / turn * seconds) : 0;
