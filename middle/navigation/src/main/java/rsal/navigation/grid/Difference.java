@@ -1,7 +1,6 @@
 package rsal.navigation.grid;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import rsal.data.OccupancyGrid;
@@ -51,7 +50,7 @@ public final class Difference {
         addBeside(shared, Window.of(overlay.now()));
         addBeside(shared, overlay.old());
         for (int row = shared.firstRow(); row < shared.endRow() && area <= most; row++) {
-            compare(shared, row);
+            compare(row);
         }
         return area <= most;
     }
@@ -70,24 +69,15 @@ public final class Difference {
         }
     }
 
-    private void compare(Window shared, int row) {
+    private void compare(int row) {
         byte[] before = overlay.before().cells();
         byte[] now = overlay.now().cells();
-        int toColumn = -row * overlay.now().width();
-        int cell = shared.firstColumn() - toColumn;
-        int end = shared.endColumn() - toColumn;
-        int toOld = overlay.old(shared.firstColumn(), row) - cell;
-        while (cell < end) {
-            int same = Arrays.mismatch(before, cell + toOld, end + toOld, now, cell, end);
-            if (same < 0) {
-                return;
+        int first = row * overlay.now().width();
+        overlay.eachMismatch(row, before, now, (old, cell) -> {
+            if ((before[old] == OccupancyGrid.FREE) != (now[cell] == OccupancyGrid.FREE)) {
+                add(cell - first, row);
             }
-            cell += same;
-            if ((before[cell + toOld] == OccupancyGrid.FREE) != (now[cell] == OccupancyGrid.FREE)) {
-                add(cell + toColumn, row);
-            }
-            cell++;
-        }
+        });
     }
 
     private void add(int column, int row) {

@@ -1,5 +1,6 @@
 package rsal.navigation.grid;
 
+import java.util.Arrays;
 import java.util.Optional;
 import rsal.data.OccupancyGrid;
 
@@ -9,6 +10,11 @@ import rsal.data.OccupancyGrid;
 /// @param rows likewise
 public record Overlay(OccupancyGrid before, OccupancyGrid now, int columns, int rows) {
     private static final double ALIGNED = 1e-6; // of a cell
+
+    /// Takes the numbers that a cell has in the map from before and in that of now.
+    public interface CellVisitor {
+        void visit(int before, int now);
+    }
 
     /// Empty when the maps' cells do not lie on each other, or no cell is in both.
     public static Optional<Overlay> of(OccupancyGrid before, OccupancyGrid now) {
@@ -49,6 +55,27 @@ public record Overlay(OccupancyGrid before, OccupancyGrid now, int columns, int 
         int column = cell % before.width() + columns;
         int row = cell / before.width() + rows;
         return now.contains(column, row) ? row * now.width() + column : -1;
+    }
+
+    /// Visits the cells of a row where both maps are that hold one thing before and another now, from left to right.
+    ///
+    /// @param row of the map of now
+    /// @param before what cells of the map from before hold
+    /// @param now likewise
+    public void eachMismatch(int row, byte[] before, byte[] now, CellVisitor visitor) {
+        Window shared = shared();
+        int cell = row * now().width() + shared.firstColumn();
+        int end = cell + shared.width();
+        int toOld = old(shared.firstColumn(), row) - cell;
+        while (cell < end) {
+            int same = Arrays.mismatch(before, cell + toOld, end + toOld, now, cell, end);
+            if (same < 0) {
+                return;
+            }
+            cell += same;
+            visitor.visit(cell + toOld, cell);
+            cell++;
+        }
     }
 
     /// What cells of the map from before hold, in those of the map of now; 0 in what lies beyond.

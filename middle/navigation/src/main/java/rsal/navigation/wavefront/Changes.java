@@ -58,7 +58,7 @@ final class Changes {
                 addOpen(row, 0, width);
             } else {
                 addOpen(row, 0, shared.firstColumn());
-                compare(row, shared.firstColumn(), shared.endColumn());
+                compare(row);
                 addOpen(row, shared.endColumn(), width);
             }
         }
@@ -66,23 +66,14 @@ final class Changes {
         return count <= most;
     }
 
-    private void compare(int row, int firstColumn, int endColumn) {
+    private void compare(int row) {
         byte[] before = from.ground();
         byte[] now = to.ground();
-        int cell = row * to.grid().width() + firstColumn;
-        int end = row * to.grid().width() + endColumn;
-        int toOld = overlay.old(firstColumn, row) - cell;
-        while (cell < end) {
-            int same = Arrays.mismatch(before, cell + toOld, end + toOld, now, cell, end);
-            if (same < 0) {
-                return;
-            }
-            cell += same;
-            if (CostMap.cost(before[cell + toOld]) != CostMap.cost(now[cell])) {
+        overlay.eachMismatch(row, before, now, (old, cell) -> {
+            if (CostMap.cost(before[old]) != CostMap.cost(now[cell])) {
                 add(cell);
             }
-            cell++;
-        }
+        });
     }
 
     private void addOpen(int row, int firstColumn, int endColumn) {
