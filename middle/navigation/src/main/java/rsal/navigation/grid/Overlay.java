@@ -90,7 +90,7 @@ public record Overlay(OccupancyGrid before, OccupancyGrid now, int columns, int 
 
     /// Likewise.
     public int[] moved(int[] field) {
-        return isSameSize() ? field.clone() : copied(field, new int[now.cells().length]);
+        return copied(field, new int[now.cells().length]);
     }
 
     /// @return `to`
