@@ -10,6 +10,7 @@ import rsal.data.OccupancyGrid;
 public final class Difference {
     private static final int NEAR = 32; // cells around windows that are looked at as well, more or less
     private static final int SHARE = 2; // of so many cells one may be looked at
+    private static final int MOST_WINDOWS = 64; // each makes it slower to compare
 
     private final Overlay overlay;
     private final List<Window> windows = new ArrayList<>();
@@ -49,10 +50,14 @@ public final class Difference {
         Window shared = overlay.shared();
         addBeside(shared, Window.of(overlay.now()));
         addBeside(shared, overlay.old());
-        for (int row = shared.firstRow(); row < shared.endRow() && area <= most; row++) {
+        for (int row = shared.firstRow(); row < shared.endRow() && !isTooMuch(); row++) {
             compare(row);
         }
-        return area <= most;
+        return !isTooMuch();
+    }
+
+    private boolean isTooMuch() {
+        return area > most || windows.size() > MOST_WINDOWS;
     }
 
     /// Adds what one of the maps has on the four sides of what both have.
@@ -81,15 +86,25 @@ public final class Difference {
     }
 
     private void add(int column, int row) {
-        if (windows.isEmpty() || !windows.getLast().contains(column, row)) {
+        if (!isTooMuch() && !isWithinOne(column, row)) {
             add(new Window(column, row, column + 1, row + 1));
         }
+    }
+
+    private boolean isWithinOne(int column, int row) {
+        for (int i = windows.size() - 1; i >= 0; i--) {
+            if (windows.get(i).contains(column, row)) {
+                windows.add(windows.remove(i)); // the next cell is likely to be in it, too
+                return true;
+            }
+        }
+        return false;
     }
 
     /// Joins it with those with which that is no dearer than to look at both.
     private void add(Window window) {
         Window joined = window;
-        for (int i = 0; i < windows.size() && area <= most; i++) {
+        for (int i = 0; i < windows.size() && !isTooMuch(); i++) {
             Window other = windows.get(i);
             if (withNear(joined.with(other)) <= withNear(joined) + withNear(other)) {
                 joined = joined.with(other);

@@ -95,4 +95,19 @@ class DifferenceTest {
                 .as("elsewhere")
                 .isEmpty();
     }
+
+    @Test
+    void isTooMuchInTooManyPlaces() {
+        int side = 2000;
+        var map = new OccupancyGrid(side, side, 0.05, -1, 2, new byte[side * side]);
+        byte[] cells = map.cells().clone();
+        for (int place = 0; place < 64; place++) {
+            cells[(100 + 200 * (place / 8)) * side + 100 + 200 * (place % 8)] = OccupancyGrid.OCCUPIED;
+        }
+        var changed = new OccupancyGrid(side, side, 0.05, -1, 2, cells.clone());
+        assertThat(Difference.between(map, changed).orElseThrow().windows()).hasSize(64);
+        cells[1900 * side + 1900] = OccupancyGrid.OCCUPIED;
+        assertThat(Difference.between(map, new OccupancyGrid(side, side, 0.05, -1, 2, cells)))
+                .isEmpty();
+    }
 }
