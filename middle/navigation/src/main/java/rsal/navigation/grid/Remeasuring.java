@@ -1,5 +1,6 @@
 package rsal.navigation.grid;
 
+import java.util.ArrayList;
 import java.util.Optional;
 import rsal.data.DistanceTransform;
 import rsal.data.OccupancyGrid;
@@ -22,35 +23,68 @@ final class Remeasuring {
     private final OccupancyGrid map;
     private final Window all;
     private final float[] before;
-    private final float[] meters;
-    private long looked; // so many cells
+    private long looked; // at so many cells
+
+    /// What has changed, and how far around it cells are measured, with as much around them again.
+    ///
+    /// @param reach cells
+    private record Part(Window changed, int reach) {
+        Window measured(Window all) {
+            return changed.grown(reach).within(all);
+        }
+
+        Window around(Window all) {
+            return changed.grown(2 * reach).within(all);
+        }
+
+        Part doubled() {
+            return new Part(changed, 2 * reach);
+        }
+    }
 
     Remeasuring(Difference difference, float[] before) {
         this.difference = difference;
         this.map = difference.now();
         this.all = Window.of(map);
         this.before = before;
-        this.meters = difference.overlay().moved(before);
     }
 
     /// By cell of the map of now [m]; empty where to measure all is no dearer.
     Optional<float[]> meters() {
+        var parts = new ArrayList<Part>();
         for (Window window : difference.windows()) {
-            int reach = FIRST_REACH;
-            while (looked <= Difference.most(map) && !isMeasured(window, reach)) {
-                reach *= 2;
+            Part part = upToUnconcerned(new Part(window, FIRST_REACH));
+            if (isTooMuch(part)) {
+                return Optional.empty();
+            }
+            parts.add(part);
+        }
+        float[] meters = difference.overlay().moved(before);
+        for (Part first : parts) {
+            Part part = first;
+            while (!isMeasured(part, meters)) {
+                part = upToUnconcerned(part.doubled());
+                if (isTooMuch(part)) {
+                    return Optional.empty();
+                }
             }
         }
-        return looked <= Difference.most(map) ? Optional.of(meters) : Optional.empty();
+        return Optional.of(meters);
     }
 
-    /// @return whether the reach is enough
-    private boolean isMeasured(Window changed, int reach) {
-        return isUnconcernedBeyond(changed.grown(reach), (reach - 1) * map.resolution())
-                && isMeasured(
-                        changed.grown(reach).within(all),
-                        changed.grown(2 * reach).within(all),
-                        reach);
+    /// Counts what is looked at for a part.
+    private boolean isTooMuch(Part part) {
+        looked += part.around(all).area();
+        return looked > Difference.most(map);
+    }
+
+    /// With the least reach beyond which no cell is concerned.
+    private Part upToUnconcerned(Part first) {
+        Part part = first;
+        while (!isUnconcernedBeyond(part.changed().grown(part.reach()), (part.reach() - 1) * map.resolution())) {
+            part = part.doubled();
+        }
+        return part;
     }
 
     /// Whether no cell on the rim of a window was measured to anything as far off as said [m].
@@ -74,10 +108,11 @@ final class Remeasuring {
         return !overlay.old().contains(column, row) || before[overlay.old(column, row)] < distance;
     }
 
-    /// @param around where it looks for what is not free
+    /// @param meters written to
     /// @return whether nothing farther off can be nearer
-    private boolean isMeasured(Window window, Window around, int reach) {
-        looked += around.area();
+    private boolean isMeasured(Part part, float[] meters) {
+        Window window = part.measured(all);
+        Window around = part.around(all);
         byte[] cells = map.cells();
         int first = around.firstRow() * map.width() + around.firstColumn();
         int width = around.width();
@@ -95,10 +130,10 @@ final class Remeasuring {
                         }
                     }
                 });
-        return around.equals(all) || isAllNearer(window, reach * map.resolution());
+        return around.equals(all) || isAllNearer(window, meters, part.reach() * map.resolution());
     }
 
-    private boolean isAllNearer(Window window, double distance) {
+    private boolean isAllNearer(Window window, float[] meters, double distance) {
         for (int row = window.firstRow(); row < window.endRow(); row++) {
             for (int column = window.firstColumn(); column < window.endColumn(); column++) {
                 if (!(meters[row * map.width() + column] < distance)) {
