@@ -75,10 +75,35 @@ public final class DistanceField {
     ///
     /// @param before of the map before, also how far the nearest cell is that is not known to be free
     public static DistanceField toNotFree(Difference difference, DistanceField before) {
+        before.checkIsOf(difference.overlay().before());
         return new Remeasuring(difference, before.meters)
                 .meters()
                 .map(meters -> new DistanceField(difference.now(), meters))
                 .orElseGet(() -> toNotFree(difference.now()));
+    }
+
+    /// Throws [IllegalArgumentException] when a map is not of the same size and at the same place.
+    public void checkIsOf(OccupancyGrid map) {
+        if (!(map.width() == width
+                && map.height() == height
+                && map.resolution() == resolution
+                && map.originX() == originX
+                && map.originY() == originY)) {
+            throw new IllegalArgumentException("""
+                    A field of distances on %d × %d cells of %s m from (%s, %s) is not of a map of \
+                    %d × %d cells of %s m from (%s, %s).
+                    Maybe it is of the map before, or of the one after.""".formatted(
+                            width,
+                            height,
+                            resolution,
+                            originX,
+                            originY,
+                            map.width(),
+                            map.height(),
+                            map.resolution(),
+                            map.originX(),
+                            map.originY()));
+        }
     }
 
     public int width() {

@@ -101,6 +101,8 @@ public final class CostMap {
     /// @param toNotFree of that map
     public CostMap over(Difference difference, DistanceField toNotFree) {
         OccupancyGrid next = difference.now();
+        checkIsFromThis(difference);
+        toNotFree.checkIsOf(next);
         double farthest = clearance.comfort() / next.resolution() + 2; // from middle to middle, and rounding
         int reach = (int) Math.min(farthest, next.width() + next.height());
         Window all = Window.of(next);
@@ -115,6 +117,27 @@ public final class CostMap {
         byte[] nextGround = overlay.moved(ground);
         Reckoning.within(windows, next, toNotFree, clearance, nextGround);
         return new CostMap(next, clearance, false, nextGround, Shore.over(overlay, shore, nextGround, windows));
+    }
+
+    private void checkIsFromThis(Difference difference) {
+        OccupancyGrid before = difference.overlay().before();
+        if (before != grid
+                && Overlay.of(before, grid).filter(Overlay::isSameSize).isEmpty()) {
+            throw new IllegalArgumentException("""
+                    Costs of a map of %d × %d cells of %s m from (%s, %s) are not taken over by a difference from one of \
+                    %d × %d cells of %s m from (%s, %s).
+                    Maybe it is the one from a map before, or after.""".formatted(
+                            grid.width(),
+                            grid.height(),
+                            grid.resolution(),
+                            grid.originX(),
+                            grid.originY(),
+                            before.width(),
+                            before.height(),
+                            before.resolution(),
+                            before.originX(),
+                            before.originY()));
+        }
     }
 
     /// Does something with each cell that the robot can't be in because of an obstacle that is not on the map [m].

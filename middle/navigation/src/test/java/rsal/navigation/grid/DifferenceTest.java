@@ -1,8 +1,10 @@
 package rsal.navigation.grid;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
@@ -109,5 +111,18 @@ class DifferenceTest {
         cells[1900 * side + 1900] = OccupancyGrid.OCCUPIED;
         assertThat(Difference.between(map, new OccupancyGrid(side, side, 0.05, -1, 2, cells)))
                 .isEmpty();
+    }
+
+    @Test
+    void distancesOfAnotherMapAreNotTakenOver() {
+        OccupancyGrid map = RandomMaps.of(new SplittableRandom(1), 300, 200, 0.01);
+        Difference difference = Difference.between(map, map).orElseThrow();
+        var turned = new OccupancyGrid(200, 300, 0.05, -1, 2, map.cells());
+        var aside = new OccupancyGrid(300, 200, 0.05, -0.95, 2, map.cells());
+        for (OccupancyGrid other : List.of(turned, aside)) {
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> DistanceField.toNotFree(difference, DistanceField.toNotFree(other)))
+                    .withMessageContaining("is not of a map of 300 × 200 cells of 0.05 m from (-1.0, 2.0)");
+        }
     }
 }

@@ -1,6 +1,7 @@
 package rsal.navigation.wavefront;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import java.util.Arrays;
 import java.util.List;
@@ -103,5 +104,27 @@ class CostMapTest {
         assertThat(driven.ground()).isNotEqualTo(anew.ground());
         Difference none = Difference.between(grid, grid).orElseThrow();
         assertThat(driven.over(none, toNotFree).ground()).isEqualTo(anew.ground());
+    }
+
+    @Test
+    void isTakenOverOnlyByADifferenceFromItsOwnMap() {
+        OccupancyGrid grid = RandomMaps.of(new SplittableRandom(1), 200, 100, 0.02);
+        var toNotFree = DistanceField.toNotFree(grid);
+        CostMap map = CostMap.of(grid, toNotFree, new Clearance(0.2, 0.4, 3));
+        var turned = new OccupancyGrid(100, 200, 0.05, -1, 2, grid.cells());
+        var aside = new OccupancyGrid(200, 100, 0.05, -0.95, 2, grid.cells());
+        var alike = new OccupancyGrid(200, 100, 0.05, -1, 2, grid.cells().clone());
+        for (OccupancyGrid other : List.of(turned, aside)) {
+            Difference none = Difference.between(other, other).orElseThrow();
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> map.over(none, DistanceField.toNotFree(other)))
+                    .withMessageContaining("Costs of a map of 200 × 100 cells of 0.05 m from (-1.0, 2.0)");
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() ->
+                            map.over(Difference.between(grid, grid).orElseThrow(), DistanceField.toNotFree(other)))
+                    .withMessageContaining("is not of a map");
+        }
+        Difference none = Difference.between(alike, alike).orElseThrow();
+        assertThat(map.over(none, toNotFree).ground()).isEqualTo(map.ground());
     }
 }
