@@ -16,31 +16,31 @@ import rsal.navigation.wavefront.Wavefront;
 final class Terrain {
     private final OccupancyGrid map;
     private final DistanceField toNotFree;
-    private final Map<Clearance, Wavefront> ways = new HashMap<>();
-    private final Map<Clearance, Wavefront> waysBefore;
-    private final Optional<Difference> difference; // from the map before
+    private final Map<Clearance, Wavefront> ways = new HashMap<>(); // that somebody asked for
+    private final Map<Clearance, Wavefront> takenOver = new HashMap<>(); // that nobody did yet
 
-    private Terrain(
-            OccupancyGrid map,
-            DistanceField toNotFree,
-            Map<Clearance, Wavefront> waysBefore,
-            Optional<Difference> difference) {
+    private Terrain(OccupancyGrid map, DistanceField toNotFree) {
         this.map = map;
         this.toNotFree = toNotFree;
-        this.waysBefore = waysBefore;
-        this.difference = difference;
     }
 
     /// @param before none at first
     static Terrain of(OccupancyGrid map, @Nullable Terrain before) {
         if (before == null) {
-            return new Terrain(map, DistanceField.toNotFree(map), Map.of(), Optional.empty());
+            return new Terrain(map, DistanceField.toNotFree(map));
         }
         Optional<Difference> difference = Difference.between(before.map, map);
-        DistanceField toNotFree = difference
-                .map(some -> DistanceField.toNotFree(some, before.toNotFree))
-                .orElseGet(() -> DistanceField.toNotFree(map));
-        return new Terrain(map, toNotFree, before.ways, difference);
+        var now = new Terrain(
+                map,
+                difference
+                        .map(some -> DistanceField.toNotFree(some, before.toNotFree))
+                        .orElseGet(() -> DistanceField.toNotFree(map)));
+        before.ways.forEach((clearance, ways) -> {
+            CostMap costs =
+                    difference.map(some -> ways.map().over(some, now.toNotFree)).orElseGet(() -> now.costs(clearance));
+            now.takenOver.put(clearance, ways.over(costs));
+        });
+        return now;
     }
 
     OccupancyGrid map() {
@@ -53,18 +53,13 @@ final class Terrain {
     }
 
     /// Ways of robots that keep a clearance. What was found out on the map before counts on, for the goals that they
-    /// still have.
+    /// still have, if somebody asked for them there.
     Wavefront ways(Clearance clearance) {
-        return ways.computeIfAbsent(clearance, this::reckoned);
+        return ways.computeIfAbsent(
+                clearance, c -> Optional.ofNullable(takenOver.remove(c)).orElseGet(() -> new Wavefront(costs(c))));
     }
 
-    private Wavefront reckoned(Clearance clearance) {
-        Wavefront before = waysBefore.get(clearance);
-        if (before == null) {
-            return new Wavefront(CostMap.of(map, toNotFree, clearance));
-        }
-        return before.over(difference
-                .map(some -> before.map().over(some, toNotFree))
-                .orElseGet(() -> CostMap.of(map, toNotFree, clearance)));
+    private CostMap costs(Clearance clearance) {
+        return CostMap.of(map, toNotFree, clearance);
     }
 }
