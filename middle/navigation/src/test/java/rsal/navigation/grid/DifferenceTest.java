@@ -96,6 +96,9 @@ class DifferenceTest {
         assertThat(Difference.between(map, new OccupancyGrid(300, 300, 0.05, 1e9, 2, map.cells())))
                 .as("elsewhere")
                 .isEmpty();
+        var larger = new OccupancyGrid(300, 300, 0.1, -1, 2, map.cells());
+        assertThat(Overlay.of(map, larger)).as("larger cells").isEmpty();
+        assertThat(Difference.between(map, larger)).as("larger cells").isEmpty();
     }
 
     @Test

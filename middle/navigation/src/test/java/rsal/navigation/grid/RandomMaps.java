@@ -1,5 +1,6 @@
 package rsal.navigation.grid;
 
+import java.util.Arrays;
 import java.util.random.RandomGenerator;
 import rsal.data.OccupancyGrid;
 
@@ -20,13 +21,13 @@ public final class RandomMaps {
     }
 
     /// The same with a few rectangles of walls, of nothing and of what is unknown; at times it is cut or grows on some
-    /// sides.
+    /// sides, by few cells or by many.
     public static OccupancyGrid changed(OccupancyGrid before, RandomGenerator random) {
-        boolean isMoved = random.nextInt(3) == 0;
-        int left = isMoved ? random.nextInt(-5, 6) : 0;
-        int low = isMoved ? random.nextInt(-5, 6) : 0;
-        int width = before.width() + left + (isMoved ? random.nextInt(-5, 6) : 0);
-        int height = before.height() + low + (isMoved ? random.nextInt(-5, 6) : 0);
+        int[] more = more(before, random);
+        int left = more[0];
+        int low = more[1];
+        int width = before.width() + left + more[2];
+        int height = before.height() + low + more[3];
         byte beyond = value(random);
         var cells = new byte[width * height];
         for (int cell = 0; cell < cells.length; cell++) {
@@ -38,11 +39,11 @@ public final class RandomMaps {
         for (int i = 0; i < rectangles; i++) {
             int firstColumn = random.nextInt(width);
             int firstRow = random.nextInt(height);
-            int columns = 1 + random.nextInt(random.nextBoolean() ? 3 : 30);
-            int rows = 1 + random.nextInt(random.nextBoolean() ? 3 : 30);
+            int endColumn = Math.min(width, firstColumn + 1 + random.nextInt(random.nextBoolean() ? 3 : 30));
+            int endRow = Math.min(height, firstRow + 1 + random.nextInt(random.nextBoolean() ? 3 : 30));
             byte value = value(random);
-            for (int row = firstRow; row < Math.min(height, firstRow + rows); row++) {
-                for (int column = firstColumn; column < Math.min(width, firstColumn + columns); column++) {
+            for (int row = firstRow; row < endRow; row++) {
+                for (int column = firstColumn; column < endColumn; column++) {
                     cells[row * width + column] = value;
                 }
             }
@@ -50,6 +51,21 @@ public final class RandomMaps {
         double side = before.resolution();
         return new OccupancyGrid(
                 width, height, side, before.originX() - left * side, before.originY() - low * side, cells);
+    }
+
+    /// By how many cells it grows on the left, below, on the right and above: mostly by none, at times by few on all
+    /// sides
+    /// or by many on one.
+    private static int[] more(OccupancyGrid before, RandomGenerator random) {
+        var more = new int[4];
+        int kind = random.nextInt(6);
+        if (kind == 0) {
+            int most = Math.min(60, Math.min(before.width(), before.height()) / 3);
+            more[random.nextInt(4)] = random.nextInt(-most, most + 1);
+        } else if (kind < 3) {
+            Arrays.setAll(more, _ -> random.nextInt(-5, 6));
+        }
+        return more;
     }
 
     private static byte value(RandomGenerator random) {
