@@ -121,8 +121,7 @@ public final class CostMap {
 
     private void checkIsFromThis(Difference difference) {
         OccupancyGrid before = difference.overlay().before();
-        if (before != grid
-                && Overlay.of(before, grid).filter(Overlay::isSameSize).isEmpty()) {
+        if (Overlay.of(before, grid).filter(Overlay::isSameSize).isEmpty()) {
             throw new IllegalArgumentException("""
                     Costs of a map of %d × %d cells of %s m from (%s, %s) are not taken over by a difference from one of \
                     %d × %d cells of %s m from (%s, %s).
