@@ -821,7 +821,6 @@ public final class LiveRun implements AutoCloseable {
 
     /// @param links that whoever looks was shown before
     private Snapshot snapshot(long sequence, EachSecond links) {
-        Stage everything = stage;
         return new Snapshot(
                 sequence,
                 elapsed(),
@@ -834,9 +833,9 @@ public final class LiveRun implements AutoCloseable {
                 stage == null ? List.of() : stage.agentViews(),
                 stage == null ? List.of() : stage.team(),
                 stage == null ? List.of() : stage.world().things(),
-                stage == null
-                        ? Answer.Linked.NONE
-                        : links.at(elapsed(), () -> everything.links("", handClock.getAsLong())));
+                Optional.ofNullable(stage)
+                        .map(all -> links.at(elapsed(), () -> all.links("", handClock.getAsLong())))
+                        .orElse(Answer.Linked.NONE));
     }
 
     private Duration elapsed() {

@@ -126,11 +126,11 @@ class LinksTest {
     @Test
     void areLookedForOnceInASecondAndWhatIsAsBeforeIsTheSame() {
         var each = new EachSecond();
-        Answer.Linked first = each.at(Duration.ofMillis(1000), () -> look(BOTH, ""));
+        Answer.Linked first = each.at(Duration.ofSeconds(1), () -> look(BOTH, ""));
         assertThat(each.at(Duration.ofMillis(1999), () -> Answer.Linked.NONE)).isSameAs(first);
-        assertThat(each.at(Duration.ofMillis(2000), () -> look(BOTH, ""))).isSameAs(first);
+        assertThat(each.at(Duration.ofSeconds(2), () -> look(BOTH, ""))).isSameAs(first);
         Set<String> three = new LinkedHashSet<>(List.of("a", "b", "c"));
-        Answer.Linked more = each.at(Duration.ofMillis(3000), () -> look(three, ""));
+        Answer.Linked more = each.at(Duration.ofSeconds(3), () -> look(three, ""));
         assertThat(more.links()).hasSize(3);
         assertThat(more.links().getFirst()).isSameAs(first.links().getFirst());
     }
