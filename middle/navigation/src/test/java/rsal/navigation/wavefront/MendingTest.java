@@ -101,12 +101,13 @@ class MendingTest {
         Point2d goal = map.grid().middle(open(map, random));
         int handedOn = 0;
         int found = 0;
-        for (int i = 0; i < 40; i++) {
+        for (int i = 0; i < 80; i++) {
             if (random.nextInt(4) == 0) {
                 CostMap next = costs(RandomMaps.changed(map.grid(), random), clearance);
                 ways = ways.over(next);
                 handedOn += ways.kept();
                 map = next;
+                goal = map.isPassable(goal) ? goal : map.grid().middle(open(map, random));
             }
             Point2d start = map.grid().middle(open(map, random));
             Point2d asked = random.nextInt(3) == 0 ? near(goal, random) : goal;
