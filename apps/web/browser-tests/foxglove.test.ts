@@ -84,7 +84,9 @@ it("shows a run to Foxglove's own client, and takes goals from it", async () => 
   expect(url).toBeDefined();
   const studio = new Studio(url!);
   try {
-    await expect.poll(() => studio.messages.has('/hunter-1/scan'), { timeout: 30_000 }).toBe(true);
+    for (const topic of ['/hunter-1/scan', '/tf', '/map']) {
+      await expect.poll(() => studio.messages.has(topic), { timeout: 30_000, message: topic }).toBe(true);
+    }
     expect(studio.capabilities).toEqual(expect.arrayContaining(['time', 'clientPublish']));
     await expect.poll(() => studio.times, { timeout: 30_000 }).toBeGreaterThan(5);
 
