@@ -172,10 +172,8 @@ public final class Encoder {
         links(now.links(), time);
     }
 
-    /// That there are none is told when there were some.
     private void links(Answer.Linked told, long time) throws IOException {
-        boolean never = told.equals(Answer.Linked.NONE) && !last.containsKey(Topics.LINKS);
-        if (never || !isNew(Topics.LINKS, told)) {
+        if (!isNewOrGone(Topics.LINKS, told, Answer.Linked.NONE)) {
             return;
         }
         out.clear();
@@ -336,8 +334,7 @@ public final class Encoder {
         if (isNew(id + " path", robot.path())) {
             path(id, Topics.PATH, robot.path(), robot.color(), time);
         }
-        boolean leads = !robot.localPath().points().isEmpty();
-        if ((leads || last.containsKey(id + " local path")) && isNew(id + " local path", robot.localPath())) {
+        if (isNewOrGone(id + " local path", robot.localPath(), Path2d.EMPTY)) {
             path(id, Topics.LOCAL_PATH, robot.localPath(), robot.color(), time);
         }
         boolean moved = false;
@@ -684,6 +681,11 @@ public final class Encoder {
 
     private boolean isNew(String what, Object value) {
         return !value.equals(last.put(what, value));
+    }
+
+    /// Likewise, but that there is nothing is new only where there was something.
+    private boolean isNewOrGone(String what, Object value, Object nothing) {
+        return (!value.equals(nothing) || last.containsKey(what)) && isNew(what, value);
     }
 
     private long time(Duration elapsed) {

@@ -121,7 +121,7 @@ final class RobotViews {
                 robot.find(Mapper.class).filter(_ -> there).flatMap(Mapper::latest),
                 navigator.map(Navigator::path).orElse(Path2d.EMPTY),
                 navigator
-                        .filter(_ -> !isPiloted(robot))
+                        .filter(_ -> pilot(robot).isEmpty())
                         .map(Navigator::localPath)
                         .orElse(Path2d.EMPTY),
                 navigator.flatMap(Navigator::goal),
@@ -174,15 +174,13 @@ final class RobotViews {
         return List.copyOf(all.values());
     }
 
-    /// An engaged pilot commands the base, whatever goal the navigator still has.
-    private static boolean isPiloted(Robot robot) {
-        return robot.find(Pilot.class).filter(Pilot::engaged).isPresent();
+    /// The one that commands the base, whatever goal the navigator still has; empty when none is engaged.
+    private static Optional<Pilot> pilot(Robot robot) {
+        return robot.find(Pilot.class).filter(Pilot::engaged);
     }
 
-    /// An engaged pilot comes first.
     private static String inCharge(Robot robot) {
-        return robot.find(Pilot.class)
-                .filter(Pilot::engaged)
+        return pilot(robot)
                 .flatMap(Pilot::latest)
                 .map(decision -> decision.value().inCharge())
                 .or(() -> robot.find(Navigator.class)

@@ -18,6 +18,7 @@ class LinksTest {
     private static final Way SILENT = new Way(true, false);
     private static final Way SPOKEN = new Way(true, true);
     private static final Links.Air ALL = new Links.Air((_, _) -> true, (_, _) -> true);
+    private static final Links.Air NOBODY = new Links.Air((_, _) -> false, (_, _) -> true);
     private static final Set<String> BOTH = new LinkedHashSet<>(List.of("a", "b"));
 
     private Instant now = Instant.EPOCH;
@@ -73,12 +74,10 @@ class LinksTest {
     void whoNeitherHearsNorHeardIsLeftOut() {
         look(BOTH, "");
         says("bob", "amy");
-        var out = links.look(BOTH, "", new Links.Air((_, _) -> false, (_, _) -> true), 0);
+        var out = links.look(BOTH, "", NOBODY, 0);
         assertThat(out.links()).containsExactly(new Link("a", "b", new Way(false, false), new Way(false, true)));
         now = now.plusSeconds(2);
-        assertThat(links.look(BOTH, "", new Links.Air((_, _) -> false, (_, _) -> true), 0)
-                        .links())
-                .isEmpty();
+        assertThat(links.look(BOTH, "", NOBODY, 0).links()).isEmpty();
         assertThat(links.look(BOTH, "", new Links.Air((from, _) -> from.equals("b"), (_, _) -> true), 0)
                         .links())
                 .containsExactly(new Link("a", "b", new Way(false, false), SILENT));
@@ -119,7 +118,7 @@ class LinksTest {
         });
         assertThat(links.look(BOTH, "", far, 0).links()).isEmpty();
         assertThat(asked).containsExactly("ab");
-        links.look(BOTH, "", new Links.Air((_, _) -> false, far.reaches()), 0);
+        links.look(BOTH, "", new Links.Air(NOBODY.sends(), far.reaches()), 0);
         assertThat(asked).hasSize(1);
     }
 

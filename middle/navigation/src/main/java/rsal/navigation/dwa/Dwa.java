@@ -46,6 +46,7 @@ public final class Dwa implements LocalPlanner {
     private final Outline outline;
     private final Caution caution;
     private final double[] values = new double[SPEEDS * TURNS];
+    private final double[] ways = new double[SPEEDS * TURNS]; // m
     private int turning; // in place: 1 to the left, −1 to the right
 
     /// @param reaction how long a command lasts before the next one can take effect [s]
@@ -73,8 +74,11 @@ public final class Dwa implements LocalPlanner {
         Arrays.fill(values, 0);
         for (int i = 0; i < SPEEDS; i++) {
             for (int j = 0; j < TURNS; j++) {
-                values[i * TURNS + j] =
-                        value(mix(slowest, fastest, i, SPEEDS), mix(rightmost, leftmost, j, TURNS), obstacles, target);
+                double speed = mix(slowest, fastest, i, SPEEDS);
+                double omega = mix(rightmost, leftmost, j, TURNS);
+                int choice = i * TURNS + j;
+                ways[choice] = free(speed, omega, obstacles);
+                values[choice] = value(speed, omega, ways[choice], target);
             }
         }
         int best = best();
@@ -85,8 +89,7 @@ public final class Dwa implements LocalPlanner {
         }
         turning = 0;
         Twist2d command = caution.guarded(Twist2d.drive(speed, omega), motion.velocity(), obstacles);
-        double free = free(speed, omega, obstacles);
-        caution.upTo(target.arriving() ? Math.min(free, target.distance()) : free);
+        caution.upTo(target.arriving() ? Math.min(ways[best], target.distance()) : ways[best]);
         return command;
     }
 
@@ -95,8 +98,9 @@ public final class Dwa implements LocalPlanner {
     }
 
     /// The objective function; 0 when the velocity is not admissible.
-    private double value(double v, double w, Obstacles obstacles, Target target) {
-        double way = free(v, w, obstacles);
+    ///
+    /// @param way how far the robot gets [m]
+    private double value(double v, double w, double way, Target target) {
         boolean stopsInTime = v * v <= 2 * way * limits.acceleration()
                 && (v < STANDING || w * w <= 2 * way * Math.abs(w / v) * limits.turnAcceleration());
         if (!stopsInTime) {
