@@ -1,3 +1,4 @@
+import { setTimeout } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
 import { AxeBuilder } from '@axe-core/playwright';
 import type { Page } from 'playwright-core';
@@ -58,6 +59,15 @@ describe.skipIf(!chromium)('runs side by side', () => {
         ).every(Boolean),
       `robots of ${runs.join(', ')} stand`,
     );
+
+  /** What the server answers to that question from now on comes a second late, and may no longer be true by then. */
+  async function answerLate(page: Page, question: string) {
+    await page.route(question, async (route) => {
+      const response = await route.fetch();
+      await setTimeout(1000);
+      await route.fulfill({ response });
+    });
+  }
 
   /** In the frames, too; each of these has landmarks of its own, as the page of one run has. */
   async function expectAccessible(page: Page) {
@@ -169,6 +179,9 @@ describe.skipIf(!chromium)('runs side by side', () => {
     expect(await bob.getByRole('button', { name: 'Pause all' }).isDisabled()).toBe(true);
     expect(await bob.getByRole('button', { name: 'Emergency stop', exact: true }).isEnabled()).toBe(true);
 
+    const frameAsks = '**/beside/2/api/control';
+    await answerLate(page, frameAsks);
+    await page.waitForRequest(frameAsks);
     await page.getByRole('button', { name: /^Give control back/ }).click();
     await eventually(
       () => bob.getByRole('button', { name: 'Pause all' }).isEnabled(),
@@ -176,6 +189,7 @@ describe.skipIf(!chromium)('runs side by side', () => {
     );
     await bob.waitForTimeout(5000); // in which each frame asks who has control
     expect(await bob.getByRole('button', { name: 'Pause all' }).isEnabled()).toBe(true);
+    await page.unrouteAll({ behavior: 'ignoreErrors' });
   });
 
   it('are told together, and begin again with one seed', async () => {

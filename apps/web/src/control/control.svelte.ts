@@ -19,8 +19,8 @@ class Control {
   /** Whoever has it; null when all who have the token may act. */
   holder = $state<string | null>(null);
   mine = $state(false);
-  /** How often it was taken or given back here: answers to what was asked before that come late. */
-  private changes = 0;
+  /** Whether it is being taken or given back here: nothing is asked meanwhile, as the answer might be of before. */
+  private changing = false;
   private asking: Promise<void> = Promise.resolve();
 
   /** Whether this tab had it on the page before, which gave it back as it was left. */
@@ -48,7 +48,7 @@ class Control {
   }
 
   private async ask(possible: () => boolean | null) {
-    if (possible()) {
+    if (possible() && !this.changing) {
       this.asking = this.keepOrLook();
       await this.asking;
     }
@@ -56,27 +56,20 @@ class Control {
   }
 
   private async keepOrLook() {
-    const asked = this.changes;
     try {
       const mine = !framed && (this.mine || (this.had && this.holder === null)); // else the page around keeps it
-      const kept = mine ? await api.takeControl({ name: this.name, over: false }) : await api.control();
-      if (kept !== null && asked === this.changes) {
-        this.learn(kept);
-      }
+      this.learn(mine ? await api.takeControl({ name: this.name, over: false }) : await api.control());
     } catch {
-      await this.look(); // somebody has taken it over, or the server is gone
+      this.learn(await api.control()); // somebody has taken it over, or the server is gone
     }
   }
 
-  private async look() {
-    const asked = this.changes;
-    const told = await api.control();
-    if (told !== null && asked === this.changes) {
-      this.learn(told);
+  /** @param told null where the server told nothing */
+  private learn(told: Told | null) {
+    if (told === null) {
+      return;
     }
-  }
-
-  private learn({ holder, mine }: Told) {
+    const { holder, mine } = told;
     if (this.holder !== holder || this.mine !== mine) {
       notices.dismissAbout(ABOUT_CONTROL);
     }
@@ -85,8 +78,8 @@ class Control {
     }
     this.holder = holder;
     this.mine = mine;
-    if (mine) {
-      sessionStorage.setItem(HAD, 'true');
+    if (mine && !framed) {
+      sessionStorage.setItem(HAD, 'true'); // frames are in the same tab: what they are told late would bring it back
     } else if (holder !== null) {
       sessionStorage.removeItem(HAD);
     }
@@ -99,19 +92,25 @@ class Control {
    */
   async take(name: string) {
     localStorage.setItem(NAME, name);
-    const taken = await api.takeControl({ name, over: true });
-    this.changes++;
-    this.learn(taken);
+    await this.change(async () => this.learn(await api.takeControl({ name, over: true })));
   }
 
   async giveBack() {
-    sessionStorage.removeItem(HAD);
-    this.mine = false;
-    this.changes++;
-    await this.asking; // which may have taken it once more
-    await api.giveControlBack();
-    this.changes++;
-    await this.look();
+    await this.change(async () => {
+      const told = await api.giveControlBack();
+      sessionStorage.removeItem(HAD);
+      this.learn(told);
+    });
+  }
+
+  private async change(change: () => Promise<void>) {
+    this.changing = true;
+    try {
+      await this.asking;
+      await change();
+    } finally {
+      this.changing = false;
+    }
   }
 }
 
