@@ -1,3 +1,5 @@
+import { framed } from '../framed';
+
 const KEY = 'rsal.token';
 const OPERATOR = 'rsal.operator';
 
@@ -11,12 +13,35 @@ class Access {
 
   /** By what the server tells this tab from others. Frames in it are of the same. */
   get id(): string {
-    const known = sessionStorage.getItem(OPERATOR);
-    const id = known ?? crypto.randomUUID();
-    if (known === null) {
-      sessionStorage.setItem(OPERATOR, id);
-    }
+    return sessionStorage.getItem(OPERATOR) ?? this.newId();
+  }
+
+  private newId(): string {
+    const id = crypto.randomUUID();
+    sessionStorage.setItem(OPERATOR, id);
     return id;
+  }
+
+  /**
+   * A tab that was duplicated has all that the first one keeps, its id, too. It asks whether another one has that, and
+   * is somebody else then.
+   *
+   * @param becomesOther called when it is
+   */
+  tellFromOtherTabs(becomesOther: () => void) {
+    if (framed) {
+      return;
+    }
+    const tabs = new BroadcastChannel('rsal.tabs');
+    tabs.onmessage = ({ data }: MessageEvent<{ asks?: string; has?: string }>) => {
+      if (data.asks === this.id) {
+        tabs.postMessage({ has: this.id });
+      } else if (data.has === this.id) {
+        this.newId();
+        becomesOther();
+      }
+    };
+    tabs.postMessage({ asks: this.id });
   }
 
   get allowed(): boolean {

@@ -39,6 +39,10 @@ class Control {
    * @param possible whether there is something to control; null while that is not known
    */
   start(possible: () => boolean | null) {
+    access.tellFromOtherTabs(() => {
+      sessionStorage.removeItem(HAD);
+      this.mine = false;
+    });
     void this.ask(possible);
     addEventListener('pagehide', () => {
       if (this.mine && !framed) {
@@ -78,12 +82,18 @@ class Control {
     }
     this.holder = holder;
     this.mine = mine;
-    if (mine && !framed) {
-      sessionStorage.setItem(HAD, 'true'); // frames are in the same tab: what they are told late would bring it back
+    if (!framed) {
+      this.remember(mine, holder); // frames are in the same tab, and may be told late what was so before
+    }
+    access.elsewhere = mine ? null : holder;
+  }
+
+  private remember(mine: boolean, holder: string | null) {
+    if (mine) {
+      sessionStorage.setItem(HAD, 'true');
     } else if (holder !== null) {
       sessionStorage.removeItem(HAD);
     }
-    access.elsewhere = mine ? null : holder;
   }
 
   /**
@@ -96,10 +106,10 @@ class Control {
   }
 
   async giveBack() {
+    sessionStorage.removeItem(HAD); // also for whoever leaves the page before there is an answer
     await this.change(async () => {
-      const told = await api.giveControlBack();
-      sessionStorage.removeItem(HAD);
-      this.learn(told);
+      sessionStorage.removeItem(HAD); // what was asked before may have told that it is had
+      this.learn(await api.giveControlBack());
     });
   }
 
