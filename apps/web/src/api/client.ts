@@ -298,16 +298,19 @@ async function drawn(
   device: string,
   time: number | null = null,
 ): Promise<Grid | null> {
-  return grid(`drawn/${String(run)}?${query({ robot, device }, time)}`, robot);
+  return (await grid(`drawn/${String(run)}?${query({ robot, device }, time)}`, robot)) ?? null;
 }
 
-/** @param name that it gets; null when it isn't there */
-async function grid(what: string, name: string): Promise<Grid | null> {
+/** @param name that it gets; null when there is none, undefined when the server could not say */
+async function grid(what: string, name: string): Promise<Grid | null | undefined> {
   try {
     const response = await fetch(`api/${what}`, { signal: looking() });
-    return response.status === 200 ? decodeGrid(await response.arrayBuffer(), name) : null;
+    if (response.status === 200) {
+      return decodeGrid(await response.arrayBuffer(), name);
+    }
+    return response.status < 500 ? null : undefined;
   } catch {
-    return null;
+    return undefined;
   }
 }
 
