@@ -9,6 +9,7 @@ const PERIOD_MILLIS = 500;
 /** The runs side by side, as the server last told them. */
 class Seats {
   private told = $state.raw<SideBySide | null>(null);
+  private looks = 0;
   connection = $state<'connecting' | 'open' | 'gone'>('connecting');
 
   get runs(): readonly SeatInfo[] {
@@ -46,7 +47,11 @@ class Seats {
   }
 
   private async look(): Promise<void> {
+    const mine = ++this.looks;
     const told = await ask.all();
+    if (mine !== this.looks) {
+      return; // somebody has asked since, perhaps as something was changed
+    }
     if (told) {
       this.connection = 'open';
       this.told = told;
@@ -56,8 +61,12 @@ class Seats {
   }
 
   /** Tells some of them, all at once; what one refuses is shown. */
-  async tell(some: readonly SeatInfo[], command: string, body: object = {}): Promise<void> {
-    await Promise.all(some.map(({ number }) => attempt(ask.tell(number, command, body))));
+  async tell(
+    some: readonly SeatInfo[],
+    command: string,
+    body: (run: SeatInfo) => object = () => ({}),
+  ): Promise<void> {
+    await Promise.all(some.map((run) => attempt(ask.tell(run.number, command, body(run)))));
     await this.look();
   }
 
