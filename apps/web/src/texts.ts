@@ -261,6 +261,7 @@ export const texts = {
     drive: 'Drive by keys',
     driveHint: 'Take it from its agents and drive it by W A S D, the arrows or the pad',
     letGo: 'Let go',
+    unknown: (robot: string) => `Nobody can say right now what ${robot} can do. Try again.`,
     hint: (robot: string, sideways: boolean) =>
       `You drive ${robot}: W A S D or arrows${sideways ? ', Q E sideways' : ''}. Shift goes fast, Esc lets go.`,
     pad: 'Pad to drive with: drag it to where the robot shall go',
