@@ -78,7 +78,21 @@ final class Messages {
             Optional<Double> time,
             Optional<Integer> step,
             Optional<Boolean> playing,
-            Optional<String> speed) {}
+            Optional<String> speed) {
+        /// This and then another one, in one.
+        LookBack then(LookBack next) {
+            if (next.live.orElse(false) || next.time.isPresent()) {
+                return next;
+            }
+            long steps = (long) step.orElse(0) + next.step.orElse(0);
+            return new LookBack(
+                    next.live,
+                    live.orElse(false) ? Optional.of(Double.POSITIVE_INFINITY) : time, // from the newest on
+                    Optional.of(Math.clamp(steps, Integer.MIN_VALUE, Integer.MAX_VALUE)),
+                    next.playing,
+                    next.speed);
+        }
+    }
 
     /// How far back one can look, and what whoever does must know of the present nevertheless.
     ///

@@ -228,7 +228,7 @@ final class Viewer {
     synchronized void received(Receipt receipt) {
         receipt.look().ifPresent(look -> {
             look.speed().ifPresent(SpeedFactor::of); // refused now, not when it is offered something
-            wish = look;
+            wish = wish == null ? look : wish.then(look); // several may come between two offers
         });
         boolean taken = receipt.frame()
                 .map(frame -> framesUnderWay.removeIf(sent -> sent <= frame))

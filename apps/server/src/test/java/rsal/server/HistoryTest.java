@@ -128,6 +128,30 @@ class HistoryTest {
     }
 
     @Test
+    void looksThatComeBetweenTwoOffersAllCount() {
+        var history = new History(feed);
+        var line = new Times();
+        var viewer = new Viewer(line, new ViewerCounts());
+        keepFiveSeconds(history);
+        var back = new LookBack(
+                Optional.of(false), Optional.empty(), Optional.of(-1), Optional.of(false), Optional.empty());
+        viewer.received(look(wish(2, 0)));
+        viewer.received(look(back));
+        viewer.received(look(back));
+        offer(viewer, history);
+        assertThat(line.newest()).isEqualTo("1.8 past");
+        viewer.received(look(back));
+        viewer.received(look(wish(3, 0)));
+        offer(viewer, history);
+        assertThat(line.newest()).isEqualTo("3.0 past");
+        viewer.received(look(new LookBack(
+                Optional.of(true), Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty())));
+        viewer.received(look(back));
+        offer(viewer, history);
+        assertThat(line.newest()).isEqualTo("4.9 past");
+    }
+
+    @Test
     void aRecordingPlaysOnceItIsShown() {
         var history = new History(feed);
         var line = new Times();
