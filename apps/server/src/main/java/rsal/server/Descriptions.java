@@ -277,8 +277,8 @@ final class Descriptions {
 
     static AgentInside inside(Inside agent) {
         return new AgentInside(
-                agent.agent().name(),
-                settings(agent.agent()),
+                agent.name(),
+                agent.planned().map(Descriptions::settings).orElse(List.of()),
                 agent.shown().map(Descriptions::status),
                 agent.shown().map(Society.View::state).orElse(""),
                 beliefs(agent.shown().map(Society.View::beliefs).orElse(Map.of())),

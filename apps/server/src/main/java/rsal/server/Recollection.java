@@ -194,7 +194,7 @@ final class Recollection {
     /// @param now how it is now
     /// @param events of the run, oldest first
     Inside inside(Inside now, Duration time, List<RunEvent> events) {
-        String name = now.agent().name();
+        String name = now.name();
         var past = new AgentPast(name, time, events);
         Optional<Society.View> shown;
         Optional<Mind.View> mind;
@@ -215,7 +215,8 @@ final class Recollection {
             }
         }
         return new Inside(
-                now.agent(),
+                name,
+                now.planned(),
                 shown,
                 mind,
                 now.program(),

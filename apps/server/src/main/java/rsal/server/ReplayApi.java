@@ -158,19 +158,22 @@ final class ReplayApi {
     /// what is said to all is not recorded.
     private void agent(Context request) throws IOException {
         String name = String.valueOf(request.queryParam("name"));
-        PlannedAgent planned = playback.plan().agents().stream()
+        Optional<PlannedAgent> planned = playback.plan().agents().stream()
                 .filter(agent -> agent.name().equals(name))
-                .findFirst()
-                .orElseThrow(() -> new Refusal(404, "No agent (%s) was planned.".formatted(Refusal.shortened(name))));
+                .findFirst();
         Duration time = Past.asked(request);
         Optional<Society.View> shown = playback.at(time).agents().stream()
                 .map(AgentView::view)
                 .filter(view -> view.agent().name().equals(name))
                 .findFirst();
+        if (planned.isEmpty() && shown.isEmpty()) { // else somebody started it
+            throw new Refusal(404, "There was no agent (%s) then.".formatted(Refusal.shortened(name)));
+        }
         var past = new AgentPast(name, time, playback.events());
         Api.answer(
                 request,
                 Descriptions.inside(new Inside(
+                        name,
                         planned,
                         shown,
                         playback.mind(time, name),

@@ -15,6 +15,7 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -191,13 +192,17 @@ class RecordedPastTest {
 
     /// @return what was recorded, in the order in which it was
     static List<Snapshot> record(RunPlan plan, Path file) throws Exception {
+        return record(plan, file, _ -> {});
+    }
+
+    /// @param meddling what people do as it has begun
+    static List<Snapshot> record(RunPlan plan, Path file, Consumer<LiveRun> meddling) throws Exception {
         var origin = new Origin(plan, "rsal test", "rsal run", Instant.EPOCH);
         var seen = new ArrayList<Snapshot>();
         try (Recorder recorder = Recorder.begin(file, true, origin, Backlog.Behind.WAIT, System::nanoTime)) {
-            RunResult result = LiveRun.start(plan, new Seen(recorder.witness(), seen))
-                    .result()
-                    .toCompletableFuture()
-                    .get(100, TimeUnit.SECONDS);
+            LiveRun run = LiveRun.start(plan, new Seen(recorder.witness(), seen));
+            meddling.accept(run);
+            RunResult result = run.result().toCompletableFuture().get(100, TimeUnit.SECONDS);
             recorder.ended(result);
         }
         return seen;

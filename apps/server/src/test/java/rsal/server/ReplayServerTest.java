@@ -4,13 +4,19 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.Optional;
+import java.util.concurrent.CompletionStage;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import rsal.scenario.RunOptions;
+import rsal.scenario.RunPlan;
+import rsal.scenario.Scenario;
+import rsal.scenario.run.Answer;
 import rsal.server.Messages.PastNumbers;
 import rsal.server.Messages.Trails;
 import rsal.server.RawHttp.Response;
@@ -35,6 +41,10 @@ class ReplayServerTest {
     private void show(String scenario, int seconds) throws Exception {
         Path file = folder.resolve(scenario + ".mcap");
         RecordedPastTest.record(RecordedPastTest.plan(scenario, seconds), file);
+        show(file);
+    }
+
+    private void show(Path file) throws Exception {
         Path page = Files.createDirectories(folder.resolve("page"));
         Files.writeString(page.resolve("index.html"), "<p>the page</p>");
         server = ReplayServer.start(RecordedPastTest.open(file), "run.mcap", 0, TOKEN, page);
@@ -178,6 +188,24 @@ class ReplayServerTest {
         String belief = "\"kind\":\"BELIEVES\",\"name\":\"prey\",\"words\":\"prey-1\"";
         assertThat(get("/api/agent?name=follow-1&time=0").body()).doesNotContain(belief);
         assertThat(get("/api/agent?name=follow-1&time=5").body()).containsOnlyOnce(belief);
+    }
+
+    @Test
+    void tellsAboutAgentsThatPeopleStarted() throws Exception {
+        server.close();
+        Path file = folder.resolve("by-hand.mcap");
+        RunPlan plan = Scenario.load("hunt-and-prey")
+                .plan(RunOptions.NONE.withSpeed(1).withLimit(Duration.ofSeconds(2)));
+        RecordedPastTest.record(plan, file, run -> {
+            run.pause(); // else it might be over
+            CompletionStage<Answer> added = run.addAgent("escape-1", "prey-1");
+            run.step();
+            assertThat(added.toCompletableFuture().join()).isEqualTo(new Answer.Added("escape-2"));
+            run.resume();
+        });
+        show(file);
+        assertThat(get("/api/agent?name=escape-2&time=2").body())
+                .contains("\"agent\":\"escape-2\"", "\"arguments\":[]", "\"status\":\"RUNNING\"");
     }
 
     @Test

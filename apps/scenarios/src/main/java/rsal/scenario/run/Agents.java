@@ -331,7 +331,8 @@ final class Agents implements AutoCloseable {
         Optional<Mind.View> mind = society.orElseThrow().look(name, Mind.View.class);
         diaries.look(name, held(shown, mind), now);
         return Optional.of(new Inside(
-                agent,
+                name,
+                Optional.of(agent),
                 shown,
                 mind,
                 society.orElseThrow().look(name, Mind.Program.class),

@@ -9,6 +9,7 @@ import rsal.scenario.RunPlan.PlannedAgent;
 /// How an agent was started, what it believes, wants and does, and what it talks about: made for those who look into
 /// it.
 ///
+/// @param planned how it was started; empty where that is not known, as recordings tell it of no others
 /// @param shown how it is and what it shows of itself, which any agent may; empty when it has not started
 /// @param mind empty when it has none, or has ended
 /// @param program the rules and plans that it goes by, where it is written in a language for agents
@@ -17,7 +18,8 @@ import rsal.scenario.RunPlan.PlannedAgent;
 /// @param talks what it and its partners said in conversations lately, oldest first
 /// @param hearings what it heard of others and others of it, where that is recorded
 public record Inside(
-        PlannedAgent agent,
+        String name,
+        Optional<PlannedAgent> planned,
         Optional<Society.View> shown,
         Optional<Mind.View> mind,
         Optional<Mind.Program> program,

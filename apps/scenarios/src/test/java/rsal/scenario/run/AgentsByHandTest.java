@@ -105,7 +105,7 @@ class AgentsByHandTest {
         assertThat(answer(run.addAgent("amy", "east"))).isEqualTo(new Answer.Added("amy-1"));
         assertThat(answer(run.addAgent("amy", "west"))).isEqualTo(new Answer.Added("amy-2"));
         assertThat(answer(run.addAgent("base", ""))).isEqualTo(new Answer.Added("base-1"));
-        assertThat(inside("amy-1").agent().robot()).contains("east");
+        assertThat(inside("amy-1").planned().orElseThrow().robot()).contains("east");
         assertThat(status("amy-1")).isEqualTo(Society.Status.RUNNING);
         assertThat(byHand())
                 .containsExactly(
@@ -130,7 +130,7 @@ class AgentsByHandTest {
         assertThat(LiveRun.agentTypes()).extracting(AgentType::key).contains("chatter", "wander");
         assertThat(answer(run.newAgent("chatter", "", Map.of()))).isEqualTo(new Answer.Added("chatter-1"));
         assertThat(answer(run.newAgent("chatter", "east", Map.of()))).isEqualTo(new Answer.Added("chatter-2"));
-        assertThat(inside("chatter-2").agent().robot()).contains("east");
+        assertThat(inside("chatter-2").planned().orElseThrow().robot()).contains("east");
         assertThat(status("chatter-1")).isEqualTo(Society.Status.RUNNING);
         assertThat(byHand())
                 .containsExactly("chatter-1 started, as chatter", "chatter-2 started, as chatter, for east");
