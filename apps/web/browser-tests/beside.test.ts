@@ -5,7 +5,7 @@ import type { Page } from 'playwright-core';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import type { SideBySide } from '../src/api/messages';
 import { chromium } from './chromium';
-import { eventually } from './eventually';
+import { eventually, settled } from './eventually';
 import { Rsal } from './rsal';
 import { expectNoViolation, picture, visits } from './visits';
 import { timeOn } from './world';
@@ -220,13 +220,11 @@ describe.skipIf(!chromium)('runs side by side', () => {
 
     await bar.getByRole('button', { name: 'Pause all' }).click();
     await bar.getByRole('button', { name: 'Go on' }).waitFor();
-    const before = await Promise.all([1, 2, 3, 4].map((run) => time(page, run)));
+    const times = () => Promise.all([1, 2, 3, 4].map((run) => time(page, run)));
+    const before = await settled(times, 'time stands still in all');
     await bar.getByRole('button', { name: 'Step all' }).click();
     await eventually(
-      async () =>
-        (await Promise.all([1, 2, 3, 4].map((run) => time(page, run)))).every(
-          (now, i) => Math.abs(now - before[i]! - 0.1) < 0.01,
-        ),
+      async () => (await times()).every((now, i) => Math.abs(now - before[i]! - 0.1) < 0.01),
       'each has gone on for a step',
     );
     await bar.getByRole('button', { name: 'Go on' }).click();

@@ -10,3 +10,16 @@ export async function eventually(holds: () => Promise<boolean>, what: string): P
     await new Promise((resolve) => setTimeout(resolve, 100));
   }
 }
+
+/** Waits until something is the same three times in a row, and tells what that is. */
+export async function settled<T>(look: () => Promise<T>, what: string): Promise<T> {
+  const seen: string[] = [];
+  let now = await look();
+  await eventually(async () => {
+    now = await look();
+    seen.push(JSON.stringify(now));
+    await new Promise((resolve) => setTimeout(resolve, 200));
+    return seen.length > 2 && new Set(seen.slice(-3)).size === 1;
+  }, what);
+  return now;
+}

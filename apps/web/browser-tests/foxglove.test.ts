@@ -111,7 +111,7 @@ it("shows a run to Foxglove's own client, and takes goals from it", async () => 
     const pose = { position: { x: 0, y: 0, z: 0 }, orientation: { x: 0, y: 0, z: 0, w: 1 } };
     studio.publish('/hunter-1/goal', { header: { frame_id: 'map' }, pose });
     await expect
-      .poll(() => studio.statuses)
+      .poll(() => studio.statuses, { timeout: 30_000 })
       .toContainEqual(expect.stringContaining('hunter-1: goes to 0.00 0.00'));
     studio.publish('/hunter-1/goal', { header: { frame_id: 'odom' }, pose });
     await expect
@@ -128,7 +128,7 @@ it("shows a run to Foxglove's own client, and takes goals from it", async () => 
     expect(taken.status).toBe(200);
     studio.publish('/hunter-1/goal', { header: { frame_id: 'map' }, pose });
     await expect
-      .poll(() => studio.statuses)
+      .poll(() => studio.statuses, { timeout: 30_000 })
       .toContainEqual(expect.stringContaining('ERROR Anna has control of this run.'));
   } finally {
     studio.close();

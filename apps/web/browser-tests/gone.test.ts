@@ -54,7 +54,7 @@ describe.skipIf(!chromium)('a robot that is gone', () => {
     await eventually(async () => (await age(says('stays'))) > robot + 1, 'it is gone for longer');
     await eventually(async () => (await age(agent.innerText())) > before, 'nothing is heard of its agent');
     await picture(page, 'gone-for');
-    expect(await row('vanishes').locator('.behavior').innerText(), 'it is there again').not.toContain('gone');
+    await eventually(async () => !(await says('vanishes')).includes('gone'), 'the other one is there again');
   });
 
   it('can be told something again once it is back', async () => {
@@ -64,7 +64,9 @@ describe.skipIf(!chromium)('a robot that is gone', () => {
     await page.locator('.card .gone').waitFor({ state: 'detached' });
     const send = page.getByRole('button', { name: 'Send…', exact: true });
     await eventually(async () => !(await send.isDisabled()), 'it can be sent');
-    await page.waitForTimeout(1500);
-    expect(asked).toBe(1);
+    const sofar = asked;
+    expect(sofar).toBeGreaterThan(0);
+    await page.waitForTimeout(1500); // while the details go on changing
+    expect(asked).toBe(sofar);
   });
 });

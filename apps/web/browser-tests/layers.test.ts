@@ -243,13 +243,15 @@ describe.skipIf(!chromium)('each layer of the map', () => {
     const isOn = (await chip.getAttribute('aria-pressed')) === 'true';
     await keep(isOn ? 'shown' : 'without');
     await chip.click();
-    await page.waitForTimeout(100);
+    await eventually(async () => {
+      await keep('now');
+      return (await differences(isOn ? 'shown' : 'without', 'now')).length > 20;
+    }, 'it is seen');
     await settled();
     await picture(page, `layer-${name}`);
     await keep(isOn ? 'without' : 'shown');
     const changed = await differences('without', 'shown');
 
-    expect(changed.length, 'it is seen').toBeGreaterThan(20);
     for (const place of at) {
       expect(
         changed.some((pixel) => distance(pixel, place) < 0.03),

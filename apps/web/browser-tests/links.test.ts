@@ -27,12 +27,18 @@ describe.skipIf(!chromium)('who hears whom', () => {
 
   const drawn = (page: Page) => drawnOn(page, 'standing');
 
+  /** How much is drawn once robots are. */
+  async function somethingDrawn(page: Page) {
+    await eventually(async () => (await drawn(page)) > 0, 'robots are drawn');
+    return drawn(page);
+  }
+
   it('is drawn, and asked for, only while the layer is on', async () => {
     const page = await opened('light');
     const asked: string[] = [];
     page.on('request', (request) => asked.push(new URL(request.url()).pathname));
+    const before = await somethingDrawn(page);
     await page.waitForTimeout(1000);
-    const before = await drawn(page);
     expect(asked.filter((path) => path === '/api/links')).toEqual([]);
     await layer(page).click();
     await eventually(async () => (await drawn(page)) > before + 1000, 'lines are drawn');
@@ -63,7 +69,7 @@ describe.skipIf(!chromium)('who hears whom', () => {
 
   it('is shown of what has been, too', async () => {
     const page = await opened('light');
-    const without = await drawn(page);
+    const without = await somethingDrawn(page);
     await layer(page).click();
     await eventually(async () => (await drawn(page)) > without + 1000, 'lines are drawn');
     await page.keyboard.press(',');

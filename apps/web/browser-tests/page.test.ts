@@ -2,7 +2,7 @@ import { fileURLToPath } from 'node:url';
 import type { Locator, Page } from 'playwright-core';
 import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { chromium } from './chromium';
-import { eventually } from './eventually';
+import { eventually, settled } from './eventually';
 import { Rsal } from './rsal';
 import { expectAccessible, visits } from './visits';
 import { drag, onScreen, poseOf, timeOn } from './world';
@@ -33,20 +33,11 @@ describe.skipIf(!chromium)('the page', () => {
   async function pause() {
     await page.getByRole('button', { name: 'Pause' }).click();
     await page.getByRole('button', { name: 'Resume' }).waitFor();
-    await settled();
+    await stands();
   }
 
   /** What was sent before the pause has been drawn. */
-  async function settled() {
-    let before = -1;
-    await eventually(async () => {
-      const now = await time();
-      const same = now === before;
-      before = now;
-      await page.waitForTimeout(300);
-      return same;
-    }, 'time stands still');
-  }
+  const stands = () => settled(() => time(), 'time stands still');
 
   const picture = () => page.locator('#map').screenshot();
 
@@ -84,7 +75,7 @@ describe.skipIf(!chromium)('the page', () => {
 
     await page.getByRole('button', { name: 'Step' }).click();
     await eventually(async () => (await time()) > paused, 'a step was made');
-    await settled();
+    await stands();
     expect(await time()).toBeCloseTo(paused + 0.1);
 
     await page.keyboard.press('p');

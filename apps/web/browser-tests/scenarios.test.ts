@@ -86,6 +86,7 @@ describe.skipIf(!chromium)('the choice of a scenario', () => {
     await form.getByLabel('Agents on').selectOption('jason');
     await form.getByRole('button', { name: 'Run', exact: true }).click();
     await page.locator('tr[data-robot="courier-1"]').waitFor();
+    await form.waitFor({ state: 'hidden' });
     await page.keyboard.press('r');
     const again = page.getByRole('dialog', { name: 'Restart' });
     expect(await again.getByLabel('Agents on').inputValue()).toBe('jason');
