@@ -28,11 +28,12 @@ class LauncherIT {
     private static final String SOURCE = """
             package rsal.cli;
             public class Main {
-                public static void main(String[] args) {
+                public static void main(String[] args) throws java.io.IOException {
                     System.out.println("args " + String.join(" ", args));
                     System.out.println("in " + System.getProperty("user.dir"));
                     System.out.println("page " + System.getProperty("rsal.page"));
                     System.out.println("launcher " + System.getProperty("rsal.launcher"));
+                    if (args[0].equals("wait")) System.in.read();
                 }
             }
             """;
@@ -176,6 +177,38 @@ class LauncherIT {
         Files.delete(source);
         run("list");
         assertThat(builds()).hasSize(2);
+    }
+
+    @Test
+    void keepsABuildForAsLongAsSomethingRunsFromIt() throws Exception {
+        Process waiting = start(project, "./rsal", "wait");
+        try (var out = waiting.inputReader()) {
+            assertThat(out.readLine()).isEqualTo("args wait");
+            Path first = published();
+            buildAgain(4);
+            assertThat(first).exists();
+
+            waiting.getOutputStream().close();
+            assertThat(waiting.waitFor()).isZero();
+            buildAgain(1);
+            assertThat(first).doesNotExist();
+        }
+    }
+
+    private Path published() throws IOException {
+        Path state = project.resolve("target/launcher");
+        return state.resolve(Files.readString(state.resolve("java")).strip());
+    }
+
+    private void buildAgain(int times) throws Exception {
+        Path source = project.resolve("apps/cli/src/main/New.java");
+        for (int i = 0; i < times; i++) {
+            Path before = published();
+            Files.writeString(source, "");
+            Files.setLastModifiedTime(source, FileTime.from(Instant.now().plusSeconds(5)));
+            run("list");
+            assertThat(published()).isNotEqualTo(before);
+        }
     }
 
     @Test
