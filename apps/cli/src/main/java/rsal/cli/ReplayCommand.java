@@ -98,7 +98,7 @@ final class ReplayCommand extends Subcommand {
                 out().println(text(finding));
                 out().flush();
             }
-            return finding instanceof Finding.Different ? Exit.NO_SUCCESS : Exit.SUCCESS;
+            return finding instanceof Finding.Different || isNothing(finding) ? Exit.NO_SUCCESS : Exit.SUCCESS;
         }
     }
 
@@ -110,7 +110,17 @@ final class ReplayCommand extends Subcommand {
         }
     }
 
+    /// Whether there was nothing in the recording to compare: it may have been cut off soon after it began.
+    private static boolean isNothing(Finding finding) {
+        return finding instanceof Finding.Same same
+                && !same.isWhole()
+                && same.compared().equals(Compared.NOTHING);
+    }
+
     private static String text(Finding finding) {
+        if (isNothing(finding)) {
+            return "Nothing was compared: the recording ends before anything happened.";
+        }
         return switch (finding) {
             case Finding.Same same
             when same.isWhole() -> "The same: %s in %s s.".formatted(words(same.compared()), seconds(same.until()));

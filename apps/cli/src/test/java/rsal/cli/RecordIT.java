@@ -73,6 +73,17 @@ class RecordIT {
     }
 
     @Test
+    void whatHoldsNothingToCompareIsNotCalledTheSame() throws Exception {
+        rsal.run("run", "--headless", "--speed", "max", "--seed", "7", "--for", "20", "--record", "run.mcap");
+        byte[] whole = Files.readAllBytes(folder.resolve("run.mcap"));
+        Files.write(folder.resolve("run.mcap"), Arrays.copyOf(whole, 40_000)); // scenario and map, no whole chunk after
+        Ended verified = rsal.run("replay", "run.mcap", "--verify");
+        assertThat(verified.code()).as(verified.err()).isEqualTo(Exit.NO_SUCCESS);
+        assertThat(verified.out()).contains("Nothing was compared");
+        assertThat(verified.err()).contains("cut off");
+    }
+
+    @Test
     void foxgloveIsToldWhereToLook() throws Exception {
         Ended plain = rsal.run("run", "--headless", "--speed", "max", "--seed", "7", "--for", "2", "--json");
         Ended run = rsal.run(

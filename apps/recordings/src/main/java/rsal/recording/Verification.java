@@ -42,7 +42,7 @@ public final class Verification {
     /// @param messages that are by the hash over all that happened
     /// @param states of all robots and agents that are by that hash
     public record Compared(int events, int messages, int states) {
-        static final Compared NOTHING = new Compared(0, 0, 0);
+        public static final Compared NOTHING = new Compared(0, 0, 0);
     }
 
     /// What came of it.
