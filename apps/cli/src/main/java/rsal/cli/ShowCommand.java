@@ -150,13 +150,15 @@ final class ShowCommand extends Subcommand {
         }
         Optional<String> closest = Suggestion.closest(
                 typed, Stream.concat(scenarios.stream(), others(others)).toList());
-        boolean isOther =
-                closest.filter(name -> others(others).anyMatch(name::equals)).isPresent();
-        if (isOther && !typed.contains(".") && !typed.contains("/")) {
+        boolean mayBeAScenario = closest.filter(scenarios::contains).isPresent();
+        if (!mayBeAScenario && !typed.contains(".") && !typed.contains("/") && !Files.exists(Path.of(typed))) {
             throw new InvalidSettings(
                     Location.of(typed),
                     "There is nothing called (%s).".formatted(typed),
-                    "Maybe (%s) was meant?".formatted(closest.orElseThrow()));
+                    closest.map("Maybe (%s) was meant?"::formatted)
+                            .orElse(
+                                    "`rsal list` says what there is. Your own scenarios, worlds, maps and recordings go by"
+                                            + " their files."));
         }
     }
 

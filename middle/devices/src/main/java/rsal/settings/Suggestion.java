@@ -2,6 +2,7 @@ package rsal.settings;
 
 import java.util.Collection;
 import java.util.Comparator;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -9,6 +10,7 @@ import java.util.stream.Collectors;
 /// Guesses what a person meant.
 public final class Suggestion {
     private static final int MOST = 40; // words to name
+    private static final int LEAST = 3; // letters of a word for short
 
     private Suggestion() {}
 
@@ -25,7 +27,8 @@ public final class Suggestion {
         return known.size() > MOST ? "%s, and %d more".formatted(first, known.size() - MOST) : first;
     }
 
-    /// The known word that takes the fewest changes, if that is at most a third of its letters.
+    /// The known word that takes the fewest changes, if that is at most a third of its letters; else the only one that
+    /// begins so, which somebody may call it for short.
     public static Optional<String> closest(String read, Collection<String> known) {
         String lower = read.toLowerCase(Locale.ROOT);
         if (lower.length() > 100) {
@@ -35,7 +38,16 @@ public final class Suggestion {
                 .map(word -> new Candidate(word, distance(lower, word.toLowerCase(Locale.ROOT))))
                 .filter(c -> c.distance <= Math.max(1, c.word.length() / 3))
                 .min(Comparator.comparingInt(Candidate::distance))
-                .map(Candidate::word);
+                .map(Candidate::word)
+                .or(() -> whole(lower, known));
+    }
+
+    private static Optional<String> whole(String beginning, Collection<String> known) {
+        List<String> words = known.stream()
+                .filter(word -> word.toLowerCase(Locale.ROOT).startsWith(beginning))
+                .limit(2)
+                .toList();
+        return beginning.length() >= LEAST && words.size() == 1 ? Optional.of(words.getFirst()) : Optional.empty();
     }
 
     private record Candidate(String word, int distance) {}

@@ -14,6 +14,15 @@ class SuggestionTest {
     }
 
     @Test
+    void guessesTheOnlyWordThatBeginsSo() {
+        assertThat(Suggestion.among("hunt", List.of("patrol", "hunt-and-prey")))
+                .isEqualTo("Maybe (hunt-and-prey) was meant?");
+        assertThat(Suggestion.among("wall", List.of("wall-follow", "wallDistance")))
+                .isEqualTo("Known are: wall-follow, wallDistance.");
+        assertThat(Suggestion.among("hu", List.of("hunt-and-prey"))).isEqualTo("Known are: hunt-and-prey.");
+    }
+
+    @Test
     void listsWhatIsKnownWhenNothingIsClose() {
         assertThat(Suggestion.among("x", List.of("hunter", "prey"))).isEqualTo("Known are: hunter, prey.");
         assertThat(Suggestion.among("x", List.of())).isEqualTo("Nothing is known here.");
