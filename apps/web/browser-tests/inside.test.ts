@@ -35,7 +35,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
       'one goal has the robot',
     );
     expect(await goals.locator('[data-state="PURSUED"]').innerText()).toContain('has the robot');
-    expect(await page.locator('ul:has([data-goal])').count(), 'of one agent').toBe(1);
+    expect(await page.locator('[data-agent]:has([data-goal])').count(), 'of one agent').toBe(1);
     const panel = (await page.getByRole('region', { name: 'Agents' }).boundingBox())!;
     const first = (await goals.locator('[data-goal]').first().boundingBox())!;
     expect(first.y + first.height).toBeLessThan(panel.y + panel.height);
@@ -154,7 +154,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     await spread.getByRole('button', { name: 'Stop it' }).click();
     await spread.getByRole('button', { name: 'Start it again' }).click();
     await spread.getByRole('button', { name: 'Stop it' }).waitFor();
-    await page.getByLabel('Filter events').fill('started'); // others come all the time
+    await page.getByRole('searchbox', { name: 'Filter events' }).fill('started'); // others come all the time
     await page.getByText('started again').first().waitFor();
     await look(page, 'nav-1');
     await agent(page, 'nav-1').getByRole('button', { name: 'Another like it' }).click();

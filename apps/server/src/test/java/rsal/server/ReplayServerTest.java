@@ -194,8 +194,8 @@ class ReplayServerTest {
     void tellsAboutAgentsThatPeopleStarted() throws Exception {
         server.close();
         Path file = folder.resolve("by-hand.mcap");
-        RunPlan plan = Scenario.load("hunt-and-prey")
-                .plan(RunOptions.NONE.withSpeed(1).withLimit(Duration.ofSeconds(2)));
+        RunPlan plan =
+                Scenario.load("hunt-and-prey").plan(RunOptions.NONE.withSpeed(1).withLimit(Duration.ofSeconds(2)));
         RecordedPastTest.record(plan, file, run -> {
             run.pause(); // else it might be over
             CompletionStage<Answer> added = run.addAgent("escape-1", "prey-1");
