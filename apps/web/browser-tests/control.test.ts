@@ -27,10 +27,13 @@ describe.skipIf(!chromium)('control, of several who have the token', () => {
 
   it('is taken by a click, and leaves the others to watch', async () => {
     expect(await pause(bob).isEnabled()).toBe(true);
+    const stop = bob.getByRole('button', { name: 'Emergency stop', exact: true });
+    const before = await stop.boundingBox();
     await ann.getByRole('button', { name: 'Take control', exact: true }).click();
     await picture(ann, 'control-take');
     await take(ann, 'Ann');
     await bob.getByRole('button', { name: 'Ann has control' }).waitFor();
+    expect(await stop.boundingBox(), 'it is where it was').toEqual(before);
     expect(await pause(bob).isEnabled()).toBe(false);
     expect(await pause(ann).isEnabled()).toBe(true);
     await picture(bob, 'control-others');
