@@ -18,6 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 class TutorialIT {
     private static final Path TUTORIALS = Path.of("../../docs/tutorials");
     private static final String PROMPT = "$ ./rsal ";
+    private static final String WATCHED = "./rsal run ";
 
     @TempDir
     Path folder;
@@ -131,6 +132,26 @@ class TutorialIT {
             }
         }
         assertThat(commands).isPositive();
+        for (String line :
+                tutorial.lines().filter(line -> line.startsWith(WATCHED)).toList()) {
+            watch(line, rsal.withPage());
+        }
+    }
+
+    /// Runs that are to be watched stand without a prompt. They are ended once their page is there.
+    private static void watch(String line, Rsal rsal) throws Exception {
+        Process run = rsal.start(line.substring("./rsal ".length()).split(" "));
+        try (var err = run.errorReader()) {
+            String said = err.readLine();
+            while (said != null && !said.startsWith("Watch it at ")) {
+                said = err.readLine();
+            }
+            assertThat(said).as(line).isNotNull();
+            Ended.signal("INT", run);
+            assertThat(run.waitFor()).as(line).isEqualTo(130);
+        } finally {
+            run.destroyForcibly();
+        }
     }
 
     private void compile(List<String> classes) throws IOException {

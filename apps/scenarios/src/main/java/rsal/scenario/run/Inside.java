@@ -9,7 +9,8 @@ import rsal.scenario.RunPlan.PlannedAgent;
 /// How an agent was started, what it believes, wants and does, and what it talks about: made for those who look into
 /// it.
 ///
-/// @param planned how it was started; empty where that is not known, as recordings tell it of no others
+/// @param planned how it was started; empty where that is not known: of agents that people started, a recording
+///     does not tell it
 /// @param shown how it is and what it shows of itself, which any agent may; empty when it has not started
 /// @param mind empty when it has none, or has ended
 /// @param program the rules and plans that it goes by, where it is written in a language for agents
