@@ -45,7 +45,7 @@ export const parts = [
   {
     title: 'Reference',
     groups: [
-      { title: 'Commands', pages: docs('reference', 'command-line', 'sweeps', 'benchmarks') },
+      { title: 'Commands', pages: docs('reference', 'command-line', 'sweeps', 'benchmarks', 'results') },
       {
         title: 'What is there',
         pages: docs('reference', 'agents', 'devices', 'robot-models'),
