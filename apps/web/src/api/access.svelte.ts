@@ -1,5 +1,3 @@
-import { framed } from '../framed';
-
 const KEY = 'rsal.token';
 const OPERATOR = 'rsal.operator';
 
@@ -24,14 +22,11 @@ class Access {
 
   /**
    * A tab that was duplicated has all that the first one keeps, its id, too. It asks whether another one has that, and
-   * is somebody else then.
+   * is somebody else then. Not for frames, which are in the same tab.
    *
    * @param becomesOther called when it is
    */
   tellFromOtherTabs(becomesOther: () => void) {
-    if (framed) {
-      return;
-    }
     const tabs = new BroadcastChannel('rsal.tabs');
     tabs.onmessage = ({ data }: MessageEvent<{ asks?: string; has?: string }>) => {
       if (data.asks === this.id) {

@@ -39,10 +39,12 @@ class Control {
    * @param possible whether there is something to control; null while that is not known
    */
   start(possible: () => boolean | null) {
-    access.tellFromOtherTabs(() => {
-      sessionStorage.removeItem(HAD);
-      this.mine = false;
-    });
+    if (!framed) {
+      access.tellFromOtherTabs(() => {
+        sessionStorage.removeItem(HAD);
+        this.mine = false;
+      });
+    }
     void this.ask(possible);
     addEventListener('pagehide', () => {
       if (this.mine && !framed) {
