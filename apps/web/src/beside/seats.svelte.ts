@@ -1,3 +1,4 @@
+import { tick } from 'svelte';
 import { api, seats as ask } from '../api/client';
 import type { SeatInfo, SideBySide } from '../api/messages';
 import { attempt } from '../notices.svelte';
@@ -10,10 +11,12 @@ const PERIOD_MILLIS = 500;
 class Seats {
   private told = $state.raw<SideBySide | null>(null);
   private looks = 0;
+  /** Numbers of runs that were closed here: their frames go first, so that none asks about a run that is gone. */
+  private closed = $state.raw<readonly number[]>([]);
   connection = $state<'connecting' | 'open' | 'gone'>('connecting');
 
   get runs(): readonly SeatInfo[] {
-    return this.told?.runs ?? [];
+    return this.told?.runs.filter(({ number }) => !this.closed.includes(number)) ?? [];
   }
 
   /** Those that are not over. */
@@ -77,7 +80,11 @@ class Seats {
   }
 
   async close(run: SeatInfo): Promise<void> {
-    await attempt(ask.close(run.number));
+    this.closed = [...this.closed, run.number];
+    await tick(); // frames are gone
+    if (!(await attempt(ask.close(run.number)))) {
+      this.closed = this.closed.filter((number) => number !== run.number);
+    }
     await this.look();
   }
 }
