@@ -118,10 +118,9 @@ final class ReplayCommand extends Subcommand {
     }
 
     private static String text(Finding finding) {
-        if (isNothing(finding)) {
-            return "Nothing was compared: the recording ends before anything happened.";
-        }
         return switch (finding) {
+            case Finding.Same same
+            when isNothing(same) -> "Nothing was compared: the recording ends before anything happened.";
             case Finding.Same same
             when same.isWhole() -> "The same: %s in %s s.".formatted(words(same.compared()), seconds(same.until()));
             case Finding.Same same ->

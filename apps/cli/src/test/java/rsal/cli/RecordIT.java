@@ -2,8 +2,6 @@ package rsal.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.BufferedReader;
-import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.URI;
@@ -169,7 +167,7 @@ class RecordIT {
         var frames = new AtomicInteger();
         try (var err = process.errorReader();
                 var client = HttpClient.newHttpClient()) {
-            URI page = page(err);
+            URI page = Rsal.page(err);
             client.newWebSocketBuilder()
                     .buildAsync(URI.create("ws://" + page.getAuthority() + "/api/live"), new WebSocket.Listener() {
                         @Override
@@ -205,7 +203,7 @@ class RecordIT {
         for (String file : List.of("run.mcap", "cut.mcap")) {
             Process process = rsal.withPage().start("replay", file, "--port", "0");
             try (var err = process.errorReader()) {
-                URI url = page(err);
+                URI url = Rsal.page(err);
                 assertThat(ask(url.resolve("/api/run"))
                                 .get("recording")
                                 .get("name")
@@ -230,15 +228,6 @@ class RecordIT {
                 process.destroyForcibly().waitFor();
             }
         }
-    }
-
-    private static URI page(BufferedReader err) throws IOException {
-        String line = "";
-        while (!line.startsWith("Watch it at ")) {
-            line = err.readLine();
-            assertThat(line).as("tells the address").isNotNull();
-        }
-        return URI.create(line.substring("Watch it at ".length()));
     }
 
     private static JsonNode ask(URI url) throws Exception {

@@ -1,7 +1,11 @@
 package rsal.cli;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -63,6 +67,16 @@ final class Rsal {
 
     Ended run(String... arguments) throws Exception {
         return Ended.of(start(arguments));
+    }
+
+    /// Reads on until a command tells where its page is.
+    static URI page(BufferedReader err) throws IOException {
+        String line = "";
+        while (!line.startsWith("Watch it at ")) {
+            line = err.readLine();
+            assertThat(line).as("tells the address").isNotNull();
+        }
+        return URI.create(line.substring("Watch it at ".length()));
     }
 
     List<String> command(String... arguments) {

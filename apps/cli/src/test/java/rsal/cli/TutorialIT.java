@@ -142,11 +142,7 @@ class TutorialIT {
     private static void watch(String line, Rsal rsal) throws Exception {
         Process run = rsal.start(line.substring("./rsal ".length()).split(" "));
         try (var err = run.errorReader()) {
-            String said = err.readLine();
-            while (said != null && !said.startsWith("Watch it at ")) {
-                said = err.readLine();
-            }
-            assertThat(said).as(line).isNotNull();
+            Rsal.page(err);
             Ended.signal("INT", run);
             assertThat(run.waitFor()).as(line).isEqualTo(130);
         } finally {

@@ -20,6 +20,8 @@ class HistoryTest {
     private static final int FRAME_BYTES = 1000;
 
     private final FakeFeed feed = new FakeFeed();
+    private final Times line = new Times();
+    private final Viewer viewer = new Viewer(line, new ViewerCounts());
 
     @Test
     void hasTheNewestMomentByATime() {
@@ -97,65 +99,59 @@ class HistoryTest {
     @Test
     void aViewerLooksBackAndIsInThePresentAgain() {
         var history = new History(feed);
-        var line = new Times();
-        var viewer = new Viewer(line, new ViewerCounts());
         keepFiveSeconds(history);
-        offer(viewer, history);
+        offer(history);
         assertThat(line.newest()).isEqualTo("5.0 now");
         viewer.received(look(new LookBack(
                 Optional.of(false), Optional.of(2.0), Optional.of(0), Optional.of(false), Optional.empty())));
-        offer(viewer, history);
+        offer(history);
         assertThat(line.newest()).isEqualTo("2.0 past");
         keep(history, 51); // the run goes on
-        offer(viewer, history);
+        offer(history);
         assertThat(line.newest()).isEqualTo("2.0 past");
 
         viewer.received(look(new LookBack(
                 Optional.of(false), Optional.empty(), Optional.of(0), Optional.of(true), Optional.of("10"))));
-        offer(viewer, history); // there
-        offer(viewer, history); // and half a second on
+        offer(history); // there
+        offer(history); // and half a second on
         assertThat(line.newest()).isEqualTo("2.5 past");
         viewer.received(look(new LookBack(
                 Optional.of(true), Optional.empty(), Optional.of(0), Optional.of(false), Optional.empty())));
-        offer(viewer, history);
+        offer(history);
         assertThat(line.newest()).isEqualTo("5.1 now");
 
         viewer.received(look(new LookBack(
                 Optional.of(false), Optional.of(4.9), Optional.of(0), Optional.of(true), Optional.of("100"))));
-        offer(viewer, history);
-        offer(viewer, history); // plays up to the present
+        offer(history);
+        offer(history); // plays up to the present
         assertThat(line.newest()).isEqualTo("5.1 now");
     }
 
     @Test
     void looksThatComeBetweenTwoOffersAllCount() {
         var history = new History(feed);
-        var line = new Times();
-        var viewer = new Viewer(line, new ViewerCounts());
         keepFiveSeconds(history);
         var back = new LookBack(
                 Optional.of(false), Optional.empty(), Optional.of(-1), Optional.of(false), Optional.empty());
         viewer.received(look(wish(2, 0)));
         viewer.received(look(back));
         viewer.received(look(back));
-        offer(viewer, history);
+        offer(history);
         assertThat(line.newest()).isEqualTo("1.8 past");
         viewer.received(look(back));
         viewer.received(look(wish(3, 0)));
-        offer(viewer, history);
+        offer(history);
         assertThat(line.newest()).isEqualTo("3.0 past");
         viewer.received(look(new LookBack(
                 Optional.of(true), Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty())));
         viewer.received(look(back));
-        offer(viewer, history);
+        offer(history);
         assertThat(line.newest()).isEqualTo("4.9 past");
     }
 
     @Test
     void aRecordingPlaysOnceItIsShown() {
         var history = new History(feed);
-        var line = new Times();
-        var viewer = new Viewer(line, new ViewerCounts());
         keepFiveSeconds(history);
         for (int i = 0; i < 20; i++) {
             viewer.offer(null, history, Duration.ofMillis(50)); // its page is still loading
@@ -172,16 +168,14 @@ class HistoryTest {
     @Test
     void whoLooksBackIsToldWhoseMotorsAreOffNow() {
         var history = new History(feed);
-        var line = new Times();
-        var viewer = new Viewer(line, new ViewerCounts());
         keep(history, 0);
         keep(history, 50);
         viewer.received(look(new LookBack(
                 Optional.of(false), Optional.of(0.0), Optional.of(0), Optional.of(false), Optional.empty())));
-        offer(viewer, history);
+        offer(history);
         assertThat(line.newestReach()).contains("\"motors\":{\"all\":false,\"of\":[],\"switchedOff\":[]}");
         feed.motorsOff = new MotorsOff(false, List.of("prey-1"), List.of("prey-1"));
-        offer(viewer, history); // at once, though nothing else is new
+        offer(history); // at once, though nothing else is new
         assertThat(line.newest()).isEqualTo("0.0 past");
         assertThat(line.newestReach())
                 .contains("\"motors\":{\"all\":false,\"of\":[\"prey-1\"],\"switchedOff\":[\"prey-1\"]}");
@@ -190,19 +184,17 @@ class HistoryTest {
     @Test
     void whoLooksBackSeesTheNextRunWhenThatBegins() {
         var history = new History(feed);
-        var line = new Times();
-        var viewer = new Viewer(line, new ViewerCounts());
         keep(history, 0);
         keep(history, 7);
         viewer.received(look(new LookBack(
                 Optional.of(false), Optional.of(0.0), Optional.of(0), Optional.of(false), Optional.empty())));
-        offer(viewer, history);
+        offer(history);
         assertThat(line.newest()).isEqualTo("0.0 past");
         feed.number = 2;
         feed.tenth = 1;
         var next = new History(feed);
         keep(next, 1);
-        offer(viewer, next);
+        offer(next);
         assertThat(line.newest()).isEqualTo("0.1 now");
     }
 
@@ -232,7 +224,7 @@ class HistoryTest {
         history.keep(Duration.ofMillis(100L * tenth), false);
     }
 
-    private void offer(Viewer viewer, History history) {
+    private void offer(History history) {
         viewer.offer(feed, history, Duration.ofMillis(50));
         viewer.received(new Receipt(Optional.of(Long.MAX_VALUE), Optional.empty(), Optional.empty()));
     }
