@@ -24,8 +24,9 @@ public record LaserScan(
         return angleMin + beam * angleIncrement;
     }
 
-    /// True where something was measured; false for nothing there, too close, and broken.
+    /// True where something was measured; false for nothing there, too close, and broken. 0 m never was: drivers
+    /// say so of beams that measured nothing.
     public boolean isHit(int beam) {
-        return ranges[beam] >= rangeMin && ranges[beam] <= rangeMax;
+        return ranges[beam] >= rangeMin && ranges[beam] <= rangeMax && ranges[beam] > 0;
     }
 }

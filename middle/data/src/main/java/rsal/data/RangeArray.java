@@ -23,7 +23,8 @@ public record RangeArray(
         return ranges.length;
     }
 
+    /// True where something was measured, as [LaserScan#isHit] has it.
     public boolean isHit(int sensor) {
-        return ranges[sensor] >= rangeMin && ranges[sensor] <= rangeMax;
+        return ranges[sensor] >= rangeMin && ranges[sensor] <= rangeMax && ranges[sensor] > 0;
     }
 }

@@ -28,6 +28,17 @@ class RangesTest {
     }
 
     @Test
+    void noughtIsNoHitWhateverTheLeastRange() {
+        float[] ranges = {0, 0.001f};
+        var scan = new LaserScan(Pose2d.ORIGIN, -1, 0.5, 0, 5, ranges);
+        var sonars = new RangeArray(mounts(2), 0.5, 0, 5, ranges);
+        assertThat(scan.isHit(0)).isFalse();
+        assertThat(sonars.isHit(0)).isFalse();
+        assertThat(scan.isHit(1)).isTrue();
+        assertThat(sonars.isHit(1)).isTrue();
+    }
+
+    @Test
     void eachSensorHasARange() {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new RangeArray(mounts(3), 0.5, 0.2, 5, new float[2]))

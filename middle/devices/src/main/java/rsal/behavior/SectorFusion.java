@@ -285,10 +285,14 @@ public final class SectorFusion {
     }
 
     /// A reading after REP 117 as a distance: what is too close is at the sensor's least range, what is beyond
-    /// the limit is nothing, what is broken stays NaN.
+    /// the limit is nothing, what is broken stays NaN. So is 0 m, unless the sensor's least range says that it is
+    /// less than can be measured.
     private double measured(double range, double min, double max) {
         if (range < min) {
             return min;
+        }
+        if (range == 0) {
+            return Double.NaN;
         }
         return range > Math.min(max, limit) ? Double.POSITIVE_INFINITY : range;
     }

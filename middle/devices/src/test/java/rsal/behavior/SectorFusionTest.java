@@ -48,6 +48,12 @@ class SectorFusionTest {
     }
 
     @Test
+    void noughtIsNoReadingWhereNothingIsTooClose() {
+        var none = new LaserScan(LASER, Math.toRadians(-90), Math.toRadians(0.5), 0, 30, ranges(0));
+        assertThat(fuse(none, null).things()).isZero();
+    }
+
+    @Test
     void theSmallerRangeCounts() {
         assertThat(fuse(scan(3), sonar(1)).nearest(-0.05, 0.05)).as("glass").isCloseTo(1, within(0.05));
         assertThat(fuse(scan(2), sonar(4)).nearest(-0.05, 0.05)).as("cloth").isCloseTo(2.1, within(0.05));

@@ -6,8 +6,9 @@ import rsal.data.LaserScan;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 
-/// Remembers what was near the robot before it came to where the laser doesn't look: the door post that the tail
-/// would swing into. Walls are remembered until they are out of reach, what may move only for a while.
+/// Remembers what was near the robot before it came to where the laser doesn't look, or where its beams are broken:
+/// the door post that the tail would swing into. Walls are remembered until they are out of reach, what may move only
+/// for a while.
 public final class BlindSpot {
     private static final int MOST = 1024;
 
@@ -71,6 +72,6 @@ public final class BlindSpot {
 
     private static boolean isLookedAt(LaserScan scan, Point2d place) {
         Pose2d mount = scan.baseFromLaser();
-        return Obstacles.covers(scan, Math.atan2(place.y() - mount.y(), place.x() - mount.x()));
+        return Obstacles.looks(scan, Math.atan2(place.y() - mount.y(), place.x() - mount.x()));
     }
 }

@@ -79,12 +79,12 @@ public final class Obstacles {
         sighted = false;
     }
 
-    /// A range under the scanner's least counts as that least one.
+    /// A range under the scanner's least counts as that least one; 0 m that are not under it are none.
     public void add(LaserScan scan) {
         Pose2d mount = scan.baseFromLaser();
         double farthest = Math.min(reach + mount.position().distanceTo(ORIGIN), scan.rangeMax());
         for (int i = 0; i < scan.count(); i++) {
-            double range = range(scan, i);
+            double range = range(scan.ranges()[i], scan.rangeMin());
             if (range <= farthest) {
                 add(mount, scan.angle(i), range);
             }
@@ -93,15 +93,18 @@ public final class Obstacles {
         sighted = false;
     }
 
-    private static double range(LaserScan scan, int beam) {
-        double range = scan.ranges()[beam];
-        return range < scan.rangeMin() ? scan.rangeMin() : range; // −∞ too
+    /// @return NaN where nothing was measured
+    private static double range(double shown, double least) {
+        if (shown < least) {
+            return least; // −∞ too
+        }
+        return shown == 0 ? Double.NaN : shown;
     }
 
     private void see(LaserScan scan) {
         double farthest = Math.min(reach, scan.rangeMax());
         for (int i = 0; i < scan.count(); i++) {
-            double range = range(scan, i);
+            double range = range(scan.ranges()[i], scan.rangeMin());
             if (range > 0) {
                 see(scan.baseFromLaser(), scan.angle(i), Math.min(range, farthest));
             }
@@ -125,13 +128,27 @@ public final class Obstacles {
 
     /// Only of sonars that look where a laser scan does not reach.
     public void addBeside(LaserScan scan, RangeArray sonars) {
-        add(sonars, direction -> covers(scan, direction));
+        add(sonars, direction -> looks(scan, direction));
     }
 
-    /// Whether a laser scan looks in a direction of the base frame [rad].
+    /// Whether a laser scan reaches in a direction of the base frame [rad], whatever its beams say.
     public static boolean covers(LaserScan scan, double direction) {
+        return fromFirst(scan, direction) <= (scan.count() - 1) * scan.angleIncrement();
+    }
+
+    /// Whether a laser scan says what is in a direction of the base frame [rad]: its nearest beam is not broken.
+    static boolean looks(LaserScan scan, double direction) {
+        if (!covers(scan, direction)) {
+            return false;
+        }
+        int beam = scan.count() == 1 ? 0 : (int) Math.round(fromFirst(scan, direction) / scan.angleIncrement());
+        return !Double.isNaN(range(scan.ranges()[beam], scan.rangeMin()));
+    }
+
+    /// By what angle a direction is counter-clockwise of the first beam [rad].
+    private static double fromFirst(LaserScan scan, double direction) {
         double angle = Angles.difference(scan.baseFromLaser().theta() + scan.angleMin(), direction);
-        return (angle < 0 ? angle + 2 * Math.PI : angle) <= (scan.count() - 1) * scan.angleIncrement();
+        return angle < 0 ? angle + 2 * Math.PI : angle;
     }
 
     private void add(RangeArray sonars, DoublePredicate covered) {
@@ -139,7 +156,7 @@ public final class Obstacles {
             if (covered.test(sonars.baseFromSensors().get(i).theta())) {
                 continue;
             }
-            double range = sonars.ranges()[i] < sonars.rangeMin() ? sonars.rangeMin() : sonars.ranges()[i];
+            double range = range(sonars.ranges()[i], sonars.rangeMin());
             if (range <= sonars.rangeMax()) {
                 Pose2d mount = sonars.baseFromSensors().get(i);
                 add(mount, -sonars.fieldOfView() / 3, range);

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.Arrays;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import rsal.data.LaserScan;
@@ -39,6 +40,18 @@ class BlindSpotTest {
     void whatTheLaserLooksAtIsNotRecalled() {
         recallAt(new Pose2d(0.1, 0, 0), 1);
         assertThat(recalled.count()).isZero();
+    }
+
+    @Test
+    void whatLiesWhereBeamsAreBrokenIsRecalled() {
+        float[] ranges = new float[181];
+        Arrays.fill(ranges, Float.POSITIVE_INFINITY);
+        ranges[90 + 53] = Float.NaN; // towards the post, 53° to the left
+        var broken = new LaserScan(
+                Pose2d.ORIGIN, AHEAD.angleMin(), AHEAD.angleIncrement(), AHEAD.rangeMin(), AHEAD.rangeMax(), ranges);
+        blindSpot.recall(broken, Pose2d.ORIGIN, Instant.EPOCH.plusSeconds(1), 0.25, recalled);
+        assertThat(recalled.count()).isEqualTo(1);
+        assertThat(recalled.y(0)).isPositive();
     }
 
     @Test
