@@ -1,7 +1,9 @@
 package rsal.navigation.jumppoint;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.Collections;
 import java.util.List;
 import java.util.PriorityQueue;
@@ -66,18 +68,22 @@ public final class JumpPoints {
     }
 
     /// Plans a shortest way. A start too near to obstacles is left for the nearest place where the robot can be. A
-    /// goal where it can't be is replaced by the nearest place where it can, when that is no farther than `slack`
-    /// away [m].
+    /// goal where it can't get is replaced by the nearest place where it can, when that is no farther away than
+    /// `slack` [m].
     public synchronized Plan plan(Point2d start, Point2d goal, double slack) {
         var ends = Ends.of(map, start, goal, slack);
         if (ends instanceof Ends.None(var why)) {
             return why;
         }
         var cells = (Ends.Cells) ends;
-        if (search(cells.start(), cells.goal()) < 0) {
-            return Ends.apart(goal);
+        int end = cells.goal();
+        if (search(cells.start(), end) < 0) {
+            end = Ends.nearest(grid, goal, slack, within(cells.start())::get);
+            if (end < 0 || search(cells.start(), end) < 0) {
+                return Ends.apart(goal);
+            }
         }
-        Path2d path = straight(points(cells.start(), cells.goal()), start, goal);
+        Path2d path = straight(points(cells.start(), end), start, goal);
         return new Plan.Found(path, path.length(), path.points().getLast().distanceTo(goal));
     }
 
@@ -104,6 +110,27 @@ public final class JumpPoints {
             }
         }
         return -1;
+    }
+
+    /// All cells to which ways lead from one. As they cut no corners, ways over sides alone lead to the same.
+    private BitSet within(int startCell) {
+        var within = new BitSet(cells.width * cells.height);
+        var edge = new ArrayDeque<Integer>();
+        within.set(startCell);
+        edge.add(startCell);
+        while (!edge.isEmpty()) {
+            int cell = edge.remove();
+            for (int direction = 0; direction < 8; direction += 2) {
+                int column = cell % cells.width + DX[direction];
+                int row = cell / cells.width + DY[direction];
+                int next = row * cells.width + column;
+                if (cells.isOpen(column, row) && !within.get(next)) {
+                    within.set(next);
+                    edge.add(next);
+                }
+            }
+        }
+        return within;
     }
 
     private void jump(Open parent, int direction, PriorityQueue<Open> open) {

@@ -106,6 +106,14 @@ class JumpPointsTest {
     }
 
     @Test
+    void endsBesideAGoalThatNoWayLeadsTo() {
+        Point2d shutIn = ROOMS.place('x');
+        Plan.Found way = way(ROOMS.place('a'), shutIn, 0.7);
+        assertThat(way.offGoal()).isCloseTo(0.2, within(1e-9)); // beyond the wall above it
+        assertThat(way.path().points().getLast().y()).isGreaterThan(shutIn.y());
+    }
+
+    @Test
     void goesNowhereForAGoalThatIsHere() {
         assertThat(way(ROOMS.place('a'), ROOMS.place('a'), 0).path().length()).isZero();
     }
