@@ -44,6 +44,7 @@ final class Trip {
     private static final double HEAVY = 0.5; // weight of the best hypothesis
     private static final double NOT_ON_MAP = 0.3; // m; from the map's nearest wall
     private static final int MOST_DETOURS = 5;
+    private static final int MOST_FOUND = 5; // times that it may find itself again and have all its patience
     private static final int MOST_BUMPS = 3; // into what it does not see, without getting on meanwhile
     private static final double GOT_ON = 1; // m
     private static final Duration BLOCKED = Duration.ofMillis(2500);
@@ -86,6 +87,7 @@ final class Trip {
     private double best = Double.POSITIVE_INFINITY; // least that was ever left
     private Instant giveUp;
     private int detours;
+    private int found; // itself, after it was on its way and did not know any more where
     private int backedOff;
     private int shunted;
     private int bumps; // since it got on
@@ -590,13 +592,17 @@ final class Trip {
     private void adopt(Plan plan) {
         switch (plan) {
             case Plan.Found(var path, var _, var _) -> {
-                double before = route == null ? Double.POSITIVE_INFINITY : left(route);
+                Route before = route;
                 route = new Route(path);
                 yardstick = left(route);
-                if (yardstick > before + 1 && detours < MOST_DETOURS) {
+                if (before == null) {
+                    if (best < Double.POSITIVE_INFINITY && found < MOST_FOUND) {
+                        found++;
+                        beginAnew();
+                    }
+                } else if (yardstick > left(before) + 1 && detours < MOST_DETOURS) {
                     detours++;
-                    best = yardstick;
-                    giveUp = scheduler.instant().plus(settings.patience());
+                    beginAnew();
                 }
             }
             case Plan.None(var why) -> {
@@ -605,6 +611,12 @@ final class Trip {
                 }
             }
         }
+    }
+
+    /// It has all its patience for the way that it has now.
+    private void beginAnew() {
+        best = yardstick;
+        giveUp = scheduler.instant().plus(settings.patience());
     }
 
     /// Notes what stands around and is not on the map.

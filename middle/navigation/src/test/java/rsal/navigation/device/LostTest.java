@@ -29,8 +29,45 @@ class LostTest {
     private final LockstepScheduler scheduler = new LockstepScheduler();
     private final FakeSystem system = FakeSystem.pioneers(scheduler, RobotBench.WORLD, RobotBench.START);
 
+    private final List<Result> results = new ArrayList<>();
+
     @Test
     void neverReachesAGoalWhileLost() {
+        Robot robot = robot(Map.of());
+        Localizer localizer = robot.require(Localizer.class);
+        Pose2d goal = RobotBench.START.compose(new Pose2d(2, 0, 0));
+
+        localizer.relocalize(belief(Quality.LOST, truth()));
+        scheduler.advance(Duration.ofSeconds(1));
+        robot.require(Navigator.class).goTo(goal).result().thenAccept(results::add);
+        scheduler.advance(Duration.ofSeconds(20));
+        assertThat(results).isEmpty();
+
+        localizer.relocalize(belief(Quality.LOCALIZED, truth()));
+        scheduler.advance(Duration.ofSeconds(60));
+        assertThat(results).singleElement().isInstanceOf(Result.Reached.class);
+    }
+
+    /// It believed to be nearly there, so that all the way that it has to drive in truth is no progress.
+    @Test
+    void hasAllItsPatienceWhenItFindsItselfFartherAway() {
+        Robot robot = robot(Map.of("patience", 5.0));
+        Localizer localizer = robot.require(Localizer.class);
+        Pose2d goal = RobotBench.START.compose(new Pose2d(3, 0, 0));
+
+        localizer.relocalize(belief(Quality.LOCALIZED, goal.compose(new Pose2d(-0.5, 0, 0))));
+        robot.require(Navigator.class).goTo(goal).result().thenAccept(results::add);
+        scheduler.advance(Duration.ofMillis(300));
+        localizer.relocalize(belief(Quality.LOST, truth()));
+        scheduler.advance(Duration.ofSeconds(4));
+        assertThat(results).isEmpty();
+
+        localizer.relocalize(belief(Quality.LOCALIZED, truth()));
+        scheduler.advance(Duration.ofSeconds(30));
+        assertThat(results).singleElement().isInstanceOf(Result.Reached.class);
+    }
+
+    private Robot robot(Map<String, ?> settings) {
         system.discover();
         Robot robot = system.robots().getFirst();
         for (DeviceDriver driver : List.of(new FakeLocalizer.Driver(), new NavigatorDriver())) {
@@ -42,27 +79,18 @@ class LostTest {
                             Optional.of(RobotBench.START),
                             scheduler,
                             new SplittableRandom(1)),
-                    Arguments.of(driver.parameters(), Map.of())));
+                    Arguments.of(driver.parameters(), driver instanceof NavigatorDriver ? settings : Map.of())));
         }
-        Localizer localizer = robot.require(Localizer.class);
-        var results = new ArrayList<Result>();
-        Pose2d goal = RobotBench.START.compose(new Pose2d(2, 0, 0));
-
-        localizer.relocalize(belief(Quality.LOST));
-        scheduler.advance(Duration.ofSeconds(1));
-        robot.require(Navigator.class).goTo(goal).result().thenAccept(results::add);
-        scheduler.advance(Duration.ofSeconds(20));
-        assertThat(results).isEmpty();
-
-        localizer.relocalize(belief(Quality.LOCALIZED));
-        scheduler.advance(Duration.ofSeconds(60));
-        assertThat(results).singleElement().isInstanceOf(Result.Reached.class);
+        return robot;
     }
 
-    private PoseEstimate belief(Quality quality) {
-        Pose2d truth = system.simulation().orElseThrow().truth("r1").orElseThrow();
+    private Pose2d truth() {
+        return system.simulation().orElseThrow().truth("r1").orElseThrow();
+    }
+
+    private static PoseEstimate belief(Quality quality, Pose2d pose) {
         var covariance = Covariance2d.ofDeviations(0.05, 0.05, 0.02);
         return new PoseEstimate(
-                truth, covariance, List.of(new PoseEstimate.Hypothesis(1, truth, covariance)), 0.1, quality);
+                pose, covariance, List.of(new PoseEstimate.Hypothesis(1, pose, covariance)), 0.1, quality);
     }
 }
