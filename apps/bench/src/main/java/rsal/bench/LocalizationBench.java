@@ -36,8 +36,8 @@ import rsal.settings.Location;
 /// Localization by particles.
 ///
 /// Names are `amcl.<case>.<what>`:
-/// * `amcl.<particles>x<beams>.ms`: an update in the office, on one core; `.ns` the same by beam and particle, and
-///   `.beam.ns` what more beams cost each particle: those that 180 have more.
+/// * `amcl.<particles>x<beams>.ms`: an update in the office, on one core; `.ns` the same by particle and beam that
+///   hit something, and `.beam.ns` what more of these cost each particle: those that 180 have more.
 /// * `amcl.100robots.<sensor>.cores`: share of a core that 100 robots in the office take which measure ten times a
 ///   second, driven for half a minute from where they were told to start; `.always.cores` with an update each time, as
 ///   far as they go and turn or not.
@@ -167,7 +167,8 @@ final class LocalizationBench implements Bench {
             return;
         }
         double[] ms = updateTimes(office, particles, beams, assignment.repeats());
-        double each = 1e6 / particles / beams;
+        double hits = hits(office, beams);
+        double each = 1e6 / particles / hits;
         assignment.tell(
                 Result.less(name + "ms", "ms", ms),
                 Result.less(
@@ -176,7 +177,7 @@ final class LocalizationBench implements Bench {
                         Arrays.stream(ms).map(one -> one * each).toArray()));
         if (assignment.wants(name + "beam.ns")) {
             double[] ofMany = updateTimes(office, particles, MANY_BEAMS, assignment.repeats());
-            double eachMore = 1e6 / particles / (MANY_BEAMS - beams);
+            double eachMore = 1e6 / particles / (hits(office, MANY_BEAMS) - hits);
             assignment.tell(Result.less(
                     name + "beam.ns",
                     "ns",
@@ -273,9 +274,7 @@ final class LocalizationBench implements Bench {
     private static double[] updateTimes(Drive office, int particles, int beams, int repeats) {
         var random = new SplittableRandom(1);
         List<Tick> ticks = office.tour(office.anywhere(random), MINUTE, random);
-        List<Beams> seen = ticks.stream()
-                .map(tick -> Beams.of(office.laser(tick.mapFromBase(), random), beams, 30))
-                .toList();
+        List<Beams> seen = looks(office, ticks, beams, random);
         var map = new LocalizationMap(office.map(), 0.1, 0.05);
         var sinceStart = new Stopwatch();
         while (sinceStart.cpu() < WARM) {
@@ -284,6 +283,22 @@ final class LocalizationBench implements Bench {
         return IntStream.range(0, repeats)
                 .mapToDouble(_ -> updateTime(map, ticks, seen, particles))
                 .toArray();
+    }
+
+    private static List<Beams> looks(Drive office, List<Tick> ticks, int beams, SplittableRandom random) {
+        return ticks.stream()
+                .map(tick -> Beams.of(office.laser(tick.mapFromBase(), random), beams, 30))
+                .toList();
+    }
+
+    /// How many of a scan's beams hit something on the way that updates are timed on: all that are looked at.
+    private static double hits(Drive office, int beams) {
+        var random = new SplittableRandom(1);
+        List<Tick> ticks = office.tour(office.anywhere(random), MINUTE, random);
+        return looks(office, ticks, beams, random).stream()
+                .mapToInt(Beams::count)
+                .average()
+                .orElseThrow();
     }
 
     /// [ms]
