@@ -38,6 +38,7 @@ public record Area(String name, List<Bench> benches) {
                                 new PlanningBench(),
                                 new BarnBench(),
                                 new OfficeBench(),
+                                new TightBench(),
                                 new MappingBench(),
                                 new ExploreBench())),
                 new Area(

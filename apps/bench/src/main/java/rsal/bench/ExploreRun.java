@@ -54,15 +54,16 @@ final class ExploreRun implements AutoCloseable {
         reachable = new Wavefront(costs)
                 .everywhere(starts.getFirst().position(), SLACK)
                 .orElseThrow();
-        system = Office.open(starts, seed, time);
+        system = Pioneers.open(Office.MAP, starts, Pioneers.LASER, seed, time);
         truth = system.simulation().orElseThrow();
         // the same for all, or each would explore alone
         List<DeviceDriver> drivers =
-                Stream.of("slam", "navigator", "explorer").map(Office::driver).toList();
+                Stream.of("slam", "navigator", "explorer").map(Pioneers::driver).toList();
         for (Robot robot : system.discover().toCompletableFuture().join()) {
             Robot equipped = robot;
             for (DeviceDriver driver : drivers) {
-                equipped = Office.equip(equipped, driver, Map.of(), truth.truth(robot.id()), time, random);
+                equipped =
+                        Pioneers.equip(equipped, driver, Map.of(), Office.MAP, truth.truth(robot.id()), time, random);
             }
             robots.add(equipped);
         }

@@ -1,31 +1,24 @@
 package rsal.bench;
 
 import java.time.Duration;
-import java.time.Instant;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.concurrent.Executor;
 import rsal.data.Odometry;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.device.DriveBase;
-import rsal.device.Navigator;
 import rsal.device.Navigator.Result;
 import rsal.device.Navigator.Tolerance;
-import rsal.device.SimulationControl;
 import rsal.navigation.grid.DistanceField;
 import rsal.navigation.wavefront.CostMap;
 import rsal.navigation.wavefront.CostMap.Clearance;
 import rsal.navigation.wavefront.Plan;
 import rsal.navigation.wavefront.Wavefront;
-import rsal.robot.DeviceDriver;
 import rsal.robot.Robot;
-import rsal.system.RobotSystem;
-import rsal.time.LockstepScheduler;
 
 /// Three Pioneers on the office floor, each sent from one random place to the next.
 final class OfficeRun implements AutoCloseable {
@@ -36,10 +29,7 @@ final class OfficeRun implements AutoCloseable {
     private static final Point2d CORRIDOR = new Point2d(0, -1.2);
     private static final Duration PERIOD = Duration.ofMillis(100);
 
-    private final LockstepScheduler time;
-    private final RobotSystem system;
-    private final SimulationControl truth;
-    private final List<Robot> robots = new ArrayList<>();
+    private final NavigatedPioneers pioneers;
     private final Wavefront shortest;
     private final Wavefront roomy;
     private final SplittableRandom random;
@@ -78,7 +68,6 @@ final class OfficeRun implements AutoCloseable {
 
     /// @param settings of the navigators
     OfficeRun(Map<String, ?> settings, long seed, Executor workers) {
-        time = new LockstepScheduler(Instant.EPOCH, workers);
         random = new SplittableRandom(seed);
         var field = DistanceField.toNotFree(Office.MAP);
         shortest = new Wavefront(CostMap.of(Office.MAP, field, NARROW));
@@ -87,15 +76,7 @@ final class OfficeRun implements AutoCloseable {
         for (int i = 0; i < ROBOTS; i++) {
             starts.add(place());
         }
-        system = Office.open(starts, seed, time);
-        truth = system.simulation().orElseThrow();
-        DeviceDriver amcl = Office.driver("amcl");
-        DeviceDriver navigator = Office.driver("navigator");
-        for (Robot robot : system.discover().toCompletableFuture().join()) {
-            Optional<Pose2d> start = truth.truth(robot.id());
-            Robot localized = Office.equip(robot, amcl, Map.of(), start, time, random);
-            robots.add(Office.equip(localized, navigator, settings, start, time, random));
-        }
+        pioneers = new NavigatedPioneers(Office.MAP, Office.MAP, starts, settings, seed, random, workers);
     }
 
     /// Somewhere on the floor from where there is a way to the corridor.
@@ -107,50 +88,47 @@ final class OfficeRun implements AutoCloseable {
     /// Sends the robots about until so many goals have ended.
     List<Errand> run(int goals) {
         while (errands.size() < goals) {
-            for (Robot robot : robots) {
-                Navigator navigator = robot.require(Navigator.class);
-                if (navigator.goal().isEmpty() && sent < goals) {
+            for (Robot robot : pioneers.robots) {
+                if (NavigatedPioneers.navigator(robot).goal().isEmpty() && sent < goals) {
                     sent++;
-                    send(robot, navigator);
+                    send(robot);
                 }
             }
-            time.advance(PERIOD);
-            robots.forEach(robot -> rides.computeIfAbsent(robot.id(), _ -> new Ride())
-                    .goOn(
-                            robot.require(DriveBase.class)
-                                    .latest()
-                                    .orElseThrow()
-                                    .value(),
-                            truth.truth(robot.id()).orElseThrow()));
+            pioneers.time.advance(PERIOD);
+            pioneers.robots.forEach(robot -> rides.computeIfAbsent(robot.id(), _ -> new Ride())
+                    .goOn(robot.require(DriveBase.class).latest().orElseThrow().value(), pioneers.truth(robot)));
         }
         return List.copyOf(errands);
     }
 
-    private void send(Robot robot, Navigator navigator) {
-        Pose2d from = truth.truth(robot.id()).orElseThrow();
+    private void send(Robot robot) {
+        Pose2d from = pioneers.truth(robot);
         Pose2d goal = place();
         double way = switch (shortest.plan(from.position(), goal.position(), 0.2)) {
             case Plan.Found found -> found.path().length();
             case Plan.None _ -> from.distanceTo(goal);
         };
-        Duration start = time.elapsed();
+        Duration start = pioneers.time.elapsed();
         Ride ride = rides.computeIfAbsent(robot.id(), _ -> new Ride());
         double turnedBefore = ride.turned;
         double metersBefore = ride.meters;
-        navigator.goTo(goal, Tolerance.DEFAULT).result().thenAccept(result -> {
-            double seconds = time.elapsed().minus(start).toMillis() * 1e-3;
-            errands.add(
-                    new Errand(result, way / SPEED, seconds, ride.turned - turnedBefore, ride.meters - metersBefore));
-        });
+        NavigatedPioneers.navigator(robot)
+                .goTo(goal, Tolerance.DEFAULT)
+                .result()
+                .thenAccept(result -> {
+                    double seconds = pioneers.time.elapsed().minus(start).toMillis() * 1e-3;
+                    errands.add(new Errand(
+                            result, way / SPEED, seconds, ride.turned - turnedBefore, ride.meters - metersBefore));
+                });
     }
 
     /// How often robots touched something.
     int contacts() {
-        return truth.contacts().size();
+        return pioneers.contacts();
     }
 
     @Override
     public void close() {
-        system.close();
+        pioneers.close();
     }
 }

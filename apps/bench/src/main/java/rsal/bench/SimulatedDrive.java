@@ -63,12 +63,13 @@ final class SimulatedDrive {
     private void go(Map<String, String> sensors, long seed, int periods) {
         var time = new LockstepScheduler(Instant.EPOCH, Runnable::run);
         Pose2d start = place();
-        try (RobotSystem system = Office.open(List.of(start), sensors, seed, time)) {
+        try (RobotSystem system = Pioneers.open(Office.MAP, List.of(start), sensors, seed, time)) {
             SimulationControl simulation = system.simulation().orElseThrow();
-            Robot robot = Office.equip(
+            Robot robot = Pioneers.equip(
                     system.discover().toCompletableFuture().join().getFirst(),
-                    Office.driver("amcl"),
+                    Pioneers.driver("amcl"),
                     Map.of(),
+                    Office.MAP,
                     Optional.of(start),
                     time,
                     random);
