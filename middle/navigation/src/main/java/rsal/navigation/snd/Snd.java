@@ -17,12 +17,11 @@ import rsal.navigation.nd.NearnessDiagram.Region;
 /// Drives into the region of a [NearnessDiagram] that is nearest to the goal, turned away from everything around by
 /// one law that knows no situations: J. Durham, F. Bullo, Smooth Nearness-Diagram Navigation (IROS 2008). The region
 /// is entered past its corner at the safety distance, or through its middle when it is narrow (θ_d in the paper). Each
-/// obstacle nearer than the safety distance is a threat (s_i, cut off to 0–1 as in equation 2) and turns the robot away
-/// (Δ_avoid) with the square of that as its weight, and the nearest one slows it down.
+/// obstacle nearer than the safety distance is a threat (s_i, cut off to 0–1) and turns the robot away (Δ_avoid) with
+/// the square of that as its weight, and the nearest one slows it down.
 ///
 /// Differs from the paper in these points:
-/// * It drives, the slower the more it turns, until it turns by 90° ([Caution#towards]); in the paper until 45°
-///   (equation 15).
+/// * It drives, the slower the more it turns, until it turns by 90° ([Caution#towards]); in the paper until 45°.
 /// * The safety distance shrinks with the room that there is, as in Player's driver, so that it gets through narrow
 ///   places at a fifth of its speed.
 /// * The robot is a circle for the law. Its true outline counts for [Caution], which has the last word.
