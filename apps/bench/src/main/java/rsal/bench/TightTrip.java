@@ -93,7 +93,7 @@ record TightTrip(OccupancyGrid floor, OccupancyGrid believed, Pose2d start, Poin
             Point2d place = mapFromBase.transform(point);
             least = Math.min(least, toNotFree.at(place.x(), place.y()));
         }
-        return least - toNotFree.resolution() / 2; // from a cell's middle
+        return least - Math.sqrt(0.5) * toNotFree.resolution(); // from a cell's middle, its corner may be so near
     }
 
     /// Points all over a footprint, 2 cm apart at most.

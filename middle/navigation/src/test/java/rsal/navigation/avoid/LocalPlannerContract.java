@@ -259,11 +259,83 @@ public abstract class LocalPlannerContract {
         assertThat(drive.way).as("way made with seed %d", seed).isGreaterThan(0.5);
     }
 
-    /// A robot with the dynamics of its limits among posts, which fails when it touches one.
+    /// People walk to and fro. They turn around before a robot that is in their way.
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4})
+    void touchesNobodyWhoWalksAbout(long seed) {
+        var random = new SplittableRandom(seed);
+        Drive drive = new Drive(seed % 2 == 0 ? BOX : WEDGE, List.of());
+        for (int i = 0; i < 6; i++) {
+            drive.people.add(new Walker(
+                    Pose2d.polar(random.nextDouble(1, 4), random.nextDouble(2 * Math.PI))
+                            .position(),
+                    Pose2d.polar(random.nextDouble(1, 4), random.nextDouble(2 * Math.PI))
+                            .position(),
+                    random.nextDouble(0.3, 1.2)));
+        }
+        for (int goal = 0; goal < 4; goal++) {
+            drive.goTo(new Point2d(random.nextDouble(-4, 4), random.nextDouble(-4, 4)), 20);
+        }
+        assertThat(drive.way).as("way made with seed %d", seed).isGreaterThan(0.5);
+        assertThat(drive.people).allMatch(person -> person.walked > 2);
+    }
+
+    /// Somebody who goes from one place to another and back, again and again.
+    private static final class Walker {
+        private static final double POLITE = 0.15; // m that is left between them and a robot
+
+        private final double speed; // m/s
+        private Point2d at;
+        private Point2d to;
+        private Point2d from;
+        private double walked;
+
+        Walker(Point2d from, Point2d to, double speed) {
+            this.at = from;
+            this.from = from;
+            this.to = to;
+            this.speed = speed;
+        }
+
+        void walk(double seconds, Outline robot, Pose2d worldFromRobot) {
+            double step = speed * seconds;
+            if (at.distanceTo(to) < step) {
+                turnAround();
+            }
+            double share = step / Math.max(step, at.distanceTo(to));
+            var next = new Point2d(at.x() + share * (to.x() - at.x()), at.y() + share * (to.y() - at.y()));
+            boolean free = outline(next).stream()
+                    .map(worldFromRobot.inverse()::transform)
+                    .allMatch(point -> robot.distance(point.x(), point.y()) > POLITE);
+            if (free) {
+                at = next;
+                walked += step;
+            } else {
+                turnAround();
+            }
+        }
+
+        private void turnAround() {
+            Point2d back = from;
+            from = to;
+            to = back;
+        }
+
+        List<Point2d> outline() {
+            return outline(at);
+        }
+
+        private static List<Point2d> outline(Point2d middle) {
+            return drum(new Pose2d(middle.x(), middle.y(), 0));
+        }
+    }
+
+    /// A robot with the dynamics of its limits among posts and people, which fails when it touches one.
     protected final class Drive {
         private final LocalPlanner planner;
         private final Outline body;
         private final List<Point2d> posts;
+        private final List<Walker> people = new ArrayList<>();
         private final Obstacles obstacles = new Obstacles(VIEW);
         private Pose2d pose = Pose2d.ORIGIN;
         private Twist2d velocity = Twist2d.STOP;
@@ -298,6 +370,15 @@ public abstract class LocalPlannerContract {
                 Point2d seen = baseFromWorld.transform(post);
                 obstacles.add(seen.x(), seen.y());
             });
+            for (Walker person : people) {
+                int before = obstacles.count();
+                person.outline().stream()
+                        .map(baseFromWorld::transform)
+                        .forEach(seen -> obstacles.add(seen.x(), seen.y()));
+                for (int i = before; i < obstacles.count(); i++) {
+                    obstacles.keepRoom(i, 0.05 + 0.4 * Math.abs(velocity.vx())); // as navigators do
+                }
+            }
             return obstacles;
         }
 
@@ -389,14 +470,19 @@ public abstract class LocalPlannerContract {
                 pose = pose.compose(new Pose2d(velocity.vx() * dt, 0, velocity.omega() * dt));
                 way += Math.abs(velocity.vx()) * dt;
                 fastest = Math.max(fastest, velocity.vx());
-                Pose2d baseFromWorld = pose.inverse();
-                for (Point2d post : posts) {
-                    Point2d seen = baseFromWorld.transform(post);
-                    assertThat(body.distance(seen.x(), seen.y()))
-                            .as("post %s, seen at %s", post, seen)
-                            .isPositive();
+                posts.forEach(this::assertIsBeside);
+                for (Walker person : people) {
+                    person.outline().forEach(this::assertIsBeside);
+                    person.walk(dt, body, pose);
                 }
             }
+        }
+
+        private void assertIsBeside(Point2d point) {
+            Point2d seen = pose.inverse().transform(point);
+            assertThat(body.distance(seen.x(), seen.y()))
+                    .as("%s, seen at %s", point, seen)
+                    .isPositive();
         }
 
         private static double approach(double from, double to, double most) {
