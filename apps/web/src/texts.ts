@@ -496,7 +496,7 @@ export const texts = {
     how: 'Many runs, as fast as they can, to compare: every configuration with every value, each with the same seeds. Type several values as 1,2,4, or a range of numbers as 1:10:3 (1, 4, 7, 10). What is left empty is as the scenario says.',
     configurations: 'Configurations',
     seeds: 'Seeds',
-    seedsHint: 'How many, or a range as 101-130. Runs with other seeds begin and err otherwise.',
+    seedsHint: 'How many, or a range as 101-130 or 101:130. Runs with other seeds begin and err otherwise.',
     limit: 'End after [s]',
     limitHint: 'Simulated time; empty: when the scenario says.',
     jobs: 'At once',

@@ -64,6 +64,7 @@ class NewIT {
                 .content()
                 .startsWith("# chase\n")
                 .contains("from `hunt-and-prey`");
+        assertThat(folder.resolve("chase/chase.yaml")).content().contains("\ntitle: 'Chase'\n");
 
         Ended run = rsal.run("run", "chase/chase.yaml", "--headless", "--speed", "max", "--seed", "7");
         assertThat(run.code()).as(run.err()).isEqualTo(Exit.SUCCESS);

@@ -14,19 +14,20 @@ public record SeedRange(long first, long last) {
         }
     }
 
-    /// As typed: `101-120`, or how many there are from 1 on, `20`.
+    /// As typed: `101-120`, `101:120` as ranges of arguments are, or how many there are from 1 on, `20`.
     ///
     /// @throws IllegalArgumentException with a sentence about what is wrong with it
     public static SeedRange parse(String typed) {
-        int dash = typed.indexOf('-', 1); // seeds may be below 0
-        if (dash < 0) {
+        int colon = typed.indexOf(':');
+        int between = colon >= 0 ? colon : typed.indexOf('-', 1); // seeds may be below 0
+        if (between < 0) {
             long count = whole(typed);
             if (count < 1) {
                 throw new IllegalArgumentException("(%s) is less than one seed.".formatted(typed.strip()));
             }
             return new SeedRange(1, count);
         }
-        return new SeedRange(whole(typed.substring(0, dash)), whole(typed.substring(dash + 1)));
+        return new SeedRange(whole(typed.substring(0, between)), whole(typed.substring(between + 1)));
     }
 
     private static long whole(String typed) {

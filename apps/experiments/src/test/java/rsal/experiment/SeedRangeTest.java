@@ -12,6 +12,8 @@ class SeedRangeTest {
     void bothEndsAreAmongThem() {
         assertThat(SeedRange.parse("7-9").seeds()).containsExactly(7L, 8L, 9L);
         assertThat(SeedRange.parse("-2--1").seeds()).containsExactly(-2L, -1L);
+        assertThat(SeedRange.parse("7:9")).isEqualTo(new SeedRange(7, 9));
+        assertThat(SeedRange.parse("-2:-1")).isEqualTo(new SeedRange(-2, -1));
     }
 
     @Test
@@ -29,6 +31,7 @@ class SeedRangeTest {
             1000001                                    | at most 1000000
             5-4                                        | must go up
             1-x                                        | (x) is not a whole number
+            1:2:3                                      | (2:3) is not a whole number
             1-1000001                                  | at most 1000000
             -9223372036854775808-9223372036854775807   | at most 1000000
             """)

@@ -23,6 +23,7 @@ public final class Template {
 
     private static final String FILE = "scenario.yaml";
     private static final Pattern NAME = Pattern.compile("(?m)^scenario: .*$");
+    private static final Pattern TITLE = Pattern.compile("(?m)^title: .*$");
     private static final String TEMPLATES = "/rsal/templates/";
     private static final String WITH_WATCHER = """
               %s:
@@ -97,7 +98,7 @@ public final class Template {
         return scenario;
     }
 
-    /// The same by another name.
+    /// The same by another name, which is its title, too.
     ///
     /// @return texts by path; the scenario's own, the first, is that of [Scenario#fileIn]
     /// @throws InvalidSettings when no scenario can be called so
@@ -115,11 +116,22 @@ public final class Template {
                     "Choose another name.");
         }
         var own = new LinkedHashMap<String, String>();
-        texts.forEach((path, text) -> own.put(
-                path.equals(FILE) ? Scenario.fileIn(name) : path,
-                path.equals(FILE)
-                        ? NAME.matcher(text).replaceFirst(Matcher.quoteReplacement("scenario: " + name))
-                        : text));
+        texts.forEach((path, text) -> {
+            if (path.equals(FILE)) {
+                String called = NAME.matcher(text).replaceFirst(Matcher.quoteReplacement("scenario: " + name));
+                own.put(
+                        Scenario.fileIn(name),
+                        TITLE.matcher(called).replaceFirst("title: '%s'".formatted(title(name))));
+            } else {
+                own.put(path, text);
+            }
+        });
         return own;
+    }
+
+    /// `chase-two` as people write it, `Chase two`.
+    private static String title(String name) {
+        String words = name.replaceAll("[-_]+", " ").strip();
+        return Character.toUpperCase(words.charAt(0)) + words.substring(1);
     }
 }

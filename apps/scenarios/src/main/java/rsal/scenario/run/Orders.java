@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import rsal.data.OccupancyGrid;
+import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
 import rsal.device.DriveBase;
@@ -38,17 +39,31 @@ final class Orders {
         if (nobody.isPresent()) {
             return nobody.get();
         }
-        if (!map.contains(map.column(mapFromGoal.x()), map.row(mapFromGoal.y()))) {
-            return new Answer.Refused("%s is outside the map.".formatted(Words.of(mapFromGoal)));
-        }
-        if (!map.isFree(mapFromGoal.x(), mapFromGoal.y())) {
-            return new Answer.Refused("There is a wall or nothing known at %s.".formatted(Words.of(mapFromGoal)));
+        Optional<Answer> refused = notFree(mapFromGoal.position());
+        if (refused.isPresent()) {
+            return refused.get();
         }
         boolean navigates =
                 team.robot(id).flatMap(robot -> robot.find(Navigator.class)).isPresent();
         return navigates && agents.takeOrdersFor(id)
                 ? askAgent(id, mapFromGoal, given)
                 : tell(id, told -> told.goTo(mapFromGoal, given));
+    }
+
+    /// Why nothing can be there, by the map.
+    private Optional<Answer> notFree(Point2d place) {
+        int column = map.column(place.x());
+        int row = map.row(place.y());
+        String where = Words.of(place);
+        if (!map.contains(column, row)) {
+            return Optional.of(new Answer.Refused("%s is outside the map.".formatted(where)));
+        }
+        return switch (map.at(column, row)) {
+            case OccupancyGrid.FREE -> Optional.empty();
+            case OccupancyGrid.UNKNOWN ->
+                Optional.of(new Answer.Refused("The map does not know what is at %s.".formatted(where)));
+            default -> Optional.of(new Answer.Refused("There is a wall at %s.".formatted(where)));
+        };
     }
 
     private Answer askAgent(String id, Pose2d mapFromGoal, long given) {

@@ -82,21 +82,17 @@ final class Words {
             case Chase chase when chase.prey().isEmpty() -> "%s cuts a prey off".formatted(chase.hunter());
             case Chase chase -> "%s goes for %s".formatted(chase.hunter(), chase.prey());
             case Sighting sighting -> "I see %s at %s".formatted(sighting.robot(), of(sighting.mapFromBase()));
-            case Depot depot -> "%s brings things to %s".formatted(depot.robot(), of(List.of(depot.mapFromDepot())));
+            case Depot depot -> "%s brings things to %s".formatted(depot.robot(), of(depot.mapFromDepot()));
             case Lookout lookout
-            when lookout.done() ->
-                "%s has looked around at %s".formatted(lookout.robot(), of(List.of(lookout.mapFromPlace())));
+            when lookout.done() -> "%s has looked around at %s".formatted(lookout.robot(), of(lookout.mapFromPlace()));
             case Lookout lookout ->
-                "%s goes to look around at %s".formatted(lookout.robot(), of(List.of(lookout.mapFromPlace())));
+                "%s goes to look around at %s".formatted(lookout.robot(), of(lookout.mapFromPlace()));
             case Collected collected ->
-                "%s has brought %s to %s"
-                        .formatted(collected.robot(), collected.goal(), of(List.of(collected.mapFromDepot())));
+                "%s has brought %s to %s".formatted(collected.robot(), collected.goal(), of(collected.mapFromDepot()));
             case Watch watch -> "We watch " + of(watch.mapFromPlaces());
-            case Visited visited -> "%s was at %s".formatted(visited.robot(), of(List.of(visited.mapFromPlace())));
-            case ChargerTaken taken ->
-                "%s has the charger at %s".formatted(taken.robot(), of(List.of(taken.mapFromCharger())));
-            case Alarm alarm ->
-                "%s sees an intruder at %s".formatted(alarm.robot(), of(List.of(alarm.mapFromIntruder())));
+            case Visited visited -> "%s was at %s".formatted(visited.robot(), of(visited.mapFromPlace()));
+            case ChargerTaken taken -> "%s has the charger at %s".formatted(taken.robot(), of(taken.mapFromCharger()));
+            case Alarm alarm -> "%s sees an intruder at %s".formatted(alarm.robot(), of(alarm.mapFromIntruder()));
             case Hello hello -> of(hello);
             case Text text -> text.words();
             default -> content.toString();
@@ -104,9 +100,12 @@ final class Words {
     }
 
     private static String of(List<Point2d> places) {
-        return places.stream()
-                .map(place -> String.format(Locale.ROOT, "(%.2f, %.2f)", place.x(), place.y()))
-                .collect(Collectors.joining(", "));
+        return places.stream().map(Words::of).collect(Collectors.joining(", "));
+    }
+
+    /// `(1.23, -4.50)`.
+    static String of(Point2d place) {
+        return String.format(Locale.ROOT, "(%.2f, %.2f)", place.x(), place.y());
     }
 
     private static String of(Hello hello) {

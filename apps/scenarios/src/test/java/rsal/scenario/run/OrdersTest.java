@@ -334,9 +334,8 @@ class OrdersTest {
         assertThat(refusal(run.goTo("car", new Pose2d(3, 0, 0)))).contains("which a car (cart) can't");
         assertThat(refusal(run.behave("idle", "dance")))
                 .isEqualTo("There is no behavior (dance); there are [stand, wander, wall-follow].");
-        assertThat(refusal(run.goTo("idle", new Pose2d(0, 0, 0)))).contains("There is a wall");
-        assertThat(refusal(run.goTo("idle", new Pose2d(300, 0, 0))))
-                .isEqualTo("(300.00, 0.00, 0°) is outside the map.");
+        assertThat(refusal(run.goTo("idle", new Pose2d(0, 0, 0)))).isEqualTo("There is a wall at (0.00, 0.00).");
+        assertThat(refusal(run.goTo("idle", new Pose2d(300, 0, 0)))).isEqualTo("(300.00, 0.00) is outside the map.");
         assertThat(refusal(run.drive("nobody", "me", Twist2d.STOP))).contains("There is no (nobody)");
         assertThat(refusal(run.drive("idle", "me", Twist2d.drive(Double.NaN, 0))))
                 .contains("finite");
