@@ -1,7 +1,8 @@
 package rsal.data;
 
 /// One sweep of a planar laser scanner, counter-clockwise. Beam `i` points to `angleMin + i · angleIncrement`
-/// [rad] in the laser's frame. Ranges [m] after REP 117: −∞ too close to measure, +∞ nothing there, NaN broken.
+/// [rad] in the laser's frame. Ranges [m] after REP 117 ([Rep117]): −∞ too close to measure, +∞ nothing there, NaN
+/// broken.
 ///
 /// @param baseFromLaser where the scanner is mounted
 /// @param rangeMin shortest range it measures [m]
@@ -24,9 +25,13 @@ public record LaserScan(
         return angleMin + beam * angleIncrement;
     }
 
-    /// True where something was measured; false for nothing there, too close, and broken. 0 m never was: drivers
-    /// say so of beams that measured nothing.
+    /// Whether something was measured, as [Rep117#isHit] has it.
     public boolean isHit(int beam) {
-        return ranges[beam] >= rangeMin && ranges[beam] <= rangeMax && ranges[beam] > 0;
+        return Rep117.isHit(ranges[beam], rangeMin, rangeMax);
+    }
+
+    /// How far off something is, as [Rep117#distance] has it [m].
+    public double distance(int beam) {
+        return Rep117.distance(ranges[beam], rangeMin);
     }
 }

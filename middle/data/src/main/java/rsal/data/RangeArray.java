@@ -23,8 +23,13 @@ public record RangeArray(
         return ranges.length;
     }
 
-    /// True where something was measured, as [LaserScan#isHit] has it.
+    /// Whether something was measured, as [Rep117#isHit] has it.
     public boolean isHit(int sensor) {
-        return ranges[sensor] >= rangeMin && ranges[sensor] <= rangeMax && ranges[sensor] > 0;
+        return Rep117.isHit(ranges[sensor], rangeMin, rangeMax);
+    }
+
+    /// How far off something is, as [Rep117#distance] has it [m].
+    public double distance(int sensor) {
+        return Rep117.distance(ranges[sensor], rangeMin);
     }
 }

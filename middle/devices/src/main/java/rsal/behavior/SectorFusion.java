@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import rsal.data.LaserScan;
 import rsal.data.Pose2d;
 import rsal.data.RangeArray;
+import rsal.data.Rep117;
 
 /// Makes one picture of what laser and sonars see, with the smaller range counting: glass defeats lasers, soft
 /// things defeat sonars. A sonar counts for the inner half of its cone, but only where it sees something that the
@@ -284,16 +285,9 @@ public final class SectorFusion {
         }
     }
 
-    /// A reading after REP 117 as a distance: what is too close is at the sensor's least range, what is beyond
-    /// the limit is nothing, what is broken stays NaN. So is 0 m, unless the sensor's least range says that it is
-    /// less than can be measured.
-    private double measured(double range, double min, double max) {
-        if (range < min) {
-            return min;
-        }
-        if (range == 0) {
-            return Double.NaN;
-        }
-        return range > Math.min(max, limit) ? Double.POSITIVE_INFINITY : range;
+    /// A reading as [Rep117#distance] has it; what is beyond the limit is nothing.
+    private double measured(double shown, double least, double most) {
+        double range = Rep117.distance(shown, least);
+        return range > Math.min(most, limit) ? Double.POSITIVE_INFINITY : range;
     }
 }

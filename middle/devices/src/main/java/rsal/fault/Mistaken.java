@@ -14,6 +14,7 @@ import rsal.data.Odometry;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.RangeArray;
+import rsal.data.Rep117;
 
 /// Readings with errors in them. What was not measured at all (nothing there, too close, broken) stays as it is.
 final class Mistaken {
@@ -107,7 +108,7 @@ final class Mistaken {
     private static float[] ranges(float[] right, double min, double max, Miss miss) {
         float[] wrong = right.clone();
         for (int i = 0; i < wrong.length; i++) {
-            if (right[i] >= min && right[i] <= max) {
+            if (Rep117.isHit(right[i], min, max)) {
                 double range = right[i] + miss.range();
                 wrong[i] =
                         range < min ? Float.NEGATIVE_INFINITY : range > max ? Float.POSITIVE_INFINITY : (float) range;

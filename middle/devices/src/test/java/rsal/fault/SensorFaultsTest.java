@@ -72,6 +72,9 @@ class SensorFaultsTest {
     void whatWasNotMeasuredHasNoError() {
         float[] none = {Float.POSITIVE_INFINITY, Float.NEGATIVE_INFINITY, Float.NaN};
         assertThat(shown(new Biased(0.1, 0), scan(none)).ranges()).containsExactly(none);
+        assertThat(shown(new Biased(0.1, 0), new LaserScan(Pose2d.ORIGIN, 0, 0.1, 0, 8, new float[2]))
+                        .ranges())
+                .containsExactly(0, 0);
         assertThat(shown(new Noisy(0.1, 0), scan(none)).ranges()).containsExactly(none);
     }
 

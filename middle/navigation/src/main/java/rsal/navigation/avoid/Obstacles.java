@@ -84,7 +84,7 @@ public final class Obstacles {
         Pose2d mount = scan.baseFromLaser();
         double farthest = Math.min(reach + mount.position().distanceTo(ORIGIN), scan.rangeMax());
         for (int i = 0; i < scan.count(); i++) {
-            double range = range(scan.ranges()[i], scan.rangeMin());
+            double range = scan.distance(i);
             if (range <= farthest) {
                 add(mount, scan.angle(i), range);
             }
@@ -93,18 +93,10 @@ public final class Obstacles {
         sighted = false;
     }
 
-    /// @return NaN where nothing was measured
-    private static double range(double shown, double least) {
-        if (shown < least) {
-            return least; // −∞ too
-        }
-        return shown == 0 ? Double.NaN : shown;
-    }
-
     private void see(LaserScan scan) {
         double farthest = Math.min(reach, scan.rangeMax());
         for (int i = 0; i < scan.count(); i++) {
-            double range = range(scan.ranges()[i], scan.rangeMin());
+            double range = scan.distance(i);
             if (range > 0) {
                 see(scan.baseFromLaser(), scan.angle(i), Math.min(range, farthest));
             }
@@ -126,23 +118,26 @@ public final class Obstacles {
         add(sonars, _ -> false);
     }
 
-    /// Only of sonars that look where a laser scan does not reach.
+    /// Only of sonars that look where a laser scan does not reach, or where its beams are broken: at all three points.
     public void addBeside(LaserScan scan, RangeArray sonars) {
-        add(sonars, direction -> looks(scan, direction));
+        double beside = sonars.fieldOfView() / 3;
+        add(
+                sonars,
+                direction -> covers(scan, direction)
+                        && (looks(scan, direction)
+                                || looks(scan, direction - beside)
+                                || looks(scan, direction + beside)));
     }
 
-    /// Whether a laser scan reaches in a direction of the base frame [rad], whatever its beams say.
-    public static boolean covers(LaserScan scan, double direction) {
-        return fromFirst(scan, direction) <= (scan.count() - 1) * scan.angleIncrement();
+    private static boolean covers(LaserScan scan, double direction) {
+        return scan.count() > 0 && fromFirst(scan, direction) <= (scan.count() - 1) * scan.angleIncrement();
     }
 
-    /// Whether a laser scan says what is in a direction of the base frame [rad]: its nearest beam is not broken.
-    static boolean looks(LaserScan scan, double direction) {
-        if (!covers(scan, direction)) {
-            return false;
-        }
-        int beam = scan.count() == 1 ? 0 : (int) Math.round(fromFirst(scan, direction) / scan.angleIncrement());
-        return !Double.isNaN(range(scan.ranges()[beam], scan.rangeMin()));
+    /// Whether a laser scan says what is in a direction of the base frame [rad]: it reaches there, and the nearest of
+    /// its beams is not broken.
+    public static boolean looks(LaserScan scan, double direction) {
+        return covers(scan, direction)
+                && !Double.isNaN(scan.distance((int) Math.round(fromFirst(scan, direction) / scan.angleIncrement())));
     }
 
     /// By what angle a direction is counter-clockwise of the first beam [rad].
@@ -156,7 +151,7 @@ public final class Obstacles {
             if (covered.test(sonars.baseFromSensors().get(i).theta())) {
                 continue;
             }
-            double range = range(sonars.ranges()[i], sonars.rangeMin());
+            double range = sonars.distance(i);
             if (range <= sonars.rangeMax()) {
                 Pose2d mount = sonars.baseFromSensors().get(i);
                 add(mount, -sonars.fieldOfView() / 3, range);

@@ -268,7 +268,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
     }
 
     private static boolean seesBehind(Optional<Stamped<LaserScan>> scan, Optional<Stamped<RangeArray>> ranges) {
-        return scan.stream().anyMatch(s -> Obstacles.covers(s.value(), Math.PI))
+        return scan.stream().anyMatch(s -> Obstacles.looks(s.value(), Math.PI))
                 || ranges.stream()
                         .flatMap(r -> r.value().baseFromSensors().stream())
                         .anyMatch(mount -> Math.cos(mount.theta()) < -Math.cos(STRAIGHT_BACK));

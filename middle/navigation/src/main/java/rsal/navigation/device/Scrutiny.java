@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import rsal.data.LaserScan;
 import rsal.data.Odometry;
@@ -13,10 +14,11 @@ import rsal.data.Stamped;
 import rsal.device.Health;
 
 /// Looks at what a laser or sonars and wheels say before anything is made of it, and counts what is not to be used:
-/// what
-/// is out of order in time, has another number of beams than before where that matters, or no number where one must
-/// be.
+/// what is out of order in time, has another number of beams than before where that matters, or no number where one
+/// must be.
 final class Scrutiny {
+    private static final String NOTHING = "all its ranges are NaN, or 0 m";
+
     private final boolean sameCount;
     private final Consumer<String> onFirst;
     private int skipped;
@@ -135,7 +137,9 @@ final class Scrutiny {
         if (!(scan.baseFromLaser().isFinite() && Double.isFinite(scan.angleMin()) && Double.isFinite(last))) {
             return Optional.of("its beams have no direction");
         }
-        return allNan(scan.ranges());
+        return IntStream.range(0, scan.count()).allMatch(i -> Double.isNaN(scan.distance(i)))
+                ? Optional.of(NOTHING)
+                : Optional.empty();
     }
 
     /// Likewise of what sonars say.
@@ -146,15 +150,8 @@ final class Scrutiny {
         if (!ranges.baseFromSensors().stream().allMatch(Pose2d::isFinite)) {
             return Optional.of("its sensors have no direction");
         }
-        return allNan(ranges.ranges());
-    }
-
-    private static Optional<String> allNan(float[] ranges) {
-        for (float range : ranges) {
-            if (!Float.isNaN(range)) {
-                return Optional.empty();
-            }
-        }
-        return Optional.of("all its ranges are NaN");
+        return IntStream.range(0, ranges.count()).allMatch(i -> Double.isNaN(ranges.distance(i)))
+                ? Optional.of(NOTHING)
+                : Optional.empty();
     }
 }

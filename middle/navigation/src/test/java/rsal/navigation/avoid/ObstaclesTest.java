@@ -31,14 +31,36 @@ class ObstaclesTest {
     }
 
     @Test
-    void sonarsAreAskedWhereBeamsAreBroken() {
-        var broken = new LaserScan(Pose2d.ORIGIN, -0.1, 0.1, 0.02, 5, new float[] {1, Float.NaN, 1});
-        obstacles.addBeside(broken, sonarAhead(0.02, 0.5f));
-        assertThat(obstacles.count()).isPositive();
+    void sonarsAreAskedWhereAllBeamsAreBroken() {
+        float no = Float.NaN;
+        assertThat(heardBeside(1, no, no, no, 1)).isPositive();
+        assertThat(heardBeside(1, 1, no, 1, 1)).isZero();
+        assertThat(heardBeside(1, no, 1, no, 1)).isZero();
+        assertThat(heardBeside(1, 1, 1, 1, 1)).isZero();
+    }
+
+    /// How many points a sonar of 0.3 rad adds beside five beams, 0.1 rad apart.
+    private int heardBeside(float... ranges) {
         obstacles.clear();
-        var whole = new LaserScan(Pose2d.ORIGIN, -0.1, 0.1, 0.02, 5, new float[] {1, 1, 1});
-        obstacles.addBeside(whole, sonarAhead(0.02, 0.5f));
-        assertThat(obstacles.count()).isZero();
+        obstacles.addBeside(new LaserScan(Pose2d.ORIGIN, -0.2, 0.1, 0.02, 5, ranges), sonarAhead(0.02, 0.5f));
+        return obstacles.count();
+    }
+
+    @Test
+    void aScanLooksWhereItsNearestBeamSaysSomething() {
+        var ranges = new float[360];
+        ranges[90] = Float.NaN;
+        var around = new LaserScan(new Pose2d(0.1, 0, Math.PI), -Math.PI, Math.toRadians(1), 0.02, 5, ranges);
+        for (int degree = 0; degree < 359; degree++) { // between the last beam and the first none looks
+            assertThat(Obstacles.looks(around, Math.toRadians(degree + 0.4)))
+                    .as("%d°", degree)
+                    .isEqualTo(degree != 90);
+        }
+        assertThat(Obstacles.looks(ahead(0, -0.0f), 0)).isFalse();
+        assertThat(Obstacles.looks(ahead(0, 1), 0)).isTrue();
+        assertThat(Obstacles.looks(ahead(0, 1), 0.1)).isFalse();
+        assertThat(Obstacles.looks(new LaserScan(Pose2d.ORIGIN, 0, 0, 0, 5, new float[0]), 0))
+                .isFalse();
     }
 
     private static LaserScan ahead(double least, float range) {

@@ -62,6 +62,16 @@ class ScrutinyTest {
     }
 
     @Test
+    void noughtIsNoReadingWhereItIsNotTooClose() {
+        assertThat(Scrutiny.fault(new LaserScan(Pose2d.ORIGIN, -1, 1, 0, 5, new float[3])))
+                .isPresent();
+        assertThat(Scrutiny.fault(new RangeArray(List.of(Pose2d.ORIGIN), 0.5, 0, 5, new float[1])))
+                .isPresent();
+        assertThat(Scrutiny.fault(new LaserScan(Pose2d.ORIGIN, -1, 1, 0.02, 5, new float[3])))
+                .isEmpty();
+    }
+
+    @Test
     void scansMayHaveOtherNumbersOfBeamsWhereThatDoesNotMatter() {
         Scrutiny any = Scrutiny.ofAnyScans(_ -> {});
         assertThat(any.accepts(scan(1, -1, 2, 2, 2))).isTrue();
