@@ -78,6 +78,7 @@ final class Trip {
     private Pose2d mapFromBase = Pose2d.ORIGIN;
     private boolean knewPlace; // else that is nothing but the map's origin
     private Instant localized; // when it was last not lost
+    private boolean unsure; // where it is, when it last looked
     private boolean planning;
     private Instant planned;
     private boolean arrived;
@@ -216,7 +217,8 @@ final class Trip {
         if (!isLost(now)) {
             localized = now.now();
         }
-        if (isUnsure(now)) {
+        unsure = isUnsure(now);
+        if (unsure) {
             return lookAround(now);
         }
         double distance = mapFromBase.distanceTo(mapFromGoal);
@@ -305,6 +307,7 @@ final class Trip {
     /// Drives about, since a localizer that stands still learns nothing new.
     private Twist2d lookAround(Situation now) {
         route = null;
+        nearer = now.now(); // nothing holds it up
         if (now.now().isAfter(giveUp)) {
             giveUp(
                     now,
@@ -564,7 +567,7 @@ final class Trip {
                 .compute(() -> find(start, obstacles))
                 .thenAccept(plan -> {
                     planning = false;
-                    if (!source.ended()) {
+                    if (!source.ended() && !unsure) {
                         adopt(plan);
                     }
                 })
@@ -613,9 +616,10 @@ final class Trip {
         }
     }
 
-    /// It has all its patience for the way that it has now.
+    /// What was left before says nothing of the way that it has now, for which it has all its patience.
     private void beginAnew() {
         best = yardstick;
+        leftAtBump = yardstick;
         giveUp = scheduler.instant().plus(settings.patience());
     }
 

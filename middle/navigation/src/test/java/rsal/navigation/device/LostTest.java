@@ -67,6 +67,42 @@ class LostTest {
         assertThat(results).singleElement().isInstanceOf(Result.Reached.class);
     }
 
+    /// It is always sent back to where it began.
+    @Test
+    void givesUpAtLastWhenItFindsItselfAgainAndAgain() {
+        Robot robot = robot(Map.of("patience", 5.0));
+        Localizer localizer = robot.require(Localizer.class);
+        Pose2d start = truth();
+        localizer.relocalize(belief(Quality.LOCALIZED, start));
+        robot.require(Navigator.class)
+                .goTo(start.compose(new Pose2d(3, 0, 0)))
+                .result()
+                .thenAccept(results::add);
+        for (int time = 0; time < 30 && results.isEmpty(); time++) {
+            localizer.relocalize(belief(Quality.LOCALIZED, start));
+            scheduler.advance(Duration.ofSeconds(2));
+            localizer.relocalize(belief(Quality.LOST, start));
+            scheduler.advance(Duration.ofMillis(2500));
+        }
+        assertThat(results).singleElement().isInstanceOf(Result.Stuck.class);
+    }
+
+    @Test
+    void drivesOnAtOnceWhenItFindsItself() {
+        Robot robot = robot(Map.of());
+        Localizer localizer = robot.require(Localizer.class);
+        Pose2d goal = RobotBench.START.compose(new Pose2d(6, 0, 0));
+        localizer.relocalize(belief(Quality.LOCALIZED, truth()));
+        robot.require(Navigator.class).goTo(goal);
+        scheduler.advance(Duration.ofSeconds(1));
+        localizer.relocalize(belief(Quality.LOST, truth()));
+        scheduler.advance(Duration.ofSeconds(10));
+        Pose2d before = truth();
+        localizer.relocalize(belief(Quality.LOCALIZED, before));
+        scheduler.advance(Duration.ofSeconds(5));
+        assertThat(truth().distanceTo(goal)).isLessThan(before.distanceTo(goal) - 1);
+    }
+
     private Robot robot(Map<String, ?> settings) {
         system.discover();
         Robot robot = system.robots().getFirst();
