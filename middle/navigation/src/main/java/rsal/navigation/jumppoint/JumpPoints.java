@@ -1,12 +1,11 @@
 package rsal.navigation.jumppoint;
 
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.BitSet;
 import java.util.Collections;
 import java.util.List;
 import java.util.PriorityQueue;
+import org.jspecify.annotations.Nullable;
 import rsal.data.OccupancyGrid;
 import rsal.data.Path2d;
 import rsal.data.Point2d;
@@ -44,6 +43,7 @@ public final class JumpPoints {
     private final int[] from;
     private final byte[] taken; // directions in which ways went on, as bits
     private final List<Integer> touched = new ArrayList<>();
+    private int @Nullable [] parts;
     private int goalColumn;
     private int goalRow;
 
@@ -77,11 +77,15 @@ public final class JumpPoints {
         }
         var cells = (Ends.Cells) ends;
         int end = cells.goal();
-        if (search(cells.start(), end) < 0) {
-            end = Ends.nearest(grid, goal, slack, within(cells.start())::get);
-            if (end < 0 || search(cells.start(), end) < 0) {
+        if (parts != null || search(cells.start(), end) < 0) {
+            int[] part = parts();
+            if (part[cells.start()] != part[end]) {
+                end = Ends.nearest(grid, goal, slack, cell -> part[cell] == part[cells.start()]);
+            }
+            if (end < 0) {
                 return Ends.apart(goal);
             }
+            search(cells.start(), end);
         }
         Path2d path = straight(points(cells.start(), end), start, goal);
         return new Plan.Found(path, path.length(), path.points().getLast().distanceTo(goal));
@@ -112,25 +116,45 @@ public final class JumpPoints {
         return -1;
     }
 
-    /// All cells to which ways lead from one. As they cut no corners, ways over sides alone lead to the same.
-    private BitSet within(int startCell) {
-        var within = new BitSet(cells.width * cells.height);
-        var edge = new ArrayDeque<Integer>();
-        within.set(startCell);
-        edge.add(startCell);
-        while (!edge.isEmpty()) {
-            int cell = edge.remove();
+    /// For each cell which part of the map it is in, from 1 on: ways join all cells of a part, and no others; 0 where
+    /// the
+    /// robot can't be. Found when somebody first asks for a place that no way leads to.
+    private int[] parts() {
+        int[] known = parts;
+        if (known == null) {
+            known = new int[reached.length];
+            int count = 0;
+            for (int cell = 0; cell < known.length; cell++) {
+                if (known[cell] == 0 && map.isOpen(cell)) {
+                    count++;
+                    fill(cell, count, known);
+                }
+            }
+            parts = known;
+        }
+        return known;
+    }
+
+    /// As ways cut no corners, those over sides alone lead to the same cells.
+    private void fill(int first, int part, int[] filled) {
+        int[] left = {first};
+        int count = 1;
+        filled[first] = part;
+        while (count > 0) {
+            int cell = left[--count];
             for (int direction = 0; direction < 8; direction += 2) {
                 int column = cell % cells.width + DX[direction];
                 int row = cell / cells.width + DY[direction];
                 int next = row * cells.width + column;
-                if (cells.isOpen(column, row) && !within.get(next)) {
-                    within.set(next);
-                    edge.add(next);
+                if (cells.isOpen(column, row) && filled[next] == 0) {
+                    filled[next] = part;
+                    if (count == left.length) {
+                        left = Arrays.copyOf(left, 2 * count);
+                    }
+                    left[count++] = next;
                 }
             }
         }
-        return within;
     }
 
     private void jump(Open parent, int direction, PriorityQueue<Open> open) {
