@@ -13,8 +13,7 @@ import rsal.device.Navigator.Tolerance;
 import rsal.robot.Robot;
 
 /// Four Pioneers, two in each of two rooms, whom a door of 0.8 m joins. Each is sent to the other room, and back, and
-/// so
-/// on.
+/// so on.
 final class DoorRun implements AutoCloseable {
     private static final Duration PERIOD = Duration.ofMillis(500);
     private static final double WALL = 5; // m; x of it

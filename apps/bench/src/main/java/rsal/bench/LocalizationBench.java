@@ -166,9 +166,9 @@ final class LocalizationBench implements Bench {
         if (Stream.of("ms", "ns", "beam.ns").noneMatch(what -> assignment.wants(name + what))) {
             return;
         }
-        double[] ms = updateTimes(office, particles, beams, assignment.repeats());
-        double hits = hits(office, beams);
-        double each = 1e6 / particles / hits;
+        Updates few = updates(office, particles, beams, assignment.repeats());
+        double[] ms = few.ms();
+        double each = 1e6 / particles / few.hits();
         assignment.tell(
                 Result.less(name + "ms", "ms", ms),
                 Result.less(
@@ -176,13 +176,13 @@ final class LocalizationBench implements Bench {
                         "ns",
                         Arrays.stream(ms).map(one -> one * each).toArray()));
         if (assignment.wants(name + "beam.ns")) {
-            double[] ofMany = updateTimes(office, particles, MANY_BEAMS, assignment.repeats());
-            double eachMore = 1e6 / particles / (hits(office, MANY_BEAMS) - hits);
+            Updates many = updates(office, particles, MANY_BEAMS, assignment.repeats());
+            double eachMore = 1e6 / particles / (many.hits() - few.hits());
             assignment.tell(Result.less(
                     name + "beam.ns",
                     "ns",
                     IntStream.range(0, ms.length)
-                            .mapToDouble(i -> (ofMany[i] - ms[i]) * eachMore)
+                            .mapToDouble(i -> (many.ms()[i] - ms[i]) * eachMore)
                             .toArray()));
         }
     }
@@ -263,7 +263,7 @@ final class LocalizationBench implements Bench {
         var points = new ArrayList<Point>();
         for (int beams : List.of(18, 50, 180)) {
             for (int particles : List.of(100, 250, 500, 1000, 2000)) {
-                double ms = updateTimes(office, particles, beams, 1)[0];
+                double ms = updates(office, particles, beams, 1).ms()[0];
                 points.add(new Point("%d beams".formatted(beams), particles, ms));
             }
         }
@@ -271,34 +271,25 @@ final class LocalizationBench implements Bench {
                 "Localization in the office", "particles", "an update, time of the processor [ms]", points);
     }
 
-    private static double[] updateTimes(Drive office, int particles, int beams, int repeats) {
+    /// @param ms time of each repeat
+    /// @param hits how many of a scan's beams hit something, in the mean: all that are looked at
+    private record Updates(double[] ms, double hits) {}
+
+    private static Updates updates(Drive office, int particles, int beams, int repeats) {
         var random = new SplittableRandom(1);
         List<Tick> ticks = office.tour(office.anywhere(random), MINUTE, random);
-        List<Beams> seen = looks(office, ticks, beams, random);
+        List<Beams> seen = ticks.stream()
+                .map(tick -> Beams.of(office.laser(tick.mapFromBase(), random), beams, 30))
+                .toList();
         var map = new LocalizationMap(office.map(), 0.1, 0.05);
         var sinceStart = new Stopwatch();
         while (sinceStart.cpu() < WARM) {
             updateTime(map, ticks, seen, particles);
         }
-        return IntStream.range(0, repeats)
+        double[] ms = IntStream.range(0, repeats)
                 .mapToDouble(_ -> updateTime(map, ticks, seen, particles))
                 .toArray();
-    }
-
-    private static List<Beams> looks(Drive office, List<Tick> ticks, int beams, SplittableRandom random) {
-        return ticks.stream()
-                .map(tick -> Beams.of(office.laser(tick.mapFromBase(), random), beams, 30))
-                .toList();
-    }
-
-    /// How many of a scan's beams hit something on the way that updates are timed on: all that are looked at.
-    private static double hits(Drive office, int beams) {
-        var random = new SplittableRandom(1);
-        List<Tick> ticks = office.tour(office.anywhere(random), MINUTE, random);
-        return looks(office, ticks, beams, random).stream()
-                .mapToInt(Beams::count)
-                .average()
-                .orElseThrow();
+        return new Updates(ms, seen.stream().mapToInt(Beams::count).average().orElseThrow());
     }
 
     /// [ms]

@@ -10,8 +10,7 @@ import java.util.stream.LongStream;
 import rsal.bench.TightTrip.Outcome;
 
 /// The navigator where there is little room, with Pioneers whose lasers don't look behind. Each repeat has another
-/// seed.
-/// Names are `navigator.<where>.<planner>.<what>`, by the local planner:
+/// seed. Names are `navigator.<where>.<planner>.<what>`, by the local planner:
 /// * `door.….goals`, `.contacts`: goals that four reach in ten minutes who are sent through a door of 0.8 m, and how
 ///   often they touch something ([DoorRun]);
 /// * `nook.….reached`, `.seconds`, `.contacts`: share of the trips out of a nook, and to behind its end, that get there
@@ -52,15 +51,10 @@ final class TightBench implements Bench {
             measureDoor(planner, assignment);
         }
         for (String planner : PLANNERS) {
-            measureTrips(
-                    "nook", planner, assignment, seed -> driven(TightTrip.outOfANook(), planner, seed, IN_THE_NOOK));
+            measureTrips("nook", planner, IN_THE_NOOK, TightTrip::outOfANook, assignment);
         }
         for (String planner : PLANNERS) {
-            measureTrips(
-                    "near",
-                    planner,
-                    assignment,
-                    seed -> driven(TightTrip.besideThings(TRIPS, seed), planner, seed, BESIDE_THINGS));
+            measureTrips("near", planner, BESIDE_THINGS, seed -> TightTrip.besideThings(TRIPS, seed), assignment);
         }
     }
 
@@ -79,29 +73,36 @@ final class TightBench implements Bench {
         }
     }
 
-    private static List<Outcome> driven(List<TightTrip> trips, String planner, long seed, Duration longest) {
-        return trips.stream().map(trip -> trip.drive(planner, seed, longest)).toList();
-    }
-
     private static void measureTrips(
-            String where, String planner, Assignment assignment, LongFunction<List<Outcome>> drive) {
+            String where,
+            String planner,
+            Duration longest,
+            LongFunction<List<TightTrip>> trips,
+            Assignment assignment) {
         List<String> names = names(where, planner);
         if (!assignment.wantsAny(names)) {
             return;
         }
-        List<List<Outcome>> runs = eachSeed(names, assignment, drive);
+        List<List<Outcome>> runs = eachSeed(
+                names,
+                assignment,
+                seed -> trips.apply(seed).stream()
+                        .map(trip -> trip.drive(planner, longest))
+                        .toList());
         assignment.tell(Result.more(
-                names.get(0), "", each(runs, trips -> (double) times(trips).length / trips.size())));
+                names.get(0), "", each(runs, driven -> (double) times(driven).length / driven.size())));
         double[] seconds = runs.stream()
-                .flatMapToDouble(trips -> DoubleStream.of(times(trips)).average().stream())
+                .flatMapToDouble(driven -> DoubleStream.of(times(driven)).average().stream())
                 .toArray();
         if (seconds.length > 0) {
             assignment.tell(Result.less(names.get(1), "s", seconds));
+        } else {
+            assignment.notes().accept("Left out (%s): no trip got there.".formatted(names.get(1)));
         }
         assignment.tell(Result.less(
                 names.get(2),
                 "",
-                each(runs, trips -> trips.stream().mapToInt(Outcome::contacts).sum())));
+                each(runs, driven -> driven.stream().mapToInt(Outcome::contacts).sum())));
     }
 
     /// Of those that got there [s].

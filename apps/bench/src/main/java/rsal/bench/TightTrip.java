@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
+import java.util.stream.Stream;
 import rsal.data.Footprint;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
@@ -21,7 +22,8 @@ import rsal.navigation.wavefront.Wavefront;
 ///
 /// @param floor that it stands on
 /// @param believed the map that it is given of it
-record TightTrip(OccupancyGrid floor, OccupancyGrid believed, Pose2d start, Point2d goal) {
+/// @param seed of what sensors and wheels err by, and of what it does by chance
+record TightTrip(OccupancyGrid floor, OccupancyGrid believed, Pose2d start, Point2d goal, long seed) {
     private static final Duration PERIOD = Duration.ofMillis(500);
     private static final Tolerance NEAR = Tolerance.position(0.4); // m
 
@@ -30,7 +32,7 @@ record TightTrip(OccupancyGrid floor, OccupancyGrid believed, Pose2d start, Poin
     record Outcome(boolean reached, double seconds, int contacts) {}
 
     /// @param planner the navigator's local one
-    Outcome drive(String planner, long seed, Duration longest) {
+    Outcome drive(String planner, Duration longest) {
         var results = new ArrayList<Result>();
         try (var pioneer = new NavigatedPioneers(
                 floor,
@@ -56,11 +58,11 @@ record TightTrip(OccupancyGrid floor, OccupancyGrid believed, Pose2d start, Poin
 
     /// To what is behind the end of a nook of 1.7 m × 2.6 m that is not on its map, from before the nook and from in
     /// it.
-    static List<TightTrip> outOfANook() {
+    static List<TightTrip> outOfANook(long seed) {
         var hall = Floorplan.room(9, 6);
         var nook = hall.with(3, 1.95, 5.8, 2.15).with(3, 3.85, 5.8, 4.05).with(5.6, 1.95, 5.8, 4.05);
-        return List.of(new Pose2d(1.4, 3, 0), new Pose2d(4.7, 3, 0)).stream()
-                .map(start -> new TightTrip(nook.grid(), hall.grid(), start, new Point2d(7.4, 3)))
+        return Stream.of(new Pose2d(1.4, 3, 0), new Pose2d(4.7, 3, 0))
+                .map(start -> new TightTrip(nook.grid(), hall.grid(), start, new Point2d(7.4, 3), seed))
                 .toList();
     }
 
@@ -80,7 +82,7 @@ record TightTrip(OccupancyGrid floor, OccupancyGrid believed, Pose2d start, Poin
             Point2d goal = Office.place(random, ways.map()::isPassable).position();
             double far = start.position().distanceTo(goal);
             if (far >= 2 && far <= 11 && ways.plan(start.position(), goal, 0) instanceof Plan.Found) {
-                trips.add(new TightTrip(Office.MAP, Office.MAP, start, goal));
+                trips.add(new TightTrip(Office.MAP, Office.MAP, start, goal, random.nextLong()));
             }
         }
         return trips;

@@ -48,10 +48,10 @@ public class TimeFields {
     private void check(TimeField quick, double[] slow) {
         int compared = 0;
         for (int cell = 0; cell < SIDE * SIDE; cell++) {
-            double time = quick.at(map.x(cell % SIDE), map.y(cell / SIDE));
-            if (time < Double.POSITIVE_INFINITY && speed(map.distance(cell)) > 0) {
+            if (slow[cell] < Double.POSITIVE_INFINITY && isWithin(cell)) {
                 compared++;
-                if (Math.abs(time - slow[cell]) > 0.02 + 0.02 * slow[cell]) {
+                double time = quick.at(map.x(cell % SIDE), map.y(cell / SIDE));
+                if (!(Math.abs(time - slow[cell]) <= 0.02 + 0.02 * slow[cell])) {
                     throw new IllegalStateException(
                             "Cell (%d): (%f) s, by the slow one (%f) s.".formatted(cell, time, slow[cell]));
                 }
@@ -60,6 +60,11 @@ public class TimeFields {
         if (compared < SIDE * SIDE / 2) {
             throw new IllegalStateException("Only (%d) cells were reached.".formatted(compared));
         }
+    }
+
+    /// Times are asked between the middles of four cells.
+    private static boolean isWithin(int cell) {
+        return cell % SIDE < SIDE - 2 && cell / SIDE < SIDE - 2;
     }
 
     @Benchmark

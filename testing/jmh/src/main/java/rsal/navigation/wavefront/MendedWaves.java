@@ -30,7 +30,6 @@ public class MendedWaves {
     private Changes toWith;
     private Changes toWithout;
     private Wave mended;
-    private Wave anew;
     private boolean isThere;
     private int source;
 
@@ -99,7 +98,7 @@ public class MendedWaves {
 
     @Benchmark
     public Wave slow() {
-        anew = new Wave(isThere ? with : without);
+        Wave anew = new Wave(isThere ? with : without);
         anew.start(source);
         anew.spread(-1);
         return anew;
