@@ -75,7 +75,7 @@ record TightTrip(OccupancyGrid floor, OccupancyGrid believed, Pose2d start, Poin
         var trips = new ArrayList<TightTrip>();
         while (trips.size() < count) {
             Pose2d start = Office.place(random, _ -> true);
-            double room = room(body, start, toNotFree);
+            double room = room(body, start);
             if (room < 0.01 || room > 0.12) {
                 continue;
             }
@@ -88,14 +88,27 @@ record TightTrip(OccupancyGrid floor, OccupancyGrid believed, Pose2d start, Poin
         return trips;
     }
 
-    /// How far what is nearest is from a body [m]; less than nothing where it is within.
-    private static double room(List<Point2d> body, Pose2d mapFromBase, DistanceField toNotFree) {
-        double least = Double.POSITIVE_INFINITY;
+    /// How far the nearest cell that is not free is from a body, up to 0.2 m [m].
+    private static double room(List<Point2d> body, Pose2d mapFromBase) {
+        OccupancyGrid map = Office.MAP;
+        double half = map.resolution() / 2;
+        double least = 0.2;
+        int reach = (int) Math.ceil(least / map.resolution());
         for (Point2d point : body) {
             Point2d place = mapFromBase.transform(point);
-            least = Math.min(least, toNotFree.at(place.x(), place.y()));
+            int column = map.column(place.x());
+            int row = map.row(place.y());
+            for (int r = row - reach; r <= row + reach; r++) {
+                for (int c = column - reach; c <= column + reach; c++) {
+                    if (map.at(c, r) != OccupancyGrid.FREE) {
+                        double beside = Math.max(0, Math.abs(map.x(c) - place.x()) - half);
+                        double above = Math.max(0, Math.abs(map.y(r) - place.y()) - half);
+                        least = Math.min(least, Math.hypot(beside, above));
+                    }
+                }
+            }
         }
-        return least - Math.sqrt(0.5) * toNotFree.resolution(); // from a cell's middle, its corner may be so near
+        return least;
     }
 
     /// Points all over a footprint, 2 cm apart at most.

@@ -29,6 +29,17 @@ class TightTripTest {
                 .hasSizeGreaterThanOrEqualTo(3);
     }
 
+    /// The simulator refuses robots that would touch something.
+    @Test
+    void startsHaveRoom() {
+        for (long seed = 2; seed < 12; seed++) {
+            assertThat(TightTrip.besideThings(10, seed))
+                    .allSatisfy(
+                            trip -> assertThat(trip.drive("vfh", Duration.ZERO).contacts())
+                                    .isZero());
+        }
+    }
+
     @Test
     void whoHasNoTimeDoesNotGetThere() {
         assertThat(TightTrip.outOfANook(1))
