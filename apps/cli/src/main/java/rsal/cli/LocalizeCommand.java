@@ -314,6 +314,7 @@ final class LocalizeCommand extends Subcommand {
         checkStart(grid);
         target.ifPresent(folder -> save(grid, folder));
         var localizationMap = new LocalizationMap(grid, 0.1, 0.05);
+        checkSize(localizationMap, grid);
         if (map.fromHalf) {
             course = course.only(i -> i % 2 == 1);
         }
@@ -390,6 +391,17 @@ final class LocalizeCommand extends Subcommand {
                     "The start (%s, %s) is far off the map, which reaches from (%.1f, %.1f) to (%.1f, %.1f)."
                             .formatted(x, y, grid.originX(), grid.originY(), right, top),
                     "Poses are in meters in the map's frame, as the 'origin' of its YAML says.");
+        }
+    }
+
+    private void checkSize(LocalizationMap localizationMap, OccupancyGrid grid) {
+        if ((start == null || start.global) && !localizationMap.isSearchable()) {
+            throw new InvalidSettings(
+                    Location.of(map.map == null ? file : map.map),
+                    "The map has %.0f m² of free floor; a robot that may be anywhere is searched for on %.0f m² at most."
+                            .formatted(localizationMap.freeFloor(), LocalizationMap.MOST_SEARCHED),
+                    "Say where it starts (--pose), or look whether cells of %s m are right."
+                            .formatted(grid.resolution()));
         }
     }
 

@@ -768,6 +768,15 @@ class CommandLineIT {
     }
 
     @Test
+    void examplesOfTheDocumentationAreRight() throws Exception {
+        Path examples = Path.of("../../docs/examples").toAbsolutePath();
+        for (String example : List.of("errands.yaml", "explore.yaml")) {
+            Ended ended = rsal.run("validate", examples.resolve(example).toString());
+            assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
+        }
+    }
+
+    @Test
     void validateTellsAboutEachFile() throws Exception {
         Files.writeString(folder.resolve("wrong.yaml"), GUARD.replace("pioneer2dx", "pioneer9"));
         Ended ended = rsal.run("validate", "guard.yaml", "wrong.yaml", "--json");

@@ -147,6 +147,26 @@ class LocalizeIT {
         assertThat(folder.resolve("mine.yaml")).isNotEmptyFile();
     }
 
+    /// As of one whose cells were taken for meters, not centimeters. It was searched for hours.
+    @Test
+    void aMapThatIsTooLargeToBeSearchedIsRefusedUnlessAPoseIsGiven() throws Exception {
+        Files.writeString(
+                folder.resolve("large.pgm"), "P2 50 50 255\n" + "254 ".repeat(49) + "0 " + "254 ".repeat(2450));
+        Files.writeString(folder.resolve("large.yaml"), """
+                image: large.pgm
+                resolution: 100
+                origin: [0, 0, 0]
+                negate: 0
+                occupied_thresh: 0.65
+                free_thresh: 0.196
+                """);
+        Ended ended = rsal.run("localize", "room.log", "--map", "large.yaml");
+        assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.INVALID);
+        assertThat(ended.err()).contains("large.yaml", "24990000 m²", "90000 m²", "--pose", "100.0 m");
+        String[] told = {"localize", "room.log", "--map", "large.yaml", "--pose", "50", "50", "0", "--scans", "20"};
+        assertThat(rsal.run(told).code()).isEqualTo(Exit.SUCCESS);
+    }
+
     @Test
     void aLogThatHasNoReturnsTellsNothing() throws Exception {
         String nothing = RoomLog.whole().replaceAll("FLASER 181( \\S+){181}", "FLASER 181" + " 81.91".repeat(181));

@@ -152,7 +152,8 @@ public final class Amcl {
     private int blind; // updates in a row in which nothing was seen
     private @Nullable Hypothesis newest; // where it was at the last update
 
-    /// Knows nothing yet: starts anywhere on the map.
+    /// Knows nothing yet: starts anywhere on the map. On one that is not [LocalizationMap#isSearchable] it stays lost
+    /// until it is told where it is.
     public Amcl(LocalizationMap map, Settings settings, RandomGenerator random) {
         this.settings = settings;
         this.map = map;

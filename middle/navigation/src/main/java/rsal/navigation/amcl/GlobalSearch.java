@@ -46,8 +46,11 @@ final class GlobalSearch {
         this.sharp = new Refinement(map.toFace, map.deviation, ALL_BEAMS);
     }
 
-    /// The best places, best first, none of them near a better one.
+    /// The best places, best first, none of them near a better one; none on a map that is too large to be searched.
     List<Candidate> candidates(Beams beams, int limit) {
+        if (!map.isSearchable()) {
+            return List.of();
+        }
         Beams thin = thin(beams);
         List<Candidate> found = coarse(thin).stream()
                 .map(c -> new Candidate(score(thin, c.mapFromBase(), COARSE_DEVIATION), c.mapFromBase()))

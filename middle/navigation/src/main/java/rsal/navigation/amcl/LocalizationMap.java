@@ -7,12 +7,16 @@ import rsal.navigation.grid.DistanceField;
 /// What localization knows of a map, computed once. Immutable; robots that share a map and a kind of sensor share
 /// it.
 public final class LocalizationMap {
+    /// On so much free floor [m²] a robot is searched for that may be anywhere. On more of it a search takes longer
+    /// than
+    /// anybody waits.
+    public static final double MOST_SEARCHED = 90_000;
+
     private static final double COARSE_DEVIATION = 0.35; // half of what the coarse search's steps miss
     private static final double COARSE_CELL = 0.15; // m
 
     /// Distances are those of the middles of cells. Where cells are larger than this [m], beams would seem to end
-    /// beside
-    /// walls by half of one, so they are split.
+    /// beside walls by half of one, so they are split.
     private static final double FINE_CELL = 0.05;
 
     private static final long MOST_CELLS = 16_000_000; // that cells are split into
@@ -28,6 +32,7 @@ public final class LocalizationMap {
 
     final double coarseResolution;
     final double deviation;
+    private final double freeFloor; // m²
 
     /// @param deviation how far hits are from the walls of the map [m]
     /// @param randomShare of readings that have nothing to do with the map
@@ -36,12 +41,32 @@ public final class LocalizationMap {
         this.toOccupied = DistanceField.toOccupied(grid);
         this.toFace = DistanceField.toFace(grid, deviation);
         this.deviation = deviation;
+        this.freeFloor = free(map) * map.resolution() * map.resolution();
         this.walls = new LikelihoodField(grid, toFace, deviation, randomShare);
         this.reaches = new BeamModel(toOccupied, Outside.of(grid), deviation, randomShare);
         OccupancyGrid coarse = pooled(grid, Math.max(1, (int) Math.round(COARSE_CELL / grid.resolution())));
         this.coarseResolution = coarse.resolution();
         this.nearWalls = new LikelihoodField(
                 coarse, DistanceField.toOccupied(coarse), Math.max(deviation, COARSE_DEVIATION), randomShare);
+    }
+
+    private static long free(OccupancyGrid map) {
+        long count = 0;
+        for (byte cell : map.cells()) {
+            count += cell == OccupancyGrid.FREE ? 1 : 0;
+        }
+        return count;
+    }
+
+    /// How much floor is known to be free [m²].
+    public double freeFloor() {
+        return freeFloor;
+    }
+
+    /// Whether a robot that may be anywhere on it is searched for. On others it must be told where it is, and does not
+    /// find itself again once it is lost.
+    public boolean isSearchable() {
+        return freeFloor <= MOST_SEARCHED;
     }
 
     /// In how many parts along each side cells are split.

@@ -1,5 +1,7 @@
 package rsal.navigation.device;
 
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.util.List;
 import java.util.Optional;
 import rsal.data.Covariance2d;
@@ -31,6 +33,8 @@ public final class AmclDriver implements DeviceDriver {
     private static final double LEAST_DISTANCE_NOISE = 0.05; // m/√m; wheels slip more than their makers say
     private static final double LEAST_DRIVING_NOISE = 0.05; // rad/√m
     private static final double LEAST_TURNING_NOISE = 0.08; // rad/√rad
+
+    private static final Logger LOG = System.getLogger(AmclDriver.class.getName());
 
     private record MapKey(OccupancyGrid map, double deviation, double randomShare) {}
 
@@ -83,6 +87,22 @@ public final class AmclDriver implements DeviceDriver {
     }
 
     @Override
+    public Optional<String> advice(String option) {
+        return ForeignOptions.OF_LOCALIZERS.advice(option, parameters());
+    }
+
+    @Override
+    public Optional<String> refusal(Arguments arguments) {
+        int least = arguments.integer("minParticles");
+        int most = arguments.integer("maxParticles");
+        return least <= most
+                ? Optional.empty()
+                : Optional.of(
+                        "Of particles, no more than maxParticles (%d) can be kept, but no fewer than minParticles (%d)."
+                                .formatted(most, least));
+    }
+
+    @Override
     public Device create(Context context, Arguments arguments) {
         var base = context.robot().require(DriveBase.class);
         Optional<LaserScanner> laser = context.robot().find(LaserScanner.class);
@@ -90,10 +110,21 @@ public final class AmclDriver implements DeviceDriver {
         var map = maps.of(
                 new MapKey(context.map(), deviation, arguments.number("randomShare")),
                 key -> new LocalizationMap(key.map(), key.deviation(), key.randomShare()));
+        if (context.mapFromBase().isEmpty() && !map.isSearchable()) {
+            LOG.log(
+                    Level.WARNING,
+                    () ->
+                            "(%s/%s) stays lost until it is told where it is: the map has %.0f m² of free floor, and is searched up to %.0f m²."
+                                    .formatted(
+                                            context.robot().id(),
+                                            context.name(),
+                                            map.freeFloor(),
+                                            LocalizationMap.MOST_SEARCHED));
+        }
         int minParticles = arguments.integer("minParticles");
         var settings = new Amcl.Settings(
                 minParticles,
-                Math.max(minParticles, arguments.integer("maxParticles")),
+                arguments.integer("maxParticles"),
                 arguments.number(laser.isPresent() ? "independentBeams" : "independentSonars"),
                 arguments.number("updateDistance"),
                 arguments.radians("updateAngle"),

@@ -1,6 +1,7 @@
 package rsal.navigation.device;
 
 import java.util.List;
+import java.util.Optional;
 import rsal.data.Point2d;
 import rsal.device.Device;
 import rsal.device.DeviceInfo;
@@ -33,6 +34,11 @@ public final class JumpPointDriver implements DeviceDriver {
     @Override
     public List<Parameter> parameters() {
         return List.of(Ways.WALL_DISTANCE, WavefrontDriver.GOAL_DISTANCE);
+    }
+
+    @Override
+    public Optional<String> advice(String option) {
+        return ForeignOptions.OF_PLANNERS.advice(option, parameters());
     }
 
     @Override

@@ -90,7 +90,7 @@ public final class NavigatorDriver implements DeviceDriver {
 
     @Override
     public Optional<String> advice(String option) {
-        return PlayerOptions.advice(option, parameters());
+        return ForeignOptions.OF_NAVIGATORS.advice(option, parameters());
     }
 
     @Override

@@ -2,6 +2,7 @@ package rsal.navigation.device;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import rsal.data.Point2d;
 import rsal.device.Device;
 import rsal.device.DeviceInfo;
@@ -39,6 +40,11 @@ public final class WavefrontDriver implements DeviceDriver {
         var parameters = new ArrayList<>(Ways.parameters());
         parameters.add(GOAL_DISTANCE);
         return parameters;
+    }
+
+    @Override
+    public Optional<String> advice(String option) {
+        return ForeignOptions.OF_PLANNERS.advice(option, parameters());
     }
 
     @Override

@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
-class PlayerOptionsTest {
+class ForeignOptionsTest {
     private final NavigatorDriver driver = new NavigatorDriver();
 
     /// All of Player's vfh, nd and snd.
@@ -71,7 +71,30 @@ class PlayerOptionsTest {
         assertThat(driver.advice("min_gap_width")).hasValue("It is written 'minGapWidth' here.");
         assertThat(driver.advice("max_radius").orElseThrow()).contains("comfortDistance");
         assertThat(driver.parameters()).extracting(Parameter::name).contains("comfortDistance", "wallCost", "patience");
+        assertThat(driver.advice("safety_dist").orElseThrow())
+                .contains("'safetyDist'", "'wallDistance'", "'safetyDist0ms'");
+        assertThat(driver.advice("goalDistance").orElseThrow()).contains("of planners");
         assertThat(driver.advice("colour")).isEqualTo(Optional.empty());
+    }
+
+    @Test
+    void whoComesFromRosIsToldWhatToWrite() {
+        assertThat(driver.advice("xy_goal_tolerance").orElseThrow()).contains("with each goal");
+        assertThat(new AmclDriver().advice("laser_max_beams")).hasValue("It is 'beams' here.");
+        assertThat(new AmclDriver().advice("min_particles")).hasValue("It is written 'minParticles' here.");
+        assertThat(new AmclDriver().advice("odom_alpha1").orElseThrow()).contains("odometryDoubt");
+        assertThat(new WavefrontDriver().advice("inflation_radius")).hasValue("It is 'comfortDistance' here.");
+        assertThat(new WavefrontDriver().advice("safety_dist")).hasValue("It is 'wallDistance' here.");
+        assertThat(new JumpPointDriver().advice("tolerance")).hasValue("It is 'goalDistance' here.");
+    }
+
+    @Test
+    void noMoreParticlesAreAskedForThanMayBe() {
+        var amcl = new AmclDriver();
+        assertThat(amcl.refusal(Arguments.of(amcl.parameters(), Map.of("minParticles", 9000)))
+                        .orElseThrow())
+                .contains("(5000)", "(9000)");
+        assertThat(amcl.refusal(Arguments.defaults(amcl.parameters()))).isEmpty();
     }
 
     @Test
