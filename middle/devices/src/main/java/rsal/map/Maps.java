@@ -3,6 +3,7 @@ package rsal.map;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
@@ -29,6 +30,7 @@ public final class Maps {
     /// Of an image.
     public static final int MAX_IMAGE_BYTES = 1 << 28;
 
+    private static final Pattern IMAGE = Pattern.compile("(?i).+\\.(pgm|png)(\\.gz)?");
     private static final FileSource BUILT_IN = FileSource.resources(Maps.class, "/rsal/maps/");
 
     private final FileSource files;
@@ -57,6 +59,12 @@ public final class Maps {
         }
         if (name.endsWith(".yaml") || name.endsWith(".yml")) {
             return read(files, name, askedAt);
+        }
+        if (IMAGE.matcher(name).matches()) {
+            throw new InvalidSettings(
+                    askedAt,
+                    "(%s) is an image, which alone does not say how large its cells are.".formatted(name),
+                    "A map goes by the name of a YAML file as ROS's map_server writes it, with (image), (resolution) and (origin).");
         }
         throw new InvalidSettings(
                 askedAt,

@@ -13,6 +13,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Random;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
@@ -173,6 +174,16 @@ class MapsTest {
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> maps.read("offise", HERE))
                 .withMessageContaining("hunt.yaml:3:8: There is no map (offise).");
+    }
+
+    @Test
+    void anImageAloneIsNoMap() {
+        for (String name : List.of("lab.pgm", "maps/lab.PNG", "lab.pgm.gz")) {
+            assertThatExceptionOfType(InvalidSettings.class)
+                    .isThrownBy(() -> maps.read(name, HERE))
+                    .withMessageContaining("(%s) is an image".formatted(name))
+                    .withMessageContaining("YAML");
+        }
     }
 
     @Test
