@@ -114,7 +114,7 @@ class PlayerBridgeTest extends BridgeBench {
     @Test
     void aPortThatIsTakenIsToldAndTheOthersAreLetGo() throws IOException {
         try (RobotSystem two = two();
-                var second = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+                var second = takenAfterAFreeOne()) {
             int first = second.getLocalPort() - 1;
             assertThatThrownBy(() -> both(two, first))
                     .isInstanceOf(IOException.class)
@@ -122,6 +122,19 @@ class PlayerBridgeTest extends BridgeBench {
                     .hasMessageContaining(Integer.toString(first + 1));
             new ServerSocket(first, 1, InetAddress.getLoopbackAddress()).close();
             assertThatThrownBy(() -> both(two, 65_535)).hasMessageContaining("There is no port (65536)");
+        }
+    }
+
+    /// A port that is taken. Nobody has the one before it, which others than this test may have by chance.
+    private static ServerSocket takenAfterAFreeOne() throws IOException {
+        while (true) {
+            var taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
+            try {
+                new ServerSocket(taken.getLocalPort() - 1, 1, InetAddress.getLoopbackAddress()).close();
+                return taken;
+            } catch (IOException _) {
+                taken.close();
+            }
         }
     }
 
