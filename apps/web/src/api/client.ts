@@ -314,11 +314,11 @@ async function grid(what: string, name: string): Promise<Grid | null | undefined
   }
 }
 
-/** A byte a cell, row by row from the lower left one; null when it isn't there. */
+/** A byte a cell, row by row from the lower left one; null when it isn't there, as when another run has begun meanwhile. */
 async function map(run: number): Promise<Uint8Array | null> {
   try {
     const response = await fetch(`api/map/${String(run)}`, { signal: patient() });
-    return response.ok ? new Uint8Array(await response.arrayBuffer()) : null;
+    return response.status === 200 ? new Uint8Array(await response.arrayBuffer()) : null;
   } catch {
     return null;
   }

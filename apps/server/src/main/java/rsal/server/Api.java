@@ -525,10 +525,19 @@ final class Api {
     private void map(Context request) {
         Seat seat = seats.find(request);
         Numbered now = seat.now();
-        if (!request.pathParam("run").equals(Integer.toString(now.number()))) {
+        String run = request.pathParam("run");
+        if (wasBefore(run, now)) {
+            request.status(204);
+        } else if (isPresent(run, now)) {
+            answerPacked(request, seat.floor(now));
+        } else {
             throw new Refusal(404, "Only the map of run %d is there.".formatted(now.number()));
         }
-        answerPacked(request, seat.floor(now));
+    }
+
+    /// Whether a number is that of a run that another one has followed, which who asks about it could not know.
+    private static boolean wasBefore(String run, Numbered now) {
+        return run.matches("[1-9]\\d{0,8}") && Integer.parseInt(run) < now.number();
     }
 
     /// @param bytes as [#packed] packs them
@@ -539,7 +548,11 @@ final class Api {
 
     /// A map that a robot has drawn; see [Messages.DrawnMap].
     private void drawn(Context request) {
-        answer(request, drawn(request, String.valueOf(request.queryParam("robot"))));
+        if (wasBefore(request.pathParam("run"), seats.find(request).now())) {
+            request.status(204);
+        } else {
+            answer(request, drawn(request, String.valueOf(request.queryParam("robot"))));
+        }
     }
 
     static void answer(Context request, OccupancyGrid drawn) {

@@ -580,6 +580,19 @@ class RunServerTest {
                     .returns("", Response::body);
         }
 
+        /// A page that is opened while another run begins asks for the map of the one that it was told of.
+        @Test
+        void tellsNothingOfTheMapsOfARunThatAnotherHasFollowed() throws IOException {
+            post("restart", "{}");
+            for (String map : List.of("map/1", "drawn/1?robot=courier-1")) {
+                assertThat(get("/api/" + map)).returns(204, Response::status).returns("", Response::body);
+            }
+            assertThat(get("/api/map/2").status()).isEqualTo(200);
+            for (String wrong : List.of("3", "0", "-1", "x", "99999999999")) {
+                assertThat(get("/api/map/" + wrong).status()).as(wrong).isEqualTo(404);
+            }
+        }
+
         @Test
         void refusesCommandsWhateverRunTheyName() throws Exception {
             post("stop", "{}");
