@@ -29,6 +29,7 @@ final class PageServer implements AutoCloseable {
     private final Javalin http;
     private final Viewing viewing;
     private final URI url;
+    private final Rehearsal rehearsal;
 
     /// @param door from [#open]
     /// @param viewing where viewers come in; this closes it
@@ -44,10 +45,10 @@ final class PageServer implements AutoCloseable {
         try {
             http.start();
         } catch (RuntimeException e) {
-            close();
+            stop();
             throw e;
         }
-        Rehearsal.begin((InetSocketAddress) door.getLocalAddress(), FIRST);
+        rehearsal = Rehearsal.begin((InetSocketAddress) door.getLocalAddress(), FIRST);
     }
 
     /// @param port 0 for any that is free
@@ -105,6 +106,11 @@ final class PageServer implements AutoCloseable {
 
     @Override
     public void close() {
+        rehearsal.close();
+        stop();
+    }
+
+    private void stop() {
         viewing.close();
         http.stop();
     }
