@@ -2,7 +2,7 @@ import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { chromium } from './chromium';
-import { eventually } from './eventually';
+import { eventually, settled } from './eventually';
 import { Rsal } from './rsal';
 import { expectAccessible, picture, visits } from './visits';
 
@@ -374,7 +374,7 @@ describe.skipIf(!chromium)('what people work with', () => {
       const list = page.getByRole('region', { name: /^Robots/ });
       const wide = () => list.evaluate((node) => node.scrollWidth - node.clientWidth);
       await picture(page, `motors-off-${String(width)}`);
-      expect(await wide(), `${String(width)} px`).toBeLessThanOrEqual(0);
+      expect(await settled(wide, 'the list has its width'), `${String(width)} px`).toBeLessThanOrEqual(0);
     }
     await page.setViewportSize({ width: 1400, height: 900 });
     await page.locator('.banner').getByRole('button').click();
