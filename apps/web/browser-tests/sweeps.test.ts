@@ -5,7 +5,7 @@ import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { chromium } from './chromium';
-import { eventually } from './eventually';
+import { eventually, settled } from './eventually';
 import { Rsal } from './rsal';
 import { expectAccessible, picture, visits } from './visits';
 
@@ -174,7 +174,8 @@ describe.skipIf(!chromium)('a sweep', () => {
     await status(page).waitFor();
     await page.setViewportSize({ width: 480, height: 800 });
     await picture(page, 'sweep-narrow-dark');
-    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(480);
+    const wide = () => page.evaluate(() => document.documentElement.scrollWidth);
+    expect(await settled(wide, 'all has its place')).toBeLessThanOrEqual(480);
     const dialog = page.getByRole('dialog', { name: 'Sweep: Robots that wander' });
     await dialog.getByRole('link', { name: 'Open the report', exact: true }).waitFor();
     const earlier = dialog.locator('[data-sweep="wander-1"]');
