@@ -61,8 +61,10 @@ record TightTrip(OccupancyGrid floor, OccupancyGrid believed, Pose2d start, Poin
     static List<TightTrip> outOfANook(long seed) {
         var hall = Floorplan.room(9, 6);
         var nook = hall.with(3, 1.95, 5.8, 2.15).with(3, 3.85, 5.8, 4.05).with(5.6, 1.95, 5.8, 4.05);
+        OccupancyGrid floor = nook.grid();
+        OccupancyGrid believed = hall.grid();
         return Stream.of(new Pose2d(1.4, 3, 0), new Pose2d(4.7, 3, 0))
-                .map(start -> new TightTrip(nook.grid(), hall.grid(), start, new Point2d(7.4, 3), seed))
+                .map(start -> new TightTrip(floor, believed, start, new Point2d(7.4, 3), seed))
                 .toList();
     }
 

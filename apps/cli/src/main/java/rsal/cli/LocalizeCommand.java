@@ -312,9 +312,9 @@ final class LocalizeCommand extends Subcommand {
         target.ifPresent(Destination::prepareExisting);
         OccupancyGrid grid = grid(course);
         checkStart(grid);
-        target.ifPresent(folder -> save(grid, folder));
         var localizationMap = new LocalizationMap(grid, 0.1, 0.05);
         checkSize(localizationMap, grid);
+        target.ifPresent(folder -> save(grid, folder));
         if (map.fromHalf) {
             course = course.only(i -> i % 2 == 1);
         }

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import rsal.data.LaserScan;
@@ -17,8 +18,6 @@ import rsal.device.Health;
 /// what is out of order in time, has another number of beams than before where that matters, or no number where one
 /// must be.
 final class Scrutiny {
-    private static final String NOTHING = "all its ranges are NaN, or 0 m";
-
     private final boolean sameCount;
     private final Consumer<String> onFirst;
     private int skipped;
@@ -137,9 +136,7 @@ final class Scrutiny {
         if (!(scan.baseFromLaser().isFinite() && Double.isFinite(scan.angleMin()) && Double.isFinite(last))) {
             return Optional.of("its beams have no direction");
         }
-        return IntStream.range(0, scan.count()).allMatch(i -> Double.isNaN(scan.distance(i)))
-                ? Optional.of(NOTHING)
-                : Optional.empty();
+        return noReading(scan.count(), scan::distance);
     }
 
     /// Likewise of what sonars say.
@@ -150,8 +147,12 @@ final class Scrutiny {
         if (!ranges.baseFromSensors().stream().allMatch(Pose2d::isFinite)) {
             return Optional.of("its sensors have no direction");
         }
-        return IntStream.range(0, ranges.count()).allMatch(i -> Double.isNaN(ranges.distance(i)))
-                ? Optional.of(NOTHING)
+        return noReading(ranges.count(), ranges::distance);
+    }
+
+    private static Optional<String> noReading(int count, IntToDoubleFunction distance) {
+        return IntStream.range(0, count).mapToDouble(distance).allMatch(Double::isNaN)
+                ? Optional.of("all its ranges are NaN, or 0 m")
                 : Optional.empty();
     }
 }

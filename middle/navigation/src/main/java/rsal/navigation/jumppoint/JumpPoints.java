@@ -117,8 +117,7 @@ public final class JumpPoints {
     }
 
     /// For each cell which part of the map it is in, from 1 on: ways join all cells of a part, and no others; 0 where
-    /// the
-    /// robot can't be. Found when somebody first asks for a place that no way leads to.
+    /// the robot can't be. Found when somebody first asks for a place that no way leads to.
     private int[] parts() {
         int[] known = parts;
         if (known == null) {

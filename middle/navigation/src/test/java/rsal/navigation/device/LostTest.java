@@ -39,7 +39,7 @@ class LostTest {
 
         localizer.relocalize(belief(Quality.LOST, truth()));
         scheduler.advance(Duration.ofSeconds(1));
-        robot.require(Navigator.class).goTo(goal).result().thenAccept(results::add);
+        goTo(goal, robot);
         scheduler.advance(Duration.ofSeconds(20));
         assertThat(results).isEmpty();
 
@@ -56,7 +56,7 @@ class LostTest {
         Pose2d goal = RobotBench.START.compose(new Pose2d(3, 0, 0));
 
         localizer.relocalize(belief(Quality.LOCALIZED, goal.compose(new Pose2d(-0.5, 0, 0))));
-        robot.require(Navigator.class).goTo(goal).result().thenAccept(results::add);
+        goTo(goal, robot);
         scheduler.advance(Duration.ofMillis(300));
         localizer.relocalize(belief(Quality.LOST, truth()));
         scheduler.advance(Duration.ofSeconds(4));
@@ -74,10 +74,7 @@ class LostTest {
         Localizer localizer = robot.require(Localizer.class);
         Pose2d start = truth();
         localizer.relocalize(belief(Quality.LOCALIZED, start));
-        robot.require(Navigator.class)
-                .goTo(start.compose(new Pose2d(3, 0, 0)))
-                .result()
-                .thenAccept(results::add);
+        goTo(start.compose(new Pose2d(3, 0, 0)), robot);
         for (int time = 0; time < 30 && results.isEmpty(); time++) {
             localizer.relocalize(belief(Quality.LOCALIZED, start));
             scheduler.advance(Duration.ofSeconds(2));
@@ -118,6 +115,10 @@ class LostTest {
                     Arguments.of(driver.parameters(), driver instanceof NavigatorDriver ? settings : Map.of())));
         }
         return robot;
+    }
+
+    private void goTo(Pose2d goal, Robot robot) {
+        robot.require(Navigator.class).goTo(goal).result().thenAccept(results::add);
     }
 
     private Pose2d truth() {
