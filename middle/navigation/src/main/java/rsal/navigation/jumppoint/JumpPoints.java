@@ -11,6 +11,7 @@ import rsal.data.Path2d;
 import rsal.data.Point2d;
 import rsal.navigation.wavefront.CostMap;
 import rsal.navigation.wavefront.Ends;
+import rsal.navigation.wavefront.OpenParts;
 import rsal.navigation.wavefront.Plan;
 
 /// Finds shortest ways for single questions, without a wave over the whole map: jump point search (D. Harabor,
@@ -43,7 +44,7 @@ public final class JumpPoints {
     private final int[] from;
     private final byte[] taken; // directions in which ways went on, as bits
     private final List<Integer> touched = new ArrayList<>();
-    private int @Nullable [] parts;
+    private @Nullable OpenParts parts; // found when somebody first asks for a place that no way leads to
     private int goalColumn;
     private int goalRow;
 
@@ -78,9 +79,10 @@ public final class JumpPoints {
         var cells = (Ends.Cells) ends;
         int end = cells.goal();
         if (parts != null || search(cells.start(), end) < 0) {
-            int[] part = parts();
-            if (part[cells.start()] != part[end]) {
-                end = Ends.nearest(grid, goal, slack, cell -> part[cell] == part[cells.start()]);
+            OpenParts known = parts();
+            int own = known.of(cells.start());
+            if (known.of(end) != own) {
+                end = Ends.nearest(grid, goal, slack, cell -> known.of(cell) == own);
             }
             if (end < 0) {
                 return Ends.apart(goal);
@@ -116,44 +118,13 @@ public final class JumpPoints {
         return -1;
     }
 
-    /// For each cell which part of the map it is in, from 1 on: ways join all cells of a part, and no others; 0 where
-    /// the robot can't be. Found when somebody first asks for a place that no way leads to.
-    private int[] parts() {
-        int[] known = parts;
+    private OpenParts parts() {
+        OpenParts known = parts;
         if (known == null) {
-            known = new int[reached.length];
-            int count = 0;
-            for (int cell = 0; cell < known.length; cell++) {
-                if (known[cell] == 0 && map.isOpen(cell)) {
-                    count++;
-                    fill(cell, count, known);
-                }
-            }
+            known = new OpenParts(map);
             parts = known;
         }
         return known;
-    }
-
-    /// As ways cut no corners, those over sides alone lead to the same cells.
-    private void fill(int first, int part, int[] filled) {
-        int[] left = {first};
-        int count = 1;
-        filled[first] = part;
-        while (count > 0) {
-            int cell = left[--count];
-            for (int direction = 0; direction < 8; direction += 2) {
-                int column = cell % cells.width + DX[direction];
-                int row = cell / cells.width + DY[direction];
-                int next = row * cells.width + column;
-                if (cells.isOpen(column, row) && filled[next] == 0) {
-                    filled[next] = part;
-                    if (count == left.length) {
-                        left = Arrays.copyOf(left, 2 * count);
-                    }
-                    left[count++] = next;
-                }
-            }
-        }
     }
 
     private void jump(Open parent, int direction, PriorityQueue<Open> open) {
