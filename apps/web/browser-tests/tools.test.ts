@@ -386,10 +386,11 @@ describe.skipIf(!chromium)('what people work with', () => {
     if ((await page.locator('tr.card').count()) === 0) {
       await page.locator('tr[data-robot="courier-1"]').click();
     }
-    const numbers = page.getByLabel('Plot a number…');
-    if ((await numbers.count()) === 0) {
-      await page.getByText('Plots', { exact: true }).click(); // the page was loaded anew
+    const plots = page.locator('.card details', { has: page.getByText('Plots', { exact: true }) });
+    if ((await plots.getAttribute('open')) === null) {
+      await plots.locator('summary').click(); // the page was loaded anew
     }
+    const numbers = page.getByLabel('Plot a number…');
     await numbers.locator('option', { hasText: 'odometry x' }).first().waitFor({ state: 'attached' });
     expect(await numbers.locator('option', { hasText: /range|mounted|field of view/ }).count()).toBe(0);
     await numbers.selectOption('courier-1: base odomFromBase.x');
