@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/// What a person wrote can't be used. The message lists every mistake, a line or two each, and then what is only warned
-/// of, ready to be shown.
+/// What a person wrote can't be used. The message lists every mistake, a line or two each, from top to bottom, and then
+/// what is only warned of, ready to be shown.
 public final class InvalidSettings extends RuntimeException {
     private static final long serialVersionUID = 1;
 
@@ -18,18 +18,21 @@ public final class InvalidSettings extends RuntimeException {
 
     /// @param warnings what was found besides, and would not be in the way
     public InvalidSettings(List<Problem> problems, List<Problem> warnings) {
+        List<Problem> mistakes = Problem.inReadingOrder(problems);
+        List<Problem> besides = Problem.inReadingOrder(warnings);
         super(Stream.concat(
-                        problems.stream().map(Problem::toString),
-                        warnings.stream().map(warning -> "Warning: " + warning))
+                        mistakes.stream().map(Problem::toString),
+                        besides.stream().map(warning -> "Warning: " + warning))
                 .collect(Collectors.joining("\n")));
-        this.problems = List.copyOf(problems);
-        this.warnings = List.copyOf(warnings);
+        this.problems = mistakes;
+        this.warnings = besides;
     }
 
     public InvalidSettings(Location location, String message, String remedy) {
         this(List.of(new Problem(location, message, remedy)));
     }
 
+    /// The mistakes, file by file, each from top to bottom.
     public List<Problem> problems() {
         return problems;
     }

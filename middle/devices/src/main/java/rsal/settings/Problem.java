@@ -1,5 +1,7 @@
 package rsal.settings;
 
+import java.util.Comparator;
+import java.util.List;
 import java.util.regex.Pattern;
 
 /// One mistake in a file: where, what was read and expected, and what to try.
@@ -8,6 +10,19 @@ import java.util.regex.Pattern;
 /// @param remedy what to try; empty when nobody can tell
 public record Problem(Location location, String message, String remedy) {
     private static final Pattern CONTROL = Pattern.compile("[\\p{Cc}&&[^\n]]");
+
+    /// As a person reads: file by file, in the order in which they are met, and each from top to bottom.
+    static List<Problem> inReadingOrder(List<Problem> problems) {
+        List<String> files = problems.stream()
+                .map(problem -> problem.location.file())
+                .distinct()
+                .toList();
+        return problems.stream()
+                .sorted(Comparator.comparingInt((Problem problem) -> files.indexOf(problem.location.file()))
+                        .thenComparingInt(problem -> problem.location.line())
+                        .thenComparingInt(problem -> problem.location.column()))
+                .toList();
+    }
 
     /// For people: what a file has of control characters is written out, as terminals would obey it.
     @Override

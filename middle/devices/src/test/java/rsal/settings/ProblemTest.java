@@ -2,6 +2,7 @@ package rsal.settings;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class ProblemTest {
@@ -9,5 +10,25 @@ class ProblemTest {
     void writesControlCharactersOut() {
         var problem = new Problem(Location.of("a.world"), "(\u001b[31m) means nothing here.", "Bell\u0007?");
         assertThat(problem.toString()).isEqualTo("a.world: (\\u001b[31m) means nothing here.\n    Bell\\u0007?");
+    }
+
+    @Test
+    void areToldAsTheyAreRead() {
+        var typed = new Problem(Location.of("--set"), "d", "");
+        var last = new Problem(new Location("a.yaml", 7, 3), "c", "");
+        var first = new Problem(new Location("a.yaml", 2, 9), "a", "");
+        var next = new Problem(new Location("a.yaml", 7, 1), "b", "");
+        var included = new Problem(new Location("b.yaml", 1, 1), "e", "");
+        var mistakes = new InvalidSettings(List.of(last, first, typed, next, included), List.of(last, first));
+        assertThat(mistakes.problems()).containsExactly(first, next, last, typed, included);
+        assertThat(mistakes.warnings()).containsExactly(first, last);
+        assertThat(mistakes).hasMessage("""
+                a.yaml:2:9: a
+                a.yaml:7:1: b
+                a.yaml:7:3: c
+                --set: d
+                b.yaml:1:1: e
+                Warning: a.yaml:2:9: a
+                Warning: a.yaml:7:3: c""");
     }
 }
