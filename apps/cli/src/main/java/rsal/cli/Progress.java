@@ -13,8 +13,12 @@ import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.RunResult;
 import rsal.scenario.run.Snapshot;
+import rsal.time.AllowedToReadWallClock;
 
-/// Tells on stderr how a run goes: what happens, and on a terminal a line with the time, drawn over and over.
+/// Tells on stderr how a run goes: what happens, and how far it is; on a terminal by a line that is drawn over and
+/// over,
+/// elsewhere by one now and then, ever more seldom.
+@AllowedToReadWallClock("Tells people that it still goes on.")
 final class Progress {
     private static final long PERIOD_MILLIS = 250;
     private static final Set<String> KINDS =
@@ -23,6 +27,8 @@ final class Progress {
 
     private final PrintWriter err;
     private final boolean terminal = Terminal.showsProgress();
+    private final LifeSigns signs = new LifeSigns();
+    private long began;
     private long lastEvent;
 
     Progress(PrintWriter err) {
@@ -35,6 +41,7 @@ final class Progress {
     RunResult await(LiveRun run) throws Exception {
         RunPlan plan = run.plan();
         err.printf("Running %s:%s with seed %d%n", plan.scenario().name(), plan.configuration(), plan.seed());
+        began = System.nanoTime();
         CompletableFuture<RunResult> result = run.result().toCompletableFuture();
         while (true) {
             try {
@@ -60,10 +67,15 @@ final class Progress {
             }
         }
         if (terminal) {
-            Snapshot now = run.snapshot();
-            err.printf(Locale.ROOT, "%s%8.1f s  %.3g × real time", CLEAR_LINE, seconds(now.time()), now.rate());
+            err.print(CLEAR_LINE + line(run.snapshot()));
             err.flush();
+        } else if (signs.isDue(System.nanoTime() - began)) {
+            err.println(line(run.snapshot()));
         }
+    }
+
+    private static String line(Snapshot now) {
+        return String.format(Locale.ROOT, "%8.1f s  %.3g × real time", seconds(now.time()), now.rate());
     }
 
     /// Whether people want to know without a page.
