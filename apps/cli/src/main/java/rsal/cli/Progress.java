@@ -70,8 +70,16 @@ final class Progress {
             err.print(CLEAR_LINE + line(run.snapshot()));
             err.flush();
         } else if (signs.isDue(System.nanoTime() - began)) {
-            err.println(line(run.snapshot()));
+            err.println(line(now(run)));
         }
+    }
+
+    /// How it is; the newest snapshot that nobody has asked for lately may be of long ago.
+    private static Snapshot now(LiveRun run) {
+        return run.freshSnapshot()
+                .toCompletableFuture()
+                .completeOnTimeout(run.snapshot(), PERIOD_MILLIS, TimeUnit.MILLISECONDS)
+                .join();
     }
 
     private static String line(Snapshot now) {
