@@ -395,6 +395,11 @@ describe.skipIf(!chromium)('the page', () => {
     await page.keyboard.press(',');
     const past = page.locator('.timeline[data-past="true"]');
     await past.waitFor();
+    for (const name of ['Restart…', 'Stop']) {
+      const button = page.getByRole('button', { name, exact: true });
+      expect(await button.isDisabled(), name).toBe(true);
+      expect(await button.getAttribute('title'), name).toContain('Look at the present first');
+    }
     const before = await time();
     await rsal.post('restart', { configuration: 'virtual', arguments: {}, seed: '8' });
     await past.waitFor({ state: 'detached' });

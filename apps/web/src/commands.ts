@@ -49,11 +49,24 @@ export const commands = {
     if (access.allowed && live.frame !== null && !live.over) {
       return true;
     }
-    const why = whyNot();
+    const why = commands.whyNot();
     if (why !== null) {
       notices.add(why, false, access.elsewhere === null ? null : ABOUT_CONTROL);
     }
     return false;
+  },
+  /** Why the run can't be changed from here. Null when that is plain to see, or it can. */
+  whyNot: (): string | null => {
+    if (live.recording || live.frame === null) {
+      return null;
+    }
+    if (!access.operator) {
+      return texts.access.why;
+    }
+    if (access.elsewhere !== null) {
+      return texts.control.onlyWatch(access.elsewhere);
+    }
+    return live.past ? texts.access.past : live.over ? texts.access.over : null;
   },
   pause: () => (live.past ? toggle() : act(() => (live.frame!.paused ? api.resume() : api.pause()))),
   step: () => {
@@ -131,20 +144,6 @@ function change(direction: 1 | -1) {
   if (commands.mayAct()) {
     void wanted.change(direction, live.frame!.speed);
   }
-}
-
-/** Null when that is plain to see. */
-function whyNot(): string | null {
-  if (live.recording || live.frame === null) {
-    return null;
-  }
-  if (!access.operator) {
-    return texts.access.why;
-  }
-  if (access.elsewhere !== null) {
-    return texts.control.onlyWatch(access.elsewhere);
-  }
-  return live.past ? texts.access.past : live.over ? texts.access.over : null;
 }
 
 function act(command: () => Promise<unknown>) {
