@@ -1,8 +1,16 @@
 const PATIENCE_MILLIS = 30_000;
 
-/** Waits until something is so. */
-export async function eventually(holds: () => Promise<boolean>, what: string): Promise<void> {
-  const end = performance.now() + PATIENCE_MILLIS;
+/**
+ * Waits until something is so.
+ *
+ * @param patience how long at most [ms]
+ */
+export async function eventually(
+  holds: () => Promise<boolean>,
+  what: string,
+  patience = PATIENCE_MILLIS,
+): Promise<void> {
+  const end = performance.now() + patience;
   while (!(await holds())) {
     if (performance.now() > end) {
       throw new Error(`It never came true that ${what}.`);

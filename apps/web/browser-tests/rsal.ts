@@ -26,6 +26,11 @@ export class Rsal {
     return Rsal.start('serve', ...options);
   }
 
+  /** Offers a scenario's robots to others; with `--page`, as it has an address then. */
+  static bridge(protocol: string, ...options: string[]): Promise<Rsal> {
+    return Rsal.start('bridge', protocol, ...options);
+  }
+
   /** Shows a recording. */
   static replay(...options: string[]): Promise<Rsal> {
     return Rsal.start('replay', ...options);
