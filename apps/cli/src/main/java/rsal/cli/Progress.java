@@ -66,20 +66,13 @@ final class Progress {
                 err.println(line(event));
             }
         }
+        Snapshot now = run.snapshot(); // asks for the next, too: so this one is of the last time
         if (terminal) {
-            err.print(CLEAR_LINE + line(run.snapshot()));
+            err.print(CLEAR_LINE + line(now));
             err.flush();
         } else if (signs.isDue(System.nanoTime() - began)) {
-            err.println(line(now(run)));
+            err.println(line(now));
         }
-    }
-
-    /// How it is; the newest snapshot that nobody has asked for lately may be of long ago.
-    private static Snapshot now(LiveRun run) {
-        return run.freshSnapshot()
-                .toCompletableFuture()
-                .completeOnTimeout(run.snapshot(), PERIOD_MILLIS, TimeUnit.MILLISECONDS)
-                .join();
     }
 
     private static String line(Snapshot now) {
