@@ -135,6 +135,7 @@ export const api = {
   stopSweep: () => send('DELETE', 'sweeps'),
   control: () => found<Control>('control'),
   takeControl: (wish: ControlWish) => send('POST', 'control', wish) as Promise<Control>,
+  keepControl: () => send('PUT', 'control') as Promise<Control>,
   giveControlBack: () => send('DELETE', 'control', {}, true) as Promise<Control>,
   sweepRuns: (combination: string) =>
     found<SweepRuns>(`sweeps/runs?combination=${encodeURIComponent(combination)}`),

@@ -63,11 +63,23 @@ class Control {
 
   private async keepOrLook() {
     try {
-      const mine = !framed && (this.mine || (this.had && this.holder === null)); // else the page around keeps it
-      this.learn(mine ? await api.takeControl({ name: this.name, over: false }) : await api.control());
+      this.learn(await this.next());
     } catch {
       this.learn(await api.control()); // somebody has taken it over, or the server is gone
     }
+  }
+
+  /** Not taken anew where it is had: what this page says at last, as it is left, may come before. */
+  private next(): Promise<Told | null> {
+    if (framed) {
+      return api.control(); // the page around keeps it
+    }
+    if (this.mine) {
+      return api.keepControl();
+    }
+    return this.had && this.holder === null
+      ? api.takeControl({ name: this.name, over: false })
+      : api.control();
   }
 
   /** @param told null where the server told nothing */

@@ -285,6 +285,11 @@ final class Api {
             gate.lease().take(operator(request), wish.name(), wish.over());
             control(request);
         });
+        routes.put("/api/control", request -> {
+            gate.authorize(request.header(Header.AUTHORIZATION));
+            gate.lease().keep(operator(request));
+            control(request);
+        });
         routes.delete("/api/control", request -> {
             gate.authorize(request.header(Header.AUTHORIZATION));
             gate.lease().giveBack(operator(request));

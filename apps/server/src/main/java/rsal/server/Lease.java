@@ -9,12 +9,12 @@ import org.jspecify.annotations.Nullable;
 
 /// Who alone may change anything on a server for now, of those who have the token. Nobody has it at first, and then all
 /// may. It is
-/// held for some seconds and taken again and again meanwhile, so that a page that is closed, or asleep, locks nobody
+/// held for some seconds and kept again and again meanwhile, so that a page that is closed, or asleep, locks nobody
 /// out. Whoever has the token may take it over: it keeps people out of each other's way, and nobody from the robots.
 ///
 /// May be used from any thread.
 final class Lease {
-    /// For how long it is held when it isn't taken again.
+    /// For how long it is held when it isn't kept.
     static final Duration TERM = Duration.ofSeconds(10);
 
     private static final int LONGEST = 64; // characters of an id, and of a name
@@ -44,11 +44,22 @@ final class Lease {
         if (!over) {
             check(operator);
         }
-        holder = new Holder(operator, name.strip(), clock.getAsLong() + TERM.toNanos());
+        hold(operator, name.strip());
         names.putLast(operator, name.strip());
         if (names.size() > MOST_NAMES) {
             names.pollFirstEntry();
         }
+    }
+
+    /// Keeps it for another term. Nothing happens when somebody else has it, or nobody: what is said again and again
+    /// may
+    /// come after it was given back.
+    synchronized void keep(String operator) {
+        current().filter(now -> now.operator().equals(operator)).ifPresent(now -> hold(operator, now.name()));
+    }
+
+    private void hold(String operator, String name) {
+        holder = new Holder(operator, name, clock.getAsLong() + TERM.toNanos());
     }
 
     private static void checkIsName(String name) {

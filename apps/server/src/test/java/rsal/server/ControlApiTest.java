@@ -6,6 +6,7 @@ import static rsal.server.Errand.TOKEN;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -80,6 +81,23 @@ class ControlApiTest {
             assertThat(refused.body()).contains("Ann has control");
         }
         assertThat(post(path, "{}", as("a")).body()).doesNotContain("has control");
+    }
+
+    @Test
+    void isKeptByWhoeverHasItOnly() throws IOException {
+        take("a", "Ann", false);
+        assertThat(RawHttp.put(port, CONTROL, "{}", host, as("a")).status())
+                .as("without the token")
+                .isEqualTo(401);
+        Response kept = RawHttp.put(port, CONTROL, "{}", host, WITH_TOKEN, as("a"));
+        assertThat(Json.read(kept.body(), Control.class).mine()).isTrue();
+        Response told = RawHttp.put(port, CONTROL, "{}", host, WITH_TOKEN, as("b"));
+        assertThat(Json.read(told.body(), Control.class)).isEqualTo(new Control(Optional.of("Ann"), false));
+        RawHttp.delete(port, CONTROL, host, WITH_TOKEN, as("a"));
+        RawHttp.put(port, CONTROL, "{}", host, WITH_TOKEN, as("a"));
+        assertThat(seenBy("a").holder())
+                .as("as what was said later came sooner")
+                .isEmpty();
     }
 
     @Test

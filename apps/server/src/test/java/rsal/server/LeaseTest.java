@@ -50,6 +50,28 @@ class LeaseTest {
     }
 
     @Test
+    void isKeptByWhoeverHasItOnly() {
+        lease.keep("a");
+        assertThat(lease.holder()).as("as nobody had it").isEmpty();
+        lease.take("a", "Ann", false);
+        clock.addAndGet(Lease.TERM.toNanos() - 1);
+        lease.keep("a");
+        lease.keep("b");
+        clock.addAndGet(Lease.TERM.toNanos() - 1);
+        assertThat(lease.holder()).contains("Ann");
+        clock.addAndGet(1);
+        assertThat(lease.holder()).isEmpty();
+    }
+
+    @Test
+    void isNotKeptByWhatComesAfterItWasGivenBack() {
+        lease.take("a", "Ann", false);
+        lease.giveBack("a");
+        lease.keep("a");
+        assertThat(lease.holder()).isEmpty();
+    }
+
+    @Test
     void isTakenOverAndGivenBack() {
         lease.take("a", "Ann", false);
         lease.take("b", " Bob ", true);
