@@ -16,8 +16,7 @@ import rsal.scenario.run.Snapshot;
 import rsal.time.AllowedToReadWallClock;
 
 /// Tells on stderr how a run goes: what happens, and how far it is; on a terminal by a line that is drawn over and
-/// over,
-/// elsewhere by one now and then, ever more seldom.
+/// over, elsewhere by one now and then, ever more seldom.
 @AllowedToReadWallClock("Tells people that it still goes on.")
 final class Progress {
     private static final long PERIOD_MILLIS = 250;

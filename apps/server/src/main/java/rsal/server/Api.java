@@ -279,22 +279,21 @@ final class Api {
     /// Who has control, of this server and all of its runs.
     private void configureControl(Routes routes) {
         routes.get("/api/control", this::control);
-        routes.post("/api/control", request -> {
-            gate.authorize(request.header(Header.AUTHORIZATION));
+        routes.post("/api/control", controlled(request -> {
             ControlWish wish = read(request, ControlWish.class);
             gate.lease().take(operator(request), wish.name(), wish.over());
-            control(request);
-        });
-        routes.put("/api/control", request -> {
+        }));
+        routes.put("/api/control", controlled(request -> gate.lease().keep(operator(request))));
+        routes.delete("/api/control", controlled(request -> gate.lease().giveBack(operator(request))));
+    }
+
+    /// Changes who has control, with the token, and answers who has it then.
+    private Handler controlled(Handler change) {
+        return request -> {
             gate.authorize(request.header(Header.AUTHORIZATION));
-            gate.lease().keep(operator(request));
+            change.handle(request);
             control(request);
-        });
-        routes.delete("/api/control", request -> {
-            gate.authorize(request.header(Header.AUTHORIZATION));
-            gate.lease().giveBack(operator(request));
-            control(request);
-        });
+        };
     }
 
     private void control(Context request) {

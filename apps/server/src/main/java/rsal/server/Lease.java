@@ -8,9 +8,9 @@ import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 
 /// Who alone may change anything on a server for now, of those who have the token. Nobody has it at first, and then all
-/// may. It is
-/// held for some seconds and kept again and again meanwhile, so that a page that is closed, or asleep, locks nobody
-/// out. Whoever has the token may take it over: it keeps people out of each other's way, and nobody from the robots.
+/// may. It is held for some seconds and kept again and again meanwhile, so that a page that is closed, or asleep,
+/// locks nobody out. Whoever has the token may take it over: it keeps people out of each other's way, and nobody from
+/// the robots.
 ///
 /// May be used from any thread.
 final class Lease {
@@ -51,11 +51,10 @@ final class Lease {
         }
     }
 
-    /// Keeps it for another term. Nothing happens when somebody else has it, or nobody: what is said again and again
-    /// may
-    /// come after it was given back.
+    /// Keeps it for another term. Nothing happens when somebody else has it, or nobody: what is said again and
+    /// again may come after it was given back.
     synchronized void keep(String operator) {
-        current().filter(now -> now.operator().equals(operator)).ifPresent(now -> hold(operator, now.name()));
+        heldBy(operator).ifPresent(now -> hold(operator, now.name()));
     }
 
     private void hold(String operator, String name) {
@@ -112,7 +111,11 @@ final class Lease {
     }
 
     synchronized boolean isHeldBy(String operator) {
-        return current().filter(now -> now.operator().equals(operator)).isPresent();
+        return heldBy(operator).isPresent();
+    }
+
+    private Optional<Holder> heldBy(String operator) {
+        return current().filter(now -> now.operator().equals(operator));
     }
 
     private Optional<Holder> current() {
