@@ -7,26 +7,60 @@ import java.util.List;
 /// Outline of a body in its base frame: corners [m] of a convex polygon, counter-clockwise, around the origin or
 /// beside it.
 public record Footprint(List<Point2d> corners) {
+    /// Share of the outline's extent squared by which a corner may be right of an edge. Corners that are in a line, and
+    /// outlines that were moved or rotated, are so by rounding; they are out of line by this share of the extent.
+    private static final double ROUNDING = 1e-12;
+
     public Footprint {
         corners = List.copyOf(corners);
         if (corners.size() < 3) {
             throw new IllegalArgumentException(
                     "A footprint needs at least 3 corners, not %d.".formatted(corners.size()));
         }
+        double extent = extent(corners);
+        double slack = ROUNDING * extent * extent; // [m²]
         for (int i = 0; i < corners.size(); i++) {
-            for (int j = 2; j < corners.size(); j++) {
-                requireLeft(
-                        corners.get(i), corners.get((i + 1) % corners.size()), corners.get((i + j) % corners.size()));
+            Point2d from = corners.get(i);
+            Point2d to = corners.get((i + 1) % corners.size());
+            if (from.equals(to)) {
+                throw new IllegalArgumentException(
+                        "A footprint passes each of its corners once, (%s, %s) twice.".formatted(to.x(), to.y()));
             }
+            for (int j = 2; j < corners.size(); j++) {
+                requireLeft(from, to, corners.get((i + j) % corners.size()), slack);
+            }
+        }
+        if (!(twiceArea(corners) > slack)) {
+            throw new IllegalArgumentException("A footprint encloses an area; its corners are in a line.");
         }
     }
 
-    private static void requireLeft(Point2d from, Point2d to, Point2d corner) {
-        if (!(turn(from, to, corner) > 0)) {
+    private static void requireLeft(Point2d from, Point2d to, Point2d corner, double slack) {
+        if (!(turn(from, to, corner) >= -slack)) {
             throw new IllegalArgumentException(
                     "A footprint is convex and counter-clockwise: (%s, %s) must be left of its edge from (%s, %s) to (%s, %s)."
                             .formatted(corner.x(), corner.y(), from.x(), from.y(), to.x(), to.y()));
         }
+    }
+
+    /// Twice the area [m²] inside an outline, positive when it is counter-clockwise.
+    static double twiceArea(List<Point2d> corners) {
+        double twice = 0;
+        for (int i = 0; i < corners.size(); i++) {
+            twice += turn(corners.getFirst(), corners.get(i), corners.get((i + 1) % corners.size()));
+        }
+        return twice;
+    }
+
+    /// Whether corners enclose no area, up to rounding.
+    static boolean isFlat(List<Point2d> corners) {
+        double extent = extent(corners);
+        return !(Math.abs(twiceArea(corners)) > ROUNDING * extent * extent);
+    }
+
+    /// The greatest distance of a point from the first [m].
+    private static double extent(List<Point2d> points) {
+        return points.stream().mapToDouble(points.getFirst()::distanceTo).max().orElseThrow();
     }
 
     /// A box of given size [m] around a center.

@@ -29,16 +29,15 @@ public sealed interface Shape {
                 throw new IllegalArgumentException("An outline passes each of its corners once.");
             }
             requireSimple(corners);
-            double area = area(corners);
-            if (area == 0) {
+            if (Footprint.isFlat(corners)) {
                 throw new IllegalArgumentException("An outline must enclose something; its corners are in a line.");
             }
-            corners = area > 0 ? corners : corners.reversed();
+            corners = Footprint.twiceArea(corners) > 0 ? corners : corners.reversed();
         }
 
         /// What it encloses [m²].
         public double area() {
-            return area(corners);
+            return Footprint.twiceArea(corners) / 2;
         }
 
         public static Polygon of(Footprint footprint) {
@@ -48,14 +47,6 @@ public sealed interface Shape {
         @Override
         public Footprint hull() {
             return Footprint.around(corners);
-        }
-
-        private static double area(List<Point2d> corners) {
-            double twice = 0;
-            for (int i = 0; i < corners.size(); i++) {
-                twice += Footprint.turn(corners.getFirst(), corners.get(i), corners.get((i + 1) % corners.size()));
-            }
-            return twice / 2;
         }
 
         private static void requireSimple(List<Point2d> corners) {

@@ -86,6 +86,38 @@ class StageRunTest {
                 .hasSize(1);
     }
 
+    /// Stage 4.3, through Player, reports all three.
+    @Test
+    void aFinderOnTopOfARobotSeesRobotsThatAreAsHigh() {
+        var run = run("""
+                define bot position ( size [0.4 0.4 0.22] fiducial ( range_max 6 range_max_id 6 fov 360 ) )
+                bot ( name "r" pose [0 0 0.1 0] fiducial_return 9 )
+                bot ( name "r1" pose [3 0 0.1 180] fiducial_return 1 )
+                bot ( name "r2" pose [0 3 0.1 90] fiducial_return 2 )
+                bot ( name "r3" pose [-3 0 0.1 0] fiducial_return 3 )
+                bot ( name "low" pose [2 -2 0.09 0] fiducial_return 4 )
+                """);
+        run.advance(0.2);
+        assertThat(run.robot("r")
+                        .require(FiducialFinder.class)
+                        .latest()
+                        .orElseThrow()
+                        .value()
+                        .fiducials())
+                .extracting(found -> found.id().orElseThrow())
+                .containsExactlyInAnyOrder(1, 2, 3);
+    }
+
+    @Test
+    void outlinesWithCornersInALineUpToRoundingAreRobots() {
+        var run = run("""
+                position ( name "r" size [0.4 0.3 0.2] block ( points 6 point[0] [0 0] point[1] [0.75 0.25] point[2] [1.5 0.5]
+                  point[3] [1.5 0.75] point[4] [0 1.25] point[5] [-0.25 0.5] z [0 0.2] ) )
+                """);
+        drive(run, 1, 1);
+        assertThat(run.truth("r").x()).isGreaterThan(0.4);
+    }
+
     private static LaserScan carried(String actuator, double position) {
         var run = run("""
                 position ( name "r" size [0.4 0.4 0.3]

@@ -309,6 +309,16 @@ final class Fields {
         asked.addAll(names);
     }
 
+    /// A property that means something to Stage, and that is decided elsewhere here: a warning, unless it has its
+    /// usual value.
+    void withoutEffect(String name, double usual, String remedy) {
+        asked.add(name);
+        entity.find(name)
+                .filter(setting -> Units.number(setting.value()) != usual)
+                .ifPresent(setting ->
+                        findings.warn(setting.location(), "'%s' has no effect here.".formatted(name), remedy));
+    }
+
     /// Tells of what was never asked for, once for each family (`spose[0]`, `spose[1]`, ...).
     void done() {
         var families = new LinkedHashSet<String>();

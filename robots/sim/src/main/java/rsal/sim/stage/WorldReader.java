@@ -15,7 +15,8 @@ final class WorldReader {
     static final int MAX_MODELS = 250_000;
 
     private static final Set<String> FOR_VIEWERS =
-            Set.of("threads", "speedup", "paused", "confirm_on_quit", "show_clock", "show_clock_interval", "test");
+            Set.of("threads", "confirm_on_quit", "show_clock", "show_clock_interval", "test");
+
     private static final Set<String> OF_WINDOWS = Set.of(
             "size",
             "center",
@@ -49,6 +50,8 @@ final class WorldReader {
     StageWorld world() {
         var fields = new Fields(file.root(), "a world", units, findings);
         fields.ignore(FOR_VIEWERS);
+        fields.withoutEffect("speedup", 1, "Choose the speed of a run when you start it: --speed FACTOR.");
+        fields.withoutEffect("paused", 0, "Pause the run on its page.");
         fields.ignore(Set.of("unit_length", "unit_angle"));
         String title = fields.text("name").filter(name -> !name.isBlank()).orElse(path);
         Duration step = fields.milliseconds("interval_sim", 100);

@@ -5,6 +5,8 @@ import rsal.scene.Surface;
 /// A solid, placed somewhere. Rays and collision checks look at nothing else.
 abstract sealed class Piece permits Polygon, Disc {
     final Surface surface;
+    private static final double SAME_HEIGHT = 1e-9; // heights are sums, as of a sensor on a robot on a box [m]
+
     private final double bottom;
     private final double top;
     private double height; // of its body [m]
@@ -84,9 +86,15 @@ abstract sealed class Piece permits Polygon, Disc {
         return top + height;
     }
 
-    /// Whether it is at a height above ground.
+    /// Whether a level ray at a height above ground [m] can meet it. Its top and its underside belong to it, as in
+    /// Stage: a finder on top of a robot sees robots that are as high.
     final boolean isAt(double z) {
-        return bottom + height <= z && z < top + height;
+        return isBetween(bottom + height, z, top + height);
+    }
+
+    /// Whether a height is between two others, up to rounding [m].
+    static boolean isBetween(double low, double z, double high) {
+        return low - SAME_HEIGHT <= z && z <= high + SAME_HEIGHT;
     }
 
     /// How far one of the two begins above where the other ends [m]; less than 0 when they are level.

@@ -127,8 +127,9 @@ public final class Walls {
         return highest;
     }
 
+    /// As [Piece#isAt].
     boolean isAt(double z) {
-        return lowest <= z && z < highest;
+        return Piece.isBetween(lowest, z, highest);
     }
 
     /// Whether no robot leaves them.

@@ -418,10 +418,19 @@ class WorldMistakesTest {
     @Test
     void whatOnlyViewersLookAtIsNotWarnedOf() {
         assertThat(Worlds.of("""
-                        threads 2 speedup 10 paused 1 show_clock 1
+                        threads 2 speedup 1 paused 0 show_clock 1
                         window ( size [600 400] scale 30 center [0 0] rotate [0 0] show_data 1 show_trailrise 0 )
                         model ( gui_nose 1 gui_grid 0 gui_move 1 gui_outline 0 trail_length 3 map_resolution 0.1 friction 1 )
                         """).warnings()).isEmpty();
+    }
+
+    @Test
+    void howStageRunsAWorldIsDecidedElsewhere() {
+        assertThat(Worlds.of("interval_sim 100\nspeedup 10 paused 1").warnings())
+                .containsExactly(
+                        "test.world:2:1: 'speedup' has no effect here.\n"
+                                + "    Choose the speed of a run when you start it: --speed FACTOR.",
+                        "test.world:2:12: 'paused' has no effect here.\n    Pause the run on its page.");
     }
 
     @Test
