@@ -14,8 +14,8 @@ import javax.imageio.stream.MemoryCacheImageInputStream;
 /// Reads which pixels of an image are solid: those whose first channel (red, or gray) is dark. PNG, GIF, JPEG, BMP,
 /// TIFF and the portable formats (PBM, PGM, PPM) are known.
 public final class BitmapReader {
-    /// Of one image, 400 m × 400 m at 0.05 m.
-    public static final int MAX_PIXELS = 1 << 26;
+    /// Of one image: 11,585 × 11,585, or 570 m × 570 m at 0.05 m.
+    public static final int MAX_PIXELS = 1 << 27;
 
     private BitmapReader() {}
 
@@ -44,10 +44,12 @@ public final class BitmapReader {
             try {
                 reader.setInput(in, true, true);
                 checkSize(reader.getWidth(0), reader.getHeight(0));
-                return bitmap(reader.read(0), threshold);
+                return bitmap(reader, threshold);
             } finally {
                 reader.dispose();
             }
+        } catch (Strips.NotEnoughMemory e) {
+            throw new Unreadable(String.valueOf(e.getMessage()), Strips.NotEnoughMemory.REMEDY);
         } catch (IOException | RuntimeException e) { // a damaged image can make ImageIO throw almost anything
             throw new Unreadable("it is broken (%s)"
                     .formatted(Objects.requireNonNullElse(
@@ -55,14 +57,21 @@ public final class BitmapReader {
         }
     }
 
-    private static Bitmap bitmap(BufferedImage image, double threshold) {
+    private static Bitmap bitmap(ImageReader reader, double threshold) throws IOException {
+        int width = reader.getWidth(0);
+        int height = reader.getHeight(0);
+        var solid = new BitSet(width * height);
+        Strips.read(reader, (strip, firstRow) -> add(strip, firstRow, height, threshold, solid));
+        return new Bitmap(width, height, solid);
+    }
+
+    /// @param height of the whole image, whose lowest row is the first of the bitmap
+    private static void add(BufferedImage image, int firstRow, int height, double threshold, BitSet solid) {
         int width = image.getWidth();
-        int height = image.getHeight();
         boolean asStored = image.getColorModel() instanceof ComponentColorModel;
         int brightest = asStored ? (1 << image.getSampleModel().getSampleSize(0)) - 1 : 255;
-        var solid = new BitSet(width * height);
-        for (int row = 0; row < height; row++) {
-            int line = height - 1 - row;
+        for (int line = 0; line < image.getHeight(); line++) {
+            int row = height - 1 - firstRow - line;
             for (int column = 0; column < width; column++) {
                 int first = asStored
                         ? image.getRaster().getSample(column, line, 0)
@@ -70,7 +79,6 @@ public final class BitmapReader {
                 solid.set(row * width + column, isSolid(first, brightest, threshold));
             }
         }
-        return new Bitmap(width, height, solid);
     }
 
     static boolean isSolid(int first, int brightest, double threshold) {
