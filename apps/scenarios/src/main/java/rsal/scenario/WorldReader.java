@@ -68,7 +68,7 @@ final class WorldReader {
             return new World("", Optional.empty());
         }
         try {
-            Scene read = map ? Scene.of(new Maps(files).read(name, at)) : scene(name, at);
+            Scene read = map ? mapped(new Maps(files).find(name, at)) : scene(name, at);
             Scene scene = touch.map(read::with).orElse(read);
             scene.warnings().forEach(problems::warn);
             return new World(name, Optional.of(scene));
@@ -76,6 +76,10 @@ final class WorldReader {
             problems.addAll(e);
             return new World(name, Optional.empty());
         }
+    }
+
+    private static Scene mapped(Maps.Found map) {
+        return Scene.of(map.grid(), map.warnings());
     }
 
     private static Optional<Touch> touch(Section world) {

@@ -25,7 +25,7 @@ final class Drawing {
                 cells[row * width + column] = cell(lines.get(line), line, column, askedAt);
             }
         }
-        return new MapImage(width, lines.size(), cells);
+        return new MapImage(width, lines.size(), cells, 0);
     }
 
     private static byte cell(String drawn, int line, int column, Location askedAt) {

@@ -3,6 +3,7 @@ package rsal.map;
 import java.awt.color.ColorSpace;
 import java.awt.image.BufferedImage;
 import java.awt.image.ComponentColorModel;
+import java.awt.image.Raster;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.util.Arrays;
@@ -10,13 +11,21 @@ import java.util.Map;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.MemoryCacheImageInputStream;
+import rsal.image.Strips;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 
-/// A map's picture turned into cells, the lowest row first.
-record MapImage(int width, int height, byte[] cells) {
-    /// A square kilometer at 0.125 m, or 400 m × 400 m at 0.05 m.
-    static final int MAX_CELLS = 1 << 26;
+/// A map's image turned into cells, the lowest row first.
+///
+/// @param unknownGray how many pixels have the gray that map_saver writes for unknown space
+record MapImage(int width, int height, byte[] cells, int unknownGray) {
+    /// What ROS's map_saver writes for unknown space, 0 (black) to 1 (white).
+    static final double UNKNOWN_GRAY = 205 / 255.0;
+
+    private static final double SAME_GRAY = 1e-6;
+
+    /// 11,585 × 11,585: 570 m × 570 m at 0.05 m.
+    static final int MAX_CELLS = 1 << 27;
 
     /// How files of the formats that Java reads begin.
     private static final Map<String, byte[]> FORMATS = Map.of(
@@ -47,9 +56,14 @@ record MapImage(int width, int height, byte[] cells) {
         try (var in = new MemoryCacheImageInputStream(new ByteArrayInputStream(bytes))) {
             reader.setInput(in, true, true);
             checkSize(name, reader.getWidth(0), reader.getHeight(0));
-            return cells(reader.read(0), shading);
+            return cells(reader, shading);
         } catch (InvalidSettings e) {
             throw e;
+        } catch (Strips.NotEnoughMemory e) {
+            throw new InvalidSettings(
+                    Location.of(name),
+                    "The image can't be read: %s.".formatted(e.getMessage()),
+                    Strips.NotEnoughMemory.REMEDY);
         } catch (IOException | RuntimeException e) { // a damaged image can make ImageIO throw almost anything
             throw broken(name, String.valueOf(e.getMessage()));
         } finally {
@@ -57,36 +71,90 @@ record MapImage(int width, int height, byte[] cells) {
         }
     }
 
-    private static MapImage cells(BufferedImage image, Shading shading) {
-        int width = image.getWidth();
-        int height = image.getHeight();
-        boolean gray = image.getColorModel() instanceof ComponentColorModel model
-                && model.getColorSpace().getType() == ColorSpace.TYPE_GRAY;
-        var cells = new byte[width * height];
-        for (int row = 0; row < height; row++) {
-            for (int column = 0; column < width; column++) {
-                int line = height - 1 - row;
-                cells[row * width + column] =
-                        gray ? grayCell(image, column, line, shading) : colorCell(image, column, line, shading);
+    private static MapImage cells(ImageReader reader, Shading shading) throws IOException {
+        var cells = new Cells(reader.getWidth(0), reader.getHeight(0), shading);
+        Strips.read(reader, (strip, firstRow) -> {
+            for (int line = 0; line < strip.getHeight(); line++) {
+                int row = cells.height - 1 - firstRow - line;
+                if (isGray(strip)) {
+                    grayRow(strip.getRaster(), line, cells, row);
+                } else {
+                    colorRow(strip, line, cells, row);
+                }
             }
-        }
-        return new MapImage(width, height, cells);
+        });
+        return cells.image();
     }
 
-    private static byte colorCell(BufferedImage image, int x, int y, Shading shading) {
-        int argb = image.getRGB(x, y);
-        double mean = ((argb >> 16 & 0xff) + (argb >> 8 & 0xff) + (argb & 0xff)) / (3 * 255.0);
-        return image.getColorModel().hasAlpha() ? shading.cell(mean, (argb >>> 24) / 255.0) : shading.cell(mean);
+    private static boolean isGray(BufferedImage image) {
+        return image.getColorModel() instanceof ComponentColorModel model
+                && model.getColorSpace().getType() == ColorSpace.TYPE_GRAY;
+    }
+
+    private static void colorRow(BufferedImage image, int line, Cells cells, int row) {
+        boolean alpha = image.getColorModel().hasAlpha();
+        for (int column = 0; column < cells.width; column++) {
+            int argb = image.getRGB(column, line);
+            double mean = ((argb >> 16 & 0xff) + (argb >> 8 & 0xff) + (argb & 0xff)) / (3 * 255.0);
+            if (alpha) {
+                cells.set(column, row, mean, (argb >>> 24) / 255.0);
+            } else {
+                cells.set(column, row, mean);
+            }
+        }
     }
 
     /// As the file has it: Java takes gray for linear and would make colors of it that are lighter.
-    private static byte grayCell(BufferedImage image, int x, int y, Shading shading) {
-        var raster = image.getRaster();
+    private static void grayRow(Raster raster, int line, Cells cells, int row) {
         double white = (1 << raster.getSampleModel().getSampleSize(0)) - 1;
-        double brightness = raster.getSample(x, y, 0) / white;
-        return raster.getNumBands() == 1
-                ? shading.cell(brightness)
-                : shading.cell(brightness, raster.getSample(x, y, 1) / white);
+        boolean alpha = raster.getNumBands() > 1;
+        for (int column = 0; column < cells.width; column++) {
+            double brightness = raster.getSample(column, line, 0) / white;
+            if (alpha) {
+                cells.set(column, row, brightness, raster.getSample(column, line, 1) / white);
+            } else {
+                cells.set(column, row, brightness);
+            }
+        }
+    }
+
+    /// What pixels become, cell by cell.
+    static final class Cells {
+        private final int width;
+        private final int height;
+        private final Shading shading;
+        private final byte[] cells;
+        private int unknownGray;
+
+        Cells(int width, int height, Shading shading) {
+            this.width = width;
+            this.height = height;
+            this.shading = shading;
+            this.cells = new byte[width * height];
+        }
+
+        /// @param row from the lowest
+        /// @param brightness 0 (black) to 1 (white)
+        void set(int column, int row, double brightness) {
+            count(brightness);
+            cells[row * width + column] = shading.cell(brightness);
+        }
+
+        /// @param opaque 0 (not to be seen) to 1
+        void set(int column, int row, double brightness, double opaque) {
+            count(brightness);
+            cells[row * width + column] = shading.cell(brightness, opaque);
+        }
+
+        private void count(double brightness) {
+            if (Math.abs(brightness - UNKNOWN_GRAY) < SAME_GRAY) {
+                unknownGray++;
+            }
+        }
+
+        MapImage image() {
+            return new MapImage(width, height, cells, unknownGray);
+        }
     }
 
     static void checkSize(String name, long width, long height) {

@@ -10,6 +10,7 @@ import rsal.data.Point2d;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
+import rsal.settings.Problem;
 import rsal.settings.Problems;
 import rsal.settings.Section;
 import rsal.settings.Suggestion;
@@ -25,10 +26,14 @@ import rsal.settings.Value;
 /// The mode `mapfile` reads images as Player's driver of that name does: its thresholds are 0.95 and 0.1, opacity
 /// counts as one more color, and the image's middle lies at the origin unless the file says where it lies.
 ///
-/// Instead of an image there can be a [Drawing].
+/// Instead of an image there can be a [Drawing]. Settings that are not known here are those of other programs: they
+/// have
+/// no effect, which [Found#warnings] says.
 public final class Maps {
     /// Of an image.
     public static final int MAX_IMAGE_BYTES = 1 << 28;
+
+    private static final double LEAST_UNKNOWN = 0.001; // share of an image that is worth a warning
 
     private static final Pattern IMAGE = Pattern.compile("(?i).+\\.(pgm|png)(\\.gz)?");
     private static final FileSource BUILT_IN = FileSource.resources(Maps.class, "/rsal/maps/");
@@ -53,6 +58,16 @@ public final class Maps {
     /// @param askedAt where the name was written, for messages
     /// @throws InvalidSettings when there is no such map or its files are wrong
     public OccupancyGrid read(String name, Location askedAt) {
+        return find(name, askedAt).grid();
+    }
+
+    /// A map that was read.
+    ///
+    /// @param warnings of what in its files has no effect, or may not mean what their author thinks
+    public record Found(OccupancyGrid grid, List<Problem> warnings) {}
+
+    /// As [#read], with what the map's author should know.
+    public Found find(String name, Location askedAt) {
         List<String> known = builtIn();
         if (known.contains(name)) {
             return read(BUILT_IN, name + ".yaml", askedAt);
@@ -72,7 +87,7 @@ public final class Maps {
                 Suggestion.among(name, known) + " A map of your own goes by its YAML file's name.");
     }
 
-    private static OccupancyGrid read(FileSource source, String path, Location askedAt) {
+    private static Found read(FileSource source, String path, Location askedAt) {
         Value.Mapping file = source.yaml(path, askedAt);
         var problems = new Problems();
         var section = new Section("", file, problems);
@@ -84,19 +99,47 @@ public final class Maps {
                     "");
         }
         boolean drawn = section.has("drawing");
+        if (drawn && section.has("image")) {
+            section.problem("image", "A map has either an 'image' or a 'drawing', not both.", "Take one of them out.");
+        }
         String from = section.text(drawn ? "drawing" : "image");
         Location fromAt = section.locationOf(drawn ? "drawing" : "image");
         var mode = drawn ? Mode.TRINARY : mode(section);
         Optional<double[]> origin = origin(section, drawn || mode == Mode.MAPFILE);
         Optional<Shading> shading = drawn ? Optional.empty() : Optional.of(shading(section, mode));
-        section.done();
+        section.doneWithOthers();
         problems.throwIfAny();
         MapImage cells =
                 shading.map(how -> image(source, path, from, fromAt, how)).orElseGet(() -> Drawing.read(from, fromAt));
         double[] corner = origin.orElseGet(() -> drawn
                 ? new double[2]
                 : new double[] {-resolution * cells.width() / 2, -resolution * cells.height() / 2});
-        return new OccupancyGrid(cells.width(), cells.height(), resolution, corner[0], corner[1], cells.cells());
+        var grid = new OccupancyGrid(cells.width(), cells.height(), resolution, corner[0], corner[1], cells.cells());
+        shading.flatMap(how -> lostUnknown(cells, how, section)).ifPresent(problems::warn);
+        return new Found(grid, problems.warnings());
+    }
+
+    /// A warning where what ROS's map_saver writes for unknown space, gray 205, is read as something else.
+    private static Optional<Problem> lostUnknown(MapImage image, Shading shading, Section section) {
+        byte read = shading.cell(MapImage.UNKNOWN_GRAY);
+        double share = (double) image.unknownGray() / image.cells().length;
+        if (read == OccupancyGrid.UNKNOWN || share < LEAST_UNKNOWN) {
+            return Optional.empty();
+        }
+        String key = shading.negate() ? "negate" : read == OccupancyGrid.FREE ? "free_thresh" : "occupied_thresh";
+        return Optional.of(new Problem(
+                section.locationOf(key),
+                String.format(
+                        Locale.ROOT,
+                        "%.1f %% of the image is gray 205, which map_saver writes for unknown space; '%s' makes it %s.",
+                        100 * share,
+                        key,
+                        read == OccupancyGrid.FREE ? "free" : "occupied"),
+                switch (key) {
+                    case "negate" -> "Write negate: 0, unless white is occupied in this image.";
+                    case "free_thresh" -> "Write free_thresh: 0.196 to keep it unknown.";
+                    default -> "Write occupied_thresh: 0.65 to keep it unknown.";
+                }));
     }
 
     /// Reads an image as Player's driver `mapfile` does.

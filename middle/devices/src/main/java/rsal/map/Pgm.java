@@ -27,17 +27,17 @@ final class Pgm {
         if (raw && bytes.length - next < (long) width * height * pixelBytes) {
             throw MapImage.broken(name, "it ends early");
         }
-        var cells = new byte[width * height];
+        var cells = new MapImage.Cells(width, height, shading);
         for (int row = height - 1; row >= 0; row--) {
             for (int column = 0; column < width; column++) {
                 int value = raw ? raw(pixelBytes) : number();
                 if (value > white) {
                     throw MapImage.broken(name, "a pixel (%d) is brighter than white (%d)".formatted(value, white));
                 }
-                cells[row * width + column] = shading.cell((double) value / white);
+                cells.set(column, row, (double) value / white);
             }
         }
-        return new MapImage(width, height, cells);
+        return cells.image();
     }
 
     private int raw(int pixelBytes) {

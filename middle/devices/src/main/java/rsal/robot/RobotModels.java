@@ -162,6 +162,13 @@ public final class RobotModels {
         throw new InvalidSettings(askedAt, "There is no %s (%s).".formatted(what, name), Suggestion.among(name, known));
     }
 
+    /// A part by itself, as it would be in the origin of a robot's base.
+    ///
+    /// @throws InvalidSettings when there is no such part or its file is wrong
+    public Part readPart(String name, Location askedAt) {
+        return part(name, Pose2d.ORIGIN, askedAt);
+    }
+
     private static Map<String, Choice> own(Section section) {
         var own = new LinkedHashMap<String, Choice>();
         for (String device : section.names()) {

@@ -58,6 +58,13 @@ public record Scene(
 
     /// The world of a map: its walls, as high as you like, and nothing else.
     public static Scene of(OccupancyGrid map) {
+        return of(map, List.of());
+    }
+
+    /// As [#of(OccupancyGrid)].
+    ///
+    /// @param warnings about the map's files
+    public static Scene of(OccupancyGrid map, List<Problem> warnings) {
         return new Scene(
                 "",
                 map,
@@ -72,7 +79,7 @@ public record Scene(
                 Map.of(),
                 Collections.emptySortedMap(),
                 List.of(),
-                List.of());
+                warnings);
     }
 
     /// The same, where robots that drive into something stall or slide.

@@ -207,6 +207,31 @@ public final class Section {
         }
     }
 
+    /// As [#done], for files that other programs read, too: what nobody asked for is theirs, which is only warned of.
+    /// It
+    /// is a mistake still where something must be given that is called almost the same.
+    public void doneWithOthers() {
+        mergeMissing();
+        for (String key : mapping.entries().keySet()) {
+            if (!asked.contains(key)) {
+                Optional<String> close = Suggestion.closest(key, asked);
+                Location place = mapping.keys().getOrDefault(key, mapping.location());
+                if (close.filter(missing::containsKey).isPresent()) {
+                    close.ifPresent(this::forgive);
+                    problem(
+                            place,
+                            "'%s' is not known here.".formatted(key),
+                            "Maybe '%s' was meant?".formatted(close.get()));
+                } else {
+                    problems.warn(new Problem(
+                            place,
+                            "'%s' is not known here and has no effect.".formatted(key),
+                            close.map("Maybe '%s' was meant?"::formatted).orElse("")));
+                }
+            }
+        }
+    }
+
     /// `robots.prey.pose`: how messages call a setting.
     public String path(String key) {
         return name.isEmpty() ? key : name + "." + key;

@@ -20,11 +20,13 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.OccupancyGrid;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
+import rsal.settings.Problem;
 
 class MapsTest {
     private static final Location HERE = new Location("hunt.yaml", 3, 8);
@@ -241,6 +243,33 @@ class MapsTest {
         assertThatExceptionOfType(InvalidSettings.class).isThrownBy(() -> maps.read("lab.yaml", HERE));
     }
 
+    @Test
+    void settingsOfOtherProgramsHaveNoEffectAndAreWarnedOf() throws IOException {
+        write("lab.yaml", LAB + "lanes: {a: 1}\nfree_tresh: 0.1\n");
+        assertThat(maps.find("lab.yaml", HERE).warnings())
+                .extracting(Problem::toString)
+                .containsExactly(
+                        "lab.yaml:7:1: 'lanes' is not known here and has no effect.",
+                        "lab.yaml:8:1: 'free_tresh' is not known here and has no effect.\n    Maybe 'free_thresh' was meant?");
+        write("lab.yaml", LAB);
+        assertThat(maps.find("lab.yaml", HERE).warnings()).isEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            free_thresh: 0.196   | free_thresh: 0.25    | 6:14: 16.7 % of the image is gray 205, which map_saver writes for unknown space; 'free_thresh' makes it free.
+            occupied_thresh: 0.65 | occupied_thresh: 0.196 | 5:18: 16.7 % of the image is gray 205, which map_saver writes for unknown space; 'occupied_thresh' makes it occupied.
+            negate: 0            | negate: 1            | 4:9: 16.7 % of the image is gray 205, which map_saver writes for unknown space; 'negate' makes it occupied.
+            """)
+    void unknownSpaceThatIsReadAsSomethingElseIsWarnedOf(String from, String to, String warning) throws IOException {
+        write("lab.pgm", PGM.replace("128", "205"));
+        assertThat(maps.find("lab.yaml", HERE).warnings()).isEmpty();
+        write("lab.yaml", LAB.replace(from, to));
+        assertThat(maps.find("lab.yaml", HERE).warnings())
+                .singleElement()
+                .satisfies(problem -> assertThat(problem.toString()).startsWith("lab.yaml:" + warning));
+    }
+
     @ParameterizedTest
     @ValueSource(
             strings = {
@@ -258,7 +287,7 @@ class MapsTest {
                 "P2 1 1 5 6",
                 "P2 99999999 99999999 255 0",
                 "P2 99999999999999999999 1 255 0",
-                "P5 8193 8192 255 ",
+                "P5 16385 8192 255 ",
                 "P2 # never ends",
                 "P6 1 1 255 abc"
             })

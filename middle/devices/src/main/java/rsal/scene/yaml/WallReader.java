@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import rsal.data.Interval;
+import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.Prism;
@@ -178,7 +179,9 @@ final class WallReader {
             return;
         }
         try {
-            var map = new Maps(files).read(name, wall.locationOf("map"));
+            Maps.Found found = new Maps(files).find(name, wall.locationOf("map"));
+            found.warnings().forEach(wall.problems()::warn);
+            OccupancyGrid map = found.grid();
             count(wall, map.width(), map.height());
             rasters.add(Raster.of(map));
         } catch (InvalidSettings e) {
