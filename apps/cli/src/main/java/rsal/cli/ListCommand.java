@@ -65,7 +65,8 @@ final class ListCommand extends Subcommand {
                         .toList();
             case maps ->
                 Maps.builtIn().stream()
-                        .map(name -> new Entry(name, ShownMap.of(name).size()))
+                        .map(name -> new Entry(
+                                name, ShownMap.of(name, ShownMap.find(name)).size()))
                         .toList();
             case models -> named(RobotModels.builtIn());
             case parts -> named(RobotModels.builtInParts());

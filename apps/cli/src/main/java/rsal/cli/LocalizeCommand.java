@@ -434,7 +434,9 @@ final class LocalizeCommand extends Subcommand {
 
     private OccupancyGrid grid(Course course) throws IOException {
         if (map.map != null) {
-            return new Maps(FileSource.disk()).read(map.map, Location.of("--map"));
+            Maps.Found found = new Maps(FileSource.disk()).find(map.map, Location.of("--map"));
+            found.warnings().forEach(warning -> err().println(ValidateCommand.note(warning)));
+            return found.grid();
         }
         var half = course.only(i -> i % 2 == 0).posed();
         if (half.isEmpty()) {

@@ -23,7 +23,9 @@ record ScenarioReference(String nameOrFile, Optional<String> configuration) {
         return new ScenarioReference(typed.substring(0, colon), Optional.of(typed.substring(colon + 1)));
     }
 
+    /// @throws rsal.settings.InvalidSettings with all of its mistakes, or when it is something else
     Scenario load() {
+        FileKind.requireScenario(nameOrFile);
         return Scenario.load(nameOrFile);
     }
 }

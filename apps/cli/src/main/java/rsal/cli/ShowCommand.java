@@ -43,7 +43,7 @@ final class ShowCommand extends Subcommand {
     @Option(
             names = "--image",
             paramLabel = "OUT.png",
-            description = "Where to draw a world; its own name with .png, in this folder, when left out.")
+            description = "Where to draw a world or a map. Default: its own name with .png, in this folder.")
     private @Nullable Path image;
 
     @Override
@@ -59,9 +59,8 @@ final class ShowCommand extends Subcommand {
             }
             return Exit.SUCCESS;
         }
-        if (image == null && ShownMap.is(name)) {
-            ShownMap map = ShownMap.of(name);
-            show(map, map.text());
+        if (FileKind.of(name).equals(Optional.of(FileKind.MAP))) {
+            showMap();
             return Exit.SUCCESS;
         }
         Optional<ShownAgent> agent = image == null ? ShownAgent.of(name) : Optional.empty();
@@ -76,7 +75,7 @@ final class ShowCommand extends Subcommand {
         }
         if (image != null) {
             throw new ParameterException(
-                    spec.commandLine(), "Only worlds (FILE.world.yaml, FILE.world, FILE.cfg) are drawn.");
+                    spec.commandLine(), "Only maps and worlds (FILE.world.yaml, FILE.world, FILE.cfg) are drawn.");
         }
         List<Kind> all = Kind.all();
         List<Kind> named = all.stream().filter(kind -> kind.is(name)).toList();
@@ -104,16 +103,34 @@ final class ShowCommand extends Subcommand {
         }
     }
 
-    private void showWorld() throws IOException {
-        Scene scene = Scenario.scene(name);
+    private void showMap() {
+        Maps.Found found = ShownMap.find(name);
+        ShownMap map = ShownMap.of(name, found);
+        Path drawn = draw(Scene.of(found.grid()));
+        show(map, map.text());
+        if (!json) {
+            found.warnings().forEach(warning -> out().println(ShownWorld.line(warning)));
+            out().println("\nDrawn to " + drawn);
+            out().flush();
+        }
+    }
+
+    /// @return where it was drawn
+    private Path draw(Scene scene) {
         Path file = Path.of(name).getFileName();
         Path drawn = image != null ? image : Path.of((file == null ? name : file) + ".png");
         try {
             System.setProperty("java.awt.headless", "true"); // a server has no screen
             Files.write(drawn, WorldPicture.of(scene, PICTURE));
+            return drawn;
         } catch (IOException e) {
             throw new Unreachable("The picture (%s) can't be written: %s.".formatted(drawn, e));
         }
+    }
+
+    private void showWorld() {
+        Scene scene = Scenario.scene(name);
+        Path drawn = draw(scene);
         var shown = ShownWorld.of(name, scene, drawn.toString());
         if (json) {
             printJson(shown);

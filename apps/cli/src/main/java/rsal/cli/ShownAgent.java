@@ -52,6 +52,11 @@ record ShownAgent(
                         hosts.stream().map(AgentHostProvider::key).toList()));
     }
 
+    /// Whether a file is called like the program of an agent.
+    static boolean is(String path) {
+        return !hosts(path).isEmpty();
+    }
+
     private static List<AgentHostProvider> hosts(String path) {
         return Providers.byKey(AgentHostProvider.class, AgentHostProvider::key).values().stream()
                 .filter(host -> language(host, path).findAny().isPresent())

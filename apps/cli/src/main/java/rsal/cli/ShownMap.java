@@ -5,9 +5,7 @@ import java.util.Locale;
 import rsal.data.OccupancyGrid;
 import rsal.map.Maps;
 import rsal.settings.FileSource;
-import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
-import rsal.settings.Value;
 
 /// A map, for `rsal show` and `rsal list`.
 ///
@@ -15,6 +13,7 @@ import rsal.settings.Value;
 /// @param resolution side of a cell [m]
 /// @param originX of the lower left corner, in the map frame [m]
 /// @param free share of the cells that are known to be
+/// @param warnings of what in its files has no effect, or may not mean what their author thinks
 record ShownMap(
         String map,
         int columns,
@@ -24,9 +23,14 @@ record ShownMap(
         double originY,
         double free,
         double occupied,
-        double unknown) {
-    static ShownMap of(String name) {
-        OccupancyGrid grid = new Maps(FileSource.disk()).read(name, Location.of(name));
+        double unknown,
+        List<ValidateCommand.Mistake> warnings) {
+    static Maps.Found find(String name) {
+        return new Maps(FileSource.disk()).find(name, Location.of(name));
+    }
+
+    static ShownMap of(String name, Maps.Found found) {
+        OccupancyGrid grid = found.grid();
         return new ShownMap(
                 name,
                 grid.width(),
@@ -36,33 +40,8 @@ record ShownMap(
                 grid.originY(),
                 share(grid, OccupancyGrid.FREE),
                 share(grid, OccupancyGrid.OCCUPIED),
-                share(grid, OccupancyGrid.UNKNOWN));
-    }
-
-    /// What files of maps say, two of it at least; nothing else that can be shown does.
-    private static final List<String> MARKS =
-            List.of("image", "drawing", "resolution", "origin", "mode", "negate", "occupied_thresh", "free_thresh");
-
-    /// Whether a name is that of a map: a built-in one, or a file of ROS's, also one in which something is missing:
-    /// whoever reads it tells what.
-    static boolean is(String name) {
-        if (Maps.builtIn().contains(name)) {
-            return true;
-        }
-        if (!name.endsWith(".yaml") && !name.endsWith(".yml")) {
-            return false;
-        }
-        try {
-            Value.Mapping file = FileSource.disk().yaml(name, Location.of(name));
-            return file.find("rsal").isEmpty()
-                    && file.find("scenario").isEmpty()
-                    && MARKS.stream()
-                                    .filter(mark -> file.find(mark).isPresent())
-                                    .count()
-                            > 1;
-        } catch (InvalidSettings _) {
-            return false; // whoever reads it next tells why
-        }
+                share(grid, OccupancyGrid.UNKNOWN),
+                ValidateCommand.Mistake.of(found.warnings()));
     }
 
     private static double share(OccupancyGrid grid, byte kind) {

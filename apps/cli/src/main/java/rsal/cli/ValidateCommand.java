@@ -1,10 +1,14 @@
 package rsal.cli;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
+import rsal.map.Maps;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
@@ -16,12 +20,14 @@ import rsal.settings.Problem;
 @Command(
         name = "validate",
         description =
-                "Check scenarios with all their configurations, or with one, and worlds, and tell every mistake. Starts nothing.")
+                "Check scenarios with all their configurations, or with one, and worlds, maps, robot models and parts, agents'"
+                        + " programs and recordings. Reports every error and starts nothing.")
 final class ValidateCommand extends Subcommand {
     @Parameters(
-            paramLabel = "SCENARIO[:CONFIGURATION]|WORLD",
+            paramLabel = "SCENARIO[:CONFIGURATION]|FILE",
             arity = "1..*",
-            description = ScenarioReference.WHAT + "; or a world.")
+            description = ScenarioReference.WHAT
+                    + "; or the file of a world, a map, a robot model or part, an agent's program, or a recording.")
     @SuppressWarnings("NullAway.Init") // picocli fills it in
     private List<String> files;
 
@@ -67,7 +73,12 @@ final class ValidateCommand extends Subcommand {
 
     private Checked check(String file) {
         try {
-            return Scenario.isWorld(file) ? checkWorld(file) : checkScenario(file);
+            Optional<FileKind> other = FileKind.of(file);
+            return other.isPresent()
+                    ? checkOther(file, other.get())
+                    : Scenario.isWorld(file) ? checkWorld(file) : checkScenario(file);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
         } catch (InvalidSettings mistakes) {
             tell(String.valueOf(mistakes.getMessage()));
             return Checked.wrong(file, mistakes);
@@ -81,12 +92,16 @@ final class ValidateCommand extends Subcommand {
         if (reference.configuration().isPresent()) {
             RunPlan plan = scenario.plan(
                     RunOptions.NONE.withConfiguration(reference.configuration().get()));
+            found.addAll(plan.scene().warnings());
             found.addAll(plan.notes());
-            tell(file + ": right");
+            tell(file + ": valid");
         } else {
-            scenario.check(plan -> found.addAll(plan.notes()));
-            tell("%s: right, with %d configuration(s)"
-                    .formatted(file, scenario.configurations().size()));
+            scenario.check(plan -> {
+                found.addAll(plan.scene().warnings());
+                found.addAll(plan.notes());
+            });
+            int configurations = scenario.configurations().size();
+            tell("%s: valid, %d configuration%s".formatted(file, configurations, configurations == 1 ? "" : "s"));
         }
         var notes = List.copyOf(found);
         notes.forEach(note -> tell(note(note)));
@@ -100,13 +115,33 @@ final class ValidateCommand extends Subcommand {
         return "Note: " + (isOfAll ? note.message() + remedy : note);
     }
 
+    private Checked checkOther(String file, FileKind kind) throws IOException {
+        List<Problem> warnings = List.of();
+        String what = kind.words();
+        switch (kind) {
+            case MAP -> {
+                Maps.Found map = ShownMap.find(file);
+                warnings = map.warnings();
+                what += ", " + ShownMap.of(file, map).size();
+            }
+            case MODEL, PART ->
+                what += ShownPart.of(file).map(shown -> ", " + shown.title()).orElse("");
+            case AGENT -> ShownAgent.of(file);
+            case RECORDING -> RecordingFile.open(file, true).close();
+            case LOG, IMAGE, WORLD -> throw kind.refusal(file);
+        }
+        tell("%s: valid, %s".formatted(file, what));
+        warnings.forEach(warning -> tell(note(warning)));
+        return Checked.right(file, warnings);
+    }
+
     /// Warnings are no mistakes, but nobody should miss them.
     private Checked checkWorld(String file) {
         Scene scene = Scenario.scene(file);
         if (!scene.robots().isEmpty()) {
             Scenario.load(file).check();
         }
-        tell("%s: right, a world with %s"
+        tell("%s: valid, a world with %s"
                 .formatted(
                         file,
                         switch (scene.robots().size()) {

@@ -1007,7 +1007,7 @@ class CommandLineIT {
         Ended checked = rsal.run("validate", "lab.cfg", "wrong.cfg");
         assertThat(checked.code()).isEqualTo(Exit.INVALID);
         assertThat(checked.out())
-                .contains("lab.cfg: right", "wrong.cfg:2:", "There is no model (r1)", "Maybe (r0) was meant?");
+                .contains("lab.cfg: valid", "wrong.cfg:2:", "There is no model (r1)", "Maybe (r0) was meant?");
         Ended run = rsal.run("run", "lab.cfg", "--headless", "--speed", "max", "--for", "2", "--json");
         assertThat(run.code()).as(run.err()).isZero();
         Files.writeString(
@@ -1015,7 +1015,7 @@ class CommandLineIT {
                 "driver ( name \"wavefront\" provides [\"planner:0\"] requires [\"6665:map:0\"] )");
         Ended planner = rsal.run("validate", "planner.cfg");
         assertThat(planner.code()).as(planner.err()).isZero();
-        assertThat(planner.out()).contains("planner.cfg: right, a world with no robots");
+        assertThat(planner.out()).contains("planner.cfg: valid, a world with no robots");
         assertThat(rsal.run("show", "planner.cfg").out())
                 .contains("planner:0", "wavefront on 6665:map:0", "the world is empty");
         Ended nobody = rsal.run("run", "planner.cfg", "--headless", "--for", "1");
@@ -1113,7 +1113,7 @@ class CommandLineIT {
         assertThat(colors).contains(0xff0000, 0xffa500, 0x808080);
         assertThat(checked.code()).isEqualTo(Exit.INVALID);
         assertThat(checked.out())
-                .contains("yard.world.yaml: right", "visit.yaml: right")
+                .contains("yard.world.yaml: valid", "visit.yaml: valid")
                 .contains("wrong.world.yaml:4:69: (colour) is not known in (things.crate).", "Maybe (color)");
         assertThat(run.code()).isZero();
         assertThat(JsonMapper.shared().readTree(run.out()).get("eventHash"))

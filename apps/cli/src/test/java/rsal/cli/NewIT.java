@@ -94,7 +94,7 @@ class NewIT {
 
         Ended test = test("chase", "3");
         assertThat(test.code()).as(test.out() + test.err()).isEqualTo(Exit.SUCCESS);
-        assertThat(test.out()).contains("chase.yaml: right", "chase:default, seed 3");
+        assertThat(test.out()).contains("chase.yaml: valid", "chase:default, seed 3");
         assertThat(rsal.run("show", "chase/hunter.asl").out()).contains("+!hunt");
     }
 
@@ -113,7 +113,7 @@ class NewIT {
     void eachThatComesWithRsalCanBeTaken(String scenario) throws Exception {
         Ended ended = rsal.run("new", "mine", "--from", scenario);
         assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
-        assertThat(rsal.run("validate", "mine/mine.yaml").out()).startsWith("mine/mine.yaml: right");
+        assertThat(rsal.run("validate", "mine/mine.yaml").out()).startsWith("mine/mine.yaml: valid");
         Ended run = rsal.run("run", "mine/mine.yaml", "--headless", "--speed", "max", "--for", "3");
         assertThat(run.code()).as(run.err()).isEqualTo(Exit.SUCCESS);
         assertThat(run.out()).startsWith("mine:");
@@ -131,7 +131,7 @@ class NewIT {
         rsal.run("new", "chase");
         assertThat(rsal.run("validate", "chase", "chase:advanced", "chase:advnced")
                         .out())
-                .contains("chase: right, with 9 configuration(s)\n", "chase:advanced: right\n")
+                .contains("chase: valid, 9 configurations\n", "chase:advanced: valid\n")
                 .contains("chase:advnced: Scenario (chase) has no configuration (advnced).", "Maybe (advanced)");
         assertThat(rsal.run("show", "chase:advanced").out()).contains("read from chase/chase.yaml");
         Ended run = rsal.run("run", "chase:advanced", "--headless", "--speed", "max", "--for", "1");

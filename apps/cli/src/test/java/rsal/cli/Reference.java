@@ -111,7 +111,8 @@ final class Reference {
         var table = new Markdown.Table("map", "");
         Maps.builtIn()
                 .forEach(name -> table.row(
-                        Markdown.code(name), Markdown.text(ShownMap.of(name).size())));
+                        Markdown.code(name),
+                        Markdown.text(ShownMap.of(name, ShownMap.find(name)).size())));
         return table.toString();
     }
 }
