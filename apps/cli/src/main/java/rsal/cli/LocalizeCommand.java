@@ -35,6 +35,7 @@ import rsal.navigation.replay.Course;
 import rsal.navigation.replay.Replay;
 import rsal.navigation.replay.Verdict;
 import rsal.scenario.Counted;
+import rsal.settings.Arguments;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
@@ -82,6 +83,9 @@ final class LocalizeCommand extends Subcommand {
     @Mixin
     @SuppressWarnings("NullAway.Init") // picocli fills it in
     private LogOptions recorded;
+
+    @Mixin
+    private LocalizerTuning tuning = new LocalizerTuning();
 
     @Option(
             names = "--seeds",
@@ -301,6 +305,7 @@ final class LocalizeCommand extends Subcommand {
     @Override
     int run() throws IOException {
         checkOptions();
+        Arguments tuned = tuning.arguments();
         Optional<Destination> target = Optional.ofNullable(saveMap).map(this::target);
         Optional<OdometryModel> noise = recorded.noise();
         CarmenLog log = recorded.read(file);
@@ -312,7 +317,7 @@ final class LocalizeCommand extends Subcommand {
         target.ifPresent(Destination::prepareExisting);
         OccupancyGrid grid = grid(course);
         checkStart(grid);
-        var localizationMap = new LocalizationMap(grid, 0.1, 0.05);
+        LocalizationMap localizationMap = LocalizerTuning.map(grid, tuned);
         checkSize(localizationMap, grid);
         target.ifPresent(folder -> save(grid, folder));
         if (map.fromHalf) {
@@ -321,7 +326,7 @@ final class LocalizeCommand extends Subcommand {
         var runs = new ArrayList<RunView>();
         var verdicts = new ArrayList<Verdict>();
         for (int seed = 1; seed <= seeds; seed++) {
-            List<Replay.Step> steps = follow(course, localizationMap, noise, seed);
+            List<Replay.Step> steps = follow(course, localizationMap, tuned, noise, seed);
             Verdict verdict = Verdict.of(steps);
             RunView run = RunView.of(seed, steps, verdict);
             runs.add(run);
@@ -406,14 +411,14 @@ final class LocalizeCommand extends Subcommand {
     }
 
     private List<Replay.Step> follow(
-            Course course, LocalizationMap localizationMap, Optional<OdometryModel> noise, int seed) {
+            Course course, LocalizationMap localizationMap, Arguments tuned, Optional<OdometryModel> noise, int seed) {
         var random = new SplittableRandom(seed);
         int last = course.stops().size() - 1;
         int first = varyStart ? random.nextInt(Math.max(1, last + 2 - Math.min(scans, last + 1))) : 0;
         Course part = course.only(i -> i >= first && i - first < scans);
         Course driven = noise.isPresent() ? part.drifting(noise.get(), random) : part;
-        var amcl = new Amcl(
-                localizationMap, Amcl.Settings.of(minParticles, maxParticles).with(model), random);
+        var amcl =
+                new Amcl(localizationMap, LocalizerTuning.settings(minParticles, maxParticles, model, tuned), random);
         startPose(driven)
                 .ifPresent(pose -> amcl.start(PoseEstimate.of(pose, Covariance2d.ofDeviations(0.3, 0.3, 0.2))));
         return Replay.run(driven, amcl, new Replay.Look(beams, maxRange), System::nanoTime);
@@ -445,7 +450,7 @@ final class LocalizeCommand extends Subcommand {
         }
         OccupancyGrid drawn;
         try {
-            drawn = ScanMapper.draw(half, ScanMapper.Settings.of(0.05));
+            drawn = ScanMapper.draw(half, ScanMapper.Settings.ofLogs(0.05));
         } catch (IllegalArgumentException e) {
             throw new InvalidSettings(Location.of(file), String.valueOf(e.getMessage()), "");
         }
