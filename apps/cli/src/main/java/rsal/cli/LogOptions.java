@@ -5,6 +5,8 @@ import java.io.PrintWriter;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -18,6 +20,7 @@ import rsal.navigation.carmen.BrokenLog;
 import rsal.navigation.carmen.CarmenLog;
 import rsal.navigation.carmen.LogReader;
 import rsal.navigation.replay.Course;
+import rsal.navigation.replay.Leap;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 
@@ -134,7 +137,7 @@ final class LogOptions {
     ///
     /// @param file of the log
     Course course(CarmenLog log, String file) {
-        Course course = Course.of(log);
+        Course course = Course.of(log).withoutLeaps();
         if (reference == null) {
             return isWithoutReference() ? course.unjudged() : course;
         }
@@ -210,6 +213,21 @@ final class LogOptions {
                         ("The headings in (%s) are probably degrees: they go to (%.1f), in steps of more than a radian."
                                         + " CARMEN's are radians: multiply them by π / 180.")
                                 .formatted(file, most)));
+        List<Leap> leaps = Course.of(log).leaps();
+        if (!leaps.isEmpty()) {
+            err.println("The odometry of '%s' leaps %s. The robot is taken to have stood still meanwhile."
+                    .formatted(file, leaps.size() == 1 ? "once" : leaps.size() + " times"));
+            leaps.stream()
+                    .limit(3)
+                    .forEach(leap -> err.println(String.format(
+                            Locale.ROOT,
+                            "  %s:%d: %.2f m and %.0f° in %.2f s",
+                            file,
+                            leap.line(),
+                            leap.meters(),
+                            Math.toDegrees(leap.radians()),
+                            leap.seconds())));
+        }
     }
 
     /// What of a log was read otherwise than it stands there.

@@ -90,6 +90,14 @@ final class MapCommand extends Subcommand {
     @Option(names = "--max-range", paramLabel = "M", description = "Ranges beyond this are not looked at [m] (25).")
     private double maxRange = 25;
 
+    @Option(
+            names = "--free-range",
+            paramLabel = "M",
+            description =
+                    "How far a beam that hit nothing makes the map free [m] (0). With 0 such beams say nothing: many"
+                            + " lasers lose the echo of glass and of dark walls.")
+    private double freeRange;
+
     /// Errors against poses that are right.
     ///
     /// @param relations looked at
@@ -263,6 +271,7 @@ final class MapCommand extends Subcommand {
                 resolution >= 0.005 && resolution <= 10,
                 "--resolution must be 0.005 to 10 m, not (%s).".formatted(resolution));
         check(maxRange > 0, "--max-range must be more than 0 m, not (%s).".formatted(maxRange));
+        check(freeRange >= 0, "--free-range must be 0 m or more, not '%s'.".formatted(freeRange));
         recorded.checkOptions();
         if (knownPoses && (files.size() > 1 || recorded.hasNoise())) {
             throw new ParameterException(
@@ -521,7 +530,9 @@ final class MapCommand extends Subcommand {
     private OccupancyGrid grid(Robot robot, List<ScanMapper.PosedScan> scans) {
         try {
             return ScanMapper.draw(
-                    scans, ScanMapper.Settings.of(resolution).within(Math.min(maxRange, ScanMapper.Settings.FARTHEST)));
+                    scans,
+                    ScanMapper.Settings.of(resolution)
+                            .upTo(Math.min(maxRange, ScanMapper.Settings.FARTHEST), Math.min(maxRange, freeRange)));
         } catch (IllegalArgumentException e) {
             throw new InvalidSettings(
                     Location.of(robot.file()), String.valueOf(e.getMessage()), "Try a larger --resolution.");

@@ -58,6 +58,13 @@ public final class ScanMapper {
             return new Settings(resolution, FARTHEST, 10, 0.9, -0.4, 4);
         }
 
+        /// For logs of real lasers: a beam that hit nothing frees no cells. Nothing may have been in range, but as
+        /// often its
+        /// echo was lost, on glass or something dark, and there is a wall.
+        public static Settings ofLogs(double resolution) {
+            return of(resolution).upTo(FARTHEST, 0);
+        }
+
         /// The same that draws nothing beyond a range [m].
         public Settings within(double range) {
             return upTo(range, Math.min(range, freeUpTo));

@@ -155,6 +155,31 @@ public record Course(List<Stop> stops, int untold) {
         return new Course(drifted, untold);
     }
 
+    /// Where its odometry leaps; empty when the log tells no times.
+    public List<Leap> leaps() {
+        return IntStream.range(1, stops.size())
+                .filter(i -> Leap.isBetween(stops.get(i - 1), stops.get(i)))
+                .mapToObj(i -> Leap.between(stops.get(i - 1), stops.get(i)))
+                .toList();
+    }
+
+    /// The same without its [#leaps]: the wheels say then that the robot stood still for that step.
+    public Course withoutLeaps() {
+        var mended = new ArrayList<Stop>();
+        Pose2d mendedFromOdom = Pose2d.ORIGIN;
+        for (int i = 0; i < stops.size(); i++) {
+            Stop stop = stops.get(i);
+            if (i > 0 && Leap.isBetween(stops.get(i - 1), stop)) {
+                mendedFromOdom = mended.getLast()
+                        .odomFromBase()
+                        .compose(stop.odomFromBase().inverse());
+            }
+            Pose2d pose = mendedFromOdom.compose(stop.odomFromBase());
+            mended.add(new Stop(stop.line(), stop.time(), stop.scan(), pose, stop.mapFromBase()));
+        }
+        return new Course(mended, untold);
+    }
+
     /// Some of the scans, by their numbers from 0.
     public Course only(IntPredicate chosen) {
         return new Course(

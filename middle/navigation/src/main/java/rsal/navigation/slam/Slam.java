@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import rsal.data.Angles;
 import rsal.data.Covariance2d;
@@ -46,6 +48,8 @@ public final class Slam {
     private static final double HELD = 0.1; // m; deviation of what was found
     private static final double TURNED = 0.15; // rad
     private static final CorrelativeMatcher.Settings SEARCH = new CorrelativeMatcher.Settings(0.05, 0.08, 4);
+    private static final double MOST_BENT = Strain.TOO_MUCH * Strain.TOO_MUCH; // likewise of a step by odometry alone
+    private static final double LONG_WAY = 4; // of usual steps: the wheels were not lifted
     private static final double MISFIT = 16; // square of a loop's error in deviations that is too much
     private static final double FAR = 1000; // m; between robots, as no way led from one to the other
     // how scans err beside what their points tell
@@ -321,7 +325,8 @@ public final class Slam {
         all.addAll(closing);
         List<Pose2d> fitted = PoseGraph.fitFromAfar(poses, all).poses();
         fits++;
-        if (strained(all, fitted) <= strained(relations, poses)) { // those that are right bend no others
+        if (strained(all, fitted) <= strained(relations, poses) // those that are right bend no others
+                && !bendsMore(all, fitted)) {
             relations.addAll(closing);
             poses = new ArrayList<>(fitted);
             believe(closing);
@@ -362,7 +367,10 @@ public final class Slam {
                 .filter(r -> r.source() != Relation.Source.ODOMETRY && isStrained(r, fitted) && !isStrained(r, poses))
                 .toList();
         boolean loopsOnly = wrong.stream().allMatch(r -> r.source() == Relation.Source.LOOP);
-        if (loopsOnly && Refused.outweigh(agreeing, wrong) && agreeing.stream().noneMatch(r -> isStrained(r, fitted))) {
+        if (loopsOnly
+                && Refused.outweigh(agreeing, wrong)
+                && agreeing.stream().noneMatch(r -> isStrained(r, fitted))
+                && !bendsMore(all, fitted)) {
             relations.removeAll(wrong);
             wrong.forEach(loops::distrust);
             relations.addAll(agreeing);
@@ -378,6 +386,26 @@ public final class Slam {
         return relations.stream()
                 .filter(r -> r.source() != Relation.Source.ODOMETRY && isStrained(r, poses))
                 .count();
+    }
+
+    /// How many steps lie so that their odometry is hardly possible, though nothing else tells of them and the wheels
+    /// turned for long: where a log has a gap, say. A robot that was carried tells of no such way.
+    private static long bent(List<Relation> relations, List<Pose2d> poses, double leastWay) {
+        Set<Integer> seen = relations.stream()
+                .filter(r -> r.source() == Relation.Source.SCANS)
+                .map(Relation::to)
+                .collect(Collectors.toSet());
+        return relations.stream()
+                .filter(r -> r.source() == Relation.Source.ODOMETRY)
+                .filter(r -> !seen.contains(r.to()))
+                .filter(r -> Math.hypot(r.fromFromTo().x(), r.fromFromTo().y()) >= leastWay)
+                .filter(r -> PoseGraph.square(r, poses.get(r.from()), poses.get(r.to())) > MOST_BENT)
+                .count();
+    }
+
+    private boolean bendsMore(List<Relation> all, List<Pose2d> fitted) {
+        double leastWay = LONG_WAY * settings.everyMeters();
+        return bent(all, fitted, leastWay) > bent(relations, poses, leastWay);
     }
 
     private static boolean isStrained(Relation relation, List<Pose2d> poses) {

@@ -57,6 +57,52 @@ class CourseTest {
     }
 
     @Test
+    void stepsThatNoRobotMakesAreTakenOutOfTheOdometry() throws IOException {
+        Course course = Course.of(log("""
+                FLASER 3 1 2 3 0 0 0 1 0 0 1 h 1
+                FLASER 3 1 2 4 0 0 0 1.2 0 0 1.2 h 1.2
+                FLASER 3 1 2 5 0 0 0 9 9 1.5 1.4 h 1.4
+                FLASER 3 1 2 6 0 0 0 9 9.2 1.5 1.6 h 1.6
+                FLASER 3 1 2 7 0 0 0 9 19.2 1.5 21.6 h 21.6
+                """));
+
+        assertThat(course.leaps()).singleElement().satisfies(leap -> {
+            assertThat(leap.line()).isEqualTo(3);
+            assertThat(leap.meters()).isCloseTo(Math.hypot(7.8, 9), within(1e-9));
+            assertThat(leap.radians()).isCloseTo(1.5, within(1e-9));
+            assertThat(leap.seconds()).isCloseTo(0.2, within(1e-9));
+        });
+        Course mended = course.withoutLeaps();
+        assertThat(mended.leaps()).isEmpty();
+        assertThat(step(mended, 2).isNear(Pose2d.ORIGIN, 1e-9, 1e-9)).isTrue();
+        for (int i : new int[] {1, 3, 4}) {
+            Pose2d told = step(course, i);
+            assertThat(step(mended, i).isNear(told, 1e-9, 1e-9))
+                    .as("step %d", i)
+                    .isTrue();
+        }
+    }
+
+    private static Pose2d step(Course course, int i) {
+        return course.stops()
+                .get(i - 1)
+                .odomFromBase()
+                .inverse()
+                .compose(course.stops().get(i).odomFromBase());
+    }
+
+    @Test
+    void logsWithoutTimesHaveNoLeaps() throws IOException {
+        Course course = Course.of(log("""
+                FLASER 3 1 2 3 0 0 0 1 0 0 1 h 1
+                FLASER 3 1 2 4 0 0 0 9 9 0 1 h 1
+                """));
+
+        assertThat(course.leaps()).isEmpty();
+        assertThat(course.withoutLeaps().stops()).isEqualTo(course.stops());
+    }
+
+    @Test
     void scansThatLookTheSameAtSeveralPlacesTellNoPlace() throws IOException {
         Course course = Course.of(log("""
                 FLASER 3 1 2 3 0 0 0 0 0 0 1 h 1
