@@ -36,8 +36,10 @@ import rsal.settings.Suggestion;
             "Start with 'rsal run'. 'rsal COMMAND --help' tells more.",
             "Exit codes: 0 success, 1 internal error, 2 usage, 3 invalid input, 4 the scenario ended in failure or"
                     + " timeout, 5 something cannot be reached (a port, a JDK), 130 and 143 ended by a signal."
-        },
-        subcommands = {
+        })
+public final class Main implements Runnable {
+    /// In the order in which people are told of them.
+    private static final List<Class<?>> COMMANDS = List.of(
             RunCommand.class,
             ServeCommand.class,
             ReplayCommand.class,
@@ -63,9 +65,8 @@ import rsal.settings.Suggestion;
             BenchCommand.class,
             TestCommand.class,
             DocsCommand.class,
-            HelpCommand.class
-        })
-public final class Main implements Runnable {
+            HelpCommand.class);
+
     @Spec
     @SuppressWarnings("NullAway.Init") // picocli fills it in
     private CommandSpec spec;
@@ -73,7 +74,7 @@ public final class Main implements Runnable {
     public static void main(String[] args) {
         Locale.setDefault(Locale.Category.FORMAT, Locale.ROOT); // files and results have points in numbers anywhere
         var stdout = new Stdout();
-        CommandLine commandLine = commandLine(stdout);
+        CommandLine commandLine = commandLine(stdout, args);
         int code = execute(commandLine, args);
         commandLine.getOut().flush();
         stdout.failure()
@@ -93,7 +94,31 @@ public final class Main implements Runnable {
 
     /// @param stdout where results go
     static CommandLine commandLine(OutputStream stdout) {
+        return commandLine(stdout, COMMANDS);
+    }
+
+    /// What a line needs: to make all commands takes half a second, which an operator who stops robots does not have.
+    private static CommandLine commandLine(OutputStream stdout, String[] line) {
+        if (line.length == 1 && List.of("-V", "--version").contains(line[0])) {
+            return commandLine(stdout, List.of());
+        }
+        return commandLine(
+                stdout,
+                COMMANDS.stream()
+                        .filter(command -> line.length > 0 && name(command).equals(line[0]))
+                        .filter(command -> command != HelpCommand.class) // which tells of all
+                        .findFirst()
+                        .<List<Class<?>>>map(List::of)
+                        .orElse(COMMANDS));
+    }
+
+    private static String name(Class<?> command) {
+        return command.getAnnotation(Command.class).name();
+    }
+
+    private static CommandLine commandLine(OutputStream stdout, List<Class<?>> commands) {
         var commandLine = new CommandLine(new Main());
+        commands.forEach(commandLine::addSubcommand);
         Words.register(commandLine);
         return commandLine
                 .setOut(new PrintWriter(stdout, false, StandardCharsets.UTF_8))

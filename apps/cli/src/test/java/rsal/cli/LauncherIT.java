@@ -1,8 +1,10 @@
 package rsal.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
@@ -10,7 +12,9 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.FileTime;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
@@ -21,6 +25,9 @@ import javax.tools.ToolProvider;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import picocli.CommandLine;
 
 /// Starts the launcher in a project of three files, whose "Maven" copies a jar and notes that it was called.
 class LauncherIT {
@@ -87,6 +94,7 @@ class LauncherIT {
     Path folder;
 
     private Path project;
+    private final Map<String, String> environment = new HashMap<>();
 
     @BeforeEach
     void layOut() throws IOException {
@@ -340,6 +348,88 @@ class LauncherIT {
     }
 
     @Test
+    void operatorsNeedNoBuildAndWaitForNone() throws Exception {
+        run("list");
+        Path source = Files.createFile(project.resolve("apps/cli/src/main/New.java")); // somebody works on it
+        Files.setLastModifiedTime(source, FileTime.from(Instant.now().plusSeconds(2)));
+        Files.writeString(project.resolve("broken"), "");
+        Path lock = project.resolve("target/launcher/lock"); // and builds
+        Files.createSymbolicLink(
+                lock, Path.of("%d now".formatted(ProcessHandle.current().pid())));
+        for (String line : List.of(
+                "estop",
+                "stop --json",
+                "arm r1",
+                "goal r1 1 2 0",
+                "pose r1 1 2 0",
+                "status",
+                "agent mind a",
+                "--version",
+                "--help",
+                "help run",
+                "run --help",
+                "sweep patrol -h")) {
+            Ended ended = run(line.split(" "));
+
+            assertThat(ended.err()).as(line).isEmpty();
+            assertThat(ended.out()).startsWith("args " + line + "\n");
+        }
+        assertThat(builds()).hasSize(1);
+    }
+
+    @Test
+    void whereNothingWasEverBuiltOperatorsBuildToo() throws Exception {
+        assertThat(run("estop").out()).startsWith("args estop\n");
+        assertThat(builds()).hasSize(1);
+    }
+
+    @Test
+    void theLauncherKnowsWhichCommandsAreForOperators() throws Exception {
+        String names = Files.readAllLines(LAUNCHER).stream()
+                .filter(line -> line.startsWith("OF_OPERATORS="))
+                .map(line -> line.replaceAll("OF_OPERATORS=|\"", "").strip())
+                .findAny()
+                .orElseThrow();
+        assertThat(names.split(" "))
+                .containsExactlyElementsOf(
+                        Main.commandLine(OutputStream.nullOutputStream()).getSubcommands().entrySet().stream()
+                                .filter(command -> isForOperators(command.getValue()))
+                                .map(Map.Entry::getKey)
+                                .sorted()
+                                .toList());
+    }
+
+    private static boolean isForOperators(CommandLine command) {
+        return command.getCommand() instanceof PageCommand
+                || (!command.getSubcommands().isEmpty()
+                        && command.getSubcommands().values().stream().allMatch(LauncherIT::isForOperators));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"C", "POSIX"})
+    void namesOfFilesMayHaveAnyLetters(String locale) throws Exception {
+        assumeThat(System.getProperty("sun.jnu.encoding")).isEqualTo("UTF-8"); // else this test can't write their names
+        project = Files.move(project, folder.resolve("Müllers Köder 机器人"));
+        environment.put("LC_ALL", locale);
+
+        Ended ended = run("list", "Größe.yaml");
+
+        assertThat(ended.code()).isZero();
+        assertThat(ended.out()).startsWith("args list Größe.yaml\n");
+    }
+
+    @Test
+    void saysThatItCanNotRunFromAFolderWithAColon() throws Exception {
+        project = Files.move(project, folder.resolve("a:b"));
+
+        Ended ended = run("list");
+
+        assertThat(ended.code()).isEqualTo(Exit.UNREACHABLE);
+        assertThat(ended.err()).contains("/a:b': Java takes the colon in it", "Rename the folder");
+        assertThat(project.resolve("builds")).doesNotExist();
+    }
+
+    @Test
     void staysInTheFolderOfTheCallerAndFollowsLinks() throws Exception {
         Path elsewhere = Files.createDirectories(folder.resolve("elsewhere"));
         Path link = Files.createSymbolicLink(folder.resolve("link"), Path.of("a project/rsal"));
@@ -506,6 +596,7 @@ class LauncherIT {
         builder.environment().put("JAVA_HOME", System.getProperty("java.home"));
         builder.environment().compute("PATH", (_, path) -> folder.resolve("bin") + ":" + path);
         builder.environment().put("NODE_ENV", "test"); // as where tests in a browser start it
+        builder.environment().putAll(environment);
         return builder;
     }
 
