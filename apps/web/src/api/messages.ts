@@ -10,6 +10,10 @@ export interface Abilities {
   noGoal: string;
 }
 
+export interface Access {
+  control: boolean;
+}
+
 export interface Added {
   name: string;
 }
@@ -467,6 +471,7 @@ export interface Receipt {
   frame: number | null;
   events: number | null;
   look: LookBack | null;
+  token: string | null;
 }
 
 export interface RecordingInfo {
@@ -649,6 +654,7 @@ export interface ServerMessage {
   details: Details | null;
   events: Events | null;
   reach: Reach | null;
+  access: Access | null;
 }
 
 export interface SettingInfo {

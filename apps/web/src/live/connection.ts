@@ -1,3 +1,4 @@
+import { access } from '../api/access.svelte';
 import type { LookBack, Receipt, ServerMessage } from '../api/messages';
 
 const RETRY_MILLIS = 1000;
@@ -50,6 +51,9 @@ export function connect(listener: Listener): void {
   const take = (data: ArrayBuffer | string) => {
     if (typeof data === 'string') {
       const message = JSON.parse(data) as ServerMessage;
+      if (message.access?.control === false) {
+        access.drop(); // another server answers at this address now: this tab may only watch
+      }
       listener.onMessage(message);
       const last = message.events?.events.at(-1);
       if (last) {
@@ -77,6 +81,12 @@ export function connect(listener: Listener): void {
     }
   };
   socket.onclose = ({ code }) => end(code);
+  const showToken = () => access.token && tell(socket, { token: access.token });
+  if (socket.readyState === WebSocket.OPEN) {
+    showToken();
+  } else {
+    socket.onopen = showToken;
+  }
   queueMicrotask(listen); // once what listens is there
 }
 

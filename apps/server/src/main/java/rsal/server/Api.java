@@ -69,15 +69,6 @@ final class Api {
     private static final String REFUSED = "refused"; // of a request
     private static final int GRID_HEADER = 2 * Integer.BYTES + 3 * Double.BYTES;
     private static final double FARTHEST = 1e6; // [m], from the map's origin
-    private static final Map<String, String> SECURITY_HEADERS = Map.of(
-            "Content-Security-Policy",
-                    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self';"
-                            + " frame-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'self'",
-            "X-Content-Type-Options", "nosniff",
-            "X-Frame-Options", "SAMEORIGIN",
-            "Referrer-Policy", "no-referrer",
-            "Cross-Origin-Opener-Policy", "same-origin",
-            "Cross-Origin-Resource-Policy", "same-origin");
 
     private final Seats seats;
     private final Shelf shelf;
@@ -100,7 +91,6 @@ final class Api {
 
     /// All is there for each of the runs side by side, below its address.
     void configure(RoutesConfig routes) {
-        admit(routes, gate);
         routes.before(Seats.BESIDE + "/*", seats::find); // also where the answer is the same for all
         configure(new Routes(routes, ""));
         configure(new Routes(routes, Seats.BESIDE));
@@ -327,15 +317,6 @@ final class Api {
         });
     }
 
-    /// Before all else: lets in only who may look.
-    static void admit(RoutesConfig routes, Gate gate) {
-        routes.before(request -> {
-            SECURITY_HEADERS.forEach(request::header);
-            request.header(Header.CACHE_CONTROL, "no-store");
-            gate.admit(request.header(Header.HOST), request.header(Header.ORIGIN));
-        });
-    }
-
     /// After all else: the page, and refusals.
     ///
     /// @param isLate what is told nothing where it would be refused as things are
@@ -360,6 +341,10 @@ final class Api {
             }
         });
         routes.exception(CancellationException.class, (_, request) -> refuseLate(request));
+        routes.exception(IOException.class, (e, request) -> { // whoever asked hung up, or sent no more
+            LOG.debug("Could not answer {} {}.", request.method(), request.path(), e);
+            refuse(request, new Refusal(400, "The request did not come as a whole."));
+        });
         routes.exception(Exception.class, (e, request) -> {
             LOG.error("Could not answer {} {}.", request.method(), request.path(), e);
             refuse(request, new Refusal(500, "The server failed at this; its log says why."));

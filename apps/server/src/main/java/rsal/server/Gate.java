@@ -28,12 +28,17 @@ final class Gate {
     /// For every request, upgrades to WebSocket too.
     ///
     /// @throws Refusal when it is not meant for us, or sent by a page that is not ours
-    void admit(@Nullable String host, @Nullable String origin) {
+    ///
+    /// @param site what a browser says of who asks (`Sec-Fetch-Site`); null from other programs
+    void admit(@Nullable String host, @Nullable String origin, @Nullable String site) {
         if (host == null || !hosts.contains(host)) {
             throw new Refusal(421, "This server answers only as one of %s, not as (%s).".formatted(hosts, host));
         }
         if (origin != null && !origin.equals("http://" + host)) {
             throw new Refusal(403, "Pages of (%s) may not talk to this server.".formatted(origin));
+        }
+        if ("cross-site".equals(site)) {
+            throw new Refusal(403, "Pages of other sites may not talk to this server. Open its address by itself.");
         }
     }
 
@@ -62,7 +67,8 @@ final class Gate {
         }
     }
 
-    private boolean isToken(@Nullable String authorization) {
+    /// Whether that is the token, as headers have it.
+    boolean isToken(@Nullable String authorization) {
         return authorization != null
                 && authorization.startsWith("Bearer ")
                 && MessageDigest.isEqual(

@@ -2,6 +2,7 @@ package rsal.server;
 
 import java.nio.ByteBuffer;
 import java.time.Duration;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -9,6 +10,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
 import org.eclipse.jetty.ee10.websocket.server.JettyServerUpgradeRequest;
 import org.eclipse.jetty.ee10.websocket.server.JettyServerUpgradeResponse;
 import org.eclipse.jetty.ee10.websocket.server.JettyWebSocketServerContainer;
@@ -18,13 +20,16 @@ import org.eclipse.jetty.websocket.api.StatusCode;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import rsal.server.Messages.Access;
 import rsal.server.Messages.Receipt;
+import rsal.server.Messages.ServerMessage;
 import rsal.server.ViewerCounts.Reason;
 
 /// Shows a run over WebSockets, 20 times a second, or 4 times when it goes by too fast to be followed: to draw more
 /// would take from the run what nobody sees. Each snapshot of one that goes on is encoded once, whoever looks; while
 /// nobody looks, twice a second, to look back on.
 final class Live implements Viewing {
+    /// Without the token; who has it may always enter.
     static final int MAX_VIEWERS = 64;
     /// What viewers are told when their run was closed; of those codes that applications may use (RFC 6455, 7.4.2).
     static final int CLOSED = 4000;
@@ -33,6 +38,7 @@ final class Live implements Viewing {
     private static final Duration PERIOD = Duration.ofMillis(PERIOD_MILLIS);
     private static final int UNWATCHED = 10; // periods between looks
     private static final int FAST = 5;
+    private static final int LONGEST_WAIT = 20; // periods in which the token may come where all seats are taken
     private static final String RECEIPTS =
             "This takes receipts: {\"frame\": 7} or {\"events\": 7}; and {\"look\": {\"time\": 7}}.";
     private static final Logger LOG = LoggerFactory.getLogger(Live.class);
@@ -40,6 +46,8 @@ final class Live implements Viewing {
     private final Showing showing;
     private final Gate gate;
     private final Set<Connection> connections = ConcurrentHashMap.newKeySet();
+    private final Set<Connection> waiting = ConcurrentHashMap.newKeySet(); // while all seats are taken, for the token
+    private final AtomicLong newest = new AtomicLong();
     private final ViewerCounts counts = new ViewerCounts();
     private final ScheduledExecutorService clock;
     private volatile boolean ended;
@@ -63,12 +71,6 @@ final class Live implements Viewing {
 
     @Nullable
     Connection open(JettyServerUpgradeRequest request, JettyServerUpgradeResponse response) throws Exception {
-        try {
-            gate.admit(request.getHeader("Host"), request.getHeader("Origin"));
-        } catch (Refusal refusal) {
-            response.sendError(refusal.status(), refusal.sentence());
-            return null;
-        }
         response.setExtensions(List.of()); // compressing costs more than loopback does
         return new Connection();
     }
@@ -81,6 +83,7 @@ final class Live implements Viewing {
             for (Connection connection : connections) {
                 offer(connection);
             }
+            waiting.forEach(Connection::waitOn);
         } catch (RuntimeException e) {
             LOG.error("Could not show the run.", e); // the next snapshot may do
         }
@@ -132,28 +135,58 @@ final class Live implements Viewing {
     public final class Connection extends Session.Listener.AbstractAutoDemanding implements Viewer.Line {
         private final Viewer viewer = new Viewer(this, counts);
         private final AtomicInteger underWay = new AtomicInteger();
+        private final long number = newest.incrementAndGet();
+        private volatile boolean trusted; // it has shown the token
+        private int patience = LONGEST_WAIT; // periods; the clock's thread only
 
         @Override
         public void onWebSocketOpen(Session session) {
             super.onWebSocketOpen(session);
             if (connections.size() >= MAX_VIEWERS) {
-                close(
-                        Reason.FULL,
-                        StatusCode.TRY_AGAIN_LATER,
-                        "%d browsers are watching already.".formatted(MAX_VIEWERS));
+                waiting.add(this);
             } else {
-                connections.add(this);
-                counts.addViewer();
-                if (ended) {
-                    end(); // nobody else would any more
-                }
+                enter();
+            }
+        }
+
+        private void enter() {
+            connections.add(this);
+            counts.addViewer();
+            if (ended) {
+                end(); // nobody else would any more
+            }
+        }
+
+        /// Whoever has the token may always enter. Somebody who has not shown it makes room where there is none.
+        private void show(String token) {
+            trusted = gate.isToken("Bearer " + token);
+            send(Json.write(ServerMessage.of(new Access(trusted))));
+            if (trusted && waiting.remove(this)) {
+                connections.stream()
+                        .filter(other -> !other.trusted)
+                        .min(Comparator.comparingLong(other -> other.number))
+                        .ifPresent(Connection::makeRoom);
+                enter();
+            }
+        }
+
+        private void makeRoom() {
+            close(Reason.FULL, StatusCode.TRY_AGAIN_LATER, "%d browsers are watching already.".formatted(MAX_VIEWERS));
+        }
+
+        /// Called each period.
+        private void waitOn() {
+            if (--patience < 0) {
+                makeRoom();
             }
         }
 
         @Override
         public void onWebSocketText(String message) {
             try {
-                viewer.received(Json.read(message, Receipt.class));
+                Receipt receipt = Json.read(message, Receipt.class);
+                viewer.received(receipt);
+                receipt.token().ifPresent(this::show);
             } catch (Refusal _) {
                 close(Reason.NONSENSE, StatusCode.POLICY_VIOLATION, RECEIPTS);
             }
@@ -167,13 +200,18 @@ final class Live implements Viewing {
 
         @Override
         public void onWebSocketClose(int status, @Nullable String reason, Callback closed) {
-            connections.remove(this);
+            leave();
             closed.succeed();
         }
 
         @Override
         public void onWebSocketError(Throwable cause) {
+            leave();
+        }
+
+        private void leave() {
             connections.remove(this);
+            waiting.remove(this);
         }
 
         private void end() {
@@ -182,7 +220,7 @@ final class Live implements Viewing {
         }
 
         private void close(Reason why, int status, String words) {
-            connections.remove(this);
+            leave();
             counts.letGo(why);
             getSession().close(status, words, Callback.NOOP);
         }

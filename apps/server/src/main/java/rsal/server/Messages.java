@@ -19,51 +19,63 @@ final class Messages {
             Optional<Things> things,
             Optional<Details> details,
             Optional<Events> events,
-            Optional<Reach> reach) {
+            Optional<Reach> reach,
+            Optional<Access> access) {
         private static ServerMessage of(
                 @Nullable RunInfo run,
                 @Nullable Newcomers newcomers,
                 @Nullable Things things,
                 @Nullable Details details,
                 @Nullable Events events,
-                @Nullable Reach reach) {
+                @Nullable Reach reach,
+                @Nullable Access access) {
             return new ServerMessage(
                     Optional.ofNullable(run),
                     Optional.ofNullable(newcomers),
                     Optional.ofNullable(things),
                     Optional.ofNullable(details),
                     Optional.ofNullable(events),
-                    Optional.ofNullable(reach));
+                    Optional.ofNullable(reach),
+                    Optional.ofNullable(access));
         }
 
         static ServerMessage of(RunInfo run) {
-            return of(run, null, null, null, null, null);
+            return of(run, null, null, null, null, null, null);
         }
 
         static ServerMessage of(Newcomers newcomers) {
-            return of(null, newcomers, null, null, null, null);
+            return of(null, newcomers, null, null, null, null, null);
         }
 
         static ServerMessage of(Things things) {
-            return of(null, null, things, null, null, null);
+            return of(null, null, things, null, null, null, null);
         }
 
         static ServerMessage of(Details details) {
-            return of(null, null, null, details, null, null);
+            return of(null, null, null, details, null, null, null);
         }
 
         static ServerMessage of(Events events) {
-            return of(null, null, null, null, events, null);
+            return of(null, null, null, null, events, null, null);
         }
 
         static ServerMessage of(Reach reach) {
-            return of(null, null, null, null, null, reach);
+            return of(null, null, null, null, null, reach, null);
+        }
+
+        static ServerMessage of(Access access) {
+            return of(null, null, null, null, null, null, access);
         }
     }
 
     /// What a viewer says over the WebSocket: the newest frame it has drawn, the newest event it has taken, and where
-    /// it wants to look.
-    record Receipt(Optional<Long> frame, Optional<Long> events, Optional<LookBack> look) {}
+    /// it wants to look; and once, the token that it has.
+    record Receipt(Optional<Long> frame, Optional<Long> events, Optional<LookBack> look, Optional<String> token) {}
+
+    /// What the token is worth that a viewer has shown.
+    ///
+    /// @param control whether it is this server's, so that the viewer may change something
+    record Access(boolean control) {}
 
     /// Looks back on a run, which itself goes on; or to the present again.
     ///

@@ -11,6 +11,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.URI;
 import java.nio.channels.ServerSocketChannel;
+import java.time.Duration;
 import java.util.List;
 import java.util.function.Consumer;
 import org.eclipse.jetty.ee10.websocket.server.config.JettyWebSocketServletContainerInitializer;
@@ -23,6 +24,9 @@ import org.eclipse.jetty.util.thread.QueuedThreadPool;
 /// HTTP and WebSocket on this machine's loopback address, and there only.
 final class PageServer implements AutoCloseable {
     private static final String LOOPBACK = "127.0.0.1";
+    private static final int SPARE_THREADS = 32; // beside one for each connection that asks: accepts, selects, sends
+    private static final Duration IDLE = Duration.ofSeconds(30);
+    private static final Duration STALLED = Duration.ofSeconds(5); // while a request or its answer is under way
     /// Answered once before anybody asks.
     static final List<String> FIRST = List.of("/", "/api/run");
 
@@ -32,14 +36,15 @@ final class PageServer implements AutoCloseable {
     private final Rehearsal rehearsal;
 
     /// @param door from [#open]
+    /// @param gate that all requests pass
     /// @param viewing where viewers come in; this closes it
     /// @param routes what can be asked and told
-    PageServer(ServerSocketChannel door, String token, Viewing viewing, Consumer<RoutesConfig> routes)
+    PageServer(ServerSocketChannel door, String token, Gate gate, Viewing viewing, Consumer<RoutesConfig> routes)
             throws IOException {
         this.viewing = viewing;
         url = URI.create("http://%s:%d/#token=%s".formatted(LOOPBACK, port(door), token));
         http = Javalin.create(config -> {
-            configure(config, door);
+            configure(config, door, gate);
             routes.accept(config.routes);
         });
         try {
@@ -69,27 +74,36 @@ final class PageServer implements AutoCloseable {
         return ((InetSocketAddress) door.getLocalAddress()).getPort();
     }
 
-    private void configure(JavalinConfig config, ServerSocketChannel door) {
+    private void configure(JavalinConfig config, ServerSocketChannel door, Gate gate) {
+        var connections = new Connections();
         config.startup.showJavalinBanner = false;
         config.startup.showOldJavalinVersionWarning = false;
         config.startup.startupWatcherEnabled = false;
         config.http.asyncTimeout = 5_000;
         config.http.maxRequestSize = RunServer.MAX_MESSAGE;
         config.http.compressionStrategy = CompressionStrategy.NONE;
-        var threads = new QueuedThreadPool(16, 2);
+        var threads = new QueuedThreadPool(Connections.MOST_ASKING + SPARE_THREADS, 2);
         threads.setName("server");
         threads.setDaemon(true);
         config.jetty.threadPool = threads;
-        config.jetty.addConnector((server, http) -> connector(server, http, door));
+        config.jetty.addConnector((server, http) -> connector(server, http, door, connections));
         config.jetty.modifyServer(server -> server.setStopTimeout(0));
-        config.jetty.modifyHttpConfiguration(http -> http.setSendServerVersion(false));
+        config.jetty.modifyHttpConfiguration(http -> {
+            http.setSendServerVersion(false);
+            http.setIdleTimeout(STALLED.toMillis());
+        });
         // not Javalin's own sockets, which give every viewer a session and a cookie
-        config.jetty.modifyServletContextHandler(context -> JettyWebSocketServletContainerInitializer.configure(
-                context, (_, sockets) -> viewing.configure(sockets)));
+        config.jetty.modifyServletContextHandler(context -> {
+            context.insertHandler(new Entrance(gate, connections));
+            JettyWebSocketServletContainerInitializer.configure(context, (_, sockets) -> viewing.configure(sockets));
+        });
     }
 
-    private static ServerConnector connector(Server server, HttpConfiguration http, ServerSocketChannel door) {
+    private static ServerConnector connector(
+            Server server, HttpConfiguration http, ServerSocketChannel door, Connections connections) {
         var connector = new ServerConnector(server, 1, 1, new HttpConnectionFactory(http));
+        connector.addBean(connections);
+        connector.setIdleTimeout(IDLE.toMillis());
         connector.setHost(LOOPBACK);
         try {
             connector.open(door);

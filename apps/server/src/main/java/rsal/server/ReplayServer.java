@@ -40,7 +40,7 @@ public final class ReplayServer implements AutoCloseable {
         var past = new RecordedPast(playback, name);
         var gate = new Gate(PageServer.port(door), token);
         var live = new Live(new RecordingShowing(past), gate);
-        server = new PageServer(door, token, live, new ReplayApi(playback, past.run(), gate, page)::configure);
+        server = new PageServer(door, token, gate, live, new ReplayApi(playback, past.run(), gate, page)::configure);
     }
 
     /// The page's address, with the token in the part that browsers keep to themselves.

@@ -92,7 +92,7 @@ public final class RunServer implements AutoCloseable {
             var exposition = new Exposition(first, seats.first().live(), seats.first()::bytesKept, options.recorded());
             var sweepApi = new SweepApi(first, sweeps, gate);
             server = new PageServer(
-                    door, token, seats, new Api(seats, shelf, gate, page, exposition, sweepApi)::configure);
+                    door, token, gate, seats, new Api(seats, shelf, gate, page, exposition, sweepApi)::configure);
         } catch (IOException | RuntimeException e) {
             seats.close();
             throw e;

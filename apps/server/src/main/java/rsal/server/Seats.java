@@ -234,7 +234,6 @@ final class Seats implements Viewing {
     private @Nullable Object enter(JettyServerUpgradeRequest request, JettyServerUpgradeResponse response)
             throws Exception {
         try {
-            gate.admit(request.getHeader("Host"), request.getHeader("Origin"));
             Matcher path = LIVE.matcher(request.getRequestURI().getPath());
             return present(path.matches() ? path.group(1) : "").live().open(request, response);
         } catch (Refusal refusal) {

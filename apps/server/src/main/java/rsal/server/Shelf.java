@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import rsal.agent.AgentHostProvider;
@@ -39,6 +40,11 @@ final class Shelf {
     /// @param written when its file was, in ms since 1970; 0 of what comes with the program
     /// @param png empty when it can't be drawn
     private record Drawn(long written, byte[] png) {}
+
+    /// @param written as of [Drawn], of each
+    private record Listed(List<Long> written, Scenarios scenarios) {}
+
+    private @Nullable Listed listed;
 
     /// @param ids as for [Scenario#load]
     Shelf(List<String> ids) {
@@ -159,8 +165,15 @@ final class Shelf {
         return new Refusal(404, "There is no scenario (%s) to be chosen here.".formatted(Refusal.shortened(id)));
     }
 
-    Scenarios all() {
-        return new Scenarios(ids.stream().map(this::info).toList(), hosts());
+    /// Read once for each state of their files, one at a time, as it takes no token to ask for it.
+    synchronized Scenarios all() {
+        List<Long> state = ids.stream().map(Shelf::lastWritten).toList();
+        Listed last = listed;
+        if (last == null || !last.written.equals(state)) {
+            last = new Listed(state, new Scenarios(ids.stream().map(this::info).toList(), hosts()));
+            listed = last;
+        }
+        return last.scenarios;
     }
 
     private ScenarioInfo info(String id) {

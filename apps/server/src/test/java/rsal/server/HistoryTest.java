@@ -157,10 +157,11 @@ class HistoryTest {
             viewer.offer(null, history, Duration.ofMillis(50)); // its page is still loading
         }
         assertThat(line.times).containsExactly("0.0 past");
-        viewer.received(new Receipt(Optional.of(1L), Optional.empty(), Optional.empty()));
+        viewer.received(new Receipt(Optional.of(1L), Optional.empty(), Optional.empty(), Optional.empty()));
         for (int i = 0; i < 20; i++) {
             viewer.offer(null, history, Duration.ofMillis(50));
-            viewer.received(new Receipt(Optional.of(Long.MAX_VALUE), Optional.empty(), Optional.empty()));
+            viewer.received(
+                    new Receipt(Optional.of(Long.MAX_VALUE), Optional.empty(), Optional.empty(), Optional.empty()));
         }
         assertThat(line.newest()).isEqualTo("1.0 past");
     }
@@ -226,11 +227,11 @@ class HistoryTest {
 
     private void offer(History history) {
         viewer.offer(feed, history, Duration.ofMillis(50));
-        viewer.received(new Receipt(Optional.of(Long.MAX_VALUE), Optional.empty(), Optional.empty()));
+        viewer.received(new Receipt(Optional.of(Long.MAX_VALUE), Optional.empty(), Optional.empty(), Optional.empty()));
     }
 
     private static Receipt look(LookBack wish) {
-        return new Receipt(Optional.empty(), Optional.empty(), Optional.of(wish));
+        return new Receipt(Optional.empty(), Optional.empty(), Optional.of(wish), Optional.empty());
     }
 
     private static final class FakeFeed implements Feed {

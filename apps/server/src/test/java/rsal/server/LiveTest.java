@@ -176,6 +176,31 @@ class LiveTest {
     }
 
     @Test
+    void whoeverHasTheTokenEntersAndIsToldSo() throws Exception {
+        var first = new Browser();
+        first.next(m -> true);
+        for (int i = 1; i < Live.MAX_VIEWERS; i++) {
+            new Browser().next(m -> true);
+        }
+        var operator = new Browser();
+        operator.socket
+                .sendText("{\"token\":\"%s\"}".formatted(Errand.TOKEN), true)
+                .join();
+
+        assertThat(operator.next(m -> m.text().contains("access")).text()).isEqualTo("{\"access\":{\"control\":true}}");
+        assertThat(operator.next(m -> m.text().startsWith("{\"run\"")).text()).contains("errand");
+        assertThat(first.next(Message::isEnd).text()).startsWith("1013");
+    }
+
+    @Test
+    void aTokenOfAnotherServerIsToldToBeNone() throws Exception {
+        var viewer = new Browser();
+        viewer.socket.sendText("{\"token\":\"of-before\"}", true).join();
+
+        assertThat(viewer.next(m -> m.text().contains("access")).text()).isEqualTo("{\"access\":{\"control\":false}}");
+    }
+
+    @Test
     @Timeout(60)
     void holdsLittleForAViewerThatNeverReads() throws Exception {
         int port = server.url().getPort();

@@ -273,6 +273,30 @@ class RunServerTest {
             assertThat(RawHttp.upgrade(port, host, foreign).status()).isEqualTo(403);
         }
 
+        @ParameterizedTest
+        @ValueSource(strings = {"/", "/api/run", "/nothing", "/metrics", "/beside/9/api/run"})
+        void closedToWhatOtherSitesSend(String path) throws IOException {
+            Response refused = RawHttp.get(port, path, host, "Sec-Fetch-Site: cross-site");
+            assertThat(refused.status()).isEqualTo(403);
+            assertThat(refused.text()).contains("Content-Security-Policy: default-src 'none'");
+            assertThat(RawHttp.get(port, path, host, "Sec-Fetch-Site: same-origin")
+                            .status())
+                    .isNotEqualTo(403);
+        }
+
+        @ParameterizedTest
+        @ValueSource(strings = {"/", "/api/run", "/api/live/", "/api/other", "/nothing", "/beside/1/api", "/metrics"})
+        void closedToWebSocketsThatAreNone(String path) throws IOException {
+            Response refused = RawHttp.upgradeAt(port, path, host);
+            assertThat(refused.status()).isEqualTo(404);
+            assertThat(refused.text()).doesNotContainIgnoringCase("cookie");
+            assertThat(RawHttp.upgradeAt(port, path, "Host: evil.example").status())
+                    .isEqualTo(421);
+            assertThat(RawHttp.upgradeAt(port, path, host, "Origin: http://evil.example")
+                            .status())
+                    .isEqualTo(403);
+        }
+
         @Test
         void closedToOtherMachines() throws IOException {
             for (NetworkInterface network : NetworkInterface.networkInterfaces().toList()) {

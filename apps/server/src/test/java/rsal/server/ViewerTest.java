@@ -281,11 +281,11 @@ class ViewerTest {
     }
 
     private static Receipt frame(long sequence) {
-        return new Receipt(Optional.of(sequence), Optional.empty(), Optional.empty());
+        return new Receipt(Optional.of(sequence), Optional.empty(), Optional.empty(), Optional.empty());
     }
 
     private static Receipt events(long sequence) {
-        return new Receipt(Optional.empty(), Optional.of(sequence), Optional.empty());
+        return new Receipt(Optional.empty(), Optional.of(sequence), Optional.empty(), Optional.empty());
     }
 
     private Feed feed(int run, long frame, int events) {
