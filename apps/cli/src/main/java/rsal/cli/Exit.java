@@ -13,7 +13,7 @@ final class Exit {
     /// A scenario, an argument or a file is wrong.
     static final int INVALID = 3;
 
-    /// The scenario ended in failure or timeout.
+    /// The scenario ended in failure or timeout, or an agent failed.
     static final int NO_SUCCESS = 4;
 
     /// Something outside cannot be reached or had: a port, a tool, memory.

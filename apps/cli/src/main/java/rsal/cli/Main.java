@@ -35,7 +35,7 @@ import rsal.settings.Suggestion;
             "",
             "Start with 'rsal run'. 'rsal COMMAND --help' tells more.",
             "Exit codes: 0 success, 1 internal error, 2 usage, 3 invalid input, 4 the scenario ended in failure or"
-                    + " timeout, 5 something cannot be reached (a port, a JDK), 130 and 143 ended by a signal."
+                    + " timeout or an agent failed, 5 something cannot be reached (a port, a JDK), 130 and 143 ended by a signal."
         })
 public final class Main implements Runnable {
     /// In the order in which people are told of them.

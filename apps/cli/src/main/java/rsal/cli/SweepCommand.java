@@ -137,7 +137,11 @@ final class SweepCommand extends Subcommand {
             out().print(SweepSummary.of(findings, folder).text());
             out().flush();
         }
-        return findings.rows().stream().anyMatch(Row::isBroken) ? Exit.NO_SUCCESS : Exit.SUCCESS;
+        return exit(findings.rows());
+    }
+
+    static int exit(List<Row> rows) {
+        return rows.stream().anyMatch(row -> row.isBroken() || row.hasFailedAgents()) ? Exit.NO_SUCCESS : Exit.SUCCESS;
     }
 
     private void runAll(Sweep sweep, SweepFolder opened, Recordings recordings) throws InterruptedException {

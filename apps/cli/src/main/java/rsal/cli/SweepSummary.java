@@ -86,8 +86,21 @@ record SweepSummary(Findings findings, Path folder) {
             table.row(cells.toArray(String[]::new));
         }
         return table
+                + failures()
                 + "Means ± half of their 95 %% confidence intervals. Rows: %s; a page of them: rsal report %s%n"
                         .formatted(folder.resolve(SweepFolder.TABLE), folder);
+    }
+
+    /// In how many runs agents failed, and what the first of them was; empty when none did.
+    private String failures() {
+        List<Row> rows = findings.rows().stream().filter(Row::hasFailedAgents).toList();
+        if (rows.isEmpty()) {
+            return "";
+        }
+        Row first = rows.getFirst();
+        var agent = first.failedAgents().entrySet().iterator().next();
+        return "Agents failed in %d of %d runs; in run %d %s: %s%n"
+                .formatted(rows.size(), findings.rows().size(), first.run(), agent.getKey(), agent.getValue());
     }
 
     private static String successes(List<Row> rows) {

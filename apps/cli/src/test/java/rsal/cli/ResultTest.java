@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
+import rsal.experiment.Row;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
@@ -16,6 +18,10 @@ class ResultTest {
     }
 
     private static RunResult result(RunPlan plan) {
+        return result(plan, Map.of());
+    }
+
+    private static RunResult result(RunPlan plan, Map<String, String> failed) {
         return new RunResult(
                 plan.scenario().name(),
                 plan.configuration(),
@@ -26,7 +32,7 @@ class ResultTest {
                 "abc",
                 Map.of(),
                 List.of(),
-                Map.of(),
+                failed,
                 List.of(),
                 List.of());
     }
@@ -41,6 +47,38 @@ class ResultTest {
         ResultJson json = ResultJson.of(plan, result(plan));
         assertThat(json.with()).contains("distribution:found");
         assertThat(json.arguments()).containsEntry("guards", 3L).containsKeys(argumentsOf(plan));
+    }
+
+    @Test
+    void isNoSuccessWhenAnAgentFailed() {
+        RunPlan plan = plan(RunOptions.NONE);
+        assertThat(RunCommand.exit(result(plan))).isEqualTo(Exit.SUCCESS);
+        assertThat(RunCommand.exit(result(plan, Map.of("guard", "a screw is loose"))))
+                .isEqualTo(Exit.NO_SUCCESS);
+    }
+
+    @Test
+    void sweepIsNoSuccessWhenAnAgentFailedInARun() {
+        assertThat(SweepCommand.exit(List.of(row(Map.of())))).isEqualTo(Exit.SUCCESS);
+        assertThat(SweepCommand.exit(List.of(row(Map.of()), row(Map.of("guard", "a screw is loose")))))
+                .isEqualTo(Exit.NO_SUCCESS);
+    }
+
+    private static Row row(Map<String, String> failed) {
+        return new Row(
+                1,
+                1,
+                "virtual",
+                Map.of(),
+                1,
+                "success",
+                "",
+                OptionalDouble.of(1),
+                OptionalDouble.of(2),
+                "abc",
+                Map.of(),
+                List.of(),
+                failed);
     }
 
     private static String[] argumentsOf(RunPlan plan) {

@@ -86,4 +86,8 @@ public record Row(
     public boolean isBroken() {
         return outcome.equals(BROKEN);
     }
+
+    public boolean hasFailedAgents() {
+        return !failedAgents.isEmpty();
+    }
 }

@@ -16,6 +16,7 @@ import rsal.scenario.run.RunResult;
 final class Outcome {
     static final String NAME = "rsal.result";
     static final String MEASURE = "measure.";
+    private static final String FAILED = "failed."; // and an agent's name
 
     private Outcome() {}
 
@@ -28,7 +29,11 @@ final class Outcome {
             return Optional.empty();
         }
         var measures = new LinkedHashMap<String, OptionalDouble>();
+        var failed = new LinkedHashMap<String, String>();
         entries.forEach((name, value) -> {
+            if (name.startsWith(FAILED)) {
+                failed.put(name.substring(FAILED.length()), value);
+            }
             if (name.startsWith(MEASURE)) {
                 double number = number(value);
                 measures.put(
@@ -48,7 +53,7 @@ final class Outcome {
                 Stream.of(entries.getOrDefault("outOfBounds", "").split(" ", -1))
                         .filter(name -> !name.isEmpty())
                         .toList(),
-                Map.of(),
+                failed,
                 List.of(),
                 List.of()));
     }
@@ -63,6 +68,10 @@ final class Outcome {
 
     /// @param result empty when the run broke, or its recording ended before it did
     static void write(McapWriter file, Optional<RunResult> result, long droppedStates) throws IOException {
+        file.metadata(new Metadata(NAME, entries(result, droppedStates)));
+    }
+
+    static Map<String, String> entries(Optional<RunResult> result, long droppedStates) {
         var entries = new LinkedHashMap<String, String>();
         result.ifPresent(ended -> {
             entries.put("outcome", ended.outcome());
@@ -73,8 +82,9 @@ final class Outcome {
                     .forEach((name, value) ->
                             entries.put(MEASURE + name, value.isPresent() ? Double.toString(value.getAsDouble()) : ""));
             entries.put("outOfBounds", String.join(" ", ended.outOfBounds()));
+            ended.failed().forEach((agent, why) -> entries.put(FAILED + agent, why));
         });
         entries.put("droppedStates", Long.toString(droppedStates));
-        file.metadata(new Metadata(NAME, entries));
+        return entries;
     }
 }

@@ -1,0 +1,34 @@
+package rsal.recording;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import rsal.scenario.RunOptions;
+import rsal.scenario.RunPlan;
+import rsal.scenario.Scenario;
+import rsal.scenario.run.RunResult;
+
+class OutcomeTest {
+    @Test
+    void keepsWhichAgentsFailed() {
+        RunPlan plan = Scenario.load("patrol").plan(RunOptions.NONE);
+        Map<String, String> failed = Map.of("guard", "a screw is loose");
+        var result = new RunResult(
+                plan.scenario().name(),
+                plan.configuration(),
+                plan.seed(),
+                "success",
+                1,
+                2,
+                "abc",
+                Map.of(),
+                List.of(),
+                failed,
+                List.of(),
+                List.of());
+        assertThat(Outcome.read(Outcome.entries(Optional.of(result), 0), plan)).contains(result);
+    }
+}
