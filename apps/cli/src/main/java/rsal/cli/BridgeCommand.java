@@ -3,16 +3,19 @@ package rsal.cli;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
+import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.TypeConversionException;
 import rsal.scenario.Providers;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
@@ -72,9 +75,36 @@ final class BridgeCommand extends Subcommand {
     private boolean page;
 
     @Option(
+            names = "--command-timeout",
+            paramLabel = "S|off",
+            defaultValue = "0.5",
+            converter = Timeout.Converter.class,
+            description = "Robots stop when no command came from a client for so long [s] (${DEFAULT-VALUE}). 'off': a"
+                    + " velocity holds until another comes, for clients that command once.")
+    private Timeout timeout = new Timeout(Optional.empty());
+
+    @Option(
             names = "--no-agents",
             description = "Leave out the scenario's agents and its end: nobody but the programs drives the robots.")
     private boolean noAgents;
+
+    /// @param limit empty when there is none
+    record Timeout(Optional<Duration> limit) {
+        static final class Converter implements ITypeConverter<Timeout> {
+            @Override
+            public Timeout convert(String typed) {
+                if (typed.equals("off")) {
+                    return new Timeout(Optional.empty());
+                }
+                double seconds = Words.orNaN(typed);
+                if (!(seconds >= 0.2 && seconds <= 3600)) {
+                    throw new TypeConversionException(
+                            "'%s' is no number of seconds from 0.2 to 3600, nor 'off'.".formatted(typed));
+                }
+                return new Timeout(Optional.of(Duration.ofMillis(Math.round(1000 * seconds))));
+            }
+        }
+    }
 
     @Override
     int run() throws Exception {
@@ -114,7 +144,7 @@ final class BridgeCommand extends Subcommand {
     }
 
     private void offer(LiveRun run, BridgeProvider provider, InetSocketAddress at) throws Exception {
-        tell(at, run.bridge(provider, at).toCompletableFuture().get());
+        tell(at, run.bridge(provider, at, timeout.limit()).toCompletableFuture().get());
     }
 
     private void tell(RunPlan plan, RunResult result) {

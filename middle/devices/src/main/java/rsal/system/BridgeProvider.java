@@ -34,10 +34,22 @@ public interface BridgeProvider {
     /// @param map what robots know of the world that have been told
     /// @param simulation the truth, where the world is a simulated one
     /// @param services that the world's file asks for; empty when it asks for none, which is for all there is
-    record Lent(List<Robot> robots, OccupancyGrid map, Optional<SimulationControl> simulation, List<Service> services) {
+    /// @param timeout of clients' commands
+    record Lent(
+            List<Robot> robots,
+            OccupancyGrid map,
+            Optional<SimulationControl> simulation,
+            List<Service> services,
+            CommandTimeout timeout) {
         public Lent {
             robots = List.copyOf(robots);
             services = List.copyOf(services);
+        }
+
+        /// To clients whose commands hold until others come.
+        public Lent(
+                List<Robot> robots, OccupancyGrid map, Optional<SimulationControl> simulation, List<Service> services) {
+            this(robots, map, simulation, services, CommandTimeout.none());
         }
     }
 }

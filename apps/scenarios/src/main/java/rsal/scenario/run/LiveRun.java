@@ -41,6 +41,7 @@ import rsal.scenario.RunPlan;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
 import rsal.system.BridgeProvider;
+import rsal.system.CommandTimeout;
 import rsal.time.AllowedToReadWallClock;
 import rsal.time.LockstepScheduler;
 import rsal.time.Phase;
@@ -406,7 +407,15 @@ public final class LiveRun implements AutoCloseable {
     /// @param at where to listen: at this port, and those after it if need be; port 0 for any that are free
     /// @return [Answer.Bridged] when it is open
     public CompletionStage<Answer> bridge(BridgeProvider provider, InetSocketAddress at) {
-        return ask(stage -> stage.bridge(provider, at));
+        return bridge(provider, at, Optional.of(CommandTimeout.USUAL));
+    }
+
+    /// Likewise.
+    ///
+    /// @param silence for how long robots are driven on when no command comes from a client any more, in real time;
+    /// empty for clients that command once
+    public CompletionStage<Answer> bridge(BridgeProvider provider, InetSocketAddress at, Optional<Duration> silence) {
+        return ask(stage -> stage.bridge(provider, at, new CommandTimeout(silence, handClock)));
     }
 
     /// Drives a robot by hand, instead of whoever else would, until [#letGo]. Must be said again and again: the robot

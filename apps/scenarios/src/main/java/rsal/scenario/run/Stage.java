@@ -18,6 +18,7 @@ import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.system.Bridge;
 import rsal.system.BridgeProvider;
 import rsal.system.BridgeProvider.Lent;
+import rsal.system.CommandTimeout;
 import rsal.system.RobotSystem;
 import rsal.time.Scheduler;
 
@@ -220,13 +221,14 @@ final class Stage implements AutoCloseable {
                 .orElseGet(() -> world.unknown(robot));
     }
 
-    Answer bridge(BridgeProvider provider, InetSocketAddress at) {
+    Answer bridge(BridgeProvider provider, InetSocketAddress at, CommandTimeout timeout) {
         try {
             var lent = new Lent(
                     List.copyOf(team.robots().values()),
                     plan.map(),
                     systems.simulation(),
-                    plan.scene().services());
+                    plan.scene().services(),
+                    timeout);
             Bridge bridge = provider.open(at, lent, scheduler);
             bridges.add(bridge);
             return new Answer.Bridged(bridge.offers());

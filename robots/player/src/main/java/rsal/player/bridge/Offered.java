@@ -63,6 +63,9 @@ abstract class Offered implements Served {
     /// Does what a client wants.
     void obey(Packet command) throws MalformedException {}
 
+    /// A command came from a client; it is obeyed later. On the thread that reads.
+    void heard(Packet command) {}
+
     /// No client wants it any more, or the one that commanded it last does not: nobody is there to mind what it does.
     void idle() {}
 
@@ -146,6 +149,7 @@ abstract class Offered implements Served {
     /// Of those that were not done yet the newest of each kind counts, so that nothing grows however many come.
     @Override
     public final void command(Packet command) {
+        heard(command);
         boolean first;
         synchronized (commands) {
             first = commands.isEmpty();

@@ -16,26 +16,41 @@ import rsal.player.message.Point3;
 import rsal.player.wire.Kind;
 import rsal.player.wire.MalformedException;
 import rsal.player.wire.Packet;
+import rsal.system.CommandTimeout;
 import rsal.time.Scheduler;
 
-/// An actuator as `actarray` of one joint. As with a base, a speed holds until it is told something else or no
-/// client is left.
+/// An actuator as `actarray` of one joint. As with a base, a speed holds until it is told something else, no client is
+/// left, or no command came for too long.
 final class OfferedActuator extends OfferedSensor<ActuatorState> {
     private static final Duration AGAIN = Duration.ofMillis(100);
     private static final int LINEAR = 1;
     private static final int ROTARY = 2;
 
     private final Actuator actuator;
+    private final CommandTimeout.Watch watch;
     private OptionalDouble speed = OptionalDouble.empty();
 
-    OfferedActuator(int index, Actuator actuator, Scheduler scheduler) {
+    OfferedActuator(int index, Actuator actuator, CommandTimeout timeout, Scheduler scheduler) {
         super(Interface.ACTARRAY, index, actuator, scheduler);
         this.actuator = actuator;
+        this.watch = timeout.watch();
+    }
+
+    @Override
+    void heard(Packet command) {
+        watch.heard();
+    }
+
+    private void move() {
+        if (watch.isSilent(AGAIN)) {
+            idle();
+        }
+        speed.ifPresent(actuator::command);
     }
 
     @Override
     Subscription listen() {
-        var repeating = scheduler().every(AGAIN, () -> speed.ifPresent(actuator::command));
+        var repeating = scheduler().every(AGAIN, this::move);
         Subscription telling = super.listen();
         return () -> {
             repeating.cancel();

@@ -21,10 +21,14 @@ import rsal.player.wire.Packet;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Drive;
 import rsal.robot.RobotModel.Steering;
+import rsal.system.CommandTimeout;
 import rsal.time.Scheduler;
 
-/// A base as `position2d`. What a client wants holds until it wants something else, as Player's clients expect,
-/// and ours do not: it is said again and again, until no client is left.
+/// A base as `position2d`. What a client wants is said again and again, as Player's clients expect it to hold and ours
+/// do
+/// not: until it wants something else, no client is left, or no command came for too long ([CommandTimeout]). A goal
+/// has an
+/// end of its own, so that it holds whoever is silent.
 final class OfferedBase extends Offered implements Reins.Holder {
     private static final Duration AGAIN = Duration.ofMillis(100);
 
@@ -32,15 +36,26 @@ final class OfferedBase extends Offered implements Reins.Holder {
     private final RobotModel model;
     private final Optional<Guide> guide;
     private final Reins reins;
+    private final CommandTimeout.Watch watch;
     private Optional<Wish> wanted = Optional.empty();
+    private boolean lasting; // whether what is wanted ends by itself
 
     /// @param guide takes it to its goals; without one it minds nothing that is in the way
-    OfferedBase(int index, DriveBase base, RobotModel model, Optional<Guide> guide, Reins reins, Scheduler scheduler) {
+    /// @param timeout of velocities
+    OfferedBase(
+            int index,
+            DriveBase base,
+            RobotModel model,
+            Optional<Guide> guide,
+            Reins reins,
+            CommandTimeout timeout,
+            Scheduler scheduler) {
         super(Interface.POSITION2D, index, base.info(), scheduler);
         this.base = base;
         this.model = model;
         this.guide = guide;
         this.reins = reins;
+        this.watch = timeout.watch();
     }
 
     @Override
@@ -53,8 +68,17 @@ final class OfferedBase extends Offered implements Reins.Holder {
         };
     }
 
+    @Override
+    void heard(Packet command) {
+        watch.heard();
+    }
+
     private void drive() {
         guide.ifPresent(Guide::begin);
+        if (wanted.isPresent() && !lasting && watch.isSilent(AGAIN)) {
+            wanted = Optional.empty();
+            base.command(Twist2d.STOP);
+        }
         Optional<Odometry> odometry = base.latest().map(Stamped::value);
         if (wanted.isPresent() && odometry.isPresent()) {
             Optional<Twist2d> next = wanted.get().now(odometry.get());
@@ -151,6 +175,7 @@ final class OfferedBase extends Offered implements Reins.Holder {
             reins.take(this);
             guide.ifPresent(Guide::letGo);
             wanted = Optional.of(wish);
+            lasting = subtype == Position2d.GOAL;
             drive();
         }
     }

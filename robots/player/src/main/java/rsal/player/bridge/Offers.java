@@ -23,17 +23,21 @@ import rsal.device.SonarArray;
 import rsal.player.message.Interface;
 import rsal.robot.Robot;
 import rsal.robot.RobotModel.Part;
+import rsal.system.CommandTimeout;
 import rsal.time.Scheduler;
 
 /// What of a robot is offered: its devices under the interfaces that Player has for them.
 final class Offers {
     private final Robot robot;
+    private final CommandTimeout timeout;
     private final Scheduler scheduler;
     private final Reins reins = new Reins();
     private final Map<Gripper, Jaws> jaws = new HashMap<>();
 
-    Offers(Robot robot, Scheduler scheduler) {
+    /// @param timeout of what is said again and again
+    Offers(Robot robot, CommandTimeout timeout, Scheduler scheduler) {
         this.robot = robot;
+        this.timeout = timeout;
         this.scheduler = scheduler;
     }
 
@@ -97,7 +101,7 @@ final class Offers {
                 switch (device) {
                     case DriveBase base
                     when as == Interface.POSITION2D ->
-                        new OfferedBase(index, base, robot.model(), Optional.empty(), reins, scheduler);
+                        new OfferedBase(index, base, robot.model(), Optional.empty(), reins, timeout, scheduler);
                     case LaserScanner laser
                     when as == Interface.RANGER || as == Interface.LASER ->
                         new OfferedLaser(as, index, laser, scheduler);
@@ -118,7 +122,7 @@ final class Offers {
                     case Gripper gripper
                     when as == Interface.ACTARRAY -> new OfferedLift(index, gripper, jaws(gripper), scheduler);
                     case Actuator actuator
-                    when as == Interface.ACTARRAY -> new OfferedActuator(index, actuator, scheduler);
+                    when as == Interface.ACTARRAY -> new OfferedActuator(index, actuator, timeout, scheduler);
                     case Localizer localizer
                     when as == Interface.LOCALIZE -> new OfferedLocalizer(index, localizer, scheduler);
                     case Localizer localizer
@@ -135,6 +139,7 @@ final class Offers {
                                 robot.model(),
                                 Optional.of(guide(navigator, tolerance)),
                                 reins,
+                                timeout,
                                 scheduler);
                     default -> null;
                 });

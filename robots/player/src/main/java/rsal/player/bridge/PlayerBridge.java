@@ -67,7 +67,7 @@ final class PlayerBridge implements Bridge {
         if (next == Session.USUAL_PORT) {
             lent.simulation().ifPresent(truth -> offers.add(new OfferedSimulation(0, truth, scheduler)));
         }
-        offers.addAll(new Offers(robot, scheduler).all());
+        offers.addAll(new Offers(robot, lent.timeout(), scheduler).all());
         offers.add(new OfferedMap(0, lent.map(), "rsal", scheduler));
         next++; // whether it is free or not
         return listen(robot.id(), next - 1, offers);
@@ -90,7 +90,7 @@ final class PlayerBridge implements Bridge {
     /// What the file of the world asks for, by port.
     private static Map<Integer, List<Offered>> asked(Lent lent, Scheduler scheduler) {
         var robots = new HashMap<String, Offers>();
-        lent.robots().forEach(robot -> robots.put(robot.id(), new Offers(robot, scheduler)));
+        lent.robots().forEach(robot -> robots.put(robot.id(), new Offers(robot, lent.timeout(), scheduler)));
         var ports = new LinkedHashMap<Integer, List<Offered>>();
         for (Service service : lent.services()) {
             List<Offered> offers = ports.computeIfAbsent(service.port(), _ -> new ArrayList<>());

@@ -33,6 +33,7 @@ import rsal.player.wire.Packet;
 import rsal.scene.Service;
 import rsal.system.Bridge.Offer;
 import rsal.system.BridgeProvider.Lent;
+import rsal.system.CommandTimeout;
 import rsal.testkit.contract.RobotBench;
 
 /// A robot that is offered, and a Player client on the other side of a socket.
@@ -84,6 +85,11 @@ abstract class BridgeBench extends RobotBench {
         return bridge.offers();
     }
 
+    /// For how long clients' commands hold.
+    protected CommandTimeout timeout() {
+        return CommandTimeout.none();
+    }
+
     final int port() {
         return bridge.offers().getFirst().port();
     }
@@ -92,7 +98,7 @@ abstract class BridgeBench extends RobotBench {
     final void open() throws IOException {
         bridge = PlayerBridge.open(
                 new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
-                new Lent(List.of(robot()), WORLD.grid(), system().simulation(), services()),
+                new Lent(List.of(robot()), WORLD.grid(), system().simulation(), services(), timeout()),
                 protocol(),
                 run);
         client = Connection.open(
