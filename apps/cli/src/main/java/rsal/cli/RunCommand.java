@@ -118,9 +118,7 @@ final class RunCommand extends Subcommand {
 
     /// What a run's end means to whoever started it.
     static int exit(RunResult result) {
-        return result.failed().isEmpty()
-                ? EXIT_BY_OUTCOME.getOrDefault(result.outcome(), Exit.SUCCESS)
-                : Exit.NO_SUCCESS;
+        return EXIT_BY_OUTCOME.getOrDefault(result.outcome(), Exit.SUCCESS);
     }
 
     private RunResult runHeadless(RunPlan plan, Optional<SavedMaps> maps, Onlookers onlookers) throws Exception {

@@ -141,7 +141,7 @@ final class SweepCommand extends Subcommand {
     }
 
     static int exit(List<Row> rows) {
-        return rows.stream().anyMatch(row -> row.isBroken() || row.hasFailedAgents()) ? Exit.NO_SUCCESS : Exit.SUCCESS;
+        return rows.stream().anyMatch(row -> row.isBroken() || row.failedByAgents()) ? Exit.NO_SUCCESS : Exit.SUCCESS;
     }
 
     private void runAll(Sweep sweep, SweepFolder opened, Recordings recordings) throws InterruptedException {

@@ -90,4 +90,9 @@ public record Row(
     public boolean hasFailedAgents() {
         return !failedAgents.isEmpty();
     }
+
+    /// Whether it is a failure, and agents failed; those that a scenario tolerates leave it what its conditions say.
+    public boolean failedByAgents() {
+        return hasFailedAgents() && outcome.equals("failure");
+    }
 }

@@ -87,6 +87,11 @@ final class Format {
             List.of(),
             "",
             "All randomness of the run comes from it.");
+    static final Parameter FAILED_AGENTS = Parameter.choice(
+            "failedAgents",
+            "fail",
+            List.of("fail", "tolerate"),
+            "What becomes of a run in which an agent failed: a failure, or what its conditions say.");
     static final Parameter MODE =
             Parameter.choice("mode", "simulated", List.of("simulated", "wall"), "Whether time is simulated or real.");
     static final Parameter SPEED =

@@ -76,6 +76,8 @@ final class PlanReader {
 
         Section run = root.section("run");
         long seed = options.seed().orElse((Long) run.value(Format.SEED).orElse(1L));
+        boolean toleratesFailedAgents =
+                run.value(Format.FAILED_AGENTS).filter("tolerate"::equals).isPresent();
         var seeds = new Seeds(seed);
         Section clockSection = run.section("clock");
         Clock clock = "wall".equals(clockSection.value(Format.MODE).orElse("")) ? Clock.WALL : Clock.SIMULATED;
@@ -157,6 +159,7 @@ final class PlanReader {
                 speed,
                 step(mrs.get(), robots),
                 stops,
+                toleratesFailedAgents,
                 measures);
     }
 

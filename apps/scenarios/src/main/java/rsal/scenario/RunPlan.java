@@ -40,6 +40,7 @@ import rsal.system.RobotSystemProvider;
 /// @param speed simulated over real time to begin with; +∞ for as fast as it can
 /// @param step of simulated time; between two steps a run can be looked at, paused and told things
 /// @param stops the first that holds ends the run
+/// @param toleratesFailedAgents whether a run in which an agent failed may be a success all the same
 public record RunPlan(
         Scenario scenario,
         String configuration,
@@ -60,6 +61,7 @@ public record RunPlan(
         double speed,
         Duration step,
         List<Stop> stops,
+        boolean toleratesFailedAgents,
         List<Measured> measures) {
     public RunPlan {
         arguments = Collections.unmodifiableMap(new LinkedHashMap<>(arguments));
@@ -120,6 +122,7 @@ public record RunPlan(
                 speed,
                 step,
                 List.of(),
+                toleratesFailedAgents,
                 measures);
     }
 

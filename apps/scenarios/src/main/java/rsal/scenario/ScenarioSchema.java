@@ -436,7 +436,11 @@ public final class ScenarioSchema {
                         "after", parameter(Format.AFTER)),
                 List.of("when", "outcome"));
         return group(
-                fields("seed", parameter(Format.SEED), "clock", group(clock, List.of()), "stop", list(stop)),
+                fields(
+                        "seed", parameter(Format.SEED),
+                        "clock", group(clock, List.of()),
+                        "stop", list(stop),
+                        "failedAgents", parameter(Format.FAILED_AGENTS)),
                 List.of());
     }
 

@@ -17,6 +17,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Queue;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -67,6 +68,10 @@ public final class LiveRun implements AutoCloseable {
     private static final Duration PERIOD_OF_MINDS = Duration.ofSeconds(1); // of the run
     private static final int AGENTS_MAY_TAKE = 20; // times as long for one turn
     private static final Answer LATE = new Answer.Refused("The run has ended.");
+
+    private static final String STOPPED = "stopped";
+    private static final String TIMEOUT = RunPlan.Outcome.TIMEOUT.word();
+    private static final String FAILURE = RunPlan.Outcome.FAILURE.word();
 
     private final RunPlan plan;
     private final Queue<Runnable> commands = new ConcurrentLinkedQueue<>();
@@ -222,7 +227,7 @@ public final class LiveRun implements AutoCloseable {
 
     /// Ends the run with the outcome `stopped`.
     public void stop() {
-        command(() -> end("stopped"));
+        command(() -> end(STOPPED));
     }
 
     /// Puts a robot somewhere: in the simulated world, if there is one, and in its localizer's belief. Or a thing of
@@ -723,8 +728,12 @@ public final class LiveRun implements AutoCloseable {
 
     private void end(String how) {
         if (outcome == null) {
-            outcome = how;
-            journal.event("run", "", "ends: " + how);
+            Set<String> failed = stage == null || plan.toleratesFailedAgents() || how.equals(STOPPED)
+                    ? Set.of()
+                    : stage.failedAgents().keySet();
+            outcome = failed.isEmpty() || how.equals(TIMEOUT) ? how : FAILURE;
+            String why = failed.isEmpty() ? "" : "; failed: " + String.join(", ", failed);
+            journal.event("run", "", "ends: " + outcome + why);
         }
     }
 

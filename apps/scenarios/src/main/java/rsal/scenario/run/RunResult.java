@@ -10,7 +10,9 @@ import java.util.TreeMap;
 /// How a run ended and what came of it.
 ///
 /// @param outcome `success`, `failure` or `timeout`, as the scenario says; `limit` when the time was up that its
-/// starter gave it; `stopped` by an operator
+/// starter gave it; `stopped` by an operator. What would be a success, or at a limit, is a failure when an agent
+/// failed,
+/// unless the scenario tolerates that
 /// @param eventHash SHA-256 in hexadecimal over all that happened; equal for equal runs
 /// @param measures by name, in the scenario's order; empty where there was nothing to measure
 /// @param outOfBounds names of the measures that are not within the bounds the scenario gives

@@ -20,6 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Pose2d;
 import rsal.scenario.RunOptions;
@@ -404,6 +405,29 @@ class LiveRunTest {
                 assertThat(event.subject()).isEqualTo("chase");
                 assertThat(event.text()).contains("a screw is loose");
             });
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "success, fail, failure",
+        "success, tolerate, success",
+        "failure, tolerate, failure",
+        "timeout, fail, timeout"
+    })
+    void anAgentThatFailsIsAFailureOfTheRunUnlessThatIsTolerated(String written, String failedAgents, String outcome) {
+        String text = Runs.TWO_WANDERERS
+                .replace("chase: {type: wanderer, robot: hunter}", "chase: {type: breaker}")
+                .replace("outcome: timeout", "outcome: " + written)
+                .replace("  seed: 7\n", "  seed: 7\n  failedAgents: %s\n".formatted(failedAgents));
+        try (var run = LiveRun.start(Runs.plan(folder, text, RunOptions.NONE))) {
+            RunResult result = Runs.result(run);
+            assertThat(result.outcome()).isEqualTo(outcome);
+            assertThat(result.failed()).containsOnlyKeys("chase");
+            assertThat(run.events(0))
+                    .last()
+                    .satisfies(event -> assertThat(event.text())
+                            .isEqualTo("ends: " + outcome + (failedAgents.equals("fail") ? "; failed: chase" : "")));
         }
     }
 
