@@ -1,7 +1,9 @@
 package rsal.jason;
 
 import jason.asSyntax.ArithExpr;
+import jason.asSyntax.ArithFunctionTerm;
 import jason.asSyntax.InternalActionLiteral;
+import jason.asSyntax.ListTerm;
 import jason.asSyntax.Literal;
 import jason.asSyntax.LogExpr;
 import jason.asSyntax.Plan;
@@ -9,6 +11,7 @@ import jason.asSyntax.PlanBody;
 import jason.asSyntax.PlanBody.BodyType;
 import jason.asSyntax.RelExpr;
 import jason.asSyntax.Rule;
+import jason.asSyntax.Structure;
 import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
 import jason.asSyntax.VarTerm;
@@ -41,7 +44,7 @@ final class Review {
     static Review of(Program program, Reasoner reasoner) {
         var review = new Review(program);
         reasoner.getPL().getPlans().forEach(review::plan);
-        reasoner.getInitialBels().forEach(review::formula);
+        reasoner.getInitialBels().forEach(review::belief);
         review.percepts.forEach(percept -> review.devices.add(percept.device()));
         return review;
     }
@@ -65,6 +68,28 @@ final class Review {
     /// Where it says something to others.
     List<Literal> said() {
         return said;
+    }
+
+    private void belief(Literal belief) {
+        if (!belief.isRule() && countsWithAVariable(belief)) {
+            problems.add(
+                    program.locationOf(belief),
+                    "Belief '%s' counts with a variable, which has no value here.".formatted(belief.getFunctor()),
+                    "Write a number in its place, or a rule that says where the value comes from: %s(Y) :- …."
+                            .formatted(belief.getFunctor()));
+        }
+        formula(belief);
+    }
+
+    private static boolean countsWithAVariable(Term term) {
+        return switch (term) {
+            case VarTerm _ -> false; // which is a list and a number, too, as long as nobody knows
+            case ArithFunctionTerm counted -> !counted.isGround();
+            case ListTerm list -> list.getAsList().stream().anyMatch(Review::countsWithAVariable);
+            case Structure structure ->
+                structure.hasTerm() && structure.getTerms().stream().anyMatch(Review::countsWithAVariable);
+            default -> false;
+        };
     }
 
     private void plan(Plan plan) {

@@ -96,6 +96,15 @@ final class Terms {
         return terms.stream().map(Terms::words).collect(Collectors.joining());
     }
 
+    /// Whether a term stands for a number: one that is written, or counted of such.
+    static boolean isNumber(Term term) {
+        try {
+            return Double.isFinite(number(term));
+        } catch (IllegalArgumentException _) {
+            return false;
+        }
+    }
+
     /// The number that a term stands for.
     ///
     /// @throws IllegalArgumentException when it is none

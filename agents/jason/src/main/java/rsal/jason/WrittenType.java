@@ -72,13 +72,13 @@ final class WrittenType implements AgentType {
                 && belief.getArity() == 1
                 && !belief.hasAnnot()
                 && belief.getNS().equals(Literal.DefaultNS)
-                && (belief.getTerm(0).isNumeric()
+                && (Terms.isNumber(belief.getTerm(0))
                         || belief.getTerm(0).isString()
                         || belief.getTerm(0).isAtom());
     }
 
     private static Parameter parameter(String name, Term value, String comment) {
-        if (value.isNumeric()) {
+        if (Terms.isNumber(value)) {
             return Parameter.number(
                     name, Terms.number(value), Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, "", comment);
         }

@@ -92,6 +92,41 @@ class AgentSpeakTest {
                 .containsExactly(Localizer.class);
     }
 
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "limit(X + 1).",
+                "limit(- X).",
+                "limit([1, X * 2]).",
+                "limit(p(q(X - 1))).",
+                "limit(math.round(X)).",
+                "~limit(X ** 2)[source(self)]."
+            })
+    void beliefsThatCountWithAVariableAreRefusedWhereTheyAre(String belief) {
+        refuses("+!s.\n" + belief, ":2:", "Belief 'limit' counts with a variable", "limit(Y) :- …");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "limit(X).",
+                "limit(_).",
+                "limit([X|T]).",
+                "limit(1 / 0).",
+                "limit(0 / 0).",
+                "limit(X) :- X = 3 + 1."
+            })
+    void whatIsNoNumberIsNoParameter(String belief) {
+        assertThat(Texts.type(belief).parameters()).isEmpty();
+    }
+
+    @Test
+    void whatIsCountedIsANumber() {
+        assertThat(Texts.type("limit(3 + 4).").parameters())
+                .singleElement()
+                .satisfies(parameter -> assertThat(parameter.fallback()).contains(7.0));
+    }
+
     @Test
     void filesMayIncludeOthersBesideThem() {
         AgentType type = Texts.type(Map.of(
