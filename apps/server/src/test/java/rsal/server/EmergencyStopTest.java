@@ -153,7 +153,8 @@ class EmergencyStopTest {
             seconds[i] = (System.nanoTime() - asked) / NANOS;
             assertThat(answer.status()).as(answer.text()).isEqualTo(200);
         }
-        assertThat(server.run().freshSnapshot().toCompletableFuture().join().stopped()).isTrue();
+        assertThat(server.run().freshSnapshot().toCompletableFuture().join().stopped())
+                .isTrue();
         Arrays.sort(seconds);
         assertThat(seconds[TRIES * 99 / 100 - 1]).as("99th percentile [s]").isLessThan(LATEST);
     }
