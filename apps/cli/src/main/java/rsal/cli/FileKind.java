@@ -80,7 +80,7 @@ enum FileKind {
         return unpacked.endsWith(".log") || unpacked.endsWith(".clf") ? Optional.of(LOG) : Optional.empty();
     }
 
-    /// By the settings in a file; also where something is missing or wrong in it, which whoever reads it next reports.
+    /// By the settings in a file; also where something is missing or wrong in it, which the next reader reports.
     private static Optional<FileKind> written(String name) {
         Value.Mapping file;
         try {

@@ -38,7 +38,7 @@ import rsal.settings.Suggestion;
                     + " timeout or an agent failed, 5 something cannot be reached (a port, a JDK), 130 and 143 ended by a signal."
         })
 public final class Main implements Runnable {
-    /// In the order in which people are told of them.
+    /// In the order in which help lists them.
     private static final List<Class<?>> COMMANDS = List.of(
             RunCommand.class,
             ServeCommand.class,

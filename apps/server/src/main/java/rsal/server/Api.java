@@ -341,7 +341,7 @@ final class Api {
             }
         });
         routes.exception(CancellationException.class, (_, request) -> refuseLate(request));
-        routes.exception(IOException.class, (e, request) -> { // whoever asked hung up, or sent no more
+        routes.exception(IOException.class, (e, request) -> { // the client closed the connection, or sent no more
             LOG.debug("Could not answer {} {}.", request.method(), request.path(), e);
             refuse(request, new Refusal(400, "The request did not come as a whole."));
         });

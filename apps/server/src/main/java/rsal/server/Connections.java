@@ -11,7 +11,7 @@ import org.eclipse.jetty.io.Connection;
 import org.eclipse.jetty.io.EndPoint;
 import org.eclipse.jetty.server.AbstractMetaDataConnection;
 
-/// Keeps room for whoever comes next, who may want to stop robots. Connections are bounded, and a new one is always let
+/// Keeps room for the next connection, which may want to stop robots. Connections are bounded, and a new one is always let
 /// in: where there are too many, the oldest goes of those that matter least. These are connections that never showed
 /// the
 /// token, first those that ask over HTTP, then viewers; last come those that showed it.

@@ -157,7 +157,7 @@ final class Live implements Viewing {
             }
         }
 
-        /// Whoever has the token may always enter. Somebody who has not shown it makes room where there is none.
+        /// A viewer with the token may always enter. The oldest one without it makes room.
         private void show(String token) {
             trusted = gate.isToken("Bearer " + token);
             send(Json.write(ServerMessage.of(new Access(trusted))));

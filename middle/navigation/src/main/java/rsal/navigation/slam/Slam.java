@@ -48,7 +48,7 @@ public final class Slam {
     private static final double HELD = 0.1; // m; deviation of what was found
     private static final double TURNED = 0.15; // rad
     private static final CorrelativeMatcher.Settings SEARCH = new CorrelativeMatcher.Settings(0.05, 0.08, 4);
-    private static final double MOST_BENT = Strain.TOO_MUCH * Strain.TOO_MUCH; // likewise of a step by odometry alone
+    private static final double MOST_BENT = Strain.TOO_MUCH * Strain.TOO_MUCH; // the same of a step by odometry alone
     private static final double LONG_WAY = 4; // of usual steps: the wheels were not lifted
     private static final double MISFIT = 16; // square of a loop's error in deviations that is too much
     private static final double FAR = 1000; // m; between robots, as no way led from one to the other

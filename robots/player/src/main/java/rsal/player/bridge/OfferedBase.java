@@ -28,7 +28,7 @@ import rsal.time.Scheduler;
 /// do
 /// not: until it wants something else, no client is left, or no command came for too long ([CommandTimeout]). A goal
 /// has an
-/// end of its own, so that it holds whoever is silent.
+/// end of its own, so that it holds while clients are silent.
 final class OfferedBase extends Offered implements Reins.Holder {
     private static final Duration AGAIN = Duration.ofMillis(100);
 
