@@ -11,12 +11,13 @@ import org.eclipse.jetty.io.Connection;
 import org.eclipse.jetty.io.EndPoint;
 import org.eclipse.jetty.server.AbstractMetaDataConnection;
 
-/// Keeps room for the next connection, which may want to stop robots. Connections are bounded, and a new one is always let
-/// in: where there are too many, the oldest goes of those that matter least. These are connections that never showed
-/// the
-/// token, first those that ask over HTTP, then viewers; last come those that showed it.
+/// Keeps room for the next connection, which may want to stop robots.
 ///
-/// A server has a thread for each connection that asks over HTTP, so none waits for another's thread.
+/// Connections are bounded, and a new one always enters. Where there are too many, the oldest of the least important
+/// ones is closed. Connections that never showed the token go first: those that ask over HTTP, then viewers. Those
+/// that showed the token go last.
+///
+/// A server has a thread for each connection that asks over HTTP, so that none waits for the thread of another.
 ///
 /// Safe for several threads.
 final class Connections implements Connection.Listener {
