@@ -539,6 +539,9 @@ export const texts = {
       `Without ${names.join(', ')}: in real time runs disturb each other, and can’t be compared.`,
     count: (n: number) => `n = ${n}`,
     countHint: (n: number, ended: number) => `Measured in ${n} of ${ended} runs that have ended`,
+    happened: (n: number) => `happened in ${n}`,
+    horizonHint: (n: number, ended: number, horizon: string, unit: string) =>
+      `It happened in ${n} of ${ended} runs; the others count up to ${horizon} ${unit}`.trimEnd(),
     legend:
       'Means ± half of their 95 % confidence intervals. Boxes: quartiles and median; points lie beyond 1.5 boxes. Below them: mean and interval.',
   },

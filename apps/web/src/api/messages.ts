@@ -697,6 +697,7 @@ export interface SweepCombination {
 
 export interface SweepEstimate {
   count: number;
+  measured: number;
   mean: number;
   low: number | null;
   high: number | null;
@@ -723,6 +724,7 @@ export interface SweepInfo {
 export interface SweepMeasure {
   name: string;
   unit: string;
+  horizon: number | null;
 }
 
 export interface SweepRunAgain {

@@ -10,6 +10,7 @@ function combination(mean: number, half: number | null, outside: number[] = []):
     measures: {
       way: {
         count: 5,
+        measured: 5,
         mean,
         low: half === null ? null : mean - half,
         high: half === null ? null : mean + half,

@@ -4,6 +4,8 @@ module rsal.experiments {
     requires transitive rsal.scenarios;
     requires java.desktop; // draws figures
     requires tools.jackson.databind;
+    requires org.apache.commons.statistics.distribution;
+    requires org.apache.pdfbox;
     requires static org.jspecify;
 
     exports rsal.experiment;

@@ -9,8 +9,10 @@ import java.util.Optional;
 import rsal.experiment.Combination;
 import rsal.experiment.Findings;
 import rsal.experiment.Manifest.Measure;
+import rsal.experiment.Measurements;
 import rsal.experiment.Row;
 import rsal.experiment.SweepFolder;
+import rsal.experiment.report.Conclusions;
 import rsal.experiment.report.Numbers;
 import rsal.experiment.statistics.Interval;
 import rsal.experiment.statistics.Mean;
@@ -37,11 +39,24 @@ record SweepSummary(Findings findings, Path folder) {
             Map<String, Long> outcomes,
             Map<String, Estimate> measures) {}
 
+    /// @param count runs that count
+    /// @param measured runs in which there was something to measure; fewer where the others count to the horizon
+    /// @param horizon up to when times of events count; empty of other measures
     /// @param low end of the 95 % confidence interval of the mean; empty for one value
-    record Estimate(int count, double mean, Optional<Double> low, Optional<Double> high) {
-        static Estimate of(Mean mean) {
+    record Estimate(
+            int count,
+            int measured,
+            Optional<Double> horizon,
+            double mean,
+            Optional<Double> low,
+            Optional<Double> high) {
+        static Estimate of(Measurements measurements, Combination combination, Mean mean) {
             return new Estimate(
                     mean.count(),
+                    measurements.reached(combination),
+                    measurements.horizon().isPresent()
+                            ? Optional.of(measurements.horizon().getAsDouble())
+                            : Optional.empty(),
                     mean.value(),
                     mean.interval().map(Interval::low),
                     mean.interval().map(Interval::high));
@@ -64,31 +79,69 @@ record SweepSummary(Findings findings, Path folder) {
         var outcomes = new LinkedHashMap<String, Long>();
         rows.forEach(row -> outcomes.merge(row.outcome(), 1L, Long::sum));
         var measures = new LinkedHashMap<String, Estimate>();
-        for (Measure measure : findings.manifest().measures()) {
-            findings.mean(combination, measure).ifPresent(mean -> measures.put(measure.name(), Estimate.of(mean)));
+        for (Measurements measured : measurements()) {
+            measured.mean(combination)
+                    .ifPresent(
+                            mean -> measures.put(measured.measure().name(), Estimate.of(measured, combination, mean)));
         }
         return new Each(combination.configuration(), combination.levels(), rows.size(), outcomes, measures);
     }
 
     /// For people.
     String text() {
-        List<Measure> measures = findings.manifest().measures();
+        List<Measurements> measures = measurements();
         var table = new Table("");
         var head = new ArrayList<>(List.of("combination", "runs", "success"));
-        measures.forEach(m -> head.add(m.unit().isEmpty() ? m.name() : "%s [%s]".formatted(m.name(), m.unit())));
+        measures.forEach(measured -> head.add(head(measured.measure())));
         table.row(head.toArray(String[]::new));
         for (Combination combination : findings.design().combinations()) {
             List<Row> rows = findings.of(combination);
             var cells = new ArrayList<>(List.of(findings.label(combination), Integer.toString(rows.size())));
             cells.add(rows.isEmpty() ? "–" : successes(rows));
-            measures.forEach(measure -> cells.add(
-                    findings.mean(combination, measure).map(SweepSummary::words).orElse("–")));
+            measures.forEach(measured -> cells.add(cell(measured, combination)));
             table.row(cells.toArray(String[]::new));
         }
         return table
                 + failures()
+                + conclusions()
                 + "Means ± half of their 95 %% confidence intervals. Rows: %s; a page of them: rsal report %s%n"
                         .formatted(folder.resolve(SweepFolder.TABLE), folder);
+    }
+
+    private List<Measurements> measurements() {
+        return findings.manifest().measures().stream()
+                .map(findings::measurements)
+                .toList();
+    }
+
+    private static String head(Measure measure) {
+        return measure.unit().isEmpty() ? measure.name() : "%s [%s]".formatted(measure.name(), measure.unit());
+    }
+
+    /// `80 ± 22`, and in how many runs there was something to measure where that is not in all.
+    private static String cell(Measurements measurements, Combination combination) {
+        String mean = measurements.mean(combination).map(SweepSummary::words).orElse("–");
+        int reached = measurements.reached(combination);
+        int runs = measurements.runs(combination);
+        return reached == runs ? mean : "%s (%d of %d)".formatted(mean, reached, runs);
+    }
+
+    /// What is to be known of runs without a value, and which differences are clear.
+    private String conclusions() {
+        var conclusions = Conclusions.of(findings);
+        var text = new StringBuilder();
+        conclusions
+                .missing(findings.design().combinations())
+                .forEach(each -> text.append(each).append(System.lineSeparator()));
+        if (conclusions.known() > 0) {
+            List<Conclusions.Sentence> clear = conclusions.clear();
+            text.append(
+                    clear.isEmpty()
+                            ? "No difference is clear (%d compared).%n".formatted(conclusions.known())
+                            : "Clear differences (%d of %d compared):%n".formatted(clear.size(), conclusions.known()));
+            clear.forEach(each -> text.append("  ").append(each).append(System.lineSeparator()));
+        }
+        return text.toString();
     }
 
     /// In how many runs agents failed, and what the first of them was; empty when none did.

@@ -192,7 +192,8 @@ class SweepIT {
         rsal.run("sweep", "guard.yaml:short", "--vary", "guards=1,2", "--repeat", "3", "--out", "s");
         Ended ended = rsal.run("report", "s");
         assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
-        assertThat(ended.out()).contains("s/report.html", "3 figures", "s/report-figures");
+        assertThat(ended.out())
+                .contains("s/report.html", "Figures as SVG, PDF, PNG and CSV: s/report-figures", "s/report-tables");
         assertThat(Files.readString(folder.resolve("s/report.html")))
                 .contains("guards 1 → 2", "rsal sweep guard.yaml:short --vary guards=1,2")
                 .doesNotContain("<script", "http:", "https:");
@@ -200,6 +201,7 @@ class SweepIT {
 
         assertThat(rsal.run("report", "s", "--out", "paper/x.html").code()).isEqualTo(Exit.UNREACHABLE);
         assertThat(rsal.run("report", "s", "--out", "x.pdf").code()).isEqualTo(Exit.USAGE);
+        assertThat(rsal.run("report", "s", "--font", "No Such Font").code()).isEqualTo(Exit.USAGE);
         assertThat(rsal.run("report", "nowhere").err()).contains("no sweep in it");
     }
 

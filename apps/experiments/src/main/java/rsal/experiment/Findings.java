@@ -7,15 +7,15 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
 import java.util.function.Function;
+import java.util.function.Predicate;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import rsal.experiment.Manifest.Measure;
 import rsal.experiment.statistics.Effect;
 import rsal.experiment.statistics.Effect.Pair;
-import rsal.experiment.statistics.Mean;
 import rsal.settings.InvalidSettings;
 
 /// What is known of an experiment: what it is, and what came of its runs so far.
@@ -67,72 +67,122 @@ public record Findings(Manifest manifest, List<Row> rows) {
                 .average();
     }
 
-    /// What was measured in the runs of a combination in which there was something.
-    public double[] values(Combination combination, Measure measure) {
-        return of(combination).stream()
-                .map(row -> value(row, measure))
-                .filter(OptionalDouble::isPresent)
-                .mapToDouble(OptionalDouble::getAsDouble)
-                .toArray();
+    /// What was measured in all runs, as it can be averaged and compared.
+    public Measurements measurements(Measure measure) {
+        return Measurements.of(this, measure);
     }
 
-    /// Of these; empty when there are none.
-    public Optional<Mean> mean(Combination combination, Measure measure) {
-        double[] values = values(combination, measure);
-        return values.length == 0 ? Optional.empty() : Optional.of(Mean.of(values));
+    /// What a report compares: other levels of each of [Design#compared].
+    public List<Change> changes() {
+        return design().compared().stream()
+                .flatMap(factor -> Change.of(factor).stream())
+                .toList();
     }
 
-    /// What it does to a measure when a factor has another level than its first, and all else is the same:
-    /// over all combinations of the others, by seed.
-    ///
-    /// @param factor one of [Design#compared]
-    public Effect effect(Factor factor, String level, Measure measure) {
-        return effect(factor, level, (Row row) -> value(row, measure));
+    /// What a change does to a measure: over all combinations of what is varied besides, by seed.
+    public Effect effect(Change change, Measurements measurements) {
+        return Effect.of(blocks(change, measurements::of, _ -> true));
     }
 
-    /// Likewise what it does to the share of runs that end in some way, in percentage points: a run that ends so counts
-    /// for 100, another one for 0.
-    public Effect effectOnShare(Factor factor, String level, String outcome) {
-        return effect(
-                factor, level, (Row row) -> OptionalDouble.of(row.outcome().equals(outcome) ? 100 : 0));
+    /// Likewise what it does to the share of runs that end in some way, in percentage points: a run that ends so
+    /// counts for 100, another one for 0.
+    public Effect effectOnShare(Change change, String outcome) {
+        return Effect.of(blocks(change, row -> OptionalDouble.of(row.outcome().equals(outcome) ? 100 : 0), _ -> true));
     }
 
-    private Effect effect(Factor factor, String level, Function<Row, OptionalDouble> value) {
+    /// What it does to a measure where another factor has some level.
+    public Effect effectWhere(Change change, Factor other, String level, Measurements measurements) {
+        return Effect.of(blocks(change, measurements::of, with(other, level)));
+    }
+
+    private static Predicate<Combination> with(Factor factor, String level) {
+        return combination -> combination.level(factor.argument()).equals(level);
+    }
+
+    /// Two changes of different factors, each pair of those from their first levels.
+    public List<Interaction> interactions() {
+        List<Factor> factors = design().compared();
+        var interactions = new ArrayList<Interaction>();
+        for (int i = 0; i < factors.size(); i++) {
+            for (Factor other : factors.subList(i + 1, factors.size())) {
+                for (Change change : Change.fromFirst(factors.get(i))) {
+                    Change.fromFirst(other).forEach(where -> interactions.add(new Interaction(change, where)));
+                }
+            }
+        }
+        return interactions;
+    }
+
+    /// Whether what a change does depends on another one.
+    public record Interaction(Change change, Change where) {
+        /// `strategy a → b, where hunters 1 → 3`
+        @Override
+        public String toString() {
+            return change + ", where " + where;
+        }
+    }
+
+    /// How much more a change does after the other one: the difference of two differences, by seed. D. Montgomery,
+    /// Design and Analysis of Experiments, 8th edition, section 5.1.
+    public Effect effect(Interaction interaction, Measurements measurements) {
+        Factor other = interaction.where().factor();
+        List<List<Pair>> before = blocks(
+                interaction.change(),
+                measurements::of,
+                with(other, interaction.where().from()));
+        List<List<Pair>> after = blocks(
+                interaction.change(),
+                measurements::of,
+                with(other, interaction.where().to()));
+        return Effect.of(IntStream.range(0, before.size())
+                .mapToObj(seed -> changes(before.get(seed), after.get(seed)))
+                .toList());
+    }
+
+    private static List<Pair> changes(List<Pair> before, List<Pair> after) {
+        return IntStream.range(0, before.size())
+                .mapToObj(i -> new Pair(before.get(i).change(), after.get(i).change()))
+                .toList();
+    }
+
+    /// By seed: a pair for each combination of the others, in the order of the design.
+    private List<List<Pair>> blocks(Change change, Function<Row, OptionalDouble> value, Predicate<Combination> among) {
         var rowOf = new HashMap<Long, Map<Integer, Row>>(); // by seed and combination
         rows.forEach(
                 row -> rowOf.computeIfAbsent(row.seed(), _ -> new HashMap<>()).put(row.combination(), row));
-        Map<Combination, Combination> changes = changes(factor, level);
+        Map<Combination, Combination> changed = changed(change, among);
         var blocks = new ArrayList<List<Pair>>();
         for (long seed : design().seeds()) {
             Map<Integer, Row> here = rowOf.getOrDefault(seed, Map.of());
-            blocks.add(changes.entrySet().stream()
-                    .map(change -> new Pair(
-                            valueIfThere(here.get(change.getKey().number()), value),
-                            valueIfThere(here.get(change.getValue().number()), value)))
+            blocks.add(changed.entrySet().stream()
+                    .map(both -> new Pair(
+                            valueIfThere(here.get(both.getKey().number()), value),
+                            valueIfThere(here.get(both.getValue().number()), value)))
                     .toList());
         }
-        return Effect.of(blocks);
+        return blocks;
     }
 
     private static OptionalDouble valueIfThere(@Nullable Row row, Function<Row, OptionalDouble> value) {
         return row != null ? value.apply(row) : OptionalDouble.empty();
     }
 
-    /// From each combination with the factor's first level to the one that is the same but for it.
-    private Map<Combination, Combination> changes(Factor factor, String level) {
-        var first = new HashMap<List<String>, Combination>();
-        var changed = new HashMap<List<String>, Combination>();
+    /// From each combination before a change to the one after it.
+    private Map<Combination, Combination> changed(Change change, Predicate<Combination> among) {
+        Factor factor = change.factor();
+        var before = new HashMap<List<String>, Combination>();
+        var after = new HashMap<List<String>, Combination>();
         for (Combination combination : design().combinations()) {
             List<String> others = others(combination, factor);
-            if (combination.level(factor.argument()).equals(factor.levels().getFirst())) {
-                first.put(others, combination);
-            } else if (combination.level(factor.argument()).equals(level)) {
-                changed.put(others, combination);
+            if (combination.level(factor.argument()).equals(change.from())) {
+                before.put(others, combination);
+            } else if (combination.level(factor.argument()).equals(change.to()) && among.test(combination)) {
+                after.put(others, combination);
             }
         }
-        var changes = new TreeMap<Combination, Combination>(Comparator.comparingInt(Combination::number));
-        changed.forEach((others, to) -> changes.put(Objects.requireNonNull(first.get(others)), to));
-        return changes;
+        var changed = new TreeMap<Combination, Combination>(Comparator.comparingInt(Combination::number));
+        after.forEach((others, to) -> changed.put(Objects.requireNonNull(before.get(others)), to));
+        return changed;
     }
 
     private List<String> others(Combination combination, Factor factor) {

@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import rsal.scenario.RunPlan.Measured;
+import rsal.scenario.condition.Measure.FirstTime;
 
 /// What an experiment is and how it was made, beside its rows. Part of what users build on: names stay, more
 /// may follow.
@@ -108,13 +109,25 @@ public record Manifest(
     /// @param unit empty when it has none
     /// @param perRobot whether each robot has a value of its own, called `<name>.<robot>`
     /// @param better `less`, `more` or `neither`
-    public record Measure(String name, String unit, boolean perRobot, String better) {
+    /// @param kind [#VALUE] or [#EVENT_TIME]; empty in a file that is older than these, where all are values
+    public record Measure(String name, String unit, boolean perRobot, String better, Optional<String> kind) {
+        /// Something that there may be nothing of in a run.
+        public static final String VALUE = "value";
+
+        /// When something happened [s]; where it did not, it is known that it had not until the run ended.
+        public static final String EVENT_TIME = "eventTime";
+
+        public boolean isEventTime() {
+            return kind.equals(Optional.of(EVENT_TIME));
+        }
+
         static Measure of(Measured measured) {
             return new Measure(
                     measured.name(),
                     measured.unit(),
                     measured.perRobot(),
-                    measured.better().word());
+                    measured.better().word(),
+                    Optional.of(measured.from() instanceof FirstTime ? EVENT_TIME : VALUE));
         }
     }
 

@@ -653,7 +653,8 @@ final class Messages {
     }
 
     /// @param unit empty when it has none
-    record SweepMeasure(String name, String unit) {}
+    /// @param horizon up to when times of events count; absent of other measures, and before a run has ended
+    record SweepMeasure(String name, String unit, Optional<Double> horizon) {}
 
     /// What came of a combination so far.
     ///
@@ -670,8 +671,10 @@ final class Messages {
     record OutcomeShare(String outcome, int count, Optional<Double> low, Optional<Double> high) {}
 
     /// @param count of how many runs
+    /// @param measured in how many of them there was something to measure; fewer where the others count to the
+    /// horizon
     /// @param low end of the 95 % confidence interval of the mean; absent of one run
-    record SweepEstimate(int count, double mean, Optional<Double> low, Optional<Double> high, Box box) {}
+    record SweepEstimate(int count, int measured, double mean, Optional<Double> low, Optional<Double> high, Box box) {}
 
     /// Sweeps that were there before the newest; the 50 that changed last.
     record SweepsBefore(List<EarlierSweep> sweeps) {}
@@ -728,7 +731,8 @@ final class Messages {
     /// @param color that it is about, `#rrggbb`
     record Fact(String name, String value, Optional<String> color) {}
 
-    /// Who heard what so far in a run that limits communication; else nothing. Of more than 10,000 pairs the sums only.
+    /// Who heard what so far in a run that limits communication; else nothing. Of more than 10,000 pairs the sums
+    /// only.
     record Communication(List<HearingInfo> communication) {}
 
     /// Which robots' agents hear each other. Where nothing limits that, all do, and those are told that spoke.

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import rsal.experiment.Combination;
 import rsal.experiment.Findings;
-import rsal.experiment.Manifest.Measure;
+import rsal.experiment.Measurements;
 import rsal.experiment.Row;
 import rsal.experiment.statistics.BoxPlot;
 import rsal.experiment.statistics.Interval;
@@ -21,26 +21,41 @@ import rsal.server.Messages.SweepRunInfo;
 /// What came of a sweep so far, as the page shows it. The numbers are those of `rsal report`.
 record SweepDescription(int broken, List<SweepMeasure> measures, List<SweepCombination> combinations) {
     static SweepDescription of(Findings findings) {
-        List<Measure> measures = findings.manifest().measures();
+        List<Measurements> measures = findings.manifest().measures().stream()
+                .map(findings::measurements)
+                .toList();
         List<String> outcomes =
                 findings.rows().stream().map(Row::outcome).distinct().sorted().toList();
         return new SweepDescription(
                 (int) findings.rows().stream().filter(Row::isBroken).count(),
-                measures.stream().map(m -> new SweepMeasure(m.name(), m.unit())).toList(),
+                measures.stream().map(SweepDescription::measure).toList(),
                 findings.design().combinations().stream()
                         .map(combination -> combination(findings, combination, outcomes, measures))
                         .toList());
     }
 
+    private static SweepMeasure measure(Measurements measurements) {
+        return new SweepMeasure(
+                measurements.measure().name(),
+                measurements.measure().unit(),
+                measurements.horizon().isPresent()
+                        ? Optional.of(measurements.horizon().getAsDouble())
+                        : Optional.empty());
+    }
+
     private static SweepCombination combination(
-            Findings findings, Combination combination, List<String> outcomes, List<Measure> measures) {
+            Findings findings, Combination combination, List<String> outcomes, List<Measurements> measures) {
         List<Row> rows = findings.of(combination);
         var estimates = new LinkedHashMap<String, SweepEstimate>();
-        for (Measure measure : measures) {
-            double[] values = findings.values(combination, measure);
-            if (values.length > 0) {
-                estimates.put(measure.name(), estimate(Mean.of(values), BoxPlot.of(values)));
-            }
+        for (Measurements measurements : measures) {
+            measurements
+                    .mean(combination)
+                    .ifPresent(mean -> estimates.put(
+                            measurements.measure().name(),
+                            estimate(
+                                    mean,
+                                    measurements.reached(combination),
+                                    BoxPlot.of(measurements.of(combination)))));
         }
         return new SweepCombination(
                 findings.label(combination),
@@ -68,9 +83,10 @@ record SweepDescription(int broken, List<SweepMeasure> measures, List<SweepCombi
         return new OutcomeShare(outcome, count, interval.map(Interval::low), interval.map(Interval::high));
     }
 
-    private static SweepEstimate estimate(Mean mean, BoxPlot plot) {
+    private static SweepEstimate estimate(Mean mean, int measured, BoxPlot plot) {
         return new SweepEstimate(
                 mean.count(),
+                measured,
                 mean.value(),
                 mean.interval().map(Interval::low),
                 mean.interval().map(Interval::high),

@@ -160,9 +160,8 @@ class SweepApiTest {
         Findings findings = Findings.read(Errand.sweeps(directory).resolve("guard-1"));
         for (int i = 0; i < 4; i++) {
             SweepCombination told = ended.combinations().get(i);
-            Mean mean = findings.mean(
-                            findings.design().combinations().get(i),
-                            findings.manifest().measures().getFirst())
+            Mean mean = findings.measurements(findings.manifest().measures().getFirst())
+                    .mean(findings.design().combinations().get(i))
                     .orElseThrow();
             assertThat(told.ended()).isEqualTo(3);
             assertThat(told.measures().get("way").mean()).isEqualTo(mean.value());

@@ -16,6 +16,12 @@ interface Drawing {
         TIMEOUT,
         LIMIT,
         BROKEN,
+        CURVE1,
+        CURVE2,
+        CURVE3,
+        CURVE4,
+        CURVE5,
+        CURVE6,
         /// What stands on a bar of any of the colors above.
         ON_BAR;
 
@@ -34,6 +40,9 @@ interface Drawing {
 
     /// A filled rectangle.
     void bar(double x, double y, double width, double height, Ink ink);
+
+    /// A faintly filled rectangle without an outline.
+    void band(double x, double y, double width, double height, Ink ink);
 
     /// A rectangle with an outline, faintly filled.
     void box(double x, double y, double width, double height, Ink ink);

@@ -4,32 +4,40 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import rsal.experiment.Change;
 import rsal.experiment.Combination;
 import rsal.experiment.Findings;
 import rsal.experiment.Manifest.Measure;
+import rsal.experiment.Measurements;
 import rsal.experiment.Row;
 import rsal.experiment.report.Drawing.Align;
 import rsal.experiment.report.Drawing.Ink;
+import rsal.experiment.report.Figure.Picture;
+import rsal.experiment.report.Frame.Mark;
 import rsal.experiment.statistics.BoxPlot;
 import rsal.experiment.statistics.Interval;
+import rsal.experiment.statistics.KaplanMeier;
 import rsal.experiment.statistics.Mean;
 import rsal.experiment.statistics.Share;
 
 /// The figures of a report.
 final class Figures {
     private static final Map<String, Ink> INKS = inks();
-    private static final int ROW = 34; // height of a combination [px]
-    private static final int TOP = 34; // above the first
-    private static final int BOTTOM = 48; // below the last
-    private static final int RIGHT = Figure.WIDTH - 30;
-    private static final int LONGEST = 44; // letters of a label
-    private static final double LETTER = 8; // width of a wide font [px]
+    private static final List<Ink> CURVES =
+            List.of(Ink.CURVE1, Ink.CURVE2, Ink.CURVE3, Ink.CURVE4, Ink.CURVE5, Ink.CURVE6);
+    private static final Mark MEAN = new Mark(
+            "mean, 95 %",
+            (drawing, at) -> {
+                drawing.line(at.x() - 11, at.y(), at.x() + 11, at.y(), 2, Ink.MEAN);
+                drawing.dot(at.x(), at.y(), 4, Ink.MEAN);
+            });
+    private static final int MOST_BANDS = 3; // curves with intervals; more would hide each other
+    private static final int CURVES_HIGH = 240; // height of curves [px]
 
     private Figures() {}
 
@@ -58,6 +66,28 @@ final class Figures {
         return measure.name() + unit + (measure.perRobot() ? ", mean over the robots of a run" : "");
     }
 
+    /// What is drawn in rows, with a scale below.
+    private record Rows(List<String> labels, List<Mark> keys, Content content) implements Picture {
+        interface Content {
+            void draw(Drawing drawing, Frame frame);
+        }
+
+        private Frame frame(double width) {
+            return new Frame(width, labels, keys);
+        }
+
+        @Override
+        public double height(double width) {
+            return frame(width).height();
+        }
+
+        @Override
+        public void draw(Drawing drawing, double width) {
+            frame(width).draw(drawing);
+            content.draw(drawing, frame(width));
+        }
+    }
+
     /// A bar of shares for each combination.
     static Figure outcomes(Findings findings, List<Combination> combinations) {
         List<String> outcomes = outcomes(findings);
@@ -76,40 +106,38 @@ final class Figures {
                         Numbers.exact(share.interval().high())));
             }
         }
-        return figure(
+        List<Mark> keys = outcomes.stream()
+                .map(outcome ->
+                        new Mark(outcome, (drawing, at) -> drawing.bar(at.x() - 6, at.y() - 6, 12, 12, ink(outcome))))
+                .toList();
+        return new Figure(
                 "outcomes",
                 "Bars of how runs ended, for each of %s; the table below has the numbers."
                         .formatted(counted(combinations)),
-                combinations.size(),
-                drawing -> drawOutcomes(drawing, findings, combinations, outcomes),
+                new Rows(
+                        findings.labels(combinations),
+                        keys,
+                        (drawing, frame) -> drawOutcomes(drawing, frame, findings, combinations)),
                 List.of("combination", "outcome", "count", "runs", "share", "low95", "high95"),
                 numbers);
     }
 
-    private static void drawOutcomes(
-            Drawing drawing, Findings findings, List<Combination> combinations, List<String> outcomes) {
-        double left = labels(drawing, findings.labels(combinations));
-        double x = left;
-        for (String outcome : outcomes) {
-            drawing.bar(x, 8, 12, 12, ink(outcome));
-            drawing.text(x + 17, 19, outcome, Align.START, Ink.TEXT);
-            x += 32 + outcome.length() * LETTER;
-        }
-        var scale = new Scale(0, 100, left, RIGHT);
-        scale.draw(drawing, TOP, TOP + combinations.size() * ROW, "share of the runs [%]");
+    private static void drawOutcomes(Drawing drawing, Frame frame, Findings findings, List<Combination> combinations) {
+        var scale = new Scale(0, 100, frame.left(), frame.right());
+        scale.draw(drawing, frame.top(), frame.bottom(), "share of the runs [%]");
         for (int i = 0; i < combinations.size(); i++) {
             List<Row> rows = findings.of(combinations.get(i));
             double from = 0;
-            for (String outcome : outcomes) {
+            for (String outcome : outcomes(findings)) {
                 double share = 100.0 * count(rows, outcome) / rows.size();
                 double width = scale.at(from + share) - scale.at(from);
                 if (width > 0) {
-                    drawing.bar(scale.at(from), TOP + i * ROW + 5, width, ROW - 10, ink(outcome));
+                    drawing.bar(scale.at(from), frame.middle(i) - 12, width, 24, ink(outcome));
                 }
                 if (width > 40) {
                     drawing.text(
                             scale.at(from) + width / 2,
-                            middle(i) + 5,
+                            frame.middle(i) + 5,
                             Numbers.percent(share / 100),
                             Align.MIDDLE,
                             Ink.ON_BAR);
@@ -126,12 +154,13 @@ final class Figures {
     /// For each combination a box plot, and the mean with its interval.
     ///
     /// @param combinations that have values
-    static Figure measure(Findings findings, Measure measure, List<Combination> combinations) {
+    static Figure values(Findings findings, Measurements measurements, List<Combination> combinations) {
+        Measure measure = measurements.measure();
         var boxes = new ArrayList<BoxPlot>();
         var means = new ArrayList<Mean>();
         var numbers = new ArrayList<List<String>>();
         for (Combination combination : combinations) {
-            double[] values = findings.values(combination, measure);
+            double[] values = measurements.of(combination);
             BoxPlot box = BoxPlot.of(values);
             Mean mean = Mean.of(values);
             boxes.add(box);
@@ -149,12 +178,18 @@ final class Figures {
                     Numbers.exact(box.third()),
                     Numbers.exact(box.most())));
         }
-        return figure(
+        return new Figure(
                 measure.name(),
                 "Box plots of %s and means with 95 %% confidence intervals, for each of %s; the table below has the numbers."
                         .formatted(title(measure), counted(combinations)),
-                combinations.size(),
-                drawing -> drawMeasure(drawing, findings.labels(combinations), boxes, means, title(measure)),
+                new Rows(
+                        findings.labels(combinations),
+                        List.of(
+                                new Mark(
+                                        "quartiles, median; points lie beyond 1.5 boxes",
+                                        (drawing, at) -> drawing.box(at.x() - 11, at.y() - 6, 22, 12, Ink.DATA)),
+                                MEAN),
+                        (drawing, frame) -> drawValues(drawing, frame, boxes, means, title(measure))),
                 List.of(
                         "combination",
                         "runs",
@@ -170,24 +205,16 @@ final class Figures {
                 numbers);
     }
 
-    private static void drawMeasure(
-            Drawing drawing, List<String> labels, List<BoxPlot> boxes, List<Mean> means, String title) {
-        double left = labels(drawing, labels);
-        double[] ends = Stream.concat(
+    private static void drawValues(Drawing drawing, Frame frame, List<BoxPlot> boxes, List<Mean> means, String title) {
+        Scale scale = scale(
+                Stream.concat(
                         boxes.stream().flatMap(box -> Stream.of(box.least(), box.most())),
-                        means.stream().flatMap(Figures::ends))
-                .mapToDouble(Double::doubleValue)
-                .toArray();
-        Scale scale = scale(ends, left);
-        drawing.box(left, 7, 22, 12, Ink.DATA);
-        drawing.text(left + 29, 18, "quartiles, median; points lie beyond 1.5 boxes", Align.START, Ink.QUIET);
-        drawing.line(left + 370, 13, left + 392, 13, 2, Ink.MEAN);
-        drawing.dot(left + 381, 13, 4, Ink.MEAN);
-        drawing.text(left + 399, 18, "mean, 95 %", Align.START, Ink.QUIET);
-        scale.draw(drawing, TOP, TOP + boxes.size() * ROW, title);
+                        means.stream().flatMap(Figures::ends)),
+                frame);
+        scale.draw(drawing, frame.top(), frame.bottom(), title);
         for (int i = 0; i < boxes.size(); i++) {
             BoxPlot box = boxes.get(i);
-            double y = middle(i) - 4;
+            double y = frame.middle(i) - 4;
             drawing.line(scale.at(box.low()), y, scale.at(box.first()), y, 1.2, Ink.DATA);
             drawing.line(scale.at(box.third()), y, scale.at(box.high()), y, 1.2, Ink.DATA);
             drawing.box(scale.at(box.first()), y - 8, scale.at(box.third()) - scale.at(box.first()), 16, Ink.DATA);
@@ -211,93 +238,179 @@ final class Figures {
         drawing.dot(scale.at(mean.value()), y, 4, Ink.MEAN);
     }
 
+    /// In which share of runs it had happened by when: Kaplan-Meier curves, a few in each figure.
+    ///
+    /// @param combinations with a curve
+    static List<Figure> curves(Findings findings, Measurements measurements, List<Combination> combinations) {
+        int figures = (combinations.size() + CURVES.size() - 1) / CURVES.size();
+        return IntStream.range(0, figures)
+                .mapToObj(i -> curves(
+                        findings,
+                        measurements,
+                        combinations.subList(i * CURVES.size(), Math.min((i + 1) * CURVES.size(), combinations.size())),
+                        i == 0 ? "" : "-" + (i + 1)))
+                .toList();
+    }
+
+    private static Figure curves(
+            Findings findings, Measurements measurements, List<Combination> combinations, String part) {
+        Measure measure = measurements.measure();
+        double horizon = measurements.horizon().orElseThrow();
+        var numbers = new ArrayList<List<String>>();
+        for (Combination combination : combinations) {
+            KaplanMeier curve = measurements.curve(combination).orElseThrow();
+            for (KaplanMeier.Step step : curve.steps()) {
+                numbers.add(List.of(
+                        findings.label(combination),
+                        Numbers.exact(step.time()),
+                        Integer.toString(step.atRisk()),
+                        Integer.toString(step.happened()),
+                        Numbers.exact(1 - step.share()),
+                        Numbers.exact(1 - step.interval().high()),
+                        Numbers.exact(1 - step.interval().low())));
+            }
+        }
+        var keys = new ArrayList<Mark>();
+        for (int i = 0; i < combinations.size(); i++) {
+            Ink ink = CURVES.get(i);
+            keys.add(new Mark(
+                    findings.label(combinations.get(i)),
+                    (drawing, at) -> drawing.line(at.x() - 11, at.y(), at.x() + 11, at.y(), 2.5, ink)));
+        }
+        return new Figure(
+                measure.name() + part,
+                "Kaplan-Meier curves of %s: in which share of runs it had happened by when, for each of %s."
+                        .formatted(title(measure), counted(combinations)),
+                new Picture() {
+                    @Override
+                    public double height(double width) {
+                        return frame(width).height(CURVES_HIGH);
+                    }
+
+                    @Override
+                    public void draw(Drawing drawing, double width) {
+                        frame(width).draw(drawing);
+                        drawCurves(drawing, frame(width), measurements, combinations, horizon);
+                    }
+
+                    private Frame frame(double width) {
+                        return new Frame(width, List.of(), keys);
+                    }
+                },
+                List.of("combination", "time", "atRisk", "happened", "share", "low95", "high95"),
+                numbers);
+    }
+
+    private static void drawCurves(
+            Drawing drawing, Frame frame, Measurements measurements, List<Combination> combinations, double horizon) {
+        double bottom = frame.bottom(CURVES_HIGH);
+        var scale = new Scale(0, Math.max(horizon, 1e-9), frame.left(), frame.right());
+        var shares = new Scale(0, 1, bottom, frame.top());
+        scale.draw(drawing, frame.top(), bottom, title(measurements.measure()));
+        drawing.text(frame.left(), frame.top() - 7, "share of runs in which it has happened", Align.START, Ink.QUIET);
+        for (int percent = 0; percent <= 100; percent += 25) {
+            double y = shares.at(percent / 100.0);
+            drawing.line(frame.left(), y, frame.right(), y, 1, Ink.GRID);
+            drawing.text(frame.left() - 6, y + 4, percent + " %", Align.END, Ink.QUIET);
+        }
+        for (int i = 0; i < combinations.size(); i++) {
+            KaplanMeier curve = measurements.curve(combinations.get(i)).orElseThrow();
+            drawCurve(drawing, scale, shares, curve, CURVES.get(i), combinations.size() <= MOST_BANDS);
+        }
+    }
+
+    private static void drawCurve(
+            Drawing drawing, Scale scale, Scale shares, KaplanMeier curve, Ink ink, boolean bands) {
+        double horizon = scale.most();
+        double from = 0;
+        double share = 0;
+        Optional<Interval> interval = Optional.empty();
+        for (int i = 0; i <= curve.steps().size(); i++) {
+            boolean last = i == curve.steps().size() || curve.steps().get(i).time() > horizon;
+            double to = last ? horizon : curve.steps().get(i).time();
+            double y = shares.at(share);
+            drawing.line(scale.at(from), y, scale.at(to), y, 2, ink);
+            if (bands && interval.isPresent()) {
+                double high = shares.at(1 - interval.get().low());
+                drawing.band(
+                        scale.at(from),
+                        high,
+                        scale.at(to) - scale.at(from),
+                        shares.at(1 - interval.get().high()) - high,
+                        ink);
+            }
+            if (last) {
+                break;
+            }
+            KaplanMeier.Step step = curve.steps().get(i);
+            drawing.line(scale.at(to), y, scale.at(to), shares.at(1 - step.share()), 2, ink);
+            from = to;
+            share = 1 - step.share();
+            interval = Optional.of(step.interval());
+        }
+        for (double time : curve.censored()) {
+            if (time < horizon) {
+                double y = shares.at(1 - curve.share(time));
+                drawing.line(scale.at(time), y - 5, scale.at(time), y + 5, 1.5, ink);
+            }
+        }
+    }
+
     /// For each change the mean difference with its interval.
     ///
     /// @param changes that are known
-    static Figure effects(Measure measure, List<Change> changes) {
+    static Figure effects(Measure measure, List<Compared<Change>> changes) {
         List<Mean> means = changes.stream()
                 .map(change -> change.effect().difference().orElseThrow())
                 .toList();
         var numbers = new ArrayList<List<String>>();
         for (int i = 0; i < changes.size(); i++) {
-            Change change = changes.get(i);
+            Compared<Change> change = changes.get(i);
             Optional<Interval> interval = means.get(i).interval();
             numbers.add(List.of(
-                    change.factor(),
-                    change.from(),
-                    change.to(),
+                    change.subject().factor().argument(),
+                    change.subject().from(),
+                    change.subject().to(),
                     Integer.toString(change.effect().complete()),
                     Integer.toString(change.effect().blocks()),
                     Numbers.exact(means.get(i).value()),
                     interval.map(ends -> Numbers.exact(ends.low())).orElse(""),
                     interval.map(ends -> Numbers.exact(ends.high())).orElse("")));
         }
-        return figure(
+        return new Figure(
                 measure.name() + "-effects",
                 "What each change does to %s: mean differences with 95 %% confidence intervals; the table below has the numbers."
                         .formatted(title(measure)),
-                changes.size(),
-                drawing -> {
-                    double left = labels(
-                            drawing, changes.stream().map(Change::toString).toList());
-                    double[] ends = Stream.concat(Stream.of(0.0), means.stream().flatMap(Figures::ends))
-                            .mapToDouble(Double::doubleValue)
-                            .toArray();
-                    Scale scale = scale(ends, left);
-                    int bottom = TOP + changes.size() * ROW;
-                    scale.draw(drawing, TOP, bottom, "difference of " + title(measure));
-                    drawing.line(scale.at(0), TOP - 6, scale.at(0), bottom, 1.5, Ink.QUIET);
-                    drawing.text(scale.at(0), TOP - 11, "no difference", Align.MIDDLE, Ink.QUIET);
-                    for (int i = 0; i < means.size(); i++) {
-                        estimate(drawing, scale, means.get(i), middle(i));
-                    }
-                },
+                new Rows(
+                        changes.stream()
+                                .map(change -> change.subject().toString())
+                                .toList(),
+                        List.of(
+                                MEAN,
+                                new Mark(
+                                        "no difference",
+                                        (drawing, at) ->
+                                                drawing.line(at.x(), at.y() - 7, at.x(), at.y() + 7, 1.5, Ink.QUIET))),
+                        (drawing, frame) -> {
+                            Scale scale = scale(
+                                    Stream.concat(Stream.of(0.0), means.stream().flatMap(Figures::ends)), frame);
+                            scale.draw(drawing, frame.top(), frame.bottom(), "difference of " + title(measure));
+                            drawing.line(scale.at(0), frame.top() - 4, scale.at(0), frame.bottom(), 1.5, Ink.QUIET);
+                            for (int i = 0; i < means.size(); i++) {
+                                estimate(drawing, scale, means.get(i), frame.middle(i));
+                            }
+                        }),
                 List.of("factor", "from", "to", "seeds", "ofSeeds", "difference", "low95", "high95"),
                 numbers);
     }
 
-    private static Scale scale(double[] ends, double left) {
+    private static Scale scale(Stream<Double> ends, Frame frame) {
+        double[] all = ends.mapToDouble(Double::doubleValue).toArray();
         return Scale.of(
-                Arrays.stream(ends).min().orElse(0), Arrays.stream(ends).max().orElse(1), left, RIGHT);
-    }
-
-    private static double middle(int row) {
-        return TOP + row * ROW + ROW / 2.0;
-    }
-
-    /// @return where there is room beside them, in pixels
-    private static double labels(Drawing drawing, List<String> labels) {
-        List<String> shown = labels.stream().map(Figures::shortened).toList();
-        double left =
-                16 + LETTER * shown.stream().mapToInt(String::length).max().orElse(0);
-        for (int i = 0; i < shown.size(); i++) {
-            drawing.text(left - 10, middle(i) + 4, shown.get(i), Align.END, Ink.TEXT);
-        }
-        return left;
-    }
-
-    private static String shortened(String label) {
-        return label.length() > LONGEST ? label.substring(0, LONGEST - 1) + "…" : label;
+                Arrays.stream(all).min().orElse(0), Arrays.stream(all).max().orElse(1), frame.left(), frame.right());
     }
 
     private static String counted(List<Combination> combinations) {
         return combinations.size() == 1 ? "one combination" : combinations.size() + " combinations";
-    }
-
-    private static Figure figure(
-            String name,
-            String alternative,
-            int rows,
-            Consumer<Drawing> picture,
-            List<String> header,
-            List<List<String>> numbers) {
-        return new Figure(
-                name.replaceAll("[^A-Za-z0-9.-]", "_").toLowerCase(Locale.ROOT),
-                alternative,
-                Figure.WIDTH,
-                TOP + rows * ROW + BOTTOM,
-                picture,
-                header,
-                numbers);
     }
 }

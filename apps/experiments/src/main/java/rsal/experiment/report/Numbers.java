@@ -59,6 +59,10 @@ public final class Numbers {
         return signed(interval.low()) + " to " + signed(interval.high());
     }
 
+    static String probability(double p) {
+        return p < 0.001 ? "< 0.001" : String.format(Locale.ROOT, "%.3f", p);
+    }
+
     static String percent(double share) {
         return String.format(Locale.ROOT, "%.0f %%", 100 * share);
     }

@@ -17,7 +17,7 @@ import javax.imageio.ImageIO;
 /// A drawing as a picture for slides and papers, always light.
 final class PngDrawing implements Drawing {
     private static final int SCALE = 2; // pixels of the picture per pixel of the figure
-    private static final float FONT = 13;
+    private static final int BAND = 28; // opacity, of 255
 
     private final Graphics2D graphics;
 
@@ -26,15 +26,16 @@ final class PngDrawing implements Drawing {
     }
 
     static byte[] of(Figure figure) {
-        var image = new BufferedImage(SCALE * figure.width(), SCALE * figure.height(), BufferedImage.TYPE_INT_RGB);
+        int height = (int) Math.ceil(figure.picture().height(Figure.WIDTH));
+        var image = new BufferedImage((int) (SCALE * Figure.WIDTH), SCALE * height, BufferedImage.TYPE_INT_RGB);
         Graphics2D graphics = image.createGraphics();
         graphics.setColor(Color.WHITE);
         graphics.fillRect(0, 0, image.getWidth(), image.getHeight());
         graphics.scale(SCALE, SCALE);
         graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        graphics.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 1).deriveFont(FONT));
-        figure.picture().accept(new PngDrawing(graphics));
+        graphics.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 1).deriveFont((float) Figure.TEXT));
+        figure.picture().draw(new PngDrawing(graphics), Figure.WIDTH);
         graphics.dispose();
         var bytes = new ByteArrayOutputStream();
         try {
@@ -45,54 +46,48 @@ final class PngDrawing implements Drawing {
         return bytes.toByteArray();
     }
 
-    /// The same as on the page when that is light.
-    private static Color color(Ink ink) {
-        return switch (ink) {
-            case TEXT, ON_BAR -> new Color(0x1a1a1a);
-            case QUIET -> new Color(0x595959);
-            case GRID -> new Color(0xdddddd);
-            case DATA -> new Color(0x0072b2);
-            case MEAN -> new Color(0xb34700);
-            case SUCCESS -> new Color(0x35b08a);
-            case FAILURE -> new Color(0xe2753a);
-            case TIMEOUT -> new Color(0xf0b840);
-            case LIMIT -> new Color(0x7cc3ec);
-            case BROKEN -> new Color(0xa6a6a6);
-        };
-    }
-
     @Override
     public void line(double x1, double y1, double x2, double y2, double width, Ink ink) {
-        graphics.setColor(color(ink));
+        graphics.setColor(Colors.of(ink));
         graphics.setStroke(new BasicStroke((float) width));
         graphics.draw(new Line2D.Double(x1, y1, x2, y2));
     }
 
     @Override
     public void bar(double x, double y, double width, double height, Ink ink) {
-        graphics.setColor(color(ink));
+        graphics.setColor(Colors.of(ink));
         graphics.fill(new Rectangle2D.Double(x, y, width, height));
     }
 
     @Override
-    public void box(double x, double y, double width, double height, Ink ink) {
-        Color color = color(ink);
-        graphics.setColor(new Color(color.getRed(), color.getGreen(), color.getBlue(), 40));
+    public void band(double x, double y, double width, double height, Ink ink) {
+        graphics.setColor(faint(ink, BAND));
         graphics.fill(new Rectangle2D.Double(x, y, width, height));
-        graphics.setColor(color);
+    }
+
+    private static Color faint(Ink ink, int alpha) {
+        Color color = Colors.of(ink);
+        return new Color(color.getRed(), color.getGreen(), color.getBlue(), alpha);
+    }
+
+    @Override
+    public void box(double x, double y, double width, double height, Ink ink) {
+        graphics.setColor(faint(ink, 40));
+        graphics.fill(new Rectangle2D.Double(x, y, width, height));
+        graphics.setColor(Colors.of(ink));
         graphics.setStroke(new BasicStroke(1.2f));
         graphics.draw(new Rectangle2D.Double(x, y, width, height));
     }
 
     @Override
     public void dot(double x, double y, double radius, Ink ink) {
-        graphics.setColor(color(ink));
+        graphics.setColor(Colors.of(ink));
         graphics.fill(circle(x, y, radius));
     }
 
     @Override
     public void ring(double x, double y, double radius, Ink ink) {
-        graphics.setColor(color(ink));
+        graphics.setColor(Colors.of(ink));
         graphics.setStroke(new BasicStroke(1));
         graphics.draw(circle(x, y, radius));
     }
@@ -103,7 +98,7 @@ final class PngDrawing implements Drawing {
 
     @Override
     public void text(double x, double y, String text, Align align, Ink ink) {
-        graphics.setColor(color(ink));
+        graphics.setColor(Colors.of(ink));
         double width = graphics.getFontMetrics().stringWidth(text);
         double left = switch (align) {
             case START -> x;

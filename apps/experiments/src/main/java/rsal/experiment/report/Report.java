@@ -10,70 +10,105 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
-import java.util.function.BiFunction;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import java.util.stream.StreamSupport;
+import rsal.experiment.Change;
 import rsal.experiment.Combination;
 import rsal.experiment.CsvLine;
 import rsal.experiment.Factor;
 import rsal.experiment.Findings;
 import rsal.experiment.Manifest.Argument;
-import rsal.experiment.Manifest.Measure;
 import rsal.experiment.Manifest.Session;
+import rsal.experiment.Measurements;
 import rsal.experiment.Recordings;
 import rsal.experiment.Row;
-import rsal.experiment.statistics.BoxPlot;
-import rsal.experiment.statistics.Effect;
-import rsal.experiment.statistics.Mean;
-import rsal.experiment.statistics.Share;
+import rsal.experiment.report.Conclusions.Quantity;
+import rsal.experiment.report.Conclusions.Sentence;
 import rsal.scenario.Counted;
 
 /// What an experiment says, as a page that carries all it needs: it can be sent to others, read without a
-/// network, and printed. Its figures are also there as files, a picture and the numbers of each.
+/// network, and printed. Its figures and tables are also there as files.
 public final class Report {
     private static final int MOST_LISTED = 10_000; // runs
 
     private final Findings findings;
     private final Map<Integer, String> recordings; // of runs: where they are, seen from the page
     private final List<Combination> combinations; // of which runs have ended
+    private final Conclusions conclusions;
     private final List<Figure> figures = new ArrayList<>();
+    private final List<DataTable> tables = new ArrayList<>();
     private final StringBuilder html = new StringBuilder();
 
     private Report(Findings findings, Map<Integer, String> recordings) {
         this.findings = findings;
         this.recordings = recordings;
+        this.conclusions = Conclusions.of(findings);
         this.combinations = findings.design().combinations().stream()
                 .filter(combination -> !findings.of(combination).isEmpty())
                 .toList();
     }
 
-    /// Writes the page, and its figures beside it: `report.html` and `report-figures/outcomes.png`. It links to the
-    /// recordings of runs that are there.
+    /// What was written.
+    ///
+    /// @param figures folder of the figures, each as SVG, PDF, PNG and its numbers as CSV; empty when there are
+    /// none
+    /// @param tables folder of the tables, each as CSV and LaTeX; likewise
+    /// @param files all of them, the page first
+    public record Written(Path page, Optional<Path> figures, Optional<Path> tables, List<Path> files) {}
+
+    /// Writes the page, and its figures and tables beside it: `report.html`, `report-figures/outcomes.png` and
+    /// `report-tables/outcomes.csv`. It links to the recordings of runs that are there.
     ///
     /// @param folder of the sweep
-    /// @return all files that were written, the page first
+    /// @param print how figures are made for a paper, as SVG and PDF
     /// @throws IOException when they can't be
-    public static List<Path> write(Findings findings, Path folder, Path page) throws IOException {
+    public static Written write(Findings findings, Path folder, Path page, Print print) throws IOException {
         var report = new Report(findings, recordings(findings, folder, page));
         String text = report.page();
+        var files = new ArrayList<Path>();
+        files.add(Files.writeString(page, text));
+        return new Written(
+                page,
+                report.writeFigures(beside(page, "figures"), print, files),
+                report.writeTables(beside(page, "tables"), files),
+                List.copyOf(files));
+    }
+
+    private static Path beside(Path page, String what) {
         String name = String.valueOf(page.getFileName()).replaceAll("\\.html?$", "");
-        Path beside = page.resolveSibling(name + "-figures");
-        var written = new ArrayList<Path>();
-        written.add(Files.writeString(page, text));
-        if (!report.figures.isEmpty()) {
-            Files.createDirectories(beside);
+        return page.resolveSibling(name + "-" + what);
+    }
+
+    private Optional<Path> writeFigures(Path folder, Print print, List<Path> files) throws IOException {
+        if (figures.isEmpty()) {
+            return Optional.empty();
         }
-        for (Figure figure : report.figures) {
-            Path csv = beside.resolve(figure.name() + ".csv");
-            String lines = Stream.concat(Stream.of(figure.header()), figure.numbers().stream())
+        Files.createDirectories(folder);
+        for (Figure figure : figures) {
+            String numbers = Stream.concat(Stream.of(figure.header()), figure.numbers().stream())
                     .map(row -> CsvLine.of(row.stream()))
                     .collect(Collectors.joining());
-            written.add(Files.writeString(csv, lines, StandardCharsets.UTF_8));
-            written.add(Files.write(beside.resolve(figure.name() + ".png"), PngDrawing.of(figure)));
+            files.add(Files.writeString(folder.resolve(figure.name() + ".csv"), numbers));
+            files.add(Files.writeString(folder.resolve(figure.name() + ".svg"), SvgDrawing.of(figure, print)));
+            files.add(Files.write(folder.resolve(figure.name() + ".pdf"), PdfDrawing.of(figure, print)));
+            files.add(Files.write(folder.resolve(figure.name() + ".png"), PngDrawing.of(figure)));
         }
-        return written;
+        return Optional.of(folder);
+    }
+
+    private Optional<Path> writeTables(Path folder, List<Path> files) throws IOException {
+        if (tables.isEmpty()) {
+            return Optional.empty();
+        }
+        Files.createDirectories(folder);
+        for (DataTable table : tables) {
+            files.add(Files.writeString(folder.resolve(table.name() + ".csv"), table.csv()));
+            files.add(Files.writeString(folder.resolve(table.name() + ".tex"), table.latex()));
+        }
+        return Optional.of(folder);
     }
 
     private static Map<Integer, String> recordings(Findings findings, Path folder, Path page) {
@@ -116,9 +151,7 @@ public final class Report {
         } else {
             summary();
             outcomes();
-            for (Measure measure : findings.manifest().measures()) {
-                measure(measure);
-            }
+            conclusions.quantities().forEach(this::quantity);
             failures();
             recorded();
         }
@@ -147,235 +180,117 @@ public final class Report {
 
     /// What makes a difference, first.
     private void summary() {
-        var clear = new ArrayList<String>();
-        long asked = 0;
-        for (String outcome : toldApart()) {
-            List<Change> changes = changes(outcome);
-            asked += known(changes);
-            changes.stream()
-                    .filter(change -> change.effect().isClear())
-                    .map(change -> item(change, " percentage points of runs that end as", outcome, ""))
-                    .forEach(clear::add);
-        }
-        for (Measure measure : findings.manifest().measures()) {
-            List<Change> changes = changes(measure);
-            asked += known(changes);
-            changes.stream()
-                    .filter(change -> change.effect().isClear())
-                    .map(change -> item(change, unit(measure) + " of", measure.name(), judged(measure, change)))
-                    .forEach(clear::add);
-        }
         html.append("<section>\n<h2>In short</h2>\n");
-        if (asked == 0) {
+        int known = conclusions.known();
+        List<Sentence> clear = conclusions.clear();
+        if (known == 0) {
             html.append("<p>Nothing can be compared: that takes two combinations, and two seeds or more.</p>\n");
         } else if (clear.isEmpty()) {
             html.append("<p>No change of what was varied makes a clear difference to what was measured.</p>\n");
         } else {
-            html.append("<p>These changes make a clear difference, all else equal:</p>\n<ul>\n");
-            clear.forEach(html::append);
-            html.append("</ul>\n");
+            html.append("<p>These changes make a clear difference, all else equal:</p>\n");
+            list(clear);
         }
-        if (asked > 0) {
-            html.append(("<p class=\"note\">%s looked at, each with a 95 %% confidence interval: were there no"
-                            + " differences at all, about one in twenty would still look clear.</p>\n")
-                    .formatted(asked == 1 ? "One difference was" : asked + " differences were"));
+        List<Sentence> unclear = conclusions.unclear();
+        if (!unclear.isEmpty()) {
+            html.append("<details>\n<summary>%s</summary>\n"
+                    .formatted(
+                            unclear.size() == 1
+                                    ? "One difference that is not clear"
+                                    : unclear.size() + " differences that are not clear"));
+            list(unclear);
+            html.append("<p class=\"note\">Not clear does not mean equal: all differences in an interval are still"
+                    + " possible. More seeds make it narrower.</p>\n</details>\n");
+        }
+        conclusions.missing(combinations).forEach(this::note);
+        if (known > 0) {
+            note(
+                    "Runs with the same seed are compared with each other. A difference is clear when p < 0.05, corrected for"
+                            + " all comparisons of its table (Holm). Say before you look which measure matters.");
         }
         html.append("</section>\n");
     }
 
-    /// How many have a confidence interval.
-    private static long known(List<Change> changes) {
-        return changes.stream()
-                .filter(change ->
-                        change.effect().difference().flatMap(Mean::interval).isPresent())
-                .count();
+    private void list(List<Sentence> sentences) {
+        html.append("<ul>\n");
+        sentences.forEach(
+                each -> html.append("<li><b>%s</b>%s</li>\n".formatted(text(each.subject()), text(each.said()))));
+        html.append("</ul>\n");
     }
 
-    /// @param unit with what joins it to the name
-    /// @param judged what is said behind it
-    private static String item(Change change, String unit, String name, String judged) {
-        Mean difference = change.effect().difference().orElseThrow();
-        return "<li><b>%s</b>: %s <b>%s</b> (95 %%: %s), over %s%s.</li>%n"
-                .formatted(
-                        text(change.toString()),
-                        text(Numbers.signed(difference.value()) + unit),
-                        text(name),
-                        text(Numbers.signed(difference.interval().orElseThrow())),
-                        Counted.of(difference.count(), "seed"),
-                        judged);
-    }
-
-    private static String judged(Measure measure, Change change) {
-        double difference = change.effect().difference().orElseThrow().value();
-        return switch (measure.better()) {
-            case "less" -> difference < 0 ? ": better" : ": worse";
-            case "more" -> difference > 0 ? ": better" : ": worse";
-            default -> "";
-        };
-    }
-
-    private static String unit(Measure measure) {
-        return measure.unit().isEmpty() ? "" : " " + measure.unit();
+    private void note(String plain) {
+        html.append("<p class=\"note\">%s</p>\n".formatted(text(plain)));
     }
 
     private void outcomes() {
         html.append("<section>\n<h2>How runs ended</h2>\n");
         figure(Figures.outcomes(findings, combinations));
-        List<String> outcomes = Figures.outcomes(findings);
-        var header = new ArrayList<>(List.of("combination", "runs"));
-        header.addAll(outcomes);
-        var rows = new ArrayList<List<String>>();
-        for (Combination combination : combinations) {
-            List<Row> ended = findings.of(combination);
-            var cells = new ArrayList<>(List.of(findings.label(combination), Integer.toString(ended.size())));
-            for (String outcome : outcomes) {
-                var share = new Share(Figures.count(ended, outcome), ended.size());
-                cells.add("%s (%s to %s)"
-                        .formatted(
-                                Numbers.percent(share.value()),
-                                Numbers.percent(share.interval().low()),
-                                Numbers.percent(share.interval().high())));
-            }
-            rows.add(cells);
+        table(Tables.outcomes(findings, combinations));
+        if (!conclusions.endings().isEmpty()) {
+            html.append("<h3>What each change does to it</h3>\n");
+            table(Tables.effectsOnShares(conclusions.endings()));
+            note("A run that ends so counts for 100, another one for 0; of each seed the mean over all that is varied"
+                    + " besides. The interval is rough where seeds are few, or nearly all runs end alike.");
         }
-        html.append(Html.table("Shares of outcomes, with 95 % confidence intervals (Wilson's)", 1, header, rows));
-        effectsOnShares();
         html.append("</section>\n");
     }
 
-    /// The outcomes whose shares tell something by themselves: of two, one is what the other isn't.
-    private List<String> toldApart() {
-        List<String> outcomes = Figures.outcomes(findings);
-        return outcomes.size() <= 2 ? outcomes.subList(0, outcomes.size() / 2) : outcomes;
-    }
-
-    private void effectsOnShares() {
-        List<String> outcomes = Figures.outcomes(findings);
-        if (outcomes.size() < 2 || findings.design().compared().isEmpty()) {
-            return;
-        }
-        html.append("<h3>What each change does to it</h3>\n");
-        var rows = new ArrayList<List<String>>();
-        for (String outcome : outcomes) {
-            for (Change change : changes(outcome)) {
-                rows.add(Stream.concat(Stream.of(outcome), cells(change)).toList());
-            }
-        }
-        html.append(Html.table(
-                "Differences in shares of outcomes, in percentage points, all else equal, by seed",
-                2,
-                List.of("outcome", "change", "seeds used", "mean difference", "95 % (Student's)"),
-                rows));
-        html.append("<p class=\"note\">A run that ends so counts for 100, another one for 0; of each seed the mean over"
-                + " all that is varied besides. The interval is rough where seeds are few, or nearly all runs end"
-                + " alike.</p>\n");
-    }
-
-    private static Stream<String> cells(Change change) {
-        Effect effect = change.effect();
-        return Stream.of(
-                change.toString(),
-                "%d of %d".formatted(effect.complete(), effect.blocks()),
-                effect.difference().map(d -> Numbers.signed(d.value())).orElse("–"),
-                effect.difference().flatMap(Mean::interval).map(Numbers::signed).orElse("–"));
-    }
-
-    private void measure(Measure measure) {
-        html.append("<section>\n<h2>%s</h2>\n".formatted(text(Figures.title(measure))));
+    private void quantity(Quantity quantity) {
+        Measurements measurements = quantity.measurements();
+        html.append("<section>\n<h2>%s</h2>\n".formatted(text(Figures.title(quantity.measure()))));
         List<Combination> measured = combinations.stream()
-                .filter(combination -> findings.values(combination, measure).length > 0)
+                .filter(combination -> measurements.used(combination) > 0)
                 .toList();
         if (measured.isEmpty()) {
             html.append("<p>There was nothing to measure in any run.</p>\n</section>\n");
             return;
         }
-        figure(Figures.measure(findings, measure, measured));
-        var rows = new ArrayList<List<String>>();
-        for (Combination combination : combinations) {
-            double[] values = findings.values(combination, measure);
-            int runs = findings.of(combination).size();
-            var cells =
-                    new ArrayList<>(List.of(findings.label(combination), "%d of %d".formatted(values.length, runs)));
-            if (values.length == 0) {
-                cells.addAll(List.of("–", "–", "–", "–", "–", "–"));
-            } else {
-                Mean mean = Mean.of(values);
-                BoxPlot box = BoxPlot.of(values);
-                cells.add(Numbers.of(mean.value()));
-                cells.add(mean.interval().map(Numbers::of).orElse("–"));
-                cells.add(values.length == 1 ? "–" : Numbers.of(mean.deviation()));
-                cells.add(Numbers.of(box.least()));
-                cells.add(Numbers.of(box.median()));
-                cells.add(Numbers.of(box.most()));
-            }
-            rows.add(cells);
+        if (quantity.measure().isEventTime()) {
+            Figures.curves(findings, measurements, measured).forEach(this::figure);
+            note(
+                    "Kaplan-Meier curves: the share of runs in which it has happened, by time. A tick is a run that ended before that.");
+            table(Tables.times(findings, measurements, combinations));
+        } else {
+            figure(Figures.values(findings, measurements, measured));
+            table(Tables.values(findings, measurements, combinations));
         }
-        html.append(Html.table(
-                Figures.title(measure) + " by combination",
-                1,
-                List.of(
-                        "combination",
-                        "runs with it",
-                        "mean",
-                        "95 % (Student's)",
-                        "deviation",
-                        "least",
-                        "median",
-                        "most"),
-                rows));
-        if (combinations.stream()
-                .anyMatch(
-                        c -> findings.values(c, measure).length < findings.of(c).size())) {
-            html.append("<p class=\"note\">Runs in which there was nothing to measure are not in these numbers. When"
-                    + " that is so because they ended too early, the means of the others flatter.</p>\n");
-        }
-        effects(measure);
+        Conclusions.missing(measurements, combinations).ifPresent(this::note);
+        effects(quantity);
         html.append("</section>\n");
     }
 
-    private List<Change> changes(Measure measure) {
-        return changes((factor, to) -> findings.effect(factor, to, measure));
-    }
-
-    private List<Change> changes(String outcome) {
-        return changes((factor, to) -> findings.effectOnShare(factor, to, outcome));
-    }
-
-    private List<Change> changes(BiFunction<Factor, String, Effect> effect) {
-        var changes = new ArrayList<Change>();
-        for (Factor factor : findings.design().compared()) {
-            String from = factor.levels().getFirst();
-            for (String to : factor.levels().subList(1, factor.levels().size())) {
-                changes.add(new Change(factor.argument(), from, to, effect.apply(factor, to)));
-            }
-        }
-        return changes;
-    }
-
-    private void effects(Measure measure) {
-        List<Change> changes = changes(measure);
-        if (changes.isEmpty()) {
+    private void effects(Quantity quantity) {
+        if (quantity.changes().isEmpty()) {
             return;
         }
         html.append("<h3>What each change does to it</h3>\n");
-        List<Change> known = changes.stream()
+        List<Compared<Change>> known = quantity.changes().stream()
                 .filter(change -> change.effect().difference().isPresent())
                 .toList();
         if (!known.isEmpty()) {
-            figure(Figures.effects(measure, known));
+            figure(Figures.effects(quantity.measure(), known));
         }
-        html.append(Html.table(
-                "Differences in %s, all else equal, by seed".formatted(measure.name()),
-                1,
-                List.of("change", "seeds used", "mean difference", "95 % (Student's)"),
-                changes.stream().map(change -> cells(change).toList()).toList()));
-        html.append("<p class=\"note\">Of each seed the mean over all that is varied besides; seeds in which a value"
-                + " is missing are left out.</p>\n");
+        table(Tables.effects(quantity));
+        note(
+                "Of each seed the mean over all that is varied besides; 95 % intervals are Student's. p (Holm) is corrected"
+                        + " for all rows. d_z is the mean difference in standard deviations of the differences.");
+        if (!quantity.interactions().isEmpty()) {
+            html.append("<h3>Where it depends on something else</h3>\n");
+            table(Tables.interactions(quantity));
+            note(
+                    "'before' and 'after' are what the change does before and after what stands under 'where'; the difference"
+                            + " of both is judged.");
+        }
     }
 
     private void figure(Figure figure) {
         figures.add(figure);
         html.append("<figure>\n").append(SvgDrawing.of(figure)).append("</figure>\n");
+    }
+
+    private void table(DataTable table) {
+        tables.add(table);
+        html.append(table.html());
     }
 
     /// Runs that broke, and agents that failed in runs that went on.

@@ -11,6 +11,8 @@ import rsal.experiment.report.Drawing.Ink;
 /// @param right of the greatest, in pixels
 record Scale(double least, double most, double left, double right) {
     private static final int TICKS = 6; // about
+    private static final double TICK = 60; // least pixels from one to the next
+    private static final double LETTER = 7; // mean width of one [px]
     private static final double MARGIN = 0.03; // of the range, on both sides
 
     /// One on which all of some numbers have room.
@@ -28,7 +30,7 @@ record Scale(double least, double most, double left, double right) {
 
     /// Round numbers: multiples of 1, 2 or 5 times a power of ten.
     List<Double> ticks() {
-        double rough = (most - least) / TICKS;
+        double rough = (most - least) / Math.clamp((right - left) / TICK, 1, TICKS);
         double power = Math.pow(10, Math.floor(Math.log10(rough)));
         double step = power * (rough / power < 1.5 ? 1 : rough / power < 3.5 ? 2 : rough / power < 7.5 ? 5 : 10);
         var ticks = new ArrayList<Double>();
@@ -45,7 +47,13 @@ record Scale(double least, double most, double left, double right) {
             drawing.line(at(tick), top, at(tick), bottom, 1, Ink.GRID);
             drawing.text(at(tick), bottom + 17, label(tick), Align.MIDDLE, Ink.QUIET);
         }
-        drawing.text((left + right) / 2, bottom + 38, title, Align.MIDDLE, Ink.TEXT);
+        double half = Math.min(title.length() * LETTER / 2, right / 2);
+        drawing.text(
+                Math.max((left + right) / 2 - Math.max(0, (left + right) / 2 + half - right), half),
+                bottom + 38,
+                title,
+                Align.MIDDLE,
+                Ink.TEXT);
     }
 
     private static String label(double tick) {

@@ -26,6 +26,7 @@ final class Style {
             th { font-weight: 600; } tbody th { font-weight: 400; }
             th:first-child { padding-left: 0; } th:last-child, td:last-child { padding-right: 0; }
             .words { text-align: left; }
+            th:not(.words), td:not(.words) { white-space: nowrap; }
             pre { overflow-x: auto; background: color-mix(in srgb, var(--text) 6%, var(--page)); padding: .7rem .9rem;
               border-radius: 6px; font-size: .85rem; line-height: 1.4; }
             summary { cursor: pointer; overflow-wrap: anywhere; }
@@ -35,6 +36,8 @@ final class Style {
             .data { color: var(--data); } .mean { color: var(--mean); }
             .success { color: #35b08a; } .failure { color: #e2753a; } .timeout { color: #f0b840; }
             .limit { color: #7cc3ec; } .broken { color: #a6a6a6; } .on-bar { color: #1a1a1a; }
+            .curve1 { color: var(--data); } .curve2 { color: #d55e00; } .curve3 { color: #009e73; }
+            .curve4 { color: #cc79a7; } .curve5 { color: #b8860b; } .curve6 { color: #56b4e9; }
             @media print { main { max-width: none; padding: 0; } body { font-size: 11pt; }
               figure, tr, h2, h3 { break-inside: avoid; } h2, h3, caption { break-after: avoid; }
               .wide, pre { overflow: visible; } pre { white-space: pre-wrap; }

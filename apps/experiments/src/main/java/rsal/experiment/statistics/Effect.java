@@ -16,6 +16,11 @@ public record Effect(int blocks, Optional<Mean> difference) {
     /// @param from the value before the change; empty when there is none
     /// @param to the value after it
     public record Pair(OptionalDouble from, OptionalDouble to) {
+        /// Empty where one of both is missing.
+        public OptionalDouble change() {
+            return isComplete() ? OptionalDouble.of(difference()) : OptionalDouble.empty();
+        }
+
         private boolean isComplete() {
             return from.isPresent() && to.isPresent();
         }
@@ -43,8 +48,9 @@ public record Effect(int blocks, Optional<Mean> difference) {
         return difference.map(Mean::count).orElse(0);
     }
 
-    /// Whether the interval holds no 0: such a difference would be rare if changing it did nothing.
-    public boolean isClear() {
-        return difference.flatMap(Mean::interval).filter(i -> !i.holds(0)).isPresent();
+    /// How probable such a difference or a greater one is if changing it does nothing; empty for fewer than two
+    /// complete blocks.
+    public OptionalDouble pValue() {
+        return difference.map(Mean::pValue).orElseGet(OptionalDouble::empty);
     }
 }

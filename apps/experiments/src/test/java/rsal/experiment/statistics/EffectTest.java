@@ -16,7 +16,7 @@ class EffectTest {
         Effect effect = Effect.of(List.of(List.of(pair(1, 3)), List.of(pair(100, 103)), List.of(pair(-50, -46))));
         assertThat(effect.difference().orElseThrow().value()).isEqualTo(3);
         assertThat(effect.difference().orElseThrow().deviation()).isEqualTo(1);
-        assertThat(effect.isClear()).isTrue(); // 3 ± 2.48
+        assertThat(effect.pValue().orElseThrow()).isLessThan(0.05); // 3 ± 2.48
     }
 
     @Test
@@ -26,7 +26,7 @@ class EffectTest {
         assertThat(effect.blocks()).isEqualTo(2);
         assertThat(effect.complete()).isEqualTo(1);
         assertThat(effect.difference().orElseThrow().value()).isEqualTo(2);
-        assertThat(effect.isClear()).isFalse();
+        assertThat(effect.pValue()).isEmpty();
         assertThat(Effect.of(List.of(List.of(missing))).difference()).isEmpty();
     }
 

@@ -20,6 +20,20 @@ class MeanTest {
         assertThat(mean.interval().orElseThrow().high()).isEqualTo(2.5 + margin, within(1e-6));
     }
 
+    /// SciPy 1.17.1: `ttest_rel([29.89, 29.93, …], [30.02, 29.99, …])`, its `pvalue` and `confidence_interval()`.
+    @Test
+    void comparesPairsAsSciPyDoes() {
+        Mean mean = Mean.of(-0.13, -0.06, -0.39, 0.01, 0.01, -0.01);
+        assertThat(mean.pValue().orElseThrow()).isEqualTo(0.19143688433660136, within(1e-9));
+        assertThat(mean.interval().orElseThrow().low()).isEqualTo(-0.2567288938447377, within(1e-9));
+        assertThat(mean.interval().orElseThrow().high()).isEqualTo(0.06672889384473878, within(1e-9));
+        assertThat(mean.standardized().orElseThrow()).isEqualTo(-0.6164414002968925, within(1e-9));
+        assertThat(Mean.of(0, 0).pValue()).hasValue(1);
+        assertThat(Mean.of(2, 2).pValue()).hasValue(0);
+        assertThat(Mean.of(2, 2).standardized()).isEmpty();
+        assertThat(Mean.of(2).pValue()).isEmpty();
+    }
+
     @Test
     void ofOneValueNobodyKnowsHowSureItIs() {
         assertThat(Mean.of(7).interval()).isEmpty();

@@ -1,0 +1,248 @@
+package rsal.experiment.report;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import rsal.experiment.Change;
+import rsal.experiment.Combination;
+import rsal.experiment.Findings;
+import rsal.experiment.Findings.Interaction;
+import rsal.experiment.Manifest.Measure;
+import rsal.experiment.Measurements;
+import rsal.experiment.statistics.Effect;
+import rsal.experiment.statistics.Interval;
+import rsal.experiment.statistics.Mean;
+
+/// What an experiment says: all that is compared, and which differences are clear. p-values are corrected within each
+/// table of the report: the changes of one measure, its interactions, the changes of all outcomes.
+public final class Conclusions {
+    private final List<Compared<Ending>> endings;
+    private final List<Quantity> quantities;
+
+    /// How often runs end in some way.
+    record Ending(String outcome, Change change) {
+        @Override
+        public String toString() {
+            return change.toString();
+        }
+    }
+
+    /// One measure.
+    record Quantity(Measurements measurements, List<Compared<Change>> changes, List<InPlaces> interactions) {
+        Measure measure() {
+            return measurements.measure();
+        }
+    }
+
+    /// What a change does depends on another one.
+    ///
+    /// @param before what the first does before the other
+    /// @param after what it does after it
+    record InPlaces(Compared<Interaction> compared, Effect before, Effect after) {}
+
+    /// A difference in words.
+    ///
+    /// @param subject `hunters 2 → 3`
+    /// @param said what it does
+    public record Sentence(String subject, String said) {
+        @Override
+        public String toString() {
+            return subject + said;
+        }
+    }
+
+    private Conclusions(List<Compared<Ending>> endings, List<Quantity> quantities) {
+        this.endings = endings;
+        this.quantities = quantities;
+    }
+
+    public static Conclusions of(Findings findings) {
+        List<Change> changes = findings.changes();
+        List<Ending> endings = toldApart(Figures.outcomes(findings)).stream()
+                .flatMap(outcome -> changes.stream().map(change -> new Ending(outcome, change)))
+                .toList();
+        return new Conclusions(
+                Compared.together(endings, ending -> findings.effectOnShare(ending.change(), ending.outcome())),
+                findings.manifest().measures().stream()
+                        .map(measure -> quantity(findings, measure))
+                        .toList());
+    }
+
+    /// The outcomes whose shares tell something by themselves: of two, one is what the other isn't.
+    private static List<String> toldApart(List<String> outcomes) {
+        return outcomes.size() <= 2 ? outcomes.subList(0, outcomes.size() / 2) : outcomes;
+    }
+
+    private static Quantity quantity(Findings findings, Measure measure) {
+        Measurements measurements = findings.measurements(measure);
+        List<Compared<Interaction>> interactions =
+                Compared.together(findings.interactions(), each -> findings.effect(each, measurements));
+        return new Quantity(
+                measurements,
+                Compared.together(findings.changes(), change -> findings.effect(change, measurements)),
+                interactions.stream()
+                        .map(each -> new InPlaces(
+                                each,
+                                where(
+                                        findings,
+                                        each.subject(),
+                                        each.subject().where().from(),
+                                        measurements),
+                                where(
+                                        findings,
+                                        each.subject(),
+                                        each.subject().where().to(),
+                                        measurements)))
+                        .toList());
+    }
+
+    private static Effect where(Findings findings, Interaction interaction, String level, Measurements measurements) {
+        return findings.effectWhere(interaction.change(), interaction.where().factor(), level, measurements);
+    }
+
+    List<Compared<Ending>> endings() {
+        return endings;
+    }
+
+    List<Quantity> quantities() {
+        return quantities;
+    }
+
+    /// How many comparisons there are of which something is known.
+    public int known() {
+        return (int) Stream.concat(endings.stream(), quantities.stream().flatMap(Conclusions::all))
+                .filter(Compared::isKnown)
+                .count();
+    }
+
+    private static Stream<Compared<?>> all(Quantity quantity) {
+        return Stream.concat(
+                quantity.changes().stream(), quantity.interactions().stream().map(InPlaces::compared));
+    }
+
+    /// The clear differences.
+    public List<Sentence> clear() {
+        return sentences(true);
+    }
+
+    /// Those of which nobody can say that there is a difference.
+    public List<Sentence> unclear() {
+        return sentences(false);
+    }
+
+    private List<Sentence> sentences(boolean clear) {
+        var sentences = new ArrayList<Sentence>();
+        endings.stream()
+                .filter(each -> each.isKnown() && each.isClear() == clear)
+                .forEach(each -> sentences.add(sentence(
+                        each,
+                        " percentage points of runs that end as "
+                                + each.subject().outcome(),
+                        "")));
+        for (Quantity quantity : quantities) {
+            Measure measure = quantity.measure();
+            quantity.changes().stream()
+                    .filter(each -> each.isKnown() && each.isClear() == clear)
+                    .forEach(each -> sentences.add(sentence(
+                            each,
+                            unit(measure) + " of " + measure.name(),
+                            clear ? judged(measure, each.difference()) : "")));
+            quantity.interactions().stream()
+                    .filter(each -> each.compared().isKnown() && each.compared().isClear() == clear)
+                    .forEach(each -> sentences.add(sentence(measure, each)));
+        }
+        return List.copyOf(sentences);
+    }
+
+    private static Sentence sentence(Compared<?> compared, String what, String judged) {
+        return new Sentence(
+                String.valueOf(compared.subject()),
+                ": %s%s (%s)%s".formatted(Numbers.signed(compared.difference()), what, sure(compared), judged));
+    }
+
+    private static Sentence sentence(Measure measure, InPlaces places) {
+        Interaction interaction = places.compared().subject();
+        Change where = interaction.where();
+        String factor = where.factor().argument();
+        return new Sentence(
+                interaction.change().toString(),
+                ": what it does to %s depends on %s: %s%s where it is %s, %s%s where it is %s (difference %s, %s)"
+                        .formatted(
+                                measure.name(),
+                                factor,
+                                difference(places.before()),
+                                unit(measure),
+                                where.from(),
+                                difference(places.after()),
+                                unit(measure),
+                                where.to(),
+                                Numbers.signed(places.compared().difference()),
+                                sure(places.compared())));
+    }
+
+    private static String difference(Effect effect) {
+        return effect.difference().map(mean -> Numbers.signed(mean.value())).orElse("–");
+    }
+
+    /// `95 % −30 to −14, 30 of 30 seeds, p = 0.012`
+    private static String sure(Compared<?> compared) {
+        Optional<Interval> interval = compared.effect().difference().flatMap(Mean::interval);
+        String p = Numbers.probability(compared.corrected().orElseThrow());
+        return "95 %% %s, %d of %d seeds, p %s"
+                .formatted(
+                        interval.map(Numbers::signed).orElse("–"),
+                        compared.effect().complete(),
+                        compared.effect().blocks(),
+                        p.startsWith("<") ? p : "= " + p);
+    }
+
+    private static String judged(Measure measure, double difference) {
+        return switch (measure.better()) {
+            case "less" -> difference < 0 ? ": better" : ": worse";
+            case "more" -> difference > 0 ? ": better" : ": worse";
+            default -> "";
+        };
+    }
+
+    private static String unit(Measure measure) {
+        return measure.unit().isEmpty() ? "" : " " + measure.unit();
+    }
+
+    /// What is to be known of runs that have no value, a sentence for each measure in which there are some.
+    ///
+    /// @param combinations of which runs have ended
+    public List<String> missing(List<Combination> combinations) {
+        return quantities.stream()
+                .map(Quantity::measurements)
+                .map(measurements -> missing(measurements, combinations))
+                .flatMap(Optional::stream)
+                .toList();
+    }
+
+    static Optional<String> missing(Measurements measurements, List<Combination> combinations) {
+        int runs = combinations.stream().mapToInt(measurements::runs).sum();
+        int used = combinations.stream().mapToInt(measurements::used).sum();
+        int without =
+                runs - combinations.stream().mapToInt(measurements::reached).sum();
+        String name = measurements.measure().name();
+        if (without == 0) {
+            return Optional.empty();
+        }
+        if (measurements.horizon().isPresent()) {
+            String left = used < runs ? " %d runs broke and are left out.".formatted(runs - used) : "";
+            return Optional.of(
+                    "%s: in %d of %d runs it did not happen. They count as long as they went on, up to %s%s, and no seed is left out for it.%s"
+                            .formatted(
+                                    name,
+                                    without - (runs - used),
+                                    runs,
+                                    Numbers.of(measurements.horizon().getAsDouble()),
+                                    unit(measurements.measure()),
+                                    left));
+        }
+        return Optional.of(
+                "%s: %d of %d runs have no value and are left out. When they have none because they failed, what is left flatters: compare how runs ended first."
+                        .formatted(name, without, runs));
+    }
+}
