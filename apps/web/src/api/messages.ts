@@ -87,6 +87,7 @@ export interface ArgumentInfo {
 export type ArgumentKind = 'NUMBER' | 'INTEGER' | 'TEXT' | 'FLAG';
 
 export interface Armed {
+  on: number;
   off: string[];
 }
 
@@ -647,6 +648,22 @@ export interface SeatInfo {
   outcome: string;
 }
 
+export interface Sent {
+  goal: number;
+}
+
+export interface SentGoalInfo {
+  id: number;
+  robot: string;
+  x: number;
+  y: number;
+  heading: number;
+  status: string;
+  why: string;
+  sent: number;
+  ended: number | null;
+}
+
 export interface ServerMessage {
   run: RunInfo | null;
   newcomers: Newcomers | null;
@@ -686,6 +703,11 @@ export interface StatusInfo {
   stopped: boolean;
   outcome: string;
   robots: RobotStatus[];
+  goals: SentGoalInfo[];
+}
+
+export interface Stopped {
+  robots: number;
 }
 
 export interface SweepCombination {

@@ -1,5 +1,6 @@
 package rsal.cli;
 
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -7,10 +8,15 @@ import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import rsal.scenario.Counted;
+import rsal.time.AllowedToReadWallClock;
 import tools.jackson.databind.JsonNode;
 
 /// What an operator does with a run that has a page, without looking at that. The same person must have started it.
 final class OperatorCommands {
+    private static final long LOOK_MILLIS = 200; // between two looks at what is waited for
+    private static final int LOOKS = 50;
+
     private OperatorCommands() {}
 
     /// `rsal status`
@@ -36,16 +42,23 @@ final class OperatorCommands {
             String motors = status.path("stopped").asBoolean() ? ", motors are off" : "";
             var robots = new Table("  ");
             status.path("robots").forEach(robot -> robots.row(row(robot)));
+            var goals = new StringBuilder();
+            status.path("goals").forEach(goal -> {
+                if (SentTo.of(goal).isUnderWay()) {
+                    goals.append("  ").append(SentTo.of(goal)).append(System.lineSeparator());
+                }
+            });
             return String.format(
                     Locale.ROOT,
-                    "%s:%s, seed %s: %s at %.1f s%s%n%s",
+                    "%s:%s, seed %s: %s at %.1f s%s%n%s%s",
                     status.path("scenario").asString(),
                     status.path("configuration").asString(),
                     status.path("seed").asString(),
                     state,
                     status.path("time").asDouble(),
                     motors,
-                    robots.isEmpty() ? "  no robots\n" : robots);
+                    robots.isEmpty() ? "  no robots\n" : robots,
+                    goals);
         }
 
         private static String[] row(JsonNode robot) {
@@ -68,8 +81,51 @@ final class OperatorCommands {
         }
     }
 
+    /// What changes something, and says what became of it and how fast.
+    @AllowedToReadWallClock("Says how fast a command was confirmed.")
+    abstract static class Confirmed extends PageCommand {
+        private long began;
+
+        /// Does it, and measures how long that takes.
+        final JsonNode timed(Work<JsonNode> work) throws InterruptedException {
+            began = System.nanoTime();
+            return work.done();
+        }
+
+        final double seconds() {
+            return (System.nanoTime() - began) / 1e9;
+        }
+
+        /// @param said for people; `%s` is how fast
+        /// @param result for programs, in order
+        final void confirm(String said, Map<String, Object> result) {
+            double seconds = seconds();
+            if (json) {
+                var all = new LinkedHashMap<String, Object>();
+                all.put("command", spec.name());
+                all.putAll(result);
+                all.put("confirmedAfter", Math.round(seconds * 1000) / 1000.0);
+                printJson(all);
+            } else {
+                out().println(said + String.format(Locale.ROOT, ", confirmed in %.1f s.", seconds));
+                out().flush();
+            }
+        }
+
+        final void say(String sentence) {
+            if (!json) {
+                out().println(sentence);
+                out().flush();
+            }
+        }
+    }
+
+    interface Work<T> {
+        T done() throws InterruptedException;
+    }
+
     /// What is refused while somebody else has control.
-    abstract static class Controlled extends PageCommand {
+    abstract static class Controlled extends Confirmed {
         @Option(
                 names = "--take-control",
                 description =
@@ -78,14 +134,10 @@ final class OperatorCommands {
 
         final JsonNode command(String command, Object message) throws InterruptedException {
             if (!takesControl || !isControlled()) { // where nobody has it, all may act
-                return tell(command, message);
+                return timed(() -> tell(command, message));
             }
             takeControl();
-            return andThen(() -> tell(command, message), this::giveControlBack);
-        }
-
-        interface Work<T> {
-            T done() throws InterruptedException;
+            return andThen(() -> timed(() -> tell(command, message)), this::giveControlBack);
         }
 
         interface Ending {
@@ -116,6 +168,18 @@ final class OperatorCommands {
         @Override
         int run() throws InterruptedException {
             command("stop", Map.of());
+            JsonNode status = ask("/api/status");
+            for (int i = 0; i < LOOKS && status.path("outcome").asString("").isEmpty(); i++) {
+                Thread.sleep(LOOK_MILLIS);
+                status = ask("/api/status");
+            }
+            String outcome = status.path("outcome").asString("");
+            double time = status.path("time").asDouble();
+            confirm(
+                    outcome.isEmpty()
+                            ? "The run was told to end and has not yet"
+                            : String.format(Locale.ROOT, "The run has ended at %.1f s: %s", time, outcome),
+                    Map.of("outcome", outcome, "time", time));
             return Exit.SUCCESS;
         }
     }
@@ -131,16 +195,20 @@ final class OperatorCommands {
                 "Emergency stop: switch off the motors of all robots of a run with a page, or of one alone.",
                 "It is taken whoever has control."
             })
-    static final class EmergencyStop extends PageCommand {
+    static final class EmergencyStop extends Confirmed {
         @Parameters(paramLabel = "ROBOT", arity = "0..1", description = "Only this one's.")
         private Optional<String> robot = Optional.empty();
 
         @Override
         int run() throws InterruptedException {
             if (robot.isPresent()) {
-                tellAtOnce("motors", motors(robot.get(), false));
+                timed(() -> tellAtOnce("motors", motors(robot.get(), false)));
+                confirm("Motors of '%s' are off".formatted(robot.get()), Map.of("robot", robot.get()));
             } else {
-                tellAtOnce("estop", Map.of());
+                int robots = timed(() -> tellAtOnce("estop", Map.of()))
+                        .path("robots")
+                        .asInt();
+                confirm("Motors of %s are off".formatted(Counted.of(robots, "robot")), Map.of("robots", robots));
             }
             return Exit.SUCCESS;
         }
@@ -161,12 +229,15 @@ final class OperatorCommands {
         int run() throws InterruptedException {
             if (robot.isPresent()) {
                 command("motors", motors(robot.get(), true));
+                confirm("Motors of '%s' are on".formatted(robot.get()), Map.of("robot", robot.get()));
             } else {
-                JsonNode off = command("rearm", Map.of()).path("off");
-                if (!json && !off.isEmpty()) {
-                    out().println(stayOff(
-                            off.valueStream().map(JsonNode::asString).toList()));
-                    out().flush();
+                JsonNode armed = command("rearm", Map.of());
+                int on = armed.path("on").asInt();
+                List<String> off =
+                        armed.path("off").valueStream().map(JsonNode::asString).toList();
+                confirm("Motors of %s are on".formatted(Counted.of(on, "robot")), Map.of("robots", on, "off", off));
+                if (!off.isEmpty()) {
+                    say(stayOff(off));
                 }
             }
             return Exit.SUCCESS;
@@ -197,21 +268,139 @@ final class OperatorCommands {
                 description = "Heading, from x to y [°]; ${DEFAULT-VALUE} when left out.")
         private double degrees;
 
-        final void commandPose(String command) throws InterruptedException {
+        final JsonNode commandPose(String command) throws InterruptedException {
             check(
                     Double.isFinite(x) && Double.isFinite(y) && Double.isFinite(degrees),
                     "A pose must be finite, not (%s, %s, %s°).".formatted(x, y, degrees));
-            command(command, Map.of("robot", robot, "x", x, "y", y, "heading", Math.toRadians(degrees)));
+            return command(command, Map.of("robot", robot, "x", x, "y", y, "heading", Math.toRadians(degrees)));
+        }
+
+        final String robot() {
+            return robot;
+        }
+
+        final String pose() {
+            return String.format(Locale.ROOT, "(%.2f, %.2f, %.0f°)", x, y, degrees);
         }
     }
 
     /// `rsal goal`
-    @Command(name = "goal", description = "Send a robot of a run with a page somewhere.")
+    @Command(
+            name = "goal",
+            description = {
+                "Send a robot of a run with a page somewhere.",
+                "The goal has a number, by which 'rsal status --json' lists it."
+            })
     static final class Goal extends OfPose {
+        @Option(
+                names = "--wait",
+                description =
+                        "Wait until the goal has ended, and tell how; the exit code is 0 when the robot got there,"
+                                + " else 4. Ctrl-C ends the waiting, not the goal.")
+        private boolean waits;
+
         @Override
         int run() throws InterruptedException {
-            commandPose("goal");
-            return Exit.SUCCESS;
+            int number = commandPose("goal").path("goal").asInt();
+            String sent = "Goal %d: '%s' is sent to %s".formatted(number, robot(), pose());
+            if (!waits) {
+                confirm(sent, Map.of("goal", number, "robot", robot(), "status", "executing"));
+                return Exit.SUCCESS;
+            }
+            if (!json) {
+                confirm(sent, Map.of());
+            }
+            SentTo ended = await(number);
+            if (json) {
+                printJson(ended.json());
+            } else {
+                say(ended.toString());
+            }
+            return ended.succeeded() ? Exit.SUCCESS : Exit.NO_SUCCESS;
+        }
+
+        private SentTo await(int number) throws InterruptedException {
+            while (true) {
+                SentTo goal = ask("/api/status")
+                        .path("goals")
+                        .valueStream()
+                        .map(SentTo::of)
+                        .filter(each -> each.number() == number)
+                        .findFirst()
+                        .orElseThrow(() -> new Unreachable(
+                                "Goal %d is not known any more: another run is there now, or it ended long ago."
+                                        .formatted(number)));
+                if (!goal.isUnderWay()) {
+                    return goal;
+                }
+                Thread.sleep(LOOK_MILLIS);
+            }
+        }
+    }
+
+    /// A goal as `/api/status` tells it.
+    private record SentTo(JsonNode told) {
+        static SentTo of(JsonNode told) {
+            return new SentTo(told);
+        }
+
+        int number() {
+            return told.path("id").asInt();
+        }
+
+        boolean isUnderWay() {
+            return status().equals("executing");
+        }
+
+        boolean succeeded() {
+            return status().equals("succeeded");
+        }
+
+        private String status() {
+            return told.path("status").asString();
+        }
+
+        private double seconds() {
+            return told.path("ended").asDouble() - told.path("sent").asDouble();
+        }
+
+        Map<String, Object> json() {
+            return Map.of(
+                    "command",
+                    "goal",
+                    "goal",
+                    number(),
+                    "robot",
+                    told.path("robot").asString(),
+                    "status",
+                    status(),
+                    "why",
+                    told.path("why").asString(),
+                    "seconds",
+                    seconds());
+        }
+
+        /// `Goal 3 of 'robot-1' aborted after 12.0 s: A box is ahead.`
+        @Override
+        public String toString() {
+            String why = told.path("why").asString("");
+            return isUnderWay()
+                    ? String.format(
+                            Locale.ROOT,
+                            "goal %d: '%s' drives to (%.2f, %.2f, %.0f°)",
+                            number(),
+                            told.path("robot").asString(),
+                            told.path("x").asDouble(),
+                            told.path("y").asDouble(),
+                            Math.toDegrees(told.path("heading").asDouble()))
+                    : String.format(
+                            Locale.ROOT,
+                            "Goal %d of '%s' %s after %.1f s%s",
+                            number(),
+                            told.path("robot").asString(),
+                            status(),
+                            seconds(),
+                            why.isEmpty() ? "." : ": " + why);
         }
     }
 
@@ -224,6 +413,7 @@ final class OperatorCommands {
         @Override
         int run() throws InterruptedException {
             commandPose("place");
+            confirm("'%s' is at %s".formatted(robot(), pose()), Map.of("robot", robot()));
             return Exit.SUCCESS;
         }
     }

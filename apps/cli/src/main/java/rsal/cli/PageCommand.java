@@ -76,9 +76,10 @@ abstract class PageCommand extends Subcommand {
 
     /// As [#tell] does, of what can't wait.
     ///
+    /// @return what the server says of it
     /// @throws Unreachable when nobody confirms it within 3 s
-    final void tellAtOnce(String command, Object message) throws InterruptedException {
-        send(new PageClient(port(), EMERGENCY), posted("/api/run/" + command, message));
+    final JsonNode tellAtOnce(String command, Object message) throws InterruptedException {
+        return send(new PageClient(port(), EMERGENCY), posted("/api/run/" + command, message));
     }
 
     private JsonNode post(String path, Object message) throws InterruptedException {

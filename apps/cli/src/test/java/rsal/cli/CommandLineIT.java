@@ -643,20 +643,30 @@ class CommandLineIT {
         double x = first.path("x").asDouble();
         String goal = Double.toString(x < 0 ? x + 3 : x - 3);
         String y = Double.toString(first.path("y").asDouble());
-        assertThat(ours.run("goal", "robot-1", goal, y).code()).isZero();
-        assertThat(ours.run("estop", "robot-2", "--port", port).code()).isZero();
+        assertThat(ours.run("goal", "robot-1", goal, y).out())
+                .matches("Goal 1: 'robot-1' is sent to \\(.*\\), confirmed in \\d+\\.\\d s\\.\\R");
+        assertThat(ours.run("status").out()).contains("goal 1: 'robot-1' drives to (");
+        assertThat(ours.run("estop", "robot-2", "--port", port).out())
+                .startsWith("Motors of 'robot-2' are off, confirmed in ");
         assertThat(ours.run("status").out())
                 .startsWith("teleop:virtual, seed 5: runs")
                 .contains("motors off");
-        assertThat(ours.run("estop").code()).isZero();
+        JsonNode off = JsonMapper.shared().readTree(ours.run("estop", "--json").out());
+        assertThat(off.path("command").asString()).isEqualTo("estop");
+        assertThat(off.path("robots").asInt()).isEqualTo(status.path("robots").size());
         assertThat(ours.run("status").out()).contains("motors are off");
         Ended armed = ours.run("arm");
         assertThat(armed.code()).isZero();
         assertThat(armed.out()).contains("stay off: robot-2.", "'rsal arm robot-2'");
         assertThat(ours.run("status").out()).doesNotContain("motors are off").containsOnlyOnce("motors off");
-        assertThat(ours.run("arm", "robot-2").out()).isEmpty();
+        assertThat(ours.run("arm", "robot-2").out()).startsWith("Motors of 'robot-2' are on, confirmed in ");
         assertThat(ours.run("status").out()).doesNotContain("off");
-        assertThat(ours.run("arm").out()).isEmpty();
+        assertThat(ours.run("arm").out())
+                .startsWith("Motors of %d robots are on"
+                        .formatted(status.path("robots").size()));
+        Ended there = ours.run("goal", "robot-1", goal, y, "--wait");
+        assertThat(there.code()).as(there.out() + there.err()).isZero();
+        assertThat(there.out()).contains("Goal 2 of 'robot-1' succeeded after ");
         onlyWhoTakesControlSendsARobotSomebodyElseControls(ours, URI.create(url), goal, y);
         Ended wall = ours.run("goal", "robot-1", "900", "900", "90");
         assertThat(wall.code()).isEqualTo(Exit.USAGE);
@@ -668,7 +678,7 @@ class CommandLineIT {
         assertThat(stranger.err()).contains("There is no page of yours");
         Path key = folder.resolve("rsal/page-%s.token".formatted(port));
         assertThat(Files.getPosixFilePermissions(key)).isEqualTo(PosixFilePermissions.fromString("rw-------"));
-        assertThat(ours.run("stop").code()).isZero();
+        assertThat(ours.run("stop").out()).contains("The run has ended at ", ": stopped, confirmed in ");
         assertThat(ours.run("status").out()).contains("over: stopped");
         Ended.signal("INT", process);
         Ended.of(process);

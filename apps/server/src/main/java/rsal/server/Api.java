@@ -58,7 +58,9 @@ import rsal.server.Messages.Restart;
 import rsal.server.Messages.RobotPose;
 import rsal.server.Messages.RunInfo;
 import rsal.server.Messages.Saying;
+import rsal.server.Messages.Sent;
 import rsal.server.Messages.Speed;
+import rsal.server.Messages.Stopped;
 import rsal.server.Messages.SweepRunAgain;
 import rsal.server.Page.Asset;
 
@@ -382,8 +384,7 @@ final class Api {
         request.future(() -> now.run()
                 .freshSnapshot()
                 .toCompletableFuture()
-                .thenAccept(snapshot -> answer(
-                        request, Descriptions.status(now.number(), now.run().plan(), snapshot))));
+                .thenAccept(snapshot -> answer(request, Descriptions.status(now.number(), now.run(), snapshot))));
     }
 
     /// Whoever asks about a run that another one has followed meanwhile is told nothing: that is no mistake of theirs.
@@ -657,7 +658,9 @@ final class Api {
                             switch (answer) {
                                 case Answer.Done _ -> answer(request, Map.of());
                                 case Answer.Added(String name) -> answer(request, new Added(name));
-                                case Answer.Armed(var off) -> answer(request, new Armed(off));
+                                case Answer.Sent(int goal) -> answer(request, new Sent(goal));
+                                case Answer.Stopped(int robots) -> answer(request, new Stopped(robots));
+                                case Answer.Armed(int on, var off) -> answer(request, new Armed(on, off));
                                 case Answer.Able(var abilities) -> answer(request, Steering.abilities(abilities));
                                 case Answer.Read read -> answer(request, told.apply(read));
                                 case Answer.Heard(var all) -> answer(request, Descriptions.communication(all));

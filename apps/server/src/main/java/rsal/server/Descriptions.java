@@ -36,6 +36,7 @@ import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.RunResult;
 import rsal.scenario.run.Said;
 import rsal.scenario.run.Sayable;
+import rsal.scenario.run.SentGoal;
 import rsal.scenario.run.Snapshot;
 import rsal.scenario.run.Teammate;
 import rsal.scenario.run.TopicTraffic;
@@ -81,6 +82,7 @@ import rsal.server.Messages.SaidInfo;
 import rsal.server.Messages.SayableInfo;
 import rsal.server.Messages.Sayables;
 import rsal.server.Messages.SeatInfo;
+import rsal.server.Messages.SentGoalInfo;
 import rsal.server.Messages.SettingInfo;
 import rsal.server.Messages.SideBySide;
 import rsal.server.Messages.StatusInfo;
@@ -494,7 +496,8 @@ final class Descriptions {
                 agent.lastMessages());
     }
 
-    static StatusInfo status(int number, RunPlan plan, Snapshot snapshot) {
+    static StatusInfo status(int number, LiveRun run, Snapshot snapshot) {
+        RunPlan plan = run.plan();
         return new StatusInfo(
                 number,
                 plan.scenario().name(),
@@ -504,7 +507,21 @@ final class Descriptions {
                 snapshot.paused(),
                 snapshot.stopped(),
                 snapshot.outcome().orElse(""),
-                snapshot.robots().stream().map(Descriptions::status).toList());
+                snapshot.robots().stream().map(Descriptions::status).toList(),
+                run.goals().stream().map(Descriptions::goal).toList());
+    }
+
+    private static SentGoalInfo goal(SentGoal goal) {
+        return new SentGoalInfo(
+                goal.id(),
+                goal.robot(),
+                goal.mapFromGoal().x(),
+                goal.mapFromGoal().y(),
+                goal.mapFromGoal().theta(),
+                goal.status().word(),
+                goal.why(),
+                goal.sent().toNanos() / 1e9,
+                goal.ended().map(ended -> ended.toNanos() / 1e9));
     }
 
     static SideBySide sideBySide(List<Seat> seats) {

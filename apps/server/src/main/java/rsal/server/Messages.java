@@ -412,6 +412,7 @@ final class Messages {
     /// @param time simulated [s]
     /// @param stopped whether all motors are off
     /// @param outcome how it ended; empty while it goes on
+    /// @param goals to which people sent robots, oldest first; of those that ended the last 200
     record StatusInfo(
             int run,
             String scenario,
@@ -421,7 +422,27 @@ final class Messages {
             boolean paused,
             boolean stopped,
             String outcome,
-            List<RobotStatus> robots) {}
+            List<RobotStatus> robots,
+            List<SentGoalInfo> goals) {}
+
+    /// A place to which somebody sent a robot.
+    ///
+    /// @param x in the map's frame [m]; y likewise
+    /// @param heading in the map's frame [rad]
+    /// @param status `executing`, `succeeded`, `canceled` or `aborted`
+    /// @param why it did not get there; empty otherwise
+    /// @param sent when [simulated s]
+    /// @param ended when [simulated s]; absent while it is under way
+    record SentGoalInfo(
+            int id,
+            String robot,
+            double x,
+            double y,
+            double heading,
+            String status,
+            String why,
+            double sent,
+            Optional<Double> ended) {}
 
     /// Who has control: nobody else may change anything then, but for an emergency stop.
     ///
@@ -509,8 +530,15 @@ final class Messages {
 
     /// Motors are on again, all but those of some.
     ///
+    /// @param on of how many robots
     /// @param off ids of robots whose motors were switched off one by one, and stay off
-    record Armed(List<String> off) {}
+    record Armed(int on, List<String> off) {}
+
+    /// @param robots whose motors are off now
+    record Stopped(int robots) {}
+
+    /// @param goal id of it
+    record Sent(int goal) {}
 
     /// Switches the motors of one robot.
     ///

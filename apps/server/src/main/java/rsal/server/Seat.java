@@ -90,7 +90,7 @@ final class Seat implements AutoCloseable {
     /// Switches off all motors. What has ended has none.
     CompletionStage<Answer> estop() {
         Numbered now = now();
-        return now.run().estop().thenApply(answer -> now.isOver() ? new Answer.Done() : answer);
+        return now.run().estop().thenApply(answer -> now.isOver() ? new Answer.Stopped(0) : answer);
     }
 
     /// Lets its viewers go, with a word, then ends its run.

@@ -194,7 +194,7 @@ final class Seats implements Viewing {
                 .toList(); // all are told at once
         return answers.stream()
                 .reduce(
-                        CompletableFuture.completedFuture(new Answer.Done()),
+                        CompletableFuture.completedFuture(new Answer.Stopped(0)),
                         (all, next) -> all.thenCombine(next, Seats::both));
     }
 
@@ -221,6 +221,9 @@ final class Seats implements Viewing {
     private static Answer both(Answer one, Answer other) {
         if (one instanceof Answer.Refused(String first) && other instanceof Answer.Refused(String second)) {
             return new Answer.Refused(first + " " + second);
+        }
+        if (one instanceof Answer.Stopped(int some) && other instanceof Answer.Stopped(int more)) {
+            return new Answer.Stopped(some + more);
         }
         return one instanceof Answer.Refused ? one : other;
     }

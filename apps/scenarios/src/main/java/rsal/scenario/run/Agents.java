@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import rsal.agent.AgentHost;
 import rsal.agent.AgentHostProvider;
@@ -64,7 +65,7 @@ final class Agents implements AutoCloseable {
     private final Map<String, Deque<String>> lastMessages = new HashMap<>(); // in words
     private final Map<String, Instant> lastSaid = new HashMap<>(); // when
     private final Map<String, String> lastWords = new HashMap<>();
-    private final Map<String, Pose2d> mapFromAsked = new HashMap<>(); // where the operator wants robots
+    private final Map<String, Sending> sendings = new HashMap<>(); // where the operator wants robots
     private final Conversations conversations = new Conversations();
     private final Talks talks;
     private final Mailboxes mailboxes;
@@ -228,7 +229,7 @@ final class Agents implements AutoCloseable {
 
     /// A robot has left: its agents end as they would at the end of the run.
     void leave(String robot) {
-        mapFromAsked.remove(robot);
+        sendings.remove(robot);
         society.ifPresent(agents -> agents.directory().agents().stream()
                 .filter(agent -> agent.robot().equals(robot))
                 .forEach(agent -> agents.stop(agent.name())));
@@ -243,10 +244,22 @@ final class Agents implements AutoCloseable {
                 .anyMatch(agent -> all.listens(agent.name(), NewGoal.TOPIC));
     }
 
+    /// @param again whether it was on its way there when it was sent; an end of that way is none of this one
+    private record Sending(Pose2d mapFromGoal, boolean again, Consumer<GoalReached> onEnd) {
+        Sending withoutAgain() {
+            return new Sending(mapFromGoal, false, onEnd);
+        }
+    }
+
     /// Asks those who take such orders to have a robot drive somewhere.
-    void ask(String robot, Pose2d mapFromGoal) {
+    ///
+    /// @param onEnd told how that ended, unless it is sent elsewhere before
+    void ask(String robot, Pose2d mapFromGoal, Consumer<GoalReached> onEnd) {
         journal.event(OPERATOR, robot, "sent to " + Words.of(mapFromGoal));
-        mapFromAsked.put(robot, mapFromGoal);
+        boolean again = Optional.ofNullable(sendings.get(robot))
+                .filter(before -> before.mapFromGoal().equals(mapFromGoal))
+                .isPresent();
+        sendings.put(robot, new Sending(mapFromGoal, again, onEnd));
         society.orElseThrow().publish(OPERATOR, NewGoal.TOPIC, new NewGoal(robot, mapFromGoal));
     }
 
@@ -433,16 +446,22 @@ final class Agents implements AutoCloseable {
         return minds;
     }
 
-    /// The operator hears when a robot did not get where it was sent last. A goal that is cancelled has given way
-    /// to another, maybe to the same place again; of one that is silent more may be heard.
+    /// The operator hears when a robot did not get where it was sent last. A goal that is cancelled may have given
+    /// way to the same place again; of one that is silent more may be heard.
     private void ended(GoalReached end) {
-        if (end.cancelled() || !end.mapFromGoal().equals(mapFromAsked.get(end.robot()))) {
+        Sending sending = sendings.get(end.robot());
+        if (sending == null || !end.mapFromGoal().equals(sending.mapFromGoal())) {
+            return;
+        }
+        if (end.cancelled() && sending.again()) {
+            sendings.put(end.robot(), sending.withoutAgain());
             return;
         }
         if (!end.silent()) {
-            mapFromAsked.remove(end.robot());
+            sendings.remove(end.robot());
+            sending.onEnd().accept(end);
         }
-        if (!end.reached()) {
+        if (!end.reached() && !end.cancelled()) {
             journal.event(
                     "unreached",
                     end.robot(),

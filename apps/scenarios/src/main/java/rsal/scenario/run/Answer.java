@@ -17,10 +17,21 @@ public sealed interface Answer {
     /// @param name of it
     record Added(String name) implements Answer {}
 
+    /// A robot was sent somewhere.
+    ///
+    /// @param goal its id, as [SentGoal] has it
+    record Sent(int goal) implements Answer {}
+
+    /// Motors are off.
+    ///
+    /// @param robots of how many
+    record Stopped(int robots) implements Answer {}
+
     /// Motors are on again.
     ///
+    /// @param on of how many robots
     /// @param off robots whose motors stay off, as somebody has switched them off one by one
-    record Armed(List<String> off) implements Answer {
+    record Armed(int on, List<String> off) implements Answer {
         public Armed {
             off = List.copyOf(off);
         }

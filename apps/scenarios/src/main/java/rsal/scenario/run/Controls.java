@@ -3,6 +3,7 @@ package rsal.scenario.run;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import rsal.behavior.Pilot;
 import rsal.behavior.Repertoire;
@@ -224,32 +225,46 @@ final class Controls {
         return new Answer.Done();
     }
 
-    /// Goes somewhere, and then back to its agents.
-    ///
-    /// @param given when somebody said so [ns]
-    Answer goTo(Pose2d mapFromGoal, long given) {
+    /// Whether it can be sent somewhere now.
+    sealed interface Navigation {
+        record Ready(Navigator navigator) implements Navigation {}
+
+        record Refused(Answer why) implements Navigation {}
+    }
+
+    /// @param given when somebody wants to send it somewhere [ns]
+    Navigation navigator(long given) {
         takeBack(given);
         if (grip != null) {
-            return driven();
+            return new Navigation.Refused(driven());
         }
         if (!spares.navigation().isPossible()) {
-            return new Answer.Refused("Robot (%s) can't be sent anywhere. %s"
-                    .formatted(robot.id(), spares.navigation().refusal()));
+            return new Navigation.Refused(new Answer.Refused("Robot (%s) can't be sent anywhere. %s"
+                    .formatted(robot.id(), spares.navigation().refusal())));
         }
-        Navigator navigator;
         try {
-            navigator = spare(Navigator.class, spares.navigation());
+            return new Navigation.Ready(spare(Navigator.class, spares.navigation()));
         } catch (RunBroken e) {
-            return unequipped(e);
+            return new Navigation.Refused(unequipped(e));
         }
+    }
+
+    /// Goes somewhere, and then back to its agents.
+    ///
+    /// @param onEnd told how that ends, unless another order takes over
+    void goTo(Navigator navigator, Pose2d mapFromGoal, Consumer<Result> onEnd) {
         stopBehaving();
         trip = null; // the navigator goes on from the one before
         var going = navigator.goTo(mapFromGoal, Tolerance.DEFAULT);
         trip = going;
         journal.event("operator", robot.id(), "sent to " + Words.of(mapFromGoal));
         settle();
-        going.result().thenAccept(result -> ended(going, mapFromGoal, result));
-        return new Answer.Done();
+        going.result().thenAccept(result -> {
+            if (going.equals(trip)) { // else another order has taken over
+                ended(mapFromGoal, result);
+                onEnd.accept(result);
+            }
+        });
     }
 
     /// What an order needs can't be made: that is no reason for the run to end.
@@ -289,10 +304,7 @@ final class Controls {
         outfit.find(Pilot.class).ifPresent(Pilot::release);
     }
 
-    private void ended(GoalHandle<Progress, Result> which, Pose2d mapFromGoal, Result result) {
-        if (!which.equals(trip)) {
-            return; // another order has taken over
-        }
+    private void ended(Pose2d mapFromGoal, Result result) {
         trip = null;
         if (result instanceof Result.Reached) {
             journal.event("goal", robot.id(), "is at " + Words.of(mapFromGoal));

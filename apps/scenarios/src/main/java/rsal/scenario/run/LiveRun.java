@@ -87,6 +87,7 @@ public final class LiveRun implements AutoCloseable {
     private final long beganNanos = System.nanoTime();
     private final LongSupplier handClock;
     private final Journal journal;
+    private final SentGoals goals = new SentGoals(this::elapsed);
     private final Observer observer;
     private final Traffic traffic;
     private final Pace pace;
@@ -276,7 +277,12 @@ public final class LiveRun implements AutoCloseable {
         return ask(stage -> stage.world().remove(entity));
     }
 
-    /// Has a robot drive somewhere, by its agent if that can.
+    /// To which places people sent robots, oldest first; of those that ended the last 200. Any thread may ask.
+    public List<SentGoal> goals() {
+        return goals.all();
+    }
+
+    /// Has a robot drive somewhere, by its agent if that can. Answers with [Answer.Sent].
     public CompletionStage<Answer> goTo(String robot, Pose2d mapFromGoal) {
         long now = handClock.getAsLong();
         return ask(stage -> stage.orders().goTo(robot, mapFromGoal, now));
@@ -634,7 +640,7 @@ public final class LiveRun implements AutoCloseable {
 
     private void begin() {
         thread = Thread.currentThread();
-        var everything = new Stage(plan, scheduler, journal, observer, traffic, turns);
+        var everything = new Stage(plan, scheduler, journal, observer, traffic, turns, goals);
         stage = everything;
         witness.ifPresent(_ -> everything.noteLinks(handClock.getAsLong()));
         everything.begin();
@@ -814,6 +820,7 @@ public final class LiveRun implements AutoCloseable {
     }
 
     private RunResult result(String how, double wallSeconds) {
+        goals.close();
         var measures = new LinkedHashMap<String, OptionalDouble>();
         var outOfBounds = new ArrayList<String>();
         for (Observer.Finding finding : observer.findings()) {

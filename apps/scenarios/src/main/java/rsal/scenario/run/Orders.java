@@ -4,12 +4,15 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Stream;
+import rsal.agent.message.GoalReached;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
 import rsal.device.DriveBase;
 import rsal.device.Navigator;
+import rsal.device.Navigator.Result;
+import rsal.scenario.run.SentGoal.Status;
 
 /// What people tell robots to do, and all of them to stop. All calls on the run's thread.
 final class Orders {
@@ -19,21 +22,31 @@ final class Orders {
     private final SimulatedWorld world;
     private final Team team;
     private final Agents agents;
+    private final SentGoals goals;
     private boolean stopped;
 
-    Orders(OccupancyGrid map, Journal journal, Faults faults, SimulatedWorld world, Team team, Agents agents) {
+    Orders(
+            OccupancyGrid map,
+            Journal journal,
+            Faults faults,
+            SimulatedWorld world,
+            Team team,
+            Agents agents,
+            SentGoals goals) {
         this.map = map;
         this.journal = journal;
         this.faults = faults;
         this.world = world;
         this.team = team;
         this.agents = agents;
+        this.goals = goals;
     }
 
     /// Has a robot drive somewhere: by an agent, if it has a navigator and one takes such orders; else its agents wait
     /// until it is there.
     ///
     /// @param given when somebody said so [ns]
+    /// @return [Answer.Sent], or why not
     Answer goTo(String id, Pose2d mapFromGoal, long given) {
         Optional<Answer> nobody = nobody(id);
         if (nobody.isPresent()) {
@@ -47,7 +60,36 @@ final class Orders {
                 team.robot(id).flatMap(robot -> robot.find(Navigator.class)).isPresent();
         return navigates && agents.takeOrdersFor(id)
                 ? askAgent(id, mapFromGoal, given)
-                : tell(id, told -> told.goTo(mapFromGoal, given));
+                : tell(id, told -> send(told, id, mapFromGoal, given));
+    }
+
+    private Answer send(Controls told, String id, Pose2d mapFromGoal, long given) {
+        return switch (told.navigator(given)) {
+            case Controls.Navigation.Refused(Answer why) -> why;
+            case Controls.Navigation.Ready(Navigator navigator) -> {
+                int goal = goals.send(id, mapFromGoal);
+                told.goTo(navigator, mapFromGoal, result -> ended(goal, result));
+                yield new Answer.Sent(goal);
+            }
+        };
+    }
+
+    private void ended(int goal, Result result) {
+        switch (result) {
+            case Result.Reached _ -> goals.end(goal, Status.SUCCEEDED, "");
+            case Result.Cancelled(String why) -> goals.end(goal, Status.CANCELED, why);
+            case Result.NoPath _, Result.Stuck _ -> goals.end(goal, Status.ABORTED, Words.of(result));
+        }
+    }
+
+    private void ended(int goal, GoalReached end) {
+        if (end.reached()) {
+            goals.end(goal, Status.SUCCEEDED, "");
+        } else if (end.cancelled()) {
+            goals.end(goal, Status.CANCELED, "The robot's agent called it off.");
+        } else {
+            goals.end(goal, Status.ABORTED, end.words());
+        }
     }
 
     /// Why nothing can be there, by the map.
@@ -71,8 +113,9 @@ final class Orders {
         if (refused.isPresent()) {
             return refused.get();
         }
-        agents.ask(id, mapFromGoal);
-        return new Answer.Done();
+        int goal = goals.send(id, mapFromGoal);
+        agents.ask(id, mapFromGoal, end -> ended(goal, end));
+        return new Answer.Sent(goal);
     }
 
     Answer abilities(String id) {
@@ -81,7 +124,11 @@ final class Orders {
 
     /// @param given when somebody said so [ns]
     Answer behave(String id, String behavior, long given) {
-        return tell(id, told -> told.behave(behavior, given));
+        Answer answer = tell(id, told -> told.behave(behavior, given));
+        if (answer instanceof Answer.Done) {
+            goals.cancel(id, behavior.isEmpty() ? "It was told nothing any more." : "It was told to " + behavior + ".");
+        }
+        return answer;
     }
 
     /// @param heard when its driver said so [ns]
@@ -123,7 +170,7 @@ final class Orders {
         stopped = true;
         team.controls().forEach(Controls::stop);
         journal.event("operator", "", "emergency stop");
-        return new Answer.Done();
+        return new Answer.Stopped(team.controls().size());
     }
 
     /// Switches them on again, but for those of robots that somebody has switched off one by one, before or meanwhile:
@@ -138,7 +185,7 @@ final class Orders {
                 .toList();
         journal.event(
                 "operator", "", off.isEmpty() ? "motors on" : "motors on, but not those of " + String.join(", ", off));
-        return new Answer.Armed(off);
+        return new Answer.Armed(team.controls().size() - off.size(), off);
     }
 
     /// Switches those of one robot: it alone stands, or it alone may move while the others stand.
@@ -174,6 +221,11 @@ final class Orders {
     /// Whether the emergency stop holds for all robots.
     boolean stopped() {
         return stopped && helms().allMatch(Helm::isOff);
+    }
+
+    /// A robot has left.
+    void left(String robot) {
+        goals.abort(robot, "The robot left.");
     }
 
     /// A robot has come, and stands still, too, while the emergency stop holds.

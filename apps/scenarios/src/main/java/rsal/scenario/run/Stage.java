@@ -50,7 +50,15 @@ final class Stage implements AutoCloseable {
     ///
     /// @param traffic where is counted what agents say
     /// @param turns where is counted which agents are at work
-    Stage(RunPlan plan, Scheduler scheduler, Journal journal, Observer observer, Traffic traffic, Turns turns) {
+    /// @param goals to which people send robots
+    Stage(
+            RunPlan plan,
+            Scheduler scheduler,
+            Journal journal,
+            Observer observer,
+            Traffic traffic,
+            Turns turns,
+            SentGoals goals) {
         this.plan = plan;
         this.scheduler = scheduler;
         this.journal = journal;
@@ -66,7 +74,7 @@ final class Stage implements AutoCloseable {
         this.equipper = new Equipper(plan, scheduler, journal, breaker, world, team, this::overlay);
         this.agents = new Agents(plan, scheduler, journal, observer, faults, team, where, traffic, turns);
         this.drawnPlans = new DrawnPlans(team, scheduler);
-        this.orders = new Orders(plan.map(), journal, faults, world, team, agents);
+        this.orders = new Orders(plan.map(), journal, faults, world, team, agents, goals);
         this.robotViews = new RobotViews(team, world, faults, proxies, scheduler);
     }
 
@@ -172,6 +180,7 @@ final class Stage implements AutoCloseable {
     private void leave(String id) {
         bridges.forEach(bridge -> bridge.leave(id));
         team.leave(id);
+        orders.left(id);
         proxies.leave(id);
         drawnPlans.leave(id);
         where.leave(id);

@@ -187,7 +187,7 @@ class ComingTest {
         assertThat(snapshot.robots().getLast().truth()).isPresent();
         assertThat(answer(run.behave("pioneer3at-1", "wander"))).isEqualTo(DONE);
         await(now -> now.robots().getLast().truth().orElseThrow().distanceTo(THERE) > 0.3);
-        assertThat(answer(run.goTo("pioneer3at-1", THERE))).isEqualTo(DONE);
+        assertThat(answer(run.goTo("pioneer3at-1", THERE))).isEqualTo(new Answer.Sent(1));
         assertThat(answer(run.addRobot("pioneer3at-1", new Pose2d(-4, -1, 0))))
                 .isEqualTo(new Answer.Added("pioneer3at-2"));
         assertThat(run.events(0))
@@ -211,7 +211,7 @@ class ComingTest {
                 .replace("time >= 20", "time >= 90");
         run = LiveRun.start(Runs.plan(folder, navigating, RunOptions.NONE.withSpeed(20)));
         await(now -> now.agents().size() == 2);
-        assertThat(answer(run.goTo("prey", THERE))).isEqualTo(DONE);
+        assertThat(answer(run.goTo("prey", THERE))).isEqualTo(new Answer.Sent(1));
         Runs.result(run);
         assertThat(run.events(0))
                 .filteredOn(event -> event.subject().equals("prey"))

@@ -6,7 +6,6 @@ import java.time.Duration;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import rsal.behavior.PilotDriver;
-import rsal.data.Pose2d;
 import rsal.device.DriveBase;
 import rsal.robot.Robot;
 import rsal.scenario.RunPlan.PlannedDevice;
@@ -39,7 +38,7 @@ class ControlsTest {
         var refused = new Answer.Refused("Device (r1/pilot) failed: no batteries");
         assertThat(controls.behave("wander", 0)).isEqualTo(refused);
         assertThat(controls.behavior()).isEqualTo("stand");
-        assertThat(controls.goTo(new Pose2d(1, 1, 0), 0)).isEqualTo(refused);
+        assertThat(controls.navigator(0)).isEqualTo(new Controls.Navigation.Refused(refused));
         assertThat(controls.behavior()).isEqualTo("stand");
     }
 }

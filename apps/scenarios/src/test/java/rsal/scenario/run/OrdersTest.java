@@ -6,7 +6,6 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -106,6 +105,16 @@ class OrdersTest {
 
     private static void done(CompletionStage<Answer> stage) {
         assertThat(answer(stage)).isEqualTo(new Answer.Done());
+    }
+
+    /// @return the goal
+    private SentGoal sent(CompletionStage<Answer> stage) {
+        int id = ((Answer.Sent) answer(stage)).goal();
+        return goal(id);
+    }
+
+    private SentGoal goal(int id) {
+        return run.goals().stream().filter(goal -> goal.id() == id).findFirst().orElseThrow();
     }
 
     private static String refusal(CompletionStage<Answer> stage) {
@@ -224,7 +233,7 @@ class OrdersTest {
         for (int time = 0; time < 20; time++) {
             done(run.drive("idle", "me", Twist2d.STOP));
             handClock.addAndGet(Grip.LEASE + 1);
-            done(run.goTo("idle", new Pose2d(3, 0, 0)));
+            sent(run.goTo("idle", new Pose2d(3, 0, 0)));
             done(run.drive("idle", "me", Twist2d.STOP));
             handClock.addAndGet(Grip.LEASE + 1);
             done(run.drive("idle", "you", Twist2d.STOP));
@@ -235,10 +244,10 @@ class OrdersTest {
     @Test
     void theEmergencyStopComesFirst() {
         drive("idle", Twist2d.drive(0.5, 0), 5);
-        done(run.estop());
+        assertThat(answer(run.estop())).isInstanceOf(Answer.Stopped.class);
         Pose2d stopped = pose(drive("idle", Twist2d.drive(0.5, 0), 3), "idle");
         assertThat(pose(drive("idle", Twist2d.drive(0.5, 0), 3), "idle")).isEqualTo(stopped);
-        assertThat(answer(run.rearm())).isEqualTo(new Answer.Armed(List.of()));
+        assertThat(answer(run.rearm())).isInstanceOf(Answer.Armed.class);
         assertThat(pose(drive("idle", Twist2d.drive(0.5, 0), 5), "idle"))
                 .as("with the key still down")
                 .isEqualTo(stopped);
@@ -283,7 +292,9 @@ class OrdersTest {
     @CsvSource({"idle, odometry", "drifter, amcl", "glider, odometry", "roamer, odometry"})
     void aRobotIsSentSomewhere(String id, String localizer) {
         assertThat(robot(now(), id).devices()).extracting(DeviceView::name).doesNotContain("localizer", "navigator");
-        done(run.goTo(id, new Pose2d(0, 2, 0)));
+        SentGoal sent = sent(run.goTo(id, new Pose2d(0, 2, 0)));
+        assertThat(sent.isUnderWay()).isTrue();
+        assertThat(sent.robot()).isEqualTo(id);
         go();
         Snapshot going = await(s -> robot(s, id).goal().isPresent()
                 && !robot(s, id).path().points().isEmpty()
@@ -293,6 +304,8 @@ class OrdersTest {
                 .extracting(DeviceView::name, DeviceView::driver)
                 .contains(org.assertj.core.groups.Tuple.tuple("localizer", localizer));
         await(_ -> happened(id, "is at (0.00, 2.00, 0°)"));
+        await(_ -> goal(sent.id()).status() == SentGoal.Status.SUCCEEDED);
+        assertThat(goal(sent.id()).ended()).isPresent();
         if (id.equals("roamer")) {
             await(s -> roams(robot(s, id)));
         } else {
@@ -303,12 +316,16 @@ class OrdersTest {
     @Test
     void theNewestOrderCounts() {
         done(run.behave("idle", "wander"));
-        done(run.goTo("idle", new Pose2d(3, 0, 0)));
+        SentGoal first = sent(run.goTo("idle", new Pose2d(3, 0, 0)));
         assertThat(robot(now(), "idle").behavior()).isEmpty();
         assertThat(robot(now(), "idle").goal()).contains(new Pose2d(3, 0, 0));
-        done(run.goTo("idle", new Pose2d(-3, 0, 0)));
+        SentGoal second = sent(run.goTo("idle", new Pose2d(-3, 0, 0)));
+        assertThat(second.id()).isEqualTo(first.id() + 1);
+        assertThat(goal(first.id()).status()).isEqualTo(SentGoal.Status.CANCELED);
+        assertThat(goal(first.id()).why()).isEqualTo("Another goal came.");
         assertThat(robot(now(), "idle").goal()).contains(new Pose2d(-3, 0, 0));
         done(run.behave("idle", "wall-follow"));
+        assertThat(goal(second.id()).status()).isEqualTo(SentGoal.Status.CANCELED);
         assertThat(robot(now(), "idle").goal()).isEmpty();
         assertThat(robot(now(), "idle").behavior()).isEqualTo("wall-follow");
         assertThat(happened("idle", "can't get")).isFalse();
@@ -316,7 +333,7 @@ class OrdersTest {
 
     @Test
     void aWayIsGoneOnWithWhenKeysAreLetGo() {
-        done(run.goTo("idle", new Pose2d(3, 2, 0)));
+        sent(run.goTo("idle", new Pose2d(3, 2, 0)));
         drive("idle", Twist2d.drive(-0.4, 0), 5);
         assertThat(pose(now(), "idle").x()).isLessThan(-4.05);
         assertThat(robot(now(), "idle").goal()).isPresent();
@@ -345,7 +362,7 @@ class OrdersTest {
 
     @Test
     void aRobotThatIsPlacedByHandKnowsItOnItsWay() {
-        done(run.goTo("drifter", new Pose2d(4, 1, 0)));
+        sent(run.goTo("drifter", new Pose2d(4, 1, 0)));
         done(run.place("drifter", new Pose2d(-4, -1, 0)));
         go();
         await(_ -> happened("drifter", "is at (4.00, 1.00, 0°)"));

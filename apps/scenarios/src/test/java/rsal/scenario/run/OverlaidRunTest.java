@@ -48,7 +48,14 @@ class OverlaidRunTest {
         RunPlan plan = Runs.plan(folder, scenario, RunOptions.NONE);
         var journal = new Journal(() -> Duration.between(Instant.EPOCH, time.instant()), () -> {});
         var observer = new Observer(plan, journal, time);
-        var stage = new Stage(plan, time, journal, observer, new Traffic(journal, observer, false), new Turns());
+        var stage = new Stage(
+                plan,
+                time,
+                journal,
+                observer,
+                new Traffic(journal, observer, false),
+                new Turns(),
+                new SentGoals(() -> Duration.ZERO));
         stage.begin();
         time.advance(Duration.ofSeconds(1));
         return stage;

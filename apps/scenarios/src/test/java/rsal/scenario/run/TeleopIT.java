@@ -32,6 +32,7 @@ class TeleopIT {
             RunResult result = Runs.result(run);
             assertThat(result.measures().get("arrived").getAsDouble()).isEqualTo(3);
             assertThat(result.measures().get("collisions").getAsDouble()).isZero();
+            assertThat(run.goals()).extracting(SentGoal::status).containsOnly(SentGoal.Status.SUCCEEDED);
         }
     }
 
@@ -61,6 +62,9 @@ class TeleopIT {
                 assertThat(result.measures().get("collisions").getAsDouble())
                         .as(as)
                         .isZero();
+                assertThat(run.goals())
+                        .extracting(goal -> goal.status().word())
+                        .containsExactly("canceled", "succeeded", "succeeded", "succeeded");
                 assertThat(unreached(run, "robot-1"))
                         .as(as)
                         .hasSize(1)
