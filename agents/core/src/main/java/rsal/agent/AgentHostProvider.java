@@ -1,6 +1,8 @@
 package rsal.agent;
 
+import java.util.Collection;
 import java.util.List;
+import java.util.Optional;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 import rsal.time.Scheduler;
@@ -24,6 +26,13 @@ public interface AgentHostProvider {
     /// Languages in which agents can be written for it, besides Java; none for most.
     default List<AgentLanguage> languages() {
         return List.of();
+    }
+
+    /// Why an agent can't have a name, for people; empty when it can.
+    ///
+    /// @param others names of the other agents
+    default Optional<String> nameProblem(String name, Collection<String> others) {
+        return Optional.empty();
     }
 
     AgentHost create(Arguments settings, Scheduler scheduler);

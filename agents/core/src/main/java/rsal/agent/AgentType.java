@@ -2,7 +2,10 @@ package rsal.agent;
 
 import java.util.List;
 import java.util.Optional;
+import rsal.behavior.Pilot;
 import rsal.device.Device;
+import rsal.device.DriveBase;
+import rsal.device.Navigator;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
@@ -26,6 +29,19 @@ public interface AgentType {
     /// The same for one with such arguments, which may need more.
     default List<Class<? extends Device>> needs(Arguments arguments) {
         return needs();
+    }
+
+    /// Whether one with such arguments drives its robot. Two of these on one robot would take it from each
+    /// other again and again, so scenarios refuse them. As long as it says nothing else, an agent drives that
+    /// needs a base, a pilot or a navigator.
+    default boolean drives(Arguments arguments) {
+        return needs(arguments).stream()
+                .anyMatch(device -> device == DriveBase.class || device == Pilot.class || device == Navigator.class);
+    }
+
+    /// Whether it leaves its robot to another agent as long as that drives it.
+    default boolean yields() {
+        return false;
     }
 
     /// What stands in its file; empty for one in Java.

@@ -60,7 +60,7 @@ final class Errands {
         }
         asked.agree();
         var waiting = new Waiting(end -> {
-            if (end.reached()) {
+            if (end.there()) {
                 asked.inform(end);
             } else {
                 asked.fail(end.words());

@@ -42,7 +42,7 @@ final class Words {
     /// As [rsal.agent.message.GoalReached] says it.
     static String ending(Result result) {
         return switch (result) {
-            case Result.Reached _ -> "reached";
+            case Result.Reached reached -> reached.isSure() ? "reached" : "unsure";
             case Result.Cancelled _ -> "cancelled";
             case Result.NoPath _ -> "no path";
             case Result.Stuck _ -> "stuck";
@@ -52,7 +52,8 @@ final class Words {
     /// As [rsal.agent.message.GoalReached] says it.
     static String reason(Result result) {
         return switch (result) {
-            case Result.Reached _, Result.Cancelled _ -> "";
+            case Result.Reached(var _, String doubt) -> doubt;
+            case Result.Cancelled _ -> "";
             case Result.NoPath(String why) -> why;
             case Result.Stuck stuck -> stuck.why();
         };

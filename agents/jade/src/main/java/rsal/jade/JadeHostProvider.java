@@ -1,8 +1,14 @@
 package rsal.jade;
 
 import java.util.Arrays;
+import java.util.Collection;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import rsal.agent.AgentHost;
 import rsal.agent.AgentHostProvider;
 import rsal.settings.Arguments;
@@ -12,6 +18,16 @@ import rsal.time.Scheduler;
 /// Runs agents on a JADE platform inside this process: each on a thread of its own, what they say as ACL messages, what
 /// they offer in the directory facilitator. Real time only. Opens no port; JADE's own windows open when asked for.
 public final class JadeHostProvider implements AgentHostProvider {
+    private static final Set<String> OWN = own();
+
+    /// The management system, the directory facilitator and the windows: FIPA Agent Management Specification,
+    /// SC00023, sections 4 and 5.
+    private static Set<String> own() {
+        return Stream.concat(
+                        Stream.of("ams", "df"), Arrays.stream(Tool.values()).map(Tool::agent))
+                .collect(Collectors.toUnmodifiableSet());
+    }
+
     @Override
     public String key() {
         return "jade";
@@ -31,6 +47,19 @@ public final class JadeHostProvider implements AgentHostProvider {
     @Override
     public List<Parameter> parameters() {
         return Arrays.stream(Tool.values()).map(Tool::parameter).toList();
+    }
+
+    /// JADE has agents of its own, and tells names apart without regard to upper and lower case.
+    @Override
+    public Optional<String> nameProblem(String name, Collection<String> others) {
+        if (OWN.contains(name.toLowerCase(Locale.ROOT))) {
+            return Optional.of("JADE has an agent '%s' of its own.".formatted(name.toLowerCase(Locale.ROOT)));
+        }
+        return others.stream()
+                .filter(other -> other.equalsIgnoreCase(name) && !other.equals(name))
+                .findFirst()
+                .map(other -> "JADE does not tell '%s' and '%s' apart: they differ only in upper and lower case."
+                        .formatted(other, name));
     }
 
     /// @throws IllegalStateException when JADE can't start

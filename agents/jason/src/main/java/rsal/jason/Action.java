@@ -13,8 +13,9 @@ import rsal.device.Navigator;
 
 /// What an agent can do. SI units and radians.
 enum Action {
-    /// `goto(X,Y)`, `goto(X,Y,Th)`: drives there on the map [m, rad]. Ends when the robot is there, and fails with
-    /// `reason(no_path)`, `reason(stuck)`, or `reason(cancelled)` when something else drives it.
+    /// `goto(X,Y)`, `goto(X,Y,Th)`: drives there on the map [m, rad]. Ends when the robot is there, and fails
+    /// with `reason(no_path)`, `reason(stuck)`, `reason(unsure)` when it is not localized there, or
+    /// `reason(cancelled)` when something else drives it.
     GOTO("goto", 2, 3, Navigator.class),
     /// `goto_near(X,Y,Distance)`: the same, until it is that near [m], whichever way it looks.
     GOTO_NEAR("goto_near", 3, 3, Navigator.class),

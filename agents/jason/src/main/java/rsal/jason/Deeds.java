@@ -100,7 +100,8 @@ final class Deeds {
     private void goTo(ActionExec deed, Pose2d mapFromGoal, Tolerance tolerance) {
         underWay.add(new UnderWay(deed, wheels().goTo(mapFromGoal, tolerance, result -> {
             switch (result) {
-                case Navigator.Result.Reached _ -> succeed(deed);
+                case Navigator.Result.Reached reached when reached.isSure() -> succeed(deed);
+                case Navigator.Result.Reached(var _, String doubt) -> fail(deed, "unsure", doubt);
                 case Navigator.Result.Cancelled _ -> fail(deed, "cancelled", "Something else drives the robot.");
                 case Navigator.Result.NoPath(String why) -> fail(deed, "no_path", why);
                 case Navigator.Result.Stuck stuck -> fail(deed, "stuck", stuck.why());

@@ -108,6 +108,9 @@ final class Format {
     static final Parameter PER = Parameter.choice(
             "per", "run", List.of("run", "robot"), "Whether the run has one value or each robot its own.");
 
+    static final Parameter YIELDS =
+            Parameter.flag("yields", false, "Whether it leaves its robot to another agent as long as that drives it.");
+
     static final Parameter FAULT_KIND =
             required(Parameter.choice("kind", "", words(FaultKind.values(), FaultKind::word), "What goes wrong."));
     static final Parameter AT =

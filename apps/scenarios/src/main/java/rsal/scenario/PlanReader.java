@@ -325,22 +325,26 @@ final class PlanReader {
     private List<PlannedAgent> agents(Section section, Optional<Mas> mas, RobotNames robots, Seeds seeds) {
         var agents = new ArrayList<PlannedAgent>();
         var names = new HashSet<String>();
+        var drivers = new HashMap<String, String>(); // agents by the robot that they drive
         for (String role : section.names()) {
             Section agent = section.section(role);
             if (!isName(role)) {
                 agent.problem(agent.location(), "(%s) can't be the name of an agent.".formatted(role), "");
             }
-            for (PlannedAgent planned : agents(role, agent, mas, robots, seeds)) {
+            List<PlannedAgent> each = agents(role, agent, mas, robots, seeds);
+            for (PlannedAgent planned : each) {
                 if (!names.add(planned.name())) {
                     agent.problem(
                             agent.location(),
                             "There are two agents (%s).".formatted(planned.name()),
                             "Rename one of them.");
                 }
-                checkName(planned.name(), mas, agent.location());
+                checkName(planned.name(), agents, mas, agent.location());
                 agents.add(planned);
             }
+            boolean yields = (Boolean) agent.value(Format.YIELDS).orElse(false);
             agent.done();
+            checkDrivers(each, yields, drivers, agent.location());
         }
         section.done();
         checkNumber(agents.size(), section.location());
@@ -364,7 +368,7 @@ final class PlanReader {
                         "There is an agent (%s) here and in scenario (%s).".formatted(name, other.name()),
                         "Rename the one here.");
             }
-            checkName(name, mas, other.at());
+            checkName(name, own, mas, other.at());
             if (type.isEmpty()) {
                 continue;
             }
@@ -416,8 +420,37 @@ final class PlanReader {
         }
     }
 
-    /// A language may have other uses for a name.
-    private void checkName(String agent, Optional<Mas> mas, Location at) {
+    /// Two agents that drive one robot take it from each other again and again, and both get nowhere.
+    ///
+    /// @param drivers those before, by their robots; those of these are added
+    private void checkDrivers(List<PlannedAgent> agents, boolean yields, Map<String, String> drivers, Location at) {
+        boolean told = false;
+        for (PlannedAgent agent : agents) {
+            if (yields || agent.type().yields() || !agent.type().drives(agent.arguments())) {
+                continue;
+            }
+            String other = agent.robot()
+                    .map(robot -> drivers.putIfAbsent(robot, agent.name()))
+                    .orElse(null);
+            if (other != null && !told) { // one of a team says it all
+                told = true;
+                problems.add(
+                        at,
+                        "Agents '%s' and '%s' both drive robot '%s': each would take it from the other."
+                                .formatted(other, agent.name(), agent.robot().orElseThrow()),
+                        "Leave one out, or give it another robot. 'yields: true' says of one that it leaves the robot to"
+                                + " the other as long as that drives it.");
+            }
+        }
+    }
+
+    /// A language may have other uses for a name, and a multi-agent system too.
+    private void checkName(String agent, List<PlannedAgent> others, Optional<Mas> mas, Location at) {
+        mas.map(Mas::provider)
+                .flatMap(host -> host.nameProblem(
+                        agent, others.stream().map(PlannedAgent::name).toList()))
+                .ifPresent(why ->
+                        problems.add(at, "No agent can be called '%s' here. %s".formatted(agent, why), "Rename it."));
         mas.map(Mas::provider)
                 .filter(host -> host.languages().stream()
                         .anyMatch(language -> language.takenNames().contains(agent)))

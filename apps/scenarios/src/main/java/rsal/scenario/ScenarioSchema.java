@@ -370,7 +370,9 @@ public final class ScenarioSchema {
     }
 
     private Map<String, Object> agent(boolean partial) {
-        var robot = fields("robot", described(text(), "Role of the robots that have one each."));
+        var robot = fields(
+                "robot", described(text(), "Role of the robots that have one each."),
+                "yields", parameter(Format.YIELDS));
         var anything =
                 group(with(fields("type", text()), with(robot, fields("args", fields("type", "object")))), List.of());
         if (partial) {

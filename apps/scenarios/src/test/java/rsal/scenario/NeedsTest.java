@@ -85,4 +85,29 @@ class NeedsTest {
         var markers = RunOptions.NONE.withArguments(Map.of("sees", "markers"));
         assertThatThrownBy(() -> scenario.plan(markers)).hasMessageContaining("with (sees: markers) needs");
     }
+
+    /// Each would take it from the other, and both would get nowhere.
+    @Test
+    void twoAgentsThatDriveOneRobotAreRefusedUnlessOneYields() {
+        String two = SCENARIO.formatted(", pilot: {}", "nav", "") + "  two: {type: wander, robot: cart%s}\n";
+        assertThatThrownBy(() -> Scenario.read("two.yaml", two.formatted(""), FileSource.disk())
+                        .plan(RunOptions.NONE))
+                .hasMessageContaining("two.yaml:13:")
+                .hasMessageContaining("Agents 'one' and 'two' both drive robot 'cart'")
+                .hasMessageContaining("'yields: true'");
+        assertThat(Scenario.read("two.yaml", two.formatted(", yields: true"), FileSource.disk())
+                        .plan(RunOptions.NONE)
+                        .agents())
+                .hasSize(2);
+    }
+
+    /// One that does not drive may be beside one that does.
+    @Test
+    void anAgentThatDoesNotDriveMayBeOnARobotWithOneThatDoes() {
+        String two = SCENARIO.formatted(", pilot: {}", "nav", "") + "  two: {type: view, robot: cart}\n";
+        assertThat(Scenario.read("two.yaml", two, FileSource.disk())
+                        .plan(RunOptions.NONE)
+                        .agents())
+                .hasSize(2);
+    }
 }

@@ -7,6 +7,7 @@ import rsal.data.OccupancyGrid;
 import rsal.data.Path2d;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
 
 /// Drives somewhere.
 public interface Navigator extends Device {
@@ -67,7 +68,33 @@ public interface Navigator extends Device {
 
     /// The one way in which a goal ended.
     sealed interface Result {
-        record Reached(Pose2d mapFromBase) implements Result {}
+        /// It stands where it takes the goal to be.
+        ///
+        /// @param doubt why it may be elsewhere: for people; empty when it is localized
+        record Reached(Pose2d mapFromBase, String doubt) implements Result {
+            /// By who knows where it is.
+            public Reached(Pose2d mapFromBase) {
+                this(mapFromBase, "");
+            }
+
+            /// As sure as an estimate is.
+            public static Reached by(PoseEstimate estimate) {
+                return new Reached(
+                        estimate.mapFromBase(),
+                        estimate.quality() == PoseEstimate.Quality.LOCALIZED
+                                ? ""
+                                : String.format(
+                                        Locale.ROOT,
+                                        "The robot takes itself to be there, but is not sure: %s, confidence %.2f.",
+                                        estimate.quality().name().toLowerCase(Locale.ROOT),
+                                        estimate.confidence()));
+            }
+
+            /// Whether the robot knew where it is.
+            public boolean isSure() {
+                return doubt.isEmpty();
+            }
+        }
 
         /// @param why who or what called it off: for people
         record Cancelled(String why) implements Result {

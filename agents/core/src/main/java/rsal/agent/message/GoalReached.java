@@ -5,7 +5,8 @@ import rsal.data.Pose2d;
 
 /// A robot's drive to a place has ended.
 ///
-/// @param ending `reached`, `cancelled`, `no path` or `stuck`; `silent` says another of a robot that does not answer
+/// @param ending `reached`, `unsure` when it stands there as far as it knows, but is not localized,
+/// `cancelled`, `no path` or `stuck`; `silent` says another of a robot that does not answer
 /// @param why it did not get there, for people; empty when it did or was cancelled
 public record GoalReached(String robot, Pose2d mapFromGoal, String ending, String why) {
     public static final Topic<GoalReached> TOPIC = new Topic<>("goal-reached", GoalReached.class);
@@ -19,6 +20,11 @@ public record GoalReached(String robot, Pose2d mapFromGoal, String ending, Strin
 
     public boolean reached() {
         return ending.equals("reached");
+    }
+
+    /// Whether it stands there as far as it knows, localized or not.
+    public boolean there() {
+        return reached() || ending.equals("unsure");
     }
 
     public boolean cancelled() {

@@ -306,7 +306,7 @@ final class Controls {
 
     private void ended(Pose2d mapFromGoal, Result result) {
         trip = null;
-        if (result instanceof Result.Reached) {
+        if (result instanceof Result.Reached reached && reached.isSure()) {
             journal.event("goal", robot.id(), "is at " + Words.of(mapFromGoal));
         } else {
             journal.event(

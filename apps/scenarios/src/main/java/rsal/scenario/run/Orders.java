@@ -76,9 +76,9 @@ final class Orders {
 
     private void ended(int goal, Result result) {
         switch (result) {
-            case Result.Reached _ -> goals.end(goal, Status.SUCCEEDED, "");
+            case Result.Reached reached when reached.isSure() -> goals.end(goal, Status.SUCCEEDED, "");
             case Result.Cancelled(String why) -> goals.end(goal, Status.CANCELED, why);
-            case Result.NoPath _, Result.Stuck _ -> goals.end(goal, Status.ABORTED, Words.of(result));
+            case Result.Reached _, Result.NoPath _, Result.Stuck _ -> goals.end(goal, Status.ABORTED, Words.of(result));
         }
     }
 

@@ -137,7 +137,7 @@ final class Words {
     /// How a way ended.
     static String of(Navigator.Result result) {
         return switch (result) {
-            case Navigator.Result.Reached _ -> "reached";
+            case Navigator.Result.Reached(var _, String doubt) -> doubt.isEmpty() ? "reached" : "unsure. " + doubt;
             case Navigator.Result.Cancelled(String why) -> "cancelled. " + why;
             case Navigator.Result.NoPath(String why) -> "no path. " + why;
             case Navigator.Result.Stuck(var _, var _, String why) -> "stuck. " + why;

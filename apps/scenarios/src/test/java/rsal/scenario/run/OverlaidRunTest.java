@@ -87,7 +87,7 @@ class OverlaidRunTest {
     @ValueSource(strings = {"laser: urg04lx", "sonar: front8"})
     void goesAroundItAsIfItWereReal(String sensor) {
         try (Stage stage = stage(SCENARIO.replace("laser: urg04lx", sensor))) {
-            assertThat(stage.orders().goTo("real", GOAL, 0)).isEqualTo(new Answer.Done());
+            assertThat(stage.orders().goTo("real", GOAL, 0)).isEqualTo(new Answer.Sent(1));
             assertThat(nearest(stage, 40)).isBetween(radii(stage), 1.5);
             assertThat(end.distanceTo(GOAL)).isLessThan(0.5);
         }

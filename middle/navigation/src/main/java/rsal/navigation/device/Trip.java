@@ -274,7 +274,7 @@ final class Trip {
         double angle = Angles.difference(mapFromBase.theta(), mapFromGoal.theta());
         if (Math.abs(angle) <= tolerance.angle()) {
             if (!isLost(now)) {
-                end(new Result.Reached(mapFromBase));
+                end(Result.Reached.by(now.estimate()));
             }
             return Twist2d.STOP;
         }

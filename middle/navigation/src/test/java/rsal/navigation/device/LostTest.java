@@ -45,7 +45,25 @@ class LostTest {
 
         localizer.relocalize(belief(Quality.LOCALIZED, truth()));
         scheduler.advance(Duration.ofSeconds(60));
-        assertThat(results).singleElement().isInstanceOf(Result.Reached.class);
+        assertThat(results)
+                .singleElement()
+                .isInstanceOfSatisfying(
+                        Result.Reached.class,
+                        reached -> assertThat(reached.isSure()).isTrue());
+    }
+
+    /// It may stand elsewhere: what it measures fits there too.
+    @Test
+    void saysThatItIsNotSureWhereItIsWhenItGetsThere() {
+        Robot robot = robot(Map.of());
+        Localizer localizer = robot.require(Localizer.class);
+        localizer.relocalize(belief(Quality.AMBIGUOUS, truth()));
+        goTo(RobotBench.START.compose(new Pose2d(2, 0, 0)), robot);
+        scheduler.advance(Duration.ofSeconds(60));
+        assertThat(results).singleElement().isInstanceOfSatisfying(Result.Reached.class, reached -> {
+            assertThat(reached.isSure()).isFalse();
+            assertThat(reached.doubt()).contains("ambiguous, confidence 0.10");
+        });
     }
 
     /// It believed to be nearly there, so that all the way that it has to drive in truth is no progress.
