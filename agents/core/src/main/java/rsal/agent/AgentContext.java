@@ -72,6 +72,17 @@ public interface AgentContext {
     /// Says in a few words what it is doing, for people (`hunting prey-1`).
     void state(String words);
 
+    /// Prints a line, for people. Each line is an event of the run, also when it is equal to the last; the
+    /// newest is what it says it is doing ([#state]).
+    void print(String line);
+
+    /// Says that it wants a goal for which it has no plan at all: a mistake of its author, which the outcome
+    /// of the run tells.
+    ///
+    /// @param goal in its own language: `guard(1)`
+    /// @param where in its file; empty when nobody knows
+    void unhandled(String goal, String where);
+
     /// Shows something it believes, for people; replaces what it showed under this name.
     void show(String name, String belief);
 

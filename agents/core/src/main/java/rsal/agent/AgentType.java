@@ -8,6 +8,7 @@ import rsal.device.DriveBase;
 import rsal.device.Navigator;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
+import rsal.settings.Problem;
 
 /// A kind of agent, found by [java.util.ServiceLoader] and named by its key in a scenario.
 public interface AgentType {
@@ -47,6 +48,11 @@ public interface AgentType {
     /// What stands in its file; empty for one in Java.
     default Optional<Outline> outline() {
         return Optional.empty();
+    }
+
+    /// What in its file may not be meant; none for one in Java.
+    default List<Problem> warnings() {
+        return List.of();
     }
 
     /// @param arguments for [#parameters]

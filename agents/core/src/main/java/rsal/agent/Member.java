@@ -369,6 +369,21 @@ final class Member implements AgentContext {
     }
 
     @Override
+    public void print(String line) {
+        onLane("print");
+        if (status == Society.Status.RUNNING) {
+            state = line;
+            society.printed(new Society.Print(name(), line));
+        }
+    }
+
+    @Override
+    public void unhandled(String goal, String where) {
+        onLane("unhandled");
+        society.unhandled(new Society.Unhandled(name(), goal, where));
+    }
+
+    @Override
     public void show(String name, String belief) {
         onLane("show");
         beliefs.put(name, belief);

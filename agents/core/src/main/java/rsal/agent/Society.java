@@ -40,6 +40,8 @@ public final class Society implements AutoCloseable {
     private final Map<String, Channel<?>> channels = new HashMap<>();
     private final List<Consumer<? super Message<?>>> traffic = new CopyOnWriteArrayList<>(); // may change while told
     private final Listeners<View> changes = listeners();
+    private final Listeners<Print> prints = listeners();
+    private final Listeners<Unhandled> unhandled = listeners();
     private final Roster roster = new Roster();
     private final Turns turns;
     private Delivery delivery = Delivery.PERFECT;
@@ -181,6 +183,16 @@ public final class Society implements AutoCloseable {
         return changes.add(listener);
     }
 
+    /// Hears each line that agents print.
+    public Subscription onPrint(Consumer<? super Print> listener) {
+        return prints.add(listener);
+    }
+
+    /// Hears of each goal for which an agent has no plan.
+    public Subscription onUnhandled(Consumer<? super Unhandled> listener) {
+        return unhandled.add(listener);
+    }
+
     /// All agents ever started, in the order in which they started, with what they show of themselves.
     public List<View> views() {
         return members.values().stream().map(Member::view).toList();
@@ -272,6 +284,14 @@ public final class Society implements AutoCloseable {
         }
     }
 
+    void printed(Print print) {
+        prints.tell(print);
+    }
+
+    void unhandled(Unhandled goal) {
+        unhandled.tell(goal);
+    }
+
     /// @param reason empty when it ended as it should
     void went(Member member, String reason) {
         host.end(member.name());
@@ -283,6 +303,14 @@ public final class Society implements AutoCloseable {
     private static <T> Listeners<T> listeners() {
         return new Listeners<>(e -> LOG.log(Level.ERROR, "A listener failed and is not told any more.", e));
     }
+
+    /// A goal for which an agent has no plan.
+    ///
+    /// @param where in the agent's file; empty when nobody knows
+    public record Unhandled(String agent, String goal, String where) {}
+
+    /// What an agent printed.
+    public record Print(String agent, String line) {}
 
     /// An agent as people see it.
     ///

@@ -23,6 +23,11 @@ final class Architecture extends AgArch {
         return agent.after(delay, task);
     }
 
+    /// There is no plan at all for a goal.
+    void unhandled(String goal, String where) {
+        agent.unhandled(goal, where);
+    }
+
     @Override
     public String getAgName() {
         return name;

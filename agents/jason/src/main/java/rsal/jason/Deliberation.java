@@ -100,6 +100,11 @@ final class Deliberation extends TransitionSystem {
                     ? "No plan for goal (%s)%s applies now."
                     : "There is no plan for goal (%s)%s.";
             getLogger().warning(words.formatted(which, whence));
+            if (!getAg().getPL().hasCandidatePlan(goal) && getAgArch() instanceof Architecture own) {
+                own.unhandled(
+                        which,
+                        literal.getSrcInfo() == null ? "" : literal.getSrcInfo().toString());
+            }
         }
     }
 

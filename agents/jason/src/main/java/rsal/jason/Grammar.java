@@ -7,6 +7,7 @@ import jason.asSyntax.parser.as2j;
 import jason.asSyntax.parser.as2jConstants;
 import java.io.Reader;
 import java.util.Optional;
+import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 
 /// Jason's parser, but that files are included only from where the agent's own file is. Of its other directives none
@@ -21,6 +22,9 @@ final class Grammar extends as2j {
         /// @param askedAt where it is named
         /// @return empty when it has been read already
         Optional<String> text(String file, Location askedAt);
+
+        /// There is a directive that is not read; what follows it is.
+        void refuse(InvalidSettings mistake);
     }
 
     /// Reads a file into an agent.
@@ -57,6 +61,13 @@ final class Grammar extends as2j {
         }
     }
 
+    /// To the end of a directive.
+    private void skip() {
+        while (getToken(0).kind != EOF && !getToken(0).image.equals("}")) {
+            getNextToken();
+        }
+    }
+
     private void include(Agent agent) {
         getNextToken();
         String name = getNextToken().image;
@@ -66,8 +77,12 @@ final class Grammar extends as2j {
                 && getToken(3).image.equals(")")
                 && getToken(4).image.equals("}");
         if (!include) {
-            throw new InvalidDirective(
-                    "Directive (%s) is not read here. Only {include(\"FILE.asl\")} is.".formatted(name));
+            includes.refuse(new InvalidSettings(
+                    new Location(file, line(), column()),
+                    "Directive (%s) is not read here. Only {include(\"FILE.asl\")} is.".formatted(name),
+                    ""));
+            skip();
+            return;
         }
         getNextToken();
         String quoted = getNextToken().image;

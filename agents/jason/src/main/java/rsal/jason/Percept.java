@@ -61,6 +61,11 @@ enum Percept {
         this.watch = (self, robot, now) -> tell(self, robot.require(device), literals, now);
     }
 
+    /// What beliefs of it are called.
+    String functor() {
+        return functor;
+    }
+
     /// What a formula asks for; empty when it names a source that is not the robot, as `holding[source(amy)]`.
     static Optional<Percept> of(Literal literal) {
         Literal source = literal.getAnnot("source");

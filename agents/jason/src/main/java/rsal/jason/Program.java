@@ -14,6 +14,7 @@ import java.util.regex.Pattern;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
+import rsal.settings.Problems;
 
 /// The text of an agent and of all files that it includes, as it was when it was read. Immutable.
 ///
@@ -30,27 +31,75 @@ record Program(String path, Map<String, String> texts) {
         texts = Map.copyOf(texts);
     }
 
-    /// @throws InvalidSettings when a file can't be read, or with its first mistake of grammar
+    /// @throws InvalidSettings with all files that can't be read and directives that aren't, or with the
+    /// first mistake of grammar
     static Program read(String path, FileSource files, Location askedAt) {
-        var texts = new LinkedHashMap<String, String>();
-        parse(path, askedAt, new Reasoner(), (file, at) -> {
+        var reading = new Reading(files);
+        parse(path, askedAt, new Reasoner(), reading);
+        reading.problems.throwIfAny();
+        return new Program(path, reading.texts);
+    }
+
+    /// The files of an agent, each read once.
+    private static final class Reading implements Grammar.Includes {
+        private final FileSource files;
+        private final Map<String, String> texts = new LinkedHashMap<>(); // by path
+        private final Problems problems = new Problems();
+
+        Reading(FileSource files) {
+            this.files = files;
+        }
+
+        @Override
+        public Optional<String> text(String file, Location askedAt) {
             if (texts.containsKey(file)) {
                 return Optional.empty();
             }
             if (texts.size() == MOST_FILES) {
-                throw new InvalidSettings(at, "An agent has at most %d files.".formatted(MOST_FILES), "");
+                throw new InvalidSettings(askedAt, "An agent has at most %d files.".formatted(MOST_FILES), "");
             }
-            String text = files.text(file, MAX_BYTES, at);
+            String text = readable(file, askedAt);
             texts.put(file, text);
             return Optional.of(text);
-        });
-        return new Program(path, texts);
+        }
+
+        /// Nothing of one that can't be read, so that all these are told at once.
+        private String readable(String file, Location askedAt) {
+            try {
+                if (file.startsWith("$")) {
+                    throw new InvalidSettings(
+                            askedAt,
+                            "File '%s' can't be included: '%s' is a folder of Jason's or JaCaMo's own, which is not here."
+                                    .formatted(file, file.replaceFirst("/.*", "")),
+                            "Copy the file into the folder of the agent, or leave the line out.");
+                }
+                return files.text(file, MAX_BYTES, askedAt);
+            } catch (InvalidSettings e) {
+                refuse(e);
+                return "";
+            }
+        }
+
+        @Override
+        public void refuse(InvalidSettings mistake) {
+            problems.addAll(mistake);
+        }
     }
 
     /// Gives an agent its beliefs, goals and plans; nothing happens yet.
     void into(Agent agent) {
         var left = new LinkedHashMap<>(texts);
-        parse(path, Location.of(path), agent, (file, _) -> Optional.ofNullable(left.remove(file)));
+        parse(path, Location.of(path), agent, new Grammar.Includes() {
+            @Override
+            public Optional<String> text(String file, Location at) {
+                return Optional.ofNullable(left.remove(file));
+            }
+
+            @Override
+            public void refuse(InvalidSettings mistake) {
+                throw mistake; // none is left when it was read
+            }
+        });
     }
 
     private static void parse(String path, Location askedAt, Agent agent, Grammar.Includes includes) {
@@ -65,7 +114,7 @@ record Program(String path, Map<String, String> texts) {
                     lexical(path, String.valueOf(e.getMessage())),
                     "This is not AgentSpeak: a text without its end, or a sign that it does not have.",
                     "");
-        } catch (JasonException | InvalidDirective e) {
+        } catch (JasonException e) {
             throw new InvalidSettings(
                     new Location(path, grammar.line(), grammar.column()), String.valueOf(e.getMessage()), "");
         } catch (StackOverflowError _) {
@@ -102,12 +151,22 @@ record Program(String path, Map<String, String> texts) {
                 ends
                         ? "The file ends within a belief, a goal or a plan."
                         : "(%s) can't stand here.".formatted(read.image),
-                expectsFullStop(e) ? "Maybe a full stop is missing before." : "");
+                missing(e));
     }
 
-    private static boolean expectsFullStop(ParseException e) {
+    /// Where a step of a plan is followed by another one, a semicolon is more likely than the end of the plan.
+    private static String missing(ParseException e) {
+        boolean semicolon = expects(e, "\";\"");
+        boolean stop = expects(e, "\".\"");
+        if (semicolon && stop) {
+            return "Maybe a semicolon (between two steps) or a full stop (at the end of a plan) is missing before.";
+        }
+        return semicolon ? "Maybe a semicolon is missing before." : stop ? "Maybe a full stop is missing before." : "";
+    }
+
+    private static boolean expects(ParseException e, String token) {
         for (int[] expected : e.expectedTokenSequences) {
-            if (e.tokenImage[expected[0]].equals("\".\"")) {
+            if (e.tokenImage[expected[0]].equals(token)) {
                 return true;
             }
         }

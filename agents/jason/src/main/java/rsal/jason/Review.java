@@ -24,6 +24,7 @@ import java.util.Set;
 import rsal.agent.Topic;
 import rsal.agent.message.Topics;
 import rsal.device.Device;
+import rsal.settings.Problem;
 import rsal.settings.Problems;
 import rsal.settings.Suggestion;
 
@@ -36,21 +37,29 @@ final class Review {
     private final Set<Topic<?>> topics = new LinkedHashSet<>();
     private final Set<Class<? extends Device>> devices = new LinkedHashSet<>();
     private final List<Literal> said = new ArrayList<>();
+    private final Hints hints;
 
     private Review(Program program) {
         this.program = program;
+        this.hints = new Hints(program);
     }
 
     static Review of(Program program, Reasoner reasoner) {
         var review = new Review(program);
         reasoner.getPL().getPlans().forEach(review::plan);
         reasoner.getInitialBels().forEach(review::belief);
+        reasoner.getInitialGoals().forEach(review.hints::wants);
         review.percepts.forEach(percept -> review.devices.add(percept.device()));
         return review;
     }
 
     Problems problems() {
         return problems;
+    }
+
+    /// What may not be meant.
+    List<Problem> warnings() {
+        return hints.all();
     }
 
     Set<Percept> percepts() {
@@ -78,6 +87,7 @@ final class Review {
                     "Write a number in its place, or a rule that says where the value comes from: %s(Y) :- …."
                             .formatted(belief.getFunctor()));
         }
+        hints.believes(belief);
         formula(belief);
     }
 
@@ -94,6 +104,7 @@ final class Review {
 
     private void plan(Plan plan) {
         Trigger trigger = plan.getTrigger();
+        hints.handles(trigger);
         if (trigger.getType() == Trigger.TEType.belief) {
             event(trigger.getLiteral());
         }
@@ -133,6 +144,7 @@ final class Review {
     private void body(PlanBody body) {
         for (PlanBody step = body; step != null && !step.isEmptyBody(); step = step.getBodyNext()) {
             Term term = step.getBodyTerm();
+            hints.does(step.getBodyType(), term);
             if (term instanceof PlanBody inner) {
                 body(inner);
             } else if (step.getBodyType() == BodyType.action && term instanceof Literal literal) {

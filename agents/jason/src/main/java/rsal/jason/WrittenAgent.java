@@ -151,7 +151,11 @@ final class WrittenAgent implements Agent {
     }
 
     void say(String words) {
-        alive().self.state(words.length() <= MOST_WORDS ? words : words.substring(0, MOST_WORDS) + "…");
+        alive().self.print(words.length() <= MOST_WORDS ? words : words.substring(0, MOST_WORDS) + "…");
+    }
+
+    void unhandled(String goal, String where) {
+        alive().self.unhandled(goal, where);
     }
 
     void complain(String words) {

@@ -16,6 +16,7 @@ import rsal.device.Device;
 import rsal.settings.Arguments;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Parameter;
+import rsal.settings.Problem;
 
 /// A kind of agent that somebody wrote in AgentSpeak. Its parameters are its initial beliefs of one number or text,
 /// as `catch_distance(1.5)`, of which there is but one of that name; its fallback is what is written there.
@@ -24,6 +25,7 @@ final class WrittenType implements AgentType {
     private final List<Parameter> parameters;
     private final List<Class<? extends Device>> needs;
     private final Outline outline;
+    private final List<Problem> warnings;
 
     /// @throws InvalidSettings with what the agent names that there is not
     WrittenType(Program program) {
@@ -34,6 +36,7 @@ final class WrittenType implements AgentType {
         review.problems().throwIfAny();
         this.parameters = parameters(program, reasoner.getInitialBels());
         this.needs = review.devices();
+        this.warnings = review.warnings();
         this.outline = new Outline(
                 reasoner.getInitialGoals().stream()
                         .map(goal -> line(goal.toString(), goal))
@@ -106,6 +109,11 @@ final class WrittenType implements AgentType {
     @Override
     public List<Class<? extends Device>> needs() {
         return needs;
+    }
+
+    @Override
+    public List<Problem> warnings() {
+        return warnings;
     }
 
     @Override

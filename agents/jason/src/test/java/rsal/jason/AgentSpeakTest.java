@@ -20,6 +20,7 @@ import rsal.device.Localizer;
 import rsal.device.Navigator;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Parameter;
+import rsal.settings.Problem;
 
 class AgentSpeakTest {
     private static void refuses(String text, String... words) {
@@ -165,6 +166,47 @@ class AgentSpeakTest {
                         ".broadcast(tell,there) b.asl:2:43",
                         "publish(text,\"far\") a.asl:4:7",
                         ".send(amy,tell,far(X)) a.asl:5:7");
+    }
+
+    @Test
+    void goalsThatNoPlanHandlesAndEventsThatNothingRaisesAreHintedAt() {
+        assertThat(Texts.type("!gaurd(1).\n+!guard(N) <- !!guard(3 - N); !stand. +herd(_, _, _) <- stop.")
+                        .warnings())
+                .extracting(Problem::toString)
+                .anyMatch(hint -> hint.contains("a.asl:1:")
+                        && hint.contains("No plan handles goal '!gaurd(1)'.")
+                        && hint.contains("Maybe '!guard' was meant."))
+                .anyMatch(hint -> hint.contains("a.asl:2:") && hint.contains("'!stand'"))
+                .anyMatch(hint -> hint.contains("'+herd'") && hint.contains("Maybe '+heard'"))
+                .hasSize(3);
+        assertThat(Texts.type("!go(1). +!go <- stop.").warnings())
+                .singleElement()
+                .asString()
+                .contains("There are plans for go/0.");
+    }
+
+    /// Others may tell it something of any name, and a plan for any goal handles all.
+    @Test
+    void nothingIsHintedAtThatMayBeMeant() {
+        assertThat(Texts.type("!go. +!go <- +seen(1); !G. +!G <- stop. +seen(N) <- .print(N). +price(P)[source(S)]"
+                                + " <- .print(P, S). +offer(P) <- .print(P). +battery(B) <- .print(B).")
+                        .warnings())
+                .isEmpty();
+    }
+
+    @Test
+    void allFilesThatAreMissingAreToldAtOnce() {
+        refuses(
+                "{ include(\"no.asl\") }\n{ include(\"$jasonJar/x.asl\") }\n{ begin namespace(x) }\na(1).\n{ end }",
+                "a.asl:1:11: There is no file (no.asl)",
+                "a.asl:2:11: File '$jasonJar/x.asl' can't be included: '$jasonJar' is a folder",
+                "a.asl:3:3: Directive (begin) is not read here.",
+                "a.asl:5:3: Directive (end)");
+    }
+
+    @Test
+    void aSemicolonIsProposedWhereOneIsMissing() {
+        refuses("!go.\n+!go <- stop\n   drive(1, 0).", "a.asl:3:4: (drive) can't stand here.", "Maybe a semicolon");
     }
 
     @Test

@@ -93,6 +93,7 @@ class WrittenAgentTest extends RobotBench {
                 new Society(run, new JasonHostProvider().create(Arguments.defaults(List.of()), run), Optional.empty());
         society.onMessage(said::add);
         society.onChange(view -> states.add(view.agent().name() + ": " + view.state()));
+        society.onPrint(print -> states.add(print.agent() + ": " + print.line()));
     }
 
     private void start(String name, String text) {

@@ -122,7 +122,7 @@ final class BridgeCommand extends Subcommand {
         try (LiveRun run = LiveRun.start(plan)) {
             var ending = new ClosedAtExit(run);
             offer(run, provider, at);
-            RunResult result = new Progress(err()).await(run);
+            RunResult result = new Progress(err(), false).await(run);
             ending.checkNoSignal();
             tell(plan, result);
             return result;

@@ -28,6 +28,11 @@ final class PageRuns {
 
     /// Who has something to do with each of them; called on the thread that shows them, one run after the other.
     interface Eye extends AutoCloseable {
+        /// Whether the lines that agents print are left to the page.
+        default boolean quiet() {
+            return false;
+        }
+
         /// Starts a run; on a thread of the page, too.
         default LiveRun start(RunPlan plan) {
             return LiveRun.start(plan);
@@ -96,7 +101,7 @@ final class PageRuns {
             while (true) {
                 LiveRun run = runs.take();
                 eye.began(run);
-                RunResult result = new Progress(err).await(run);
+                RunResult result = new Progress(err, eye.quiet()).await(run);
                 ending.checkNoSignal();
                 eye.ended(run, result);
                 if (first.stay() == Stay.FOR_THE_FIRST) {

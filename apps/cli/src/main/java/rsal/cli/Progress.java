@@ -20,18 +20,22 @@ import rsal.time.AllowedToReadWallClock;
 @AllowedToReadWallClock("Tells people that it still goes on.")
 final class Progress {
     private static final long PERIOD_MILLIS = 250;
+    private static final String PRINT = "print"; // of agents
     private static final Set<String> KINDS =
-            Set.of("bridge", "caught", "collision", "fault", "health", "mapped", "operator", "unreached");
+            Set.of("bridge", "caught", "collision", "fault", "health", "mapped", "operator", PRINT, "unreached");
     private static final String CLEAR_LINE = "\r\033[K";
 
     private final PrintWriter err;
+    private final boolean quiet;
     private final boolean terminal = Terminal.showsProgress();
     private final LifeSigns signs = new LifeSigns();
     private long began;
     private long lastEvent;
 
-    Progress(PrintWriter err) {
+    /// @param quiet without what agents print
+    Progress(PrintWriter err, boolean quiet) {
         this.err = err;
+        this.quiet = quiet;
     }
 
     /// Waits for the end of a run.
@@ -60,7 +64,7 @@ final class Progress {
     private void show(LiveRun run) {
         for (RunEvent event : run.events(lastEvent)) {
             lastEvent = event.sequence();
-            if (tells(event)) {
+            if (tells(event) && !(quiet && event.kind().equals(PRINT))) {
                 clear();
                 err.println(line(event));
             }

@@ -16,6 +16,7 @@ import rsal.scenario.run.TopicTraffic;
 /// @param topics how many messages were said and heard about each, and lost by whichever cause
 /// @param communication empty where the scenario does not limit it
 /// @param failed what went wrong with agents that ended by a mistake of their own, by name
+/// @param unhandledGoals goals for which agents had no plan at all, by name of the agent
 /// @param arguments all of the scenario, by name
 /// @param with the scenario that joined it; null when none did
 record ResultJson(
@@ -30,6 +31,7 @@ record ResultJson(
         List<Topic> topics,
         List<Hearing> communication,
         Map<String, String> failed,
+        Map<String, List<String>> unhandledGoals,
         Map<String, Object> arguments,
         Optional<String> with) {
     record Topic(String topic, long said, long heard, long lost) {}
@@ -49,6 +51,7 @@ record ResultJson(
                 result.topics().stream().map(ResultJson::topic).toList(),
                 result.communication(),
                 result.failed(),
+                result.unhandledGoals(),
                 plan.arguments(),
                 plan.with());
     }

@@ -28,6 +28,8 @@ record ResultText(RunPlan plan, RunResult result) {
                                 result.simulatedSeconds(),
                                 result.wallSeconds()));
         result.failed().forEach((agent, why) -> table.row(agent, "failed: " + why));
+        result.unhandledGoals()
+                .forEach((agent, goals) -> table.row(agent, "has no plan for: " + String.join(", ", goals)));
         result.measures().forEach((name, value) -> table.row(name, measured(name, value)));
         if (!result.communication().isEmpty()) {
             table.row("communication", heard(result.communication()));

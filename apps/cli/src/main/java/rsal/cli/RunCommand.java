@@ -45,6 +45,9 @@ final class RunCommand extends Subcommand {
     @Option(names = "--headless", description = "No page: the command ends with the run.")
     private boolean headless;
 
+    @Option(names = "--quiet", description = "Without the lines that agents print.")
+    private boolean quiet;
+
     @Option(names = "--once", description = "With the page, too, end with the run.")
     private boolean once;
 
@@ -126,7 +129,7 @@ final class RunCommand extends Subcommand {
                 LiveRun run = onlookers.start(plan)) {
             armIfWanted(run);
             var ending = new ClosedAtExit(() -> close(run, onlookers));
-            RunResult result = new Progress(err()).await(run);
+            RunResult result = new Progress(err(), quiet).await(run);
             ending.checkNoSignal();
             onlookers.end(run);
             maps.ifPresent(saved -> saved.write(run, err()));
@@ -152,6 +155,11 @@ final class RunCommand extends Subcommand {
             @Override
             public LiveRun start(RunPlan next) {
                 return onlookers.start(next);
+            }
+
+            @Override
+            public boolean quiet() {
+                return quiet;
             }
 
             @Override

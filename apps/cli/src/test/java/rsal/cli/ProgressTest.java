@@ -22,6 +22,7 @@ class ProgressTest {
         assertThat(Progress.tells(event("unreached", "can't get to (3.00, 1.00), 0°: stuck")))
                 .isTrue();
         assertThat(Progress.tells(event("collision", "ran into wall"))).isTrue();
+        assertThat(Progress.tells(event("print", "beat"))).isTrue();
         assertThat(Progress.tells(event("goal", "is at (3.00, 1.00), 0°"))).isFalse();
     }
 

@@ -33,6 +33,7 @@ class ResultTest {
                 Map.of(),
                 List.of(),
                 failed,
+                Map.of("guard", List.of("gaurd(1)")),
                 List.of(),
                 List.of());
     }

@@ -63,7 +63,16 @@ public record Row(
                 result.eventHash(),
                 result.measures(),
                 result.outOfBounds(),
-                result.failed());
+                failed(result));
+    }
+
+    /// An agent without a plan for a goal has made a mistake, too.
+    private static Map<String, String> failed(RunResult result) {
+        var failed = new LinkedHashMap<String, String>();
+        result.unhandledGoals()
+                .forEach((agent, goals) -> failed.put(agent, "no plan for goal " + String.join(", ", goals)));
+        failed.putAll(result.failed());
+        return failed;
     }
 
     static Row broken(Trial trial, Map<String, Object> arguments, String reason) {

@@ -17,6 +17,7 @@ final class Outcome {
     static final String NAME = "rsal.result";
     static final String MEASURE = "measure.";
     private static final String FAILED = "failed."; // and an agent's name
+    private static final String UNHANDLED = "unhandledGoals.";
 
     private Outcome() {}
 
@@ -30,9 +31,13 @@ final class Outcome {
         }
         var measures = new LinkedHashMap<String, OptionalDouble>();
         var failed = new LinkedHashMap<String, String>();
+        var unhandled = new LinkedHashMap<String, List<String>>();
         entries.forEach((name, value) -> {
             if (name.startsWith(FAILED)) {
                 failed.put(name.substring(FAILED.length()), value);
+            }
+            if (name.startsWith(UNHANDLED)) {
+                unhandled.put(name.substring(UNHANDLED.length()), List.of(value.split("\n")));
             }
             if (name.startsWith(MEASURE)) {
                 double number = number(value);
@@ -54,6 +59,7 @@ final class Outcome {
                         .filter(name -> !name.isEmpty())
                         .toList(),
                 failed,
+                unhandled,
                 List.of(),
                 List.of()));
     }
@@ -83,6 +89,7 @@ final class Outcome {
                             entries.put(MEASURE + name, value.isPresent() ? Double.toString(value.getAsDouble()) : ""));
             entries.put("outOfBounds", String.join(" ", ended.outOfBounds()));
             ended.failed().forEach((agent, why) -> entries.put(FAILED + agent, why));
+            ended.unhandledGoals().forEach((agent, goals) -> entries.put(UNHANDLED + agent, String.join("\n", goals)));
         });
         entries.put("droppedStates", Long.toString(droppedStates));
         return entries;

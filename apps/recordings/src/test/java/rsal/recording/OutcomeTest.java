@@ -27,6 +27,7 @@ class OutcomeTest {
                 Map.of(),
                 List.of(),
                 failed,
+                Map.of("guard", List.of("gaurd(1)")),
                 List.of(),
                 List.of());
         assertThat(Outcome.read(Outcome.entries(Optional.of(result), 0), plan)).contains(result);

@@ -55,7 +55,8 @@ final class Notes {
         return Stream.of(
                         notes.stream().map(note -> new Problem(at, note, "")),
                         Destinations.misplaced(plan).stream(),
-                        empty(plan).stream())
+                        empty(plan).stream(),
+                        plan.agents().stream().flatMap(agent -> agent.type().warnings().stream()))
                 .flatMap(each -> each)
                 .distinct()
                 .toList();

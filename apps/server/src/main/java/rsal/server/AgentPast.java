@@ -14,7 +14,7 @@ import rsal.scenario.run.Spoken;
 /// What events of a run tell of an agent's past: what it did, what was said to it by name, and what it talked about.
 /// Whom it reached what is said to all is no event. Of each kind it has the last [#MOST_OF_A_KIND].
 final class AgentPast {
-    private static final Set<String> DOINGS = Set.of("agent", "fault"); // kinds of events
+    private static final Set<String> DOINGS = Set.of("agent", "fault", "print"); // kinds of events
     private static final int MOST_OF_A_KIND = 100; // changes, or messages
 
     private final String agent;

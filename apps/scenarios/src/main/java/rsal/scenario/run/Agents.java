@@ -47,6 +47,7 @@ import rsal.time.Scheduler;
 /// The agents of a run: starts them, asks them for people, and journals what they say and what becomes of them. All
 /// calls on the run's thread.
 final class Agents implements AutoCloseable {
+    private static final int MOST_UNHANDLED = 10; // goals of an agent that are told
     private static final int LAST_MESSAGES = 5;
     private static final String OPERATOR = "operator"; // who speaks for people
     static final int MOST_BY_HAND = 500; // starts that people ask for, of a run
@@ -65,6 +66,7 @@ final class Agents implements AutoCloseable {
     private final Map<String, Deque<String>> lastMessages = new HashMap<>(); // in words
     private final Map<String, Instant> lastSaid = new HashMap<>(); // when
     private final Map<String, String> lastWords = new HashMap<>();
+    private final Map<String, List<String>> unhandledGoals = new TreeMap<>(); // by agent
     private final Map<String, Sending> sendings = new HashMap<>(); // where the operator wants robots
     private final Conversations conversations = new Conversations();
     private final Talks talks;
@@ -113,6 +115,8 @@ final class Agents implements AutoCloseable {
         agents.reserve(Topics.ALL);
         agents.onMessage(this::heard);
         agents.onChange(this::changed);
+        agents.onPrint(this::printed);
+        agents.onUnhandled(this::unhandled);
         radio = plan.communication().map(this::radio);
         agents.deliverBy(new Post(radio, faults, traffic, mailboxes, links));
     }
@@ -480,6 +484,32 @@ final class Agents implements AutoCloseable {
             journal.event(view.status() == Society.Status.FAILED ? "fault" : "agent", name, words);
             diaries.does(name, words);
         }
+    }
+
+    /// Each line counts, also one that is equal to the last.
+    private void printed(Society.Print print) {
+        if (!closed) {
+            lastWords.put(print.agent(), print.line());
+            journal.event("print", print.agent(), print.line());
+            diaries.does(print.agent(), print.line());
+        }
+    }
+
+    private void unhandled(Society.Unhandled goal) {
+        List<String> all = unhandledGoals.computeIfAbsent(goal.agent(), _ -> new ArrayList<>());
+        if (closed || all.contains(goal.goal())) {
+            return;
+        }
+        if (all.size() < MOST_UNHANDLED) {
+            all.add(goal.goal());
+        }
+        String where = goal.where().isEmpty() ? "" : " at " + goal.where();
+        journal.event("fault", goal.agent(), "has no plan for goal '%s'%s".formatted(goal.goal(), where));
+    }
+
+    /// Goals for which agents had no plan at all, by their names; the first ten of each.
+    Map<String, List<String>> unhandledGoals() {
+        return unhandledGoals;
     }
 
     /// What went wrong with those that have failed, by name.

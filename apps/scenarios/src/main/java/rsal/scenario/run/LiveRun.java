@@ -18,6 +18,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Queue;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -30,6 +31,8 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Function;
 import java.util.function.LongSupplier;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentType;
 import rsal.agent.Turns;
@@ -736,7 +739,11 @@ public final class LiveRun implements AutoCloseable {
         if (outcome == null) {
             Set<String> failed = stage == null || plan.toleratesFailedAgents() || how.equals(STOPPED)
                     ? Set.of()
-                    : stage.failedAgents().keySet();
+                    : Stream.of(
+                                    stage.failedAgents().keySet(),
+                                    stage.unhandledGoals().keySet())
+                            .flatMap(Set::stream)
+                            .collect(Collectors.toCollection(TreeSet::new));
             outcome = failed.isEmpty() || how.equals(TIMEOUT) ? how : FAILURE;
             String why = failed.isEmpty() ? "" : "; failed: " + String.join(", ", failed);
             journal.event("run", "", "ends: " + outcome + why);
@@ -840,6 +847,7 @@ public final class LiveRun implements AutoCloseable {
                 measures,
                 outOfBounds,
                 stage == null ? Map.of() : stage.failedAgents(),
+                stage == null ? Map.of() : stage.unhandledGoals(),
                 stage == null ? List.of() : stage.topics(),
                 stage == null ? List.of() : stage.hearings());
     }

@@ -11,12 +11,12 @@ import java.util.TreeMap;
 ///
 /// @param outcome `success`, `failure` or `timeout`, as the scenario says; `limit` when the time was up that its
 /// starter gave it; `stopped` by an operator. What would be a success, or at a limit, is a failure when an agent
-/// failed,
-/// unless the scenario tolerates that
+/// failed or had no plan for a goal, unless the scenario tolerates that
 /// @param eventHash SHA-256 in hexadecimal over all that happened; equal for equal runs
 /// @param measures by name, in the scenario's order; empty where there was nothing to measure
 /// @param outOfBounds names of the measures that are not within the bounds the scenario gives
 /// @param failed agents that ended by a mistake of their own, each with what went wrong, by name
+/// @param unhandledGoals goals for which agents had no plan at all, by name of the agent; the first ten of each
 /// @param topics how much was said about each topic
 /// @param communication who heard what, by sender, listener and topic; empty where the scenario does not limit it
 public record RunResult(
@@ -30,12 +30,14 @@ public record RunResult(
         Map<String, OptionalDouble> measures,
         List<String> outOfBounds,
         Map<String, String> failed,
+        Map<String, List<String>> unhandledGoals,
         List<TopicTraffic> topics,
         List<Hearing> communication) {
     public RunResult {
         measures = Collections.unmodifiableMap(new LinkedHashMap<>(measures));
         outOfBounds = List.copyOf(outOfBounds);
         failed = Collections.unmodifiableMap(new TreeMap<>(failed));
+        unhandledGoals = Collections.unmodifiableMap(new TreeMap<>(unhandledGoals));
         topics = List.copyOf(topics);
         communication = List.copyOf(communication);
     }

@@ -362,6 +362,11 @@ final class Stage implements AutoCloseable {
         return agents.failed();
     }
 
+    /// Goals for which agents had no plan at all, by their names.
+    Map<String, List<String>> unhandledGoals() {
+        return agents.unhandledGoals();
+    }
+
     /// What agents say all the time.
     Routine routine() {
         return journal.routine();
