@@ -435,7 +435,8 @@ final class Replaced {
             return true;
         }
 
-        /// Nobody has answered, or not all: then the answers are those that came.
+        /// Nobody has answered, or not all: then the answers are those that came. Where the answer is to be
+        /// of some form, the step fails: what stands in that form has no value.
         private void giveUp(TransitionSystem ts, String id, boolean many) {
             Intention intention = ts.getC().removePendingIntention(id);
             if (intention == null) {
@@ -447,10 +448,26 @@ final class Replaced {
                 Term some = un.get(new VarTerm("AnsList___" + id)); // where Jason collects them
                 answer = some == null ? ASSyntax.createList() : some;
             }
-            if (intention.peek().removeCurrentStep() instanceof Structure send) {
-                un.unifies(send.getTerm(3), answer);
+            if (intention.peek().getCurrentStep().getBodyTerm() instanceof Structure send
+                    && !un.unifies(send.getTerm(3), answer)) {
+                fail(ts, intention, send);
+                return;
             }
+            intention.peek().removeCurrentStep();
             ts.getC().resumeIntention(intention, new Atom("send_ask_msg_timeout"));
+        }
+
+        private void fail(TransitionSystem ts, Intention intention, Structure send) {
+            try {
+                ts.generateGoalDeletion(
+                        intention,
+                        JasonException.createBasicErrorAnnots(
+                                "ask_timeout",
+                                "Nobody has answered in time with '%s'.".formatted(Terms.written(send.getTerm(3)))),
+                        new Atom("ask_timeout"));
+            } catch (JasonException e) {
+                agent.complain(String.valueOf(e.getMessage()));
+            }
         }
     }
 

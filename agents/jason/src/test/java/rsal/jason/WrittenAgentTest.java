@@ -502,6 +502,20 @@ class WrittenAgentTest extends RobotBench {
         assertThat(states).contains("bob: timeout");
     }
 
+    /// What stands in the form of the answer would have no value.
+    @Test
+    void anAnswerOfSomeFormThatDoesNotComeFailsThePlan() {
+        start("amy", _ -> {});
+        start(
+                "bob",
+                "!go. +!go <- .send(amy, askOne, price(_), price(P), 500); .print(\"got \", P)."
+                        + " -!go[error(E), error_msg(M)] <- .print(E, \": \", M).");
+        advance(1);
+        assertThat(states)
+                .contains("bob: ask_timeout: Nobody has answered in time with 'price(V1)'.")
+                .noneMatch(state -> state.startsWith("bob: got"));
+    }
+
     @Test
     void javaAgentsHearThemAndSpeakToThem() {
         start(

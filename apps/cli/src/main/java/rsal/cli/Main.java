@@ -225,7 +225,7 @@ public final class Main implements Runnable {
             failure.printStackTrace(err);
             return;
         }
-        Path log = Files.createTempFile("rsal-", ".log");
+        Path log = OldLogs.next();
         try (var file = new PrintWriter(Files.newBufferedWriter(log))) {
             file.println("rsal " + String.join(" ", typed));
             Stream.of("java.vm.version", "os.name", "os.arch")

@@ -13,6 +13,7 @@ import rsal.time.AllowedToReadWallClock;
 import tools.jackson.databind.JsonNode;
 
 /// What an operator does with a run that has a page, without looking at that. The same person must have started it.
+@AllowedToReadWallClock("Says how fast a command was confirmed, and waits for what it leads to.")
 final class OperatorCommands {
     private static final long LOOK_MILLIS = 200; // between two looks at what is waited for
     private static final int LOOKS = 50;
@@ -82,7 +83,6 @@ final class OperatorCommands {
     }
 
     /// What changes something, and says what became of it and how fast.
-    @AllowedToReadWallClock("Says how fast a command was confirmed.")
     abstract static class Confirmed extends PageCommand {
         private long began;
 

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -91,9 +92,12 @@ final class PageRuns {
     /// @param port of the page; null for the usual one, or any when that is in use
     static RunResult show(First first, @Nullable Integer port, PrintWriter err, Eye eye) throws Exception {
         var runs = new LinkedBlockingQueue<LiveRun>();
+        var begun = new AtomicReference<AutoCloseable>(() -> {});
+        // before it begins: a recording that was begun has to end, too
+        var ending = new ClosedAtExit(() -> close(begun.get(), eye));
         try (eye;
                 RunServer server = serve(first, port, runs::add, eye)) {
-            var ending = new ClosedAtExit(() -> close(server, eye));
+            begun.set(server);
             keepKey(server, err);
             eye.shown(server);
             boolean isChoosing = first.stay() == Stay.FOR_A_CHOICE;
@@ -112,7 +116,7 @@ final class PageRuns {
         }
     }
 
-    private static void close(RunServer server, Eye eye) {
+    private static void close(AutoCloseable server, Eye eye) throws Exception {
         server.close(); // first, for the end of its run to be seen
         eye.close();
     }

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ITypeConverter;
@@ -125,10 +126,13 @@ final class RunCommand extends Subcommand {
     }
 
     private RunResult runHeadless(RunPlan plan, Optional<SavedMaps> maps, Onlookers onlookers) throws Exception {
+        var begun = new AtomicReference<AutoCloseable>(() -> {});
+        // before it begins: a recording that was begun has to end, too
+        var ending = new ClosedAtExit(() -> close(begun.get(), onlookers));
         try (onlookers;
                 LiveRun run = onlookers.start(plan)) {
+            begun.set(run);
             armIfWanted(run);
-            var ending = new ClosedAtExit(() -> close(run, onlookers));
             RunResult result = new Progress(err(), quiet).await(run);
             ending.checkNoSignal();
             onlookers.end(run);

@@ -36,6 +36,7 @@ final class RunRecorder implements AutoCloseable {
     private @Nullable LiveRun run;
     private @Nullable Path recorded;
     private boolean failed;
+    private boolean over;
 
     /// What recordings have come to.
     ///
@@ -66,7 +67,7 @@ final class RunRecorder implements AutoCloseable {
     /// @return whom it is to tell; empty when nothing is to be recorded
     /// @throws InvalidSettings when the file can't be written, or is there and may not be lost
     synchronized Optional<Witness> begin(Origin origin) {
-        if (file.isEmpty()) {
+        if (file.isEmpty() || over) {
             return Optional.empty();
         }
         end();
@@ -126,7 +127,7 @@ final class RunRecorder implements AutoCloseable {
 
     private void end() {
         Recorder ended = recorder;
-        close();
+        endRecording();
         if (ended == null) {
             return;
         }
@@ -152,9 +153,14 @@ final class RunRecorder implements AutoCloseable {
         return failed;
     }
 
-    /// Ends the recording that is under way.
+    /// Ends the recording that is under way; no other begins.
     @Override
     public synchronized void close() {
+        over = true;
+        endRecording();
+    }
+
+    private void endRecording() {
         Recorder open = recorder;
         LiveRun recordedRun = run;
         if (open == null) {

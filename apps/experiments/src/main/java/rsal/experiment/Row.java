@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import rsal.scenario.Folders;
 import rsal.scenario.run.RunResult;
 
 /// What came of one run of an experiment. Part of what users build on: names and order stay, more may follow.
@@ -43,7 +44,7 @@ public record Row(
         requireNonNull(configuration);
         arguments = Collections.unmodifiableMap(new LinkedHashMap<>(arguments));
         requireNonNull(outcome);
-        requireNonNull(reason);
+        reason = Folders.without(reason);
         measures = Collections.unmodifiableMap(new LinkedHashMap<>(measures));
         outOfBounds = List.copyOf(outOfBounds);
         failedAgents = Collections.unmodifiableMap(new LinkedHashMap<>(failedAgents));
@@ -71,7 +72,7 @@ public record Row(
         var failed = new LinkedHashMap<String, String>();
         result.unhandledGoals()
                 .forEach((agent, goals) -> failed.put(agent, "no plan for goal " + String.join(", ", goals)));
-        failed.putAll(result.failed());
+        result.failed().forEach((agent, why) -> failed.put(agent, Folders.without(why)));
         return failed;
     }
 

@@ -93,10 +93,14 @@ record Wish(Kind kind, String robot) {
     }
 
     private static double number(@Nullable JsonNode node, String what) throws Unclear {
-        if (node == null || !node.isNumber() || !Double.isFinite(node.asDouble())) {
+        if (node == null || !node.isNumber()) {
             throw new Unclear("The number (%s) is missing. Poses are like geometry_msgs/PoseStamped.".formatted(what));
         }
-        return node.asDouble();
+        double value = node.asDouble(Double.NaN); // of an integer that no double is as large as
+        if (!Double.isFinite(value)) {
+            throw new Unclear("The number (%s) is too large.".formatted(what));
+        }
+        return value;
     }
 
     static String shortened(String text) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -72,6 +73,19 @@ class WishTest {
         assertThatThrownBy(() -> Wish.pose(message.getBytes(StandardCharsets.UTF_8)))
                 .isInstanceOf(Unclear.class)
                 .hasMessageContaining(why);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {20, 309, 400, 999, 5000})
+    void integersOfAnySizeAreTold(int digits) {
+        String huge = "1" + "0".repeat(digits);
+        for (String number : List.of("x", "y", "z", "w")) {
+            String message = "{\"position\": {\"x\": 1, \"y\": 2}, \"orientation\": {\"z\": 0, \"w\": 1}}"
+                    .replaceFirst("\"" + number + "\": \\d", "\"" + number + "\": " + huge);
+            assertThatThrownBy(() -> Wish.pose(message.getBytes(StandardCharsets.UTF_8)))
+                    .as("%s with %d digits", number, digits)
+                    .isInstanceOf(Unclear.class);
+        }
     }
 
     @Test

@@ -5,6 +5,7 @@ import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -20,6 +21,7 @@ import rsal.recording.mcap.McapFile;
 import rsal.recording.mcap.Schema;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.ProtoReader;
+import rsal.scenario.CsvLine;
 
 /// Writes messages as tables, one for each topic: a row is a message, or, where a message is a list (robots of a state,
 /// transforms, particles, points of a path), an element of it. The first column is the log time in seconds, the others
@@ -131,26 +133,20 @@ public final class CsvExport {
             last.set(message);
             if (columns.isEmpty()) {
                 columns.addAll(table.columns(message));
-                out.write("log_time_s," + String.join(",", columns) + "\n");
+                out.write(header(columns));
             }
             for (Map<String, String> row : table.rows(message)) {
-                out.write(Double.toString(logTime / 1e9));
-                for (String column : columns) {
-                    out.write("," + quoted(row.getOrDefault(column, "")));
-                }
-                out.write("\n");
+                Stream<String> cells = columns.stream().map(column -> row.getOrDefault(column, ""));
+                out.write(CsvLine.of(Stream.concat(Stream.of(Double.toString(logTime / 1e9)), cells)));
             }
         });
         if (columns.isEmpty()) {
-            out.write("log_time_s," + String.join(",", table.columns(Map.of())) + "\n");
+            out.write(header(table.columns(Map.of())));
         }
         return Optional.ofNullable(last.get());
     }
 
-    /// As RFC 4180 has it.
-    private static String quoted(String cell) {
-        return cell.chars().anyMatch(c -> c == ',' || c == '"' || c == '\n' || c == '\r')
-                ? "\"" + cell.replace("\"", "\"\"") + "\""
-                : cell;
+    private static String header(Collection<String> columns) {
+        return CsvLine.of(Stream.concat(Stream.of("log_time_s"), columns.stream()));
     }
 }

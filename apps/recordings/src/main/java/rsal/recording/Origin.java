@@ -11,6 +11,7 @@ import java.util.OptionalLong;
 import rsal.recording.mcap.Attachment;
 import rsal.recording.mcap.McapWriter;
 import rsal.recording.mcap.Metadata;
+import rsal.scenario.Folders;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 
@@ -35,7 +36,7 @@ public record Origin(RunPlan plan, String program, String command, Instant start
         RunOptions options = plan.options();
         var entries = new LinkedHashMap<String, String>();
         entries.put("scenario", plan.scenario().name());
-        entries.put("file", plan.scenario().location().file());
+        entries.put("file", Folders.without(plan.scenario().location().file()));
         entries.put("configuration", plan.configuration());
         entries.put("seed", Long.toString(plan.seed()));
         plan.arguments().forEach((name, value) -> entries.put("argument." + name, String.valueOf(value)));
@@ -52,7 +53,7 @@ public record Origin(RunPlan plan, String program, String command, Instant start
         entries.put("program", program);
         entries.put("java", System.getProperty("java.vm.version", ""));
         entries.put("machine", System.getProperty("os.name", "") + " " + System.getProperty("os.arch", ""));
-        entries.put("command", command);
+        entries.put("command", Folders.without(command));
         entries.put("started", started.toString());
         file.metadata(new Metadata(NAME, entries));
         for (var read : plan.scenario().readFiles().entrySet()) {

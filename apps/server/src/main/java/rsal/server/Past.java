@@ -52,11 +52,16 @@ interface Past {
     /// @throws Refusal when it is no number
     static Duration asked(Context request) {
         String typed = Optional.ofNullable(request.queryParam("time")).orElse("1e9");
+        double seconds;
         try {
-            return time(Double.parseDouble(typed));
+            seconds = Double.parseDouble(typed);
         } catch (NumberFormatException _) {
+            seconds = Double.NaN;
+        }
+        if (!Double.isFinite(seconds)) {
             throw new Refusal(400, "A time is a number of seconds, not (%s).".formatted(Refusal.shortened(typed)));
         }
+        return time(seconds);
     }
 
     /// The time that is asked about, in s of the run; empty when none is, which is about the present.

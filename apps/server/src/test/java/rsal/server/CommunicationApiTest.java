@@ -383,8 +383,12 @@ class CommunicationApiTest {
         assertThat(known(asked)).as("when it is over").isEqualTo(then);
         assertThat(get("/api/readings?robot=nobody" + asked).get("readings").size())
                 .isZero();
-        assertThat(RawHttp.get(port, "/api/readings?robot=prey&time=soon", host).status())
-                .isEqualTo(400);
+        for (String time : List.of("soon", "NaN", "Infinity", "-Infinity", "")) {
+            assertThat(RawHttp.get(port, "/api/readings?robot=prey&time=" + time, host)
+                            .status())
+                    .as(time)
+                    .isEqualTo(400);
+        }
     }
 
     /// Whoever goes on by steps looks closely, also at what is hardly newer than what is kept.

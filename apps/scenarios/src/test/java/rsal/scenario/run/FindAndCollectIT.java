@@ -191,7 +191,7 @@ class FindAndCollectIT {
     /// What the agent `fetch` has said that it does, of this.
     private static List<String> fetching(Collection all, String pattern) {
         return all.events.stream()
-                .filter(event -> event.kind().equals("agent") && event.subject().equals("fetch"))
+                .filter(event -> Handover.isOfAgent(event) && event.subject().equals("fetch"))
                 .map(RunEvent::text)
                 .filter(text -> text.matches(pattern))
                 .toList();

@@ -25,8 +25,7 @@ record Handover(String job, Optional<Duration> taken) {
     static Duration most(List<RunEvent> events, RunEvent fault, String agent, String idle) {
         Duration noticed = fault.time().plus(SILENCE);
         List<RunEvent> others = events.stream()
-                .filter(event ->
-                        event.kind().equals("agent") && !event.subject().equals(agent))
+                .filter(event -> isOfAgent(event) && !event.subject().equals(agent))
                 .toList();
         Map<String, String> then = new HashMap<>();
         others.stream()
@@ -43,10 +42,15 @@ record Handover(String job, Optional<Duration> taken) {
         return free.minus(fault.time()).plus(TO_ALLOT);
     }
 
+    /// Whether an agent says what it does; those in AgentSpeak print it.
+    static boolean isOfAgent(RunEvent event) {
+        return event.kind().equals("agent") || event.kind().equals("print");
+    }
+
     /// @param agent of the robot that is gone
     static Handover of(List<RunEvent> events, RunEvent fault, String agent) {
         String job = events.stream()
-                .filter(event -> event.kind().equals("agent") && event.subject().equals(agent))
+                .filter(event -> isOfAgent(event) && event.subject().equals(agent))
                 .filter(event -> event.time().compareTo(fault.time()) < 0)
                 .reduce((_, later) -> later)
                 .orElseThrow()
@@ -54,8 +58,7 @@ record Handover(String job, Optional<Duration> taken) {
         return new Handover(
                 job,
                 events.stream()
-                        .filter(event ->
-                                event.kind().equals("agent") && event.text().equals(job))
+                        .filter(event -> isOfAgent(event) && event.text().equals(job))
                         .filter(event -> !event.subject().equals(agent))
                         .map(RunEvent::time)
                         .filter(time -> time.compareTo(fault.time()) >= 0)
