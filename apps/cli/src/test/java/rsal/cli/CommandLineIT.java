@@ -415,6 +415,7 @@ class CommandLineIT {
                         "topics",
                         "communication",
                         "failed",
+                        "unhandledGoals",
                         "arguments",
                         "with");
         assertThat(result.get("scenario").stringValue()).isEqualTo("guard");
