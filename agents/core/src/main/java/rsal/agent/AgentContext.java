@@ -76,6 +76,13 @@ public interface AgentContext {
     /// newest is what it says it is doing ([#state]).
     void print(String line);
 
+    /// Publishes a value for the run's results: a measure of the scenario names it as `metric(name)`.
+    ///
+    /// @param name up to 100 characters
+    /// @param value finite; in the unit that the measure has
+    /// @throws IllegalArgumentException when the name is empty or too long, or the value is not finite
+    void metric(String name, double value);
+
     /// Says that it wants a goal for which it has no plan at all: a mistake of its author, which the outcome
     /// of the run tells.
     ///

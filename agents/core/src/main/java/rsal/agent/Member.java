@@ -35,6 +35,7 @@ final class Member implements AgentContext {
     /// How many messages and tasks an agent may set off within [#WINDOW], answers to what it says to one included.
     /// A run with two agents that answer each other for ever would never see the next instant.
     static final int LIMIT = 10_000;
+    private static final int MOST_METRIC_NAME = 100; // characters
 
     /// How many answers to something that an agent says to another alone count for the one who asked, as long as
     /// they come before the end of the next [#WINDOW]. So nobody is ended for what others ask it, and none has to
@@ -374,6 +375,20 @@ final class Member implements AgentContext {
         if (status == Society.Status.RUNNING) {
             state = line;
             society.printed(new Society.Print(name(), line));
+        }
+    }
+
+    @Override
+    public void metric(String name, double value) {
+        onLane("metric");
+        if (name.isEmpty() || name.length() > MOST_METRIC_NAME || !Double.isFinite(value)) {
+            throw new IllegalArgumentException(
+                    "A metric has a name of 1 to %d characters and a finite value, not '%s' and %s."
+                            .formatted(MOST_METRIC_NAME, name, value));
+        }
+        if (status == Society.Status.RUNNING) {
+            countWhatItSetsOff();
+            society.measured(new Society.Metric(name(), name, value));
         }
     }
 

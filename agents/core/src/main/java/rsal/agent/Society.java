@@ -41,6 +41,7 @@ public final class Society implements AutoCloseable {
     private final List<Consumer<? super Message<?>>> traffic = new CopyOnWriteArrayList<>(); // may change while told
     private final Listeners<View> changes = listeners();
     private final Listeners<Print> prints = listeners();
+    private final Listeners<Metric> metrics = listeners();
     private final Listeners<Unhandled> unhandled = listeners();
     private final Roster roster = new Roster();
     private final Turns turns;
@@ -188,6 +189,11 @@ public final class Society implements AutoCloseable {
         return prints.add(listener);
     }
 
+    /// Hears each value that agents publish for the results.
+    public Subscription onMetric(Consumer<? super Metric> listener) {
+        return metrics.add(listener);
+    }
+
     /// Hears of each goal for which an agent has no plan.
     public Subscription onUnhandled(Consumer<? super Unhandled> listener) {
         return unhandled.add(listener);
@@ -288,6 +294,10 @@ public final class Society implements AutoCloseable {
         prints.tell(print);
     }
 
+    void measured(Metric metric) {
+        metrics.tell(metric);
+    }
+
     void unhandled(Unhandled goal) {
         unhandled.tell(goal);
     }
@@ -311,6 +321,9 @@ public final class Society implements AutoCloseable {
 
     /// What an agent printed.
     public record Print(String agent, String line) {}
+
+    /// A value that an agent published for the results.
+    public record Metric(String agent, String name, double value) {}
 
     /// An agent as people see it.
     ///

@@ -85,7 +85,7 @@ final class Chasing implements Skill<Catch> {
         evasion.ifPresent(guess -> guess.learn(here.get()));
         Pose2d prey = mapFromPrey.get();
         List<Pose2d> hunters = huntersNear(prey, here.get());
-        if (here.get().distanceTo(prey) < catchDistance) {
+        if (isNear(here.get(), prey)) {
             driver.stop();
         } else if (evasion.isEmpty() || hunters.isEmpty()) {
             go(prey);
@@ -98,6 +98,11 @@ final class Chasing implements Skill<Catch> {
                 }
             });
         }
+    }
+
+    /// Near enough to catch it, with nothing between.
+    private boolean isNear(Pose2d here, Pose2d prey) {
+        return here.distanceTo(prey) < catchDistance && !LineOfSight.isBlocked(robot, here, prey);
     }
 
     private List<Pose2d> huntersNear(Pose2d mapFromPrey, Pose2d here) {
@@ -127,7 +132,7 @@ final class Chasing implements Skill<Catch> {
         boolean near = job.filter(now -> now.prey().equals(report.robot())).isPresent()
                 && mapFromBase
                         .get()
-                        .filter(here -> here.distanceTo(report.mapFromBase()) < catchDistance)
+                        .filter(here -> isNear(here, report.mapFromBase()))
                         .isPresent();
         if (near) {
             driver.stop();

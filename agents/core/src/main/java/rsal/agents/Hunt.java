@@ -196,6 +196,7 @@ final class Hunt {
     private boolean isNear(Pose2d mapFromPrey) {
         return reporter.mapFromBase()
                 .filter(mapFromBase -> mapFromBase.distanceTo(mapFromPrey) < catchDistance)
+                .filter(mapFromBase -> !LineOfSight.isBlocked(robot, mapFromBase, mapFromPrey))
                 .isPresent();
     }
 

@@ -16,8 +16,8 @@ import rsal.data.Pose2d;
 import rsal.data.Twist2d;
 import rsal.robot.Robot;
 
-/// What a prey does when it believes a hunter too near: it says that it is caught, and spins on the spot as long as it
-/// has room.
+/// What a prey does when it believes a hunter too near, and sees nothing that stands between: it says that it
+/// is caught, and spins on the spot as long as it has room.
 final class Surrender {
     private static final Twist2d SPIN = Twist2d.drive(0, Math.toRadians(40));
     private static final Duration SPIN_TIME = Duration.ofSeconds(15);
@@ -74,6 +74,7 @@ final class Surrender {
 
     private Optional<Hunter> nearestHunter(Pose2d mapFromBase) {
         return hunters.of(_ -> true).entrySet().stream()
+                .filter(hunter -> !LineOfSight.isBlocked(robot, mapFromBase, hunter.getValue()))
                 .map(hunter -> new Hunter(hunter.getKey(), mapFromBase.distanceTo(hunter.getValue())))
                 .min(Comparator.comparingDouble(Hunter::distance)); // of equals the first by id
     }

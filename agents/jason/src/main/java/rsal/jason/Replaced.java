@@ -62,6 +62,7 @@ final class Replaced {
             ".print",
             ".println",
             ".log",
+            ".metric",
             ".send",
             ".broadcast",
             ".all_names",
@@ -123,6 +124,7 @@ final class Replaced {
                         1,
                         Integer.MAX_VALUE,
                         (ts, un, terms) -> print(ts, un, Arrays.copyOfRange(terms, 1, terms.length))));
+        all.put(".metric", new Simple(2, 2, false, this::metric));
         all.put(".concat", new Simple(2, Integer.MAX_VALUE, this::concat));
         all.put(".send", new Send());
         all.put(".broadcast", new Simple(2, 2, false, this::broadcast));
@@ -273,6 +275,18 @@ final class Replaced {
 
     private Object print(TransitionSystem ts, Unifier un, Term[] terms) {
         agent.say(Terms.words(List.of(terms)));
+        return true;
+    }
+
+    /// `.metric(load, 0.4)`: a value for the results. Not one of Jason's.
+    private Object metric(TransitionSystem ts, Unifier un, Term[] terms) throws JasonException {
+        String name = Terms.words(terms[0]);
+        double value = Terms.number(terms[1]);
+        try {
+            self.metric(name, value);
+        } catch (IllegalArgumentException e) {
+            throw new JasonException(e.getMessage());
+        }
         return true;
     }
 

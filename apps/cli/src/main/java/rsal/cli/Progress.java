@@ -21,8 +21,8 @@ import rsal.time.AllowedToReadWallClock;
 final class Progress {
     private static final long PERIOD_MILLIS = 250;
     private static final String PRINT = "print"; // of agents
-    private static final Set<String> KINDS =
-            Set.of("bridge", "caught", "collision", "fault", "health", "mapped", "operator", PRINT, "unreached");
+    private static final Set<String> KINDS = Set.of(
+            "bridge", "caught", "collision", "fault", "health", "mapped", "operator", PRINT, "uncaught", "unreached");
     private static final String CLEAR_LINE = "\r\033[K";
 
     private final PrintWriter err;

@@ -13,6 +13,8 @@ import rsal.scenario.run.TopicTraffic;
 /// A run's result for programs. Part of what users build on: names and order stay.
 ///
 /// @param measures null where there was nothing to measure
+/// @param endPoses where robots were at the end in the frame `map` [m, m, rad], by name: in truth where it is
+///         known
 /// @param topics how many messages were said and heard about each, and lost by whichever cause
 /// @param communication empty where the scenario does not limit it
 /// @param failed what went wrong with agents that ended by a mistake of their own, by name
@@ -28,6 +30,7 @@ record ResultJson(
         double wallSeconds,
         String eventHash,
         Map<String, @Nullable Double> measures,
+        Map<String, EndPose> endPoses,
         List<Topic> topics,
         List<Hearing> communication,
         Map<String, String> failed,
@@ -36,9 +39,13 @@ record ResultJson(
         Optional<String> with) {
     record Topic(String topic, long said, long heard, long lost) {}
 
+    record EndPose(double x, double y, double theta) {}
+
     static ResultJson of(RunPlan plan, RunResult result) {
         var measures = new LinkedHashMap<String, @Nullable Double>();
         result.measures().forEach((name, value) -> measures.put(name, value.isPresent() ? value.getAsDouble() : null));
+        var endPoses = new LinkedHashMap<String, EndPose>();
+        result.endPoses().forEach((robot, pose) -> endPoses.put(robot, new EndPose(pose.x(), pose.y(), pose.theta())));
         return new ResultJson(
                 result.scenario(),
                 result.configuration(),
@@ -48,6 +55,7 @@ record ResultJson(
                 result.wallSeconds(),
                 result.eventHash(),
                 measures,
+                endPoses,
                 result.topics().stream().map(ResultJson::topic).toList(),
                 result.communication(),
                 result.failed(),

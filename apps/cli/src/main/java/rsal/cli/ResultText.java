@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
+import rsal.data.Pose2d;
 import rsal.scenario.Counted;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.Hearing;
@@ -31,12 +32,20 @@ record ResultText(RunPlan plan, RunResult result) {
         result.unhandledGoals()
                 .forEach((agent, goals) -> table.row(agent, "has no plan for: " + String.join(", ", goals)));
         result.measures().forEach((name, value) -> table.row(name, measured(name, value)));
+        if (plan.scenario().isWorld()) {
+            result.endPoses().forEach((robot, pose) -> table.row("endPose." + robot, written(pose)));
+        }
         if (!result.communication().isEmpty()) {
             table.row("communication", heard(result.communication()));
         }
         table.row("event hash", result.eventHash());
         String joined = plan.with().map(" with %s"::formatted).orElse("");
         return "%s:%s%s, seed %d\n".formatted(result.scenario(), result.configuration(), joined, result.seed()) + table;
+    }
+
+    private static String written(Pose2d pose) {
+        return String.format(
+                Locale.ROOT, "x %.2f m, y %.2f m, %.0f°", pose.x(), pose.y(), Math.toDegrees(pose.theta()));
     }
 
     /// What whoever started the run has set: `guards=3, places=0 -1`.

@@ -941,6 +941,9 @@ class CommandLineIT {
         assertThat(refused.err()).contains("A world has no end of its own: without a page, say --for SECONDS.");
         Ended told = rsal.run("run", "endless.world", "--headless", "--speed", "max", "--for", "1", "--json");
         assertThat(told.code()).as(told.err()).isZero();
+        assertThat(told.out())
+                .contains("\"measures\":{\"distance.c1\":0.0,\"collisions\":0.0,\"wallCollisions\":0.0}")
+                .contains("\"endPoses\":{\"c1\":{\"x\":0.0,\"y\":0.0,\"theta\":0.0}}");
         Ended ends = rsal.run("run", "ends.world", "--headless", "--speed", "max", "--json");
         assertThat(ends.code()).as(ends.err()).isZero();
     }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
+import rsal.data.Pose2d;
 import rsal.experiment.Row;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
@@ -32,6 +33,7 @@ class ResultTest {
                 "abc",
                 Map.of(),
                 List.of(),
+                Map.of("guard-1", Pose2d.ofDegrees(1, -2.5, 90)),
                 failed,
                 Map.of("guard", List.of("gaurd(1)")),
                 List.of(),
@@ -46,6 +48,7 @@ class ResultTest {
                 .startsWith("patrol:virtual with distribution:found, seed 4\n")
                 .containsPattern("set +guards=3\n");
         ResultJson json = ResultJson.of(plan, result(plan));
+        assertThat(json.endPoses()).containsEntry("guard-1", new ResultJson.EndPose(1, -2.5, Math.PI / 2));
         assertThat(json.with()).contains("distribution:found");
         assertThat(json.arguments()).containsEntry("guards", 3L).containsKeys(argumentsOf(plan));
     }

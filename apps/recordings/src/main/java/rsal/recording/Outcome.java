@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
+import rsal.data.Pose2d;
 import rsal.recording.mcap.McapWriter;
 import rsal.recording.mcap.Metadata;
 import rsal.scenario.RunPlan;
@@ -17,6 +18,7 @@ final class Outcome {
     static final String NAME = "rsal.result";
     static final String MEASURE = "measure.";
     private static final String FAILED = "failed."; // and an agent's name
+    private static final String END_POSE = "endPose."; // and a robot's name: x y theta
     private static final String UNHANDLED = "unhandledGoals.";
 
     private Outcome() {}
@@ -30,11 +32,15 @@ final class Outcome {
             return Optional.empty();
         }
         var measures = new LinkedHashMap<String, OptionalDouble>();
+        var poses = new LinkedHashMap<String, Pose2d>();
         var failed = new LinkedHashMap<String, String>();
         var unhandled = new LinkedHashMap<String, List<String>>();
         entries.forEach((name, value) -> {
             if (name.startsWith(FAILED)) {
                 failed.put(name.substring(FAILED.length()), value);
+            }
+            if (name.startsWith(END_POSE)) {
+                pose(value).ifPresent(pose -> poses.put(name.substring(END_POSE.length()), pose));
             }
             if (name.startsWith(UNHANDLED)) {
                 unhandled.put(name.substring(UNHANDLED.length()), List.of(value.split("\n")));
@@ -58,10 +64,19 @@ final class Outcome {
                 Stream.of(entries.getOrDefault("outOfBounds", "").split(" ", -1))
                         .filter(name -> !name.isEmpty())
                         .toList(),
+                poses,
                 failed,
                 unhandled,
                 List.of(),
                 List.of()));
+    }
+
+    private static Optional<Pose2d> pose(String text) {
+        double[] numbers =
+                Stream.of(text.split(" ", -1)).mapToDouble(Outcome::number).toArray();
+        return numbers.length == 3
+                ? Optional.of(new Pose2d(numbers[0], numbers[1], numbers[2])).filter(Pose2d::isFinite)
+                : Optional.empty();
     }
 
     private static double number(String text) {
@@ -88,6 +103,9 @@ final class Outcome {
                     .forEach((name, value) ->
                             entries.put(MEASURE + name, value.isPresent() ? Double.toString(value.getAsDouble()) : ""));
             entries.put("outOfBounds", String.join(" ", ended.outOfBounds()));
+            ended.endPoses()
+                    .forEach((robot, pose) ->
+                            entries.put(END_POSE + robot, "%s %s %s".formatted(pose.x(), pose.y(), pose.theta())));
             ended.failed().forEach((agent, why) -> entries.put(FAILED + agent, why));
             ended.unhandledGoals().forEach((agent, goals) -> entries.put(UNHANDLED + agent, String.join("\n", goals)));
         });

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import rsal.data.Pose2d;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
@@ -26,6 +27,7 @@ class OutcomeTest {
                 "abc",
                 Map.of(),
                 List.of(),
+                Map.of("guard-1", new Pose2d(1, -2.5, 0.1)),
                 failed,
                 Map.of("guard", List.of("gaurd(1)")),
                 List.of(),

@@ -70,6 +70,8 @@ final class Format {
             "every", 0, 0, 1e6, "s", "Mean time from one to the next, at random; 0: all are there at the start.");
     static final Parameter DEPOT_RADIUS =
             Parameter.number("radius", 1, 0.1, 100, "m", "How far from its middle a depot reaches.");
+    static final Parameter PLACE_RADIUS =
+            Parameter.number("radius", 1, 0.01, 1e6, "m", "How far from (at) a place reaches.");
     static final Parameter WITHIN = Parameter.number(
             "within", 1, 0.1, 100, "m", "How far from a thing's middle a robot's may be, with no wall between.");
     static final Parameter STAYS =

@@ -17,6 +17,7 @@ import rsal.scenario.condition.Grammar;
 import rsal.scenario.condition.Grammar.Names;
 import rsal.scenario.condition.InvalidExpression;
 import rsal.scenario.condition.Measure;
+import rsal.scenario.condition.Quantity;
 import rsal.settings.Location;
 import rsal.settings.Problems;
 import rsal.settings.Section;
@@ -25,16 +26,33 @@ import rsal.settings.Section;
 final class GoalReader {
     private static final Pattern BETWEEN_NAMES = Pattern.compile("[^\\w-]+");
 
+    /// What is measured of a world that nobody wrote a scenario for.
+    static final List<Measured> OF_WORLDS = List.of(
+            measured("distance", "m", new Measure.Distance(Optional.empty()), true),
+            measured("collisions", "", count(Quantity.Kind.COLLISIONS), false),
+            measured("wallCollisions", "", count(Quantity.Kind.WALL_COLLISIONS), false));
+
     private final RobotNames robots;
     private final List<String> depots;
     private final List<String> reaches;
+    private final List<String> places;
     private final Problems problems;
 
-    GoalReader(RobotNames robots, List<PlannedThings> things, Problems problems) {
+    GoalReader(RobotNames robots, List<PlannedThings> things, List<Place> places, Problems problems) {
         this.robots = robots;
         this.depots = names(things, group -> group.depot().isPresent());
         this.reaches = names(things, group -> group.reach().isPresent());
+        this.places = places.stream().map(Place::name).toList();
         this.problems = problems;
+    }
+
+    private static Measured measured(String name, String unit, Measure from, boolean perRobot) {
+        return new Measured(
+                name, unit, from, perRobot, Better.NEITHER, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
+    }
+
+    private static Measure count(Quantity.Kind kind) {
+        return new Measure.Count(new Quantity(kind, List.of()));
     }
 
     private static List<String> names(List<PlannedThings> things, Predicate<PlannedThings> which) {
@@ -88,7 +106,7 @@ final class GoalReader {
         List<String> roles = robots.open()
                 ? List.of(BETWEEN_NAMES.split(expression))
                 : robots.roles().stream().map(Role::name).toList();
-        return new Names(roles, depots, reaches);
+        return new Names(roles, depots, reaches, places);
     }
 
     private <T> Optional<T> expression(Section section, String key, BiFunction<String, Names, T> parse) {

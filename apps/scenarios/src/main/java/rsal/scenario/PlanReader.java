@@ -126,13 +126,14 @@ final class PlanReader {
         var faultReader = new FaultReader(names, robots, agents, problems.all().size() == before, seeds, problems);
         List<PlannedFault> faults = faultReader.read(root);
 
-        var goals = new GoalReader(names, things, problems);
+        List<Place> places = PlaceReader.read(root.section("places"));
+        var goals = new GoalReader(names, things, places, problems);
         List<RunPlan.Stop> stops = new ArrayList<>(goals.stops(run));
         if (scenario.isWorld()) {
             world.scene().flatMap(Scene::end).map(PlanReader::after).ifPresent(stops::add);
         }
         run.done();
-        List<RunPlan.Measured> measures = goals.measures(root);
+        List<RunPlan.Measured> measures = scenario.isWorld() ? GoalReader.OF_WORLDS : goals.measures(root);
         root.done();
 
         if (world.scene().isPresent() && mrs.isPresent() && roles.stream().allMatch(Role::complete)) {
@@ -152,6 +153,7 @@ final class PlanReader {
                 clock,
                 robots,
                 things,
+                places,
                 agents,
                 joined.map(Joined::name),
                 communication,

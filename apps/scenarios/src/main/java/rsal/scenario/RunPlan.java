@@ -21,8 +21,8 @@ import rsal.settings.Arguments;
 import rsal.settings.Problem;
 import rsal.system.RobotSystemProvider;
 
-/// A run with everything decided and nothing started. Immutable; it can be run again and again, and each time is
-/// the same run.
+/// A run with everything decided and nothing started. Immutable; it can be run again and again, and each time
+/// is the same run.
 ///
 /// @param configuration name of the one chosen
 /// @param options what it was made with
@@ -32,9 +32,10 @@ import rsal.system.RobotSystemProvider;
 /// @param scene where it takes place
 /// @param mrs where robots come from that name no other robot system
 /// @param things that are put into the world
+/// @param places parts of the floor that conditions and measures name
 /// @param agents in the order in which they start
-/// @param with the scenario and its configuration that joins it (`distribution:found`): its agents without a robot
-/// are among the agents; empty when none does
+/// @param with the scenario and its configuration that joins it (`distribution:found`): its agents without a
+///         robot are among the agents; empty when none does
 /// @param communication its limits; empty when everybody hears everything
 /// @param faults what goes wrong
 /// @param speed simulated over real time to begin with; +∞ for as fast as it can
@@ -54,6 +55,7 @@ public record RunPlan(
         Clock clock,
         List<PlannedRobot> robots,
         List<PlannedThings> things,
+        List<Place> places,
         List<PlannedAgent> agents,
         Optional<String> with,
         Optional<Communication> communication,
@@ -67,6 +69,7 @@ public record RunPlan(
         arguments = Collections.unmodifiableMap(new LinkedHashMap<>(arguments));
         robots = List.copyOf(robots);
         things = List.copyOf(things);
+        places = List.copyOf(places);
         agents = List.copyOf(agents);
         faults = List.copyOf(faults);
         stops = List.copyOf(stops);
@@ -115,6 +118,7 @@ public record RunPlan(
                 clock,
                 robots,
                 things,
+                places,
                 List.of(),
                 Optional.empty(),
                 communication,

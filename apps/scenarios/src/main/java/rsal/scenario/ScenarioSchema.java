@@ -134,6 +134,8 @@ public final class ScenarioSchema {
                                 .formatted(Format.MAX_ROBOTS)),
                 "things",
                 described(named(thing(partial)), "What is put into the simulated world besides robots."),
+                "places",
+                described(named(place()), "Parts of the floor that conditions and measures name."),
                 "agents",
                 described(named(agent(partial)), "Who decides."),
                 JoinReader.KEY,
@@ -307,6 +309,19 @@ public final class ScenarioSchema {
                 partial ? List.of() : List.of("pose", "body"));
     }
 
+    private static Map<String, Object> place() {
+        return group(
+                fields(
+                        "at", described(numbers(2), "x and y of its middle [m]."),
+                        "radius", parameter(Format.PLACE_RADIUS),
+                        "within", rectangle()),
+                List.of());
+    }
+
+    private static Map<String, Object> rectangle() {
+        return described(numbers(4), "Least x, least y, greatest x, greatest y [m].");
+    }
+
     private static Map<String, Object> poses(boolean partial) {
         Map<String, Object> pose = numbers(3);
         return anyOf(List.of(
@@ -330,7 +345,7 @@ public final class ScenarioSchema {
                         "free", fields("const", true),
                         "clearance", parameter(Format.CLEARANCE),
                         "passage", parameter(Format.PASSAGE),
-                        "within", described(numbers(4), "Least x, least y, greatest x, greatest y [m].")),
+                        "within", rectangle()),
                 List.of("free"));
     }
 

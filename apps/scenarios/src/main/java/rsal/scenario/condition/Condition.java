@@ -1,10 +1,14 @@
 package rsal.scenario.condition;
 
 import java.math.BigDecimal;
+import java.util.stream.Stream;
 
 /// What can be true of a run: `allCaught(prey) and not time < 10`. As text it is as people write it.
 public sealed interface Condition {
     boolean holds(Facts facts);
+
+    /// All that it asks for.
+    Stream<Quantity> quantities();
 
     /// `time > 300`.
     record Compare(Quantity left, Relation relation, double right) implements Condition {
@@ -19,6 +23,11 @@ public sealed interface Condition {
                 case EQUAL -> value == right;
                 case OTHER -> value < right || value > right; // nothing holds of what is not known
             };
+        }
+
+        @Override
+        public Stream<Quantity> quantities() {
+            return Stream.of(left);
         }
 
         @Override
@@ -42,7 +51,13 @@ public sealed interface Condition {
                 int there = facts.robots(whose) - facts.gone(whose);
                 return there > 0 && done >= there;
             }
-            return done >= (quantity.kind().of() == Quantity.Of.ROLE ? facts.robots(whose) : facts.things(whose));
+            return done
+                    >= (quantity.kind().of().contains(Quantity.Of.ROLE) ? facts.robots(whose) : facts.things(whose));
+        }
+
+        @Override
+        public Stream<Quantity> quantities() {
+            return Stream.of(quantity);
         }
 
         @Override
@@ -55,6 +70,11 @@ public sealed interface Condition {
         @Override
         public boolean holds(Facts facts) {
             return left.holds(facts) && right.holds(facts);
+        }
+
+        @Override
+        public Stream<Quantity> quantities() {
+            return Stream.concat(left.quantities(), right.quantities());
         }
 
         @Override
@@ -74,6 +94,11 @@ public sealed interface Condition {
         }
 
         @Override
+        public Stream<Quantity> quantities() {
+            return Stream.concat(left.quantities(), right.quantities());
+        }
+
+        @Override
         public String toString() {
             return left + " or " + right;
         }
@@ -83,6 +108,11 @@ public sealed interface Condition {
         @Override
         public boolean holds(Facts facts) {
             return !inner.holds(facts);
+        }
+
+        @Override
+        public Stream<Quantity> quantities() {
+            return inner.quantities();
         }
 
         @Override

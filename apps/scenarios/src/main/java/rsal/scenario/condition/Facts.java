@@ -15,7 +15,7 @@ public interface Facts {
     /// How many robots a role has.
     int robots(String role);
 
-    /// How many robots of a role have been caught so far.
+    /// How many robots of a role have been caught so far: said so, and it was true.
     int caught(String role);
 
     /// How many robots of a role have reached the place where they were sent last.
@@ -57,4 +57,26 @@ public interface Facts {
 
     /// How many robots of a role draw a map and can still get to where it ends.
     int exploring(String role);
+
+    /// How many messages of a topic were said so far.
+    long messages(String topic);
+
+    /// How many of a topic were heard so far, as [#heardMessages()] counts.
+    long heardMessages(String topic);
+
+    /// How many of a topic were lost so far, as [#lostMessages()] counts.
+    long lostMessages(String topic);
+
+    /// How far the two nearest robots of two roles truly are from each other now [m]; NaN while there are no
+    /// two.
+    double distance(String role, String other);
+
+    /// How many robots of a role truly are in a place now.
+    int within(String role, String place);
+
+    /// How often robots of a role have truly come into a place so far; who starts there has not come.
+    int visits(String role, String place);
+
+    /// What an agent published last under a name; NaN before the first.
+    double metric(String name);
 }

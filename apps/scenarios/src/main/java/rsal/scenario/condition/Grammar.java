@@ -1,5 +1,6 @@
 package rsal.scenario.condition;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.List;
@@ -18,33 +19,44 @@ import rsal.settings.Suggestion;
 /// single     = "not" single | "(" condition ")" | ("allCaught" | "allArrived") "(" role ")"
 ///            | ("allCollected" | "allFound" | "allReached") "(" things ")"
 ///            | quantity relation number
-/// quantity   = "time" | "collisions" | "wallCollisions" | "faults"
-///            | "messages" | "heardMessages" | "lostMessages" | "explored" | "forming"
+/// quantity   = "time" | "collisions" | "wallCollisions" | "faults" | "explored" | "forming"
+///            | ("messages" | "heardMessages" | "lostMessages") ["(" topic ")"]
 ///            | ("caught" | "arrived" | "gone" | "exploring") "(" role ")"
 ///            | ("collected" | "found" | "reached") "(" things ")"
+///            | "distance" "(" role "," role ")" | ("within" | "visits") "(" role "," place ")"
+///            | "metric" "(" name ")"
 /// relation   = "<" | "<=" | ">" | ">=" | "==" | "!="
 /// measure    = "firstTime" "(" condition ")" | "count" "(" quantity ")" | "explored" | "distance" ["(" role ")"]
-///            | function "(" signal ["(" role ")"] ")"
-/// function   = "min" | "mean" | "rms" | "p50" | "p95" | "p99" | "max"
+///            | function "(" sampled ")" | "quantile" "(" number "," sampled ")"
+/// function   = "last" | "min" | "mean" | "timeWeightedMean" | "rms" | "p50" | "p95" | "p99" | "max"
+/// sampled    = signal ["(" role ")"] | quantity
 /// signal     = "poseError" | "captureDistance" | "batteryLevel" | "formationError" | "idleTime"
 /// ```
+///
+/// Topics and names of metrics that are no words stand in quotes: `messages("fleet/tasks")`.
 public final class Grammar {
     /// Characters of an expression; longer ones are refused.
     public static final int MAX_LENGTH = 1000;
 
     private static final int MAX_DEPTH = 50;
     private static final Pattern TOKEN =
-            Pattern.compile("\\s*(?:(?<word>\\p{Alpha}[\\w-]*)|(?<number>-?\\d+(?:\\.\\d+)?)|(?<sign>[<>=!]=?|[()]))");
+            Pattern.compile("\\s*(?:(?<word>\\p{Alpha}[\\w-]*)|(?<quoted>\"[^\"]+\")|(?<number>-?\\d+(?:\\.\\d+)?)"
+                    + "|(?<sign>[<>=!]=?|[(),]))");
     private static final List<String> QUANTITIES =
             Arrays.stream(Quantity.Kind.values()).map(Quantity.Kind::word).toList();
     private static final List<String> PREDICATES = Stream.of(
                     Quantity.Kind.OF_ALL.stream().map(Quantity.Kind::all), QUANTITIES.stream(), Stream.of("not"))
             .flatMap(words -> words)
             .toList();
-    private static final List<String> MEASURES =
-            List.of("firstTime", "count", "explored", "distance", "min", "mean", "rms", "p50", "p95", "p99", "max");
+    private static final List<String> MEASURES = Stream.concat(
+                    Stream.of("firstTime", "count", "explored", "distance", Measure.Quantile.WORD),
+                    Arrays.stream(Measure.Function.values()).map(Measure.Function::word))
+            .toList();
+    private static final List<String> SAMPLED = Stream.concat(
+                    Arrays.stream(Measure.Signal.values()).map(Measure.Signal::word), QUANTITIES.stream())
+            .toList();
 
-    private static final Quantity EXPLORED = new Quantity(Quantity.Kind.EXPLORED, "");
+    private static final Quantity EXPLORED = new Quantity(Quantity.Kind.EXPLORED, List.of());
 
     private final String text;
     private final Names names;
@@ -57,10 +69,15 @@ public final class Grammar {
     /// @param roles of the scenario's robots
     /// @param depots groups of things that have a depot
     /// @param reaches groups of things to which robots are to get
-    public record Names(Collection<String> roles, Collection<String> depots, Collection<String> reaches) {
-        /// Of a scenario without things.
+    /// @param places parts of the floor
+    public record Names(
+            Collection<String> roles,
+            Collection<String> depots,
+            Collection<String> reaches,
+            Collection<String> places) {
+        /// Of a scenario without things and places.
         public static Names of(Collection<String> roles) {
-            return new Names(roles, List.of(), List.of());
+            return new Names(roles, List.of(), List.of(), List.of());
         }
     }
 
@@ -150,14 +167,33 @@ public final class Grammar {
     }
 
     private Quantity quantity(Quantity.Kind kind) {
-        return new Quantity(
-                kind,
-                switch (kind.of()) {
-                    case RUN -> "";
-                    case ROLE -> role();
-                    case DEPOT -> depot();
-                    case REACH -> reach();
-                });
+        var of = kind.of();
+        if (of.isEmpty() || (of.contains(Quantity.Of.MAYBE_TOPIC) && !token.text.equals("("))) {
+            return new Quantity(kind, List.of());
+        }
+        var named = new ArrayList<String>();
+        take("(");
+        for (Quantity.Of one : of) {
+            if (!named.isEmpty()) {
+                take(",");
+            }
+            named.add(named(one));
+        }
+        take(")");
+        return new Quantity(kind, named);
+    }
+
+    private String named(Quantity.Of of) {
+        return switch (of) {
+            case ROLE -> role();
+            case DEPOT ->
+                name("what things are called", names.depots(), "No things that have a depot are called (%s).");
+            case REACH ->
+                name("what things are called", names.reaches(), "No things that have a reach are called (%s).");
+            case PLACE -> name("a place", names.places(), "No place is called (%s).");
+            case MAYBE_TOPIC -> anyName("a topic of messages");
+            case METRIC -> anyName("the name of a metric");
+        };
     }
 
     private Measure measure() {
@@ -179,18 +215,36 @@ public final class Grammar {
         if (takes("distance")) {
             return new Measure.Distance(maybeRole());
         }
+        if (takes(Measure.Quantile.WORD)) {
+            take("(");
+            int at = token.start;
+            double share = number();
+            if (!(share >= 0 && share <= 1)) {
+                throw new InvalidExpression(at, "A quantile is from 0 to 1.", "Maybe 0.95.");
+            }
+            take(",");
+            return sampled(new Measure.Quantile(share));
+        }
         var function = word(List.of(Measure.Function.values()), Measure.Function::word)
                 .orElseThrow(() -> unknown("a measure", MEASURES));
         take("(");
-        var signal = word(List.of(Measure.Signal.values()), Measure.Signal::word)
-                .orElseThrow(() -> unknown(
-                        "a signal",
-                        Arrays.stream(Measure.Signal.values())
-                                .map(Measure.Signal::word)
-                                .toList()));
-        Optional<String> role = signal.isOfRobots() ? maybeRole() : Optional.empty();
+        return sampled(function);
+    }
+
+    /// What the samples are of, and the end of the measure.
+    private Measure sampled(Measure.Aggregate aggregate) {
+        var signal = word(List.of(Measure.Signal.values()), Measure.Signal::word);
+        Measure measure;
+        if (signal.isPresent()) {
+            Optional<String> role = signal.get().isOfRobots() ? maybeRole() : Optional.empty();
+            measure = new Measure.OfSignal(aggregate, signal.get(), role);
+        } else {
+            var kind = word(List.of(Quantity.Kind.values()), Quantity.Kind::word)
+                    .orElseThrow(() -> unknown("a signal or quantity", SAMPLED));
+            measure = new Measure.OfQuantity(aggregate, quantity(kind));
+        }
         take(")");
-        return new Measure.Statistic(function, signal, role);
+        return measure;
     }
 
     private <E> Optional<E> word(List<E> known, Function<E, String> word) {
@@ -203,24 +257,24 @@ public final class Grammar {
     }
 
     private Optional<String> maybeRole() {
-        return token.text.equals("(") ? Optional.of(role()) : Optional.empty();
+        if (!takes("(")) {
+            return Optional.empty();
+        }
+        String role = role();
+        if (token.text.equals(",")) {
+            throw new InvalidExpression(
+                    token.start, "A distance between two roles changes all the time.", "Maybe min(distance(…, …)).");
+        }
+        take(")");
+        return Optional.of(role);
     }
 
     private String role() {
         return name("a role of robots", names.roles(), "No robots have the role (%s).");
     }
 
-    private String depot() {
-        return name("what things are called", names.depots(), "No things that have a depot are called (%s).");
-    }
-
-    private String reach() {
-        return name("what things are called", names.reaches(), "No things that have a reach are called (%s).");
-    }
-
     /// @param unknown a sentence about a word that is none of these
     private String name(String what, Collection<String> known, String unknown) {
-        take("(");
         if (token.kind != Kind.WORD) {
             throw expected(what);
         }
@@ -228,10 +282,25 @@ public final class Grammar {
             throw new InvalidExpression(
                     token.start, unknown.formatted(token.text), Suggestion.among(token.text, known));
         }
-        String name = token.text;
+        return next();
+    }
+
+    /// One that only agents know.
+    private String anyName(String what) {
+        if (token.kind == Kind.QUOTED) {
+            String quoted = next();
+            return quoted.substring(1, quoted.length() - 1);
+        }
+        if (token.kind != Kind.WORD) {
+            throw expected(what);
+        }
+        return next();
+    }
+
+    private String next() {
+        String text = token.text;
         token = read(token.end);
-        take(")");
-        return name;
+        return text;
     }
 
     private double number() {
@@ -274,7 +343,7 @@ public final class Grammar {
     private Token read(int from) {
         matcher.region(from, text.length());
         if (matcher.lookingAt()) {
-            for (Kind kind : List.of(Kind.WORD, Kind.NUMBER, Kind.SIGN)) {
+            for (Kind kind : List.of(Kind.WORD, Kind.QUOTED, Kind.NUMBER, Kind.SIGN)) {
                 String found = matcher.group(kind.group);
                 if (found != null) {
                     return new Token(kind, found, matcher.start(kind.group), matcher.end());
@@ -292,6 +361,7 @@ public final class Grammar {
 
     private enum Kind {
         WORD("word"),
+        QUOTED("quoted"),
         NUMBER("number"),
         SIGN("sign"),
         END("");

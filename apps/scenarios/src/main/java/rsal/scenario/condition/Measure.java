@@ -1,12 +1,19 @@
 package rsal.scenario.condition;
 
+import java.math.BigDecimal;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /// What to measure over a whole run: `p95(poseError)`. As text it is as people write it.
 public sealed interface Measure {
     /// Of which robots it is; empty for all, or when it is of none.
     default Optional<String> role() {
         return Optional.empty();
+    }
+
+    /// All that it asks for.
+    default Stream<Quantity> quantities() {
+        return Stream.empty();
     }
 
     /// Whether each robot can have a value of its own.
@@ -17,6 +24,11 @@ public sealed interface Measure {
     /// `firstTime(allCaught(prey))`: when a condition held first [s]; nothing when it never did.
     record FirstTime(Condition condition) implements Measure {
         @Override
+        public Stream<Quantity> quantities() {
+            return condition.quantities();
+        }
+
+        @Override
         public String toString() {
             return "firstTime(" + condition + ")";
         }
@@ -24,6 +36,11 @@ public sealed interface Measure {
 
     /// `count(collisions)`, `explored`: what a quantity is at the end; nothing when it is not known.
     record Count(Quantity quantity) implements Measure {
+        @Override
+        public Stream<Quantity> quantities() {
+            return Stream.of(quantity);
+        }
+
         @Override
         public String toString() {
             return quantity.kind() == Quantity.Kind.EXPLORED ? quantity.toString() : "count(" + quantity + ")";
@@ -45,11 +62,10 @@ public sealed interface Measure {
         }
     }
 
-    /// `p95(poseError)`, `max(poseError(hunter))`: a statistic over all samples of a signal; nothing without
-    /// samples.
+    /// `p95(poseError)`, `max(poseError(hunter))`: of all samples of a signal; nothing without samples.
     ///
     /// @param role empty for all robots
-    record Statistic(Function function, Signal signal, Optional<String> role) implements Measure {
+    record OfSignal(Aggregate aggregate, Signal signal, Optional<String> role) implements Measure {
         @Override
         public boolean canBePerRobot() {
             return signal.isOfRobots();
@@ -57,7 +73,26 @@ public sealed interface Measure {
 
         @Override
         public String toString() {
-            return "%s(%s%s)".formatted(function.word(), signal.word(), inParentheses(role));
+            return aggregate.of(signal.word() + inParentheses(role));
+        }
+    }
+
+    /// `min(distance(prey, hunter))`, `quantile(0.9, metric(load))`: of what a quantity was after each step, or
+    /// of each value that an agent published; nothing while it was not known.
+    record OfQuantity(Aggregate aggregate, Quantity quantity) implements Measure {
+        @Override
+        public Stream<Quantity> quantities() {
+            return Stream.of(quantity);
+        }
+
+        @Override
+        public boolean canBePerRobot() {
+            return quantity.kind() == Quantity.Kind.METRIC;
+        }
+
+        @Override
+        public String toString() {
+            return aggregate.of(quantity.toString());
         }
     }
 
@@ -65,10 +100,20 @@ public sealed interface Measure {
         return role.map(name -> "(" + name + ")").orElse("");
     }
 
-    /// Percentiles are by nearest rank: the least sample that at least so many percent are not above.
-    enum Function {
+    /// How many samples become one number. Percentiles and quantiles are by nearest rank: the least sample that
+    /// at least such a share is not above.
+    sealed interface Aggregate {
+        /// As people write it.
+        String of(String what);
+    }
+
+    /// Those that have a name of their own.
+    enum Function implements Aggregate {
+        LAST("last"),
         MIN("min"),
         MEAN("mean"),
+        /// Each value counts as long as it was the newest, the last one until the end of the run.
+        TIME_WEIGHTED_MEAN("timeWeightedMean"),
         /// Root of the mean square.
         RMS("rms"),
         P50("p50"),
@@ -84,6 +129,25 @@ public sealed interface Measure {
 
         public String word() {
             return word;
+        }
+
+        @Override
+        public String of(String what) {
+            return "%s(%s)".formatted(word, what);
+        }
+    }
+
+    /// `quantile(0.9, …)`.
+    ///
+    /// @param share 0 to 1
+    record Quantile(double share) implements Aggregate {
+        static final String WORD = "quantile";
+
+        @Override
+        public String of(String what) {
+            return "%s(%s, %s)"
+                    .formatted(
+                            WORD, BigDecimal.valueOf(share).stripTrailingZeros().toPlainString(), what);
         }
     }
 

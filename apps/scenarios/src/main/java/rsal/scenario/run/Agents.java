@@ -116,6 +116,7 @@ final class Agents implements AutoCloseable {
         agents.onMessage(this::heard);
         agents.onChange(this::changed);
         agents.onPrint(this::printed);
+        agents.onMetric(this::measured);
         agents.onUnhandled(this::unhandled);
         radio = plan.communication().map(this::radio);
         agents.deliverBy(new Post(radio, faults, traffic, mailboxes, links));
@@ -492,6 +493,17 @@ final class Agents implements AutoCloseable {
             lastWords.put(print.agent(), print.line());
             journal.event("print", print.agent(), print.line());
             diaries.does(print.agent(), print.line());
+        }
+    }
+
+    private void measured(Society.Metric metric) {
+        if (!closed) {
+            journal.hash("metric", metric.agent(), metric.name(), Double.toString(metric.value()));
+            observer.published(
+                    metric.agent(),
+                    Optional.ofNullable(started.get(metric.agent())).flatMap(PlannedAgent::robot),
+                    metric.name(),
+                    metric.value());
         }
     }
 

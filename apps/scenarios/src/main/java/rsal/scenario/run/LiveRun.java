@@ -846,6 +846,7 @@ public final class LiveRun implements AutoCloseable {
                 journal.finish(),
                 measures,
                 outOfBounds,
+                stage == null ? Map.of() : stage.poses(),
                 stage == null ? Map.of() : stage.failedAgents(),
                 stage == null ? Map.of() : stage.unhandledGoals(),
                 stage == null ? List.of() : stage.topics(),

@@ -39,6 +39,7 @@ import rsal.scenario.RunPlan.Measured;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.scenario.condition.Facts;
 import rsal.scenario.condition.Measure;
+import rsal.scenario.condition.Measure.Aggregate;
 import rsal.scenario.condition.Quantity;
 
 /// Looks at a run after each step: is it over, and what is there to measure? It alone compares robots with the
@@ -49,7 +50,7 @@ final class Observer implements Facts {
     private final InstantSource clock;
     private final Instant start;
     private final Map<String, RobotRecord> records = new LinkedHashMap<>();
-    private final Set<String> caught = new LinkedHashSet<>();
+    private final Captures captures;
     private final Map<Measured, OptionalDouble> firstTimes = new HashMap<>();
     private final Map<String, Pose2d> sentTo = new HashMap<>(); // by robot, or ALL
     private final Set<String> arrived = new HashSet<>(); // where they were sent last
@@ -59,9 +60,13 @@ final class Observer implements Facts {
     private Duration endsAt = Duration.ZERO;
     private long wallCollisions;
     private long faults;
-    private long messages;
-    private long heardMessages;
-    private long lostMessages;
+    private final MessageCounts said;
+    private final MessageCounts heard;
+    private final MessageCounts lost;
+    private final Map<Measured, Samples> quantities = new LinkedHashMap<>(); // after each step
+    private final Published published;
+    private final Positions positions;
+    private final boolean asksForPositions;
     private Set<String> gone = Set.of(); // robots
     private final Depots depots;
     private final Reached reached;
@@ -87,12 +92,37 @@ final class Observer implements Facts {
             }
         }
         this.depots = new Depots(plan.things(), journal);
-        this.reached = new Reached(plan.things(), new Walls(plan.map()), journal);
+        var walls = new Walls(plan.map());
+        this.captures = new Captures(walls, journal);
+        this.reached = new Reached(plan.things(), walls, journal);
         this.mapped = new Mapped(plan.map(), radius(plan));
-        this.asksForShare = Stream.concat(
-                        plan.stops().stream().map(RunPlan.Stop::when),
-                        plan.measures().stream().map(Measured::from))
-                .anyMatch(asking -> asking.toString().contains(Quantity.Kind.EXPLORED.word()));
+        List<Quantity> asked = Stream.concat(
+                        plan.stops().stream().flatMap(stop -> stop.when().quantities()),
+                        plan.measures().stream()
+                                .flatMap(measured -> measured.from().quantities()))
+                .toList();
+        this.asksForShare = asked.stream().anyMatch(quantity -> quantity.kind() == Quantity.Kind.EXPLORED);
+        this.asksForPositions = asked.stream().map(Quantity::kind).anyMatch(Quantity.Kind.OF_POSITIONS::contains);
+        this.positions = new Positions(plan.places());
+        this.said = new MessageCounts(names(asked, Quantity.Kind.MESSAGES));
+        this.heard = new MessageCounts(names(asked, Quantity.Kind.HEARD_MESSAGES));
+        this.lost = new MessageCounts(names(asked, Quantity.Kind.LOST_MESSAGES));
+        this.published = new Published(names(asked, Quantity.Kind.METRIC));
+        for (Measured measured : plan.measures()) {
+            if (measured.from() instanceof Measure.OfQuantity(var _, var quantity)
+                    && quantity.kind() != Quantity.Kind.METRIC) {
+                quantities.put(measured, new Samples());
+            }
+        }
+    }
+
+    /// Those by which one kind of quantity is asked for.
+    private static List<String> names(List<Quantity> asked, Quantity.Kind kind) {
+        return asked.stream()
+                .filter(quantity -> quantity.kind() == kind)
+                .flatMap(quantity -> quantity.names().stream())
+                .distinct()
+                .toList();
     }
 
     /// Of the slimmest robot.
@@ -113,8 +143,16 @@ final class Observer implements Facts {
         if (depots.areThere()) {
             simulation.ifPresent(truth -> depots.look(truth.things()));
         }
+        List<Reached.There> there =
+                reached.isWanted() || asksForPositions || captures.isWaiting() ? there(where) : List.of();
         if (reached.isWanted()) {
-            simulation.ifPresent(truth -> reached.look(truth.things(), there(where), time()));
+            simulation.ifPresent(truth -> reached.look(truth.things(), there, time()));
+        }
+        if (asksForPositions) {
+            positions.look(there);
+        }
+        if (captures.isWaiting()) {
+            captures.look(there).forEach(this::noteCapture);
         }
         records.forEach((id, own) -> {
             where.truth(id).ifPresent(mapFromBase -> noteTruth(id, own, mapFromBase));
@@ -125,7 +163,7 @@ final class Observer implements Facts {
             Optional.ofNullable(robots.get(id))
                     .flatMap(robot -> robot.find(Battery.class))
                     .flatMap(Battery::latest)
-                    .ifPresent(battery -> own.charged(battery.value().level()));
+                    .ifPresent(battery -> own.charged(battery.value().level(), time()));
             Optional.ofNullable(robots.get(id))
                     .flatMap(robot -> robot.find(Mapper.class))
                     .ifPresent(mapper -> noteMap(id, mapper, where.mapFromBase(id)));
@@ -133,6 +171,7 @@ final class Observer implements Facts {
         parade.look(clock.instant());
         exploring.keySet().removeIf(robot -> started.contains(robot) && !robots.containsKey(robot));
         watched.look(time());
+        noteQuantities();
         noteFirstTimes();
         return ending();
     }
@@ -187,13 +226,13 @@ final class Observer implements Facts {
         own.moved(clock.instant(), mapFromBase);
         if (!gone.contains(robot)) {
             parade.mapFromSlot(robot, clock.instant())
-                    .ifPresent(mapFromSlot -> own.outOfPlace(mapFromSlot.distanceTo(mapFromBase)));
+                    .ifPresent(mapFromSlot -> own.outOfPlace(mapFromSlot.distanceTo(mapFromBase), time()));
         }
     }
 
     private void noteEstimate(RobotRecord own, Stamped<PoseEstimate> estimate) {
         journal.hash(estimate.value().mapFromBase());
-        own.compare(estimate);
+        own.compare(estimate, time());
     }
 
     private void noteMap(String robot, Mapper mapper, Optional<Pose2d> mapFromBase) {
@@ -213,6 +252,17 @@ final class Observer implements Facts {
         }
     }
 
+    private void noteQuantities() {
+        quantities.forEach((measured, samples) -> {
+            if (measured.from() instanceof Measure.OfQuantity(var _, var quantity)) {
+                double value = quantity.of(this);
+                if (!Double.isNaN(value)) {
+                    samples.add(time(), value);
+                }
+            }
+        });
+    }
+
     private void noteFirstTimes() {
         for (Measured measured : plan.measures()) {
             if (measured.from() instanceof Measure.FirstTime(var condition)
@@ -223,17 +273,28 @@ final class Observer implements Facts {
         }
     }
 
-    /// A prey says that it has been caught. The first time counts, and is compared with where both are.
+    /// A prey says that it has been caught. Counts from when that is so.
     void heard(Caught said, Whereabouts where) {
-        RobotRecord prey = records.get(said.prey());
-        if (prey == null || !caught.add(said.prey())) {
+        if (!records.containsKey(said.prey())) {
             return;
         }
-        Optional<Pose2d> mapFromPrey = where.mapFromBase(said.prey());
-        Optional<Pose2d> mapFromHunter = where.mapFromBase(said.hunter());
-        if (mapFromPrey.isPresent() && mapFromHunter.isPresent()) {
-            prey.caught(mapFromPrey.get().distanceTo(mapFromHunter.get()));
+        String role = Optional.ofNullable(records.get(said.hunter()))
+                .map(RobotRecord::role)
+                .orElse("");
+        if (captures.heard(said, role, where.mapFromBase(said.prey()), where.mapFromBase(said.hunter()))) {
+            noteCapture(said.prey());
         }
+    }
+
+    private void noteCapture(String prey) {
+        captures.distance(prey)
+                .ifPresent(distance ->
+                        Optional.ofNullable(records.get(prey)).ifPresent(own -> own.caught(distance, time())));
+    }
+
+    /// An agent publishes a value under a name.
+    void published(String agent, Optional<String> robot, String name, double value) {
+        published.add(agent, robot, name, value, time());
     }
 
     /// A team watches places.
@@ -284,16 +345,16 @@ final class Observer implements Facts {
         faults++;
     }
 
-    void messageSaid() {
-        messages++;
+    void messageSaid(String topic) {
+        said.add(topic);
     }
 
-    void messageHeard() {
-        heardMessages++;
+    void messageHeard(String topic) {
+        heard.add(topic);
     }
 
-    void messageLost() {
-        lostMessages++;
+    void messageLost(String topic) {
+        lost.add(topic);
     }
 
     /// Robots that are gone now.
@@ -333,7 +394,7 @@ final class Observer implements Facts {
 
     @Override
     public int caught(String role) {
-        return among(caught, role);
+        return among(captures.caught(), role);
     }
 
     @Override
@@ -353,17 +414,52 @@ final class Observer implements Facts {
 
     @Override
     public long messages() {
-        return messages;
+        return said.all();
     }
 
     @Override
     public long heardMessages() {
-        return heardMessages;
+        return heard.all();
     }
 
     @Override
     public long lostMessages() {
-        return lostMessages;
+        return lost.all();
+    }
+
+    @Override
+    public long messages(String topic) {
+        return said.of(topic);
+    }
+
+    @Override
+    public long heardMessages(String topic) {
+        return heard.of(topic);
+    }
+
+    @Override
+    public long lostMessages(String topic) {
+        return lost.of(topic);
+    }
+
+    @Override
+    public double distance(String role, String other) {
+        return positions.distance(role, other);
+    }
+
+    @Override
+    public int within(String role, String place) {
+        return positions.within(role, place);
+    }
+
+    @Override
+    public int visits(String role, String place) {
+        return positions.visits(role, place);
+    }
+
+    @Override
+    public double metric(String name) {
+        return published.newest(name);
     }
 
     @Override
@@ -422,20 +518,21 @@ final class Observer implements Facts {
             if (measured.perRobot()) {
                 records.forEach((id, own) -> {
                     if (of(measured.from().role()).test(own)) {
-                        findings.add(finding(measured, measured.nameOf(id), List.of(own)));
+                        findings.add(finding(measured, measured.nameOf(id), List.of(own), Optional.of(id)));
                     }
                 });
             } else {
                 var all = records.values().stream()
                         .filter(of(measured.from().role()))
                         .toList();
-                findings.add(finding(measured, measured.name(), all));
+                findings.add(finding(measured, measured.name(), all, Optional.empty()));
             }
         }
         return findings;
     }
 
-    private Finding finding(Measured measured, String name, List<RobotRecord> from) {
+    /// @param robot whose it is; empty for all
+    private Finding finding(Measured measured, String name, List<RobotRecord> from, Optional<String> robot) {
         OptionalDouble value = switch (measured.from()) {
             case Measure.FirstTime _ -> firstTimes.getOrDefault(measured, OptionalDouble.empty());
             case Measure.Count(var quantity) -> known(quantity.of(this));
@@ -444,18 +541,24 @@ final class Observer implements Facts {
                         ? OptionalDouble.of(
                                 from.stream().mapToDouble(RobotRecord::distance).sum())
                         : OptionalDouble.empty();
-            case Measure.Statistic(var function, var signal, var _) -> {
-                if (!signal.isOfRobots()) {
-                    yield watched.idleTimes().value(function);
-                }
-                var all = new Samples();
-                from.forEach(own -> all.addAll(own.samples(signal)));
-                yield all.value(function);
-            }
+            case Measure.OfSignal(var aggregate, var signal, var _) ->
+                signal.isOfRobots()
+                        ? value(
+                                aggregate,
+                                from.stream().map(own -> own.samples(signal)).toList())
+                        : watched.idleTimes().value(aggregate, time());
+            case Measure.OfQuantity(var aggregate, var quantity) ->
+                quantity.kind() == Quantity.Kind.METRIC
+                        ? value(aggregate, published.samples(quantity.names().getFirst(), robot))
+                        : quantities.getOrDefault(measured, new Samples()).value(aggregate, time());
         };
         boolean inBounds =
                 value.isEmpty() || (value.getAsDouble() >= measured.min() && value.getAsDouble() <= measured.max());
         return new Finding(name, value, inBounds);
+    }
+
+    private OptionalDouble value(Aggregate aggregate, List<Samples> several) {
+        return Samples.together(several, time()).value(aggregate, time());
     }
 
     private static OptionalDouble known(double value) {

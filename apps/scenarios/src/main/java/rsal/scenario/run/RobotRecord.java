@@ -52,7 +52,9 @@ final class RobotRecord {
     }
 
     /// Compares a localizer's reading, unless that is done, with the truth at its time.
-    void compare(Stamped<PoseEstimate> estimate) {
+    ///
+    /// @param now since the run's start, as below [s]
+    void compare(Stamped<PoseEstimate> estimate, double now) {
         if (estimate.time().equals(compared)) {
             return;
         }
@@ -63,26 +65,27 @@ final class RobotRecord {
         for (Iterator<Truth> truths = history.iterator(); truths.hasNext(); ) {
             Truth truth = truths.next();
             if (!truth.time.isAfter(estimate.time())) {
-                poseErrors.add(truth.mapFromBase.distanceTo(estimate.value().mapFromBase()));
+                poseErrors.add(
+                        now, truth.mapFromBase.distanceTo(estimate.value().mapFromBase()));
                 return;
             }
         }
     }
 
-    void caught(double distance) {
-        captureDistances.add(distance);
+    void caught(double distance, double now) {
+        captureDistances.add(now, distance);
     }
 
     /// Share of the battery that is left; NaN when the battery can't tell.
-    void charged(double level) {
+    void charged(double level, double now) {
         if (!Double.isNaN(level)) {
-            batteryLevels.add(level);
+            batteryLevels.add(now, level);
         }
     }
 
     /// It really is so far from its place in a formation [m].
-    void outOfPlace(double distance) {
-        formationErrors.add(distance);
+    void outOfPlace(double distance, double now) {
+        formationErrors.add(now, distance);
     }
 
     /// The way it really made [m].

@@ -2,12 +2,15 @@ package rsal.scenario.run;
 
 import java.util.Arrays;
 import java.util.OptionalDouble;
-import rsal.scenario.condition.Measure;
+import rsal.scenario.condition.Measure.Aggregate;
+import rsal.scenario.condition.Measure.Function;
+import rsal.scenario.condition.Measure.Quantile;
 
-/// Samples of a signal. Least, greatest and means count all of them; percentiles count every one up to a number,
-/// then every second, every fourth…, so that memory stays bounded.
+/// Samples of a signal, each with its time [s]. Least, greatest and means count all of them; percentiles count
+/// every one up to a number, then every second, every fourth…, so that memory stays bounded.
 final class Samples {
     private static final int MOST = 1 << 16;
+    private static final double ROUNDING = 1e-9; // that 0.07 * 100 is not above 7
 
     private double[] kept = new double[64];
     private int size;
@@ -17,8 +20,17 @@ final class Samples {
     private double squares;
     private double min = Double.POSITIVE_INFINITY;
     private double max = Double.NEGATIVE_INFINITY;
+    private double newest = Double.NaN;
+    private double newestAt = Double.NEGATIVE_INFINITY; // s
+    private double weighted; // sum of samples, each times how long it was the newest [s]
+    private double weights; // s
 
-    void add(double sample) {
+    /// @param at not before the last one [s]
+    void add(double at, double sample) {
+        weighted = weighted(at);
+        weights = weights(at);
+        newest = sample;
+        newestAt = at;
         if (count++ % stride == 0) {
             keep(sample);
         }
@@ -28,8 +40,25 @@ final class Samples {
         max = Math.max(max, sample);
     }
 
-    /// Those of both are thinned out alike, so that each sample counts as much as any other.
-    void addAll(Samples other) {
+    /// All samples of several together, each of which counts as much as any other.
+    ///
+    /// @param until to when the newest of each counts [s]
+    static Samples together(Iterable<Samples> several, double until) {
+        var all = new Samples();
+        double newestAt = Double.NEGATIVE_INFINITY;
+        for (Samples one : several) {
+            all.addAll(one, until);
+            if (one.newestAt > newestAt) {
+                newestAt = one.newestAt;
+                all.newest = one.newest;
+            }
+        }
+        all.newestAt = until;
+        return all;
+    }
+
+    /// Those of both are thinned out alike.
+    private void addAll(Samples other, double until) {
         while (stride < other.stride) {
             thinOut();
         }
@@ -41,6 +70,16 @@ final class Samples {
         squares += other.squares;
         min = Math.min(min, other.min);
         max = Math.max(max, other.max);
+        weighted += other.weighted(until);
+        weights += other.weights(until);
+    }
+
+    private double weighted(double until) {
+        return count == 0 ? 0 : weighted + newest * (until - newestAt);
+    }
+
+    private double weights(double until) {
+        return count == 0 ? 0 : weights + until - newestAt;
     }
 
     private void thinOut() {
@@ -62,26 +101,37 @@ final class Samples {
     }
 
     /// Empty without samples.
-    OptionalDouble value(Measure.Function function) {
+    ///
+    /// @param until to when the newest counts [s]
+    OptionalDouble value(Aggregate aggregate, double until) {
         if (count == 0) {
             return OptionalDouble.empty();
         }
         return OptionalDouble.of(
-                switch (function) {
-                    case MIN -> min;
-                    case MAX -> max;
-                    case MEAN -> sum / count;
-                    case RMS -> Math.sqrt(squares / count);
-                    case P50 -> percentile(50);
-                    case P95 -> percentile(95);
-                    case P99 -> percentile(99);
+                switch (aggregate) {
+                    case Quantile(var share) -> quantile(share);
+                    case Function function -> value(function, until);
                 });
     }
 
+    private double value(Function function, double until) {
+        return switch (function) {
+            case LAST -> newest;
+            case MIN -> min;
+            case MAX -> max;
+            case MEAN -> sum / count;
+            case TIME_WEIGHTED_MEAN -> weights(until) > 0 ? weighted(until) / weights(until) : newest;
+            case RMS -> Math.sqrt(squares / count);
+            case P50 -> quantile(0.50);
+            case P95 -> quantile(0.95);
+            case P99 -> quantile(0.99);
+        };
+    }
+
     /// Nearest rank.
-    private double percentile(int percent) {
+    private double quantile(double share) {
         double[] sorted = Arrays.copyOf(kept, size);
         Arrays.sort(sorted);
-        return sorted[Math.ceilDiv(percent * size, 100) - 1];
+        return sorted[Math.max(0, (int) Math.ceil(share * size - ROUNDING) - 1)];
     }
 }

@@ -4,11 +4,13 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import rsal.agent.Turns;
 import rsal.agent.bdi.Mind;
+import rsal.data.Pose2d;
 import rsal.robot.Robot;
 import rsal.robot.RobotSpec;
 import rsal.scenario.Counted;
@@ -357,7 +359,16 @@ final class Stage implements AutoCloseable {
         return agents.say(to, topic, typed);
     }
 
-    /// What went wrong with each, by name.
+    /// Where robots are now, in the frame `map`, by name; without those of which nobody knows.
+    Map<String, Pose2d> poses() {
+        var poses = new LinkedHashMap<String, Pose2d>();
+        team.robots()
+                .keySet()
+                .forEach(robot -> where.mapFromBase(robot).ifPresent(mapFromBase -> poses.put(robot, mapFromBase)));
+        return poses;
+    }
+
+    /// What went wrong with those agents that have failed, by name.
     Map<String, String> failedAgents() {
         return agents.failed();
     }

@@ -67,12 +67,12 @@ final class Traffic {
     }
 
     void said(Message<?> message) {
-        observer.messageSaid();
+        observer.messageSaid(message.topic().name());
         of(message).said();
     }
 
     void heard(Message<?> message, String listener) {
-        observer.messageHeard();
+        observer.messageHeard(message.topic().name());
         of(message).heard();
         if (hearings.isPresent()) {
             String topic = message.topic().name();
@@ -92,7 +92,7 @@ final class Traffic {
     }
 
     private void count(Message<?> message, String listener, Loss why) {
-        observer.messageLost();
+        observer.messageLost(message.topic().name());
         of(message).lost(why);
         hearings.ifPresent(
                 all -> all.lost(message.sender(), listener, message.topic().name()));

@@ -35,7 +35,7 @@ final class Watched {
     void look(double now) {
         if (!visited.isEmpty() && now >= next) {
             next += PERIOD;
-            visited.values().forEach(last -> idleTimes.add(now - last));
+            visited.values().forEach(last -> idleTimes.add(now, now - last));
         }
     }
 

@@ -14,7 +14,7 @@ import rsal.scenario.condition.Grammar.Names;
 
 class GrammarTest {
     private static final List<String> ROLES = List.of("prey", "hunter", "fast-prey");
-    private static final Names NAMES = new Names(ROLES, List.of("can", "cup"), List.of("cup"));
+    private static final Names NAMES = new Names(ROLES, List.of("can", "cup"), List.of("cup"), List.of("den"));
 
     /// After 100 s one of two prey is caught, and there were 3 touches, 1 of a wall.
     private static final Facts FACTS = new Facts() {
@@ -107,6 +107,41 @@ class GrammarTest {
         public long lostMessages() {
             return 50;
         }
+
+        @Override
+        public long messages(String topic) {
+            return topic.equals("fleet/tasks") ? 6 : 5;
+        }
+
+        @Override
+        public long heardMessages(String topic) {
+            return 7;
+        }
+
+        @Override
+        public long lostMessages(String topic) {
+            return 8;
+        }
+
+        @Override
+        public double distance(String role, String other) {
+            return role.equals("prey") && other.equals("hunter") ? 1.5 : Double.NaN;
+        }
+
+        @Override
+        public int within(String role, String place) {
+            return 2;
+        }
+
+        @Override
+        public int visits(String role, String place) {
+            return 3;
+        }
+
+        @Override
+        public double metric(String name) {
+            return name.equals("load") ? 0.4 : Double.NaN;
+        }
     };
 
     @ParameterizedTest
@@ -140,6 +175,16 @@ class GrammarTest {
         "allFound(cup), true",
         "reached(cup) >= 3, true",
         "allReached(cup), false",
+        "messages(pose) == 5, true",
+        "'messages(\"fleet/tasks\") == 6', true",
+        "heardMessages(pose) > 7, false",
+        "lostMessages(pose) >= 8, true",
+        "'distance(prey, hunter) < 2', true",
+        "'distance(hunter, prey) < 2', false", // nothing is known
+        "'within(prey, den) == 2', true",
+        "'visits(hunter,den) > 3', false",
+        "metric(load) < 0.5, true",
+        "metric(other) < 0.5, false",
         "allCaught(prey), false",
         "allCaught(fast-prey), true",
         "not allCaught(prey), true",
@@ -172,6 +217,16 @@ class GrammarTest {
                 "mean(captureDistance)",
                 "rms(formationError(prey))",
                 "count(forming)",
+                "count(messages(pose))",
+                "count(lostMessages(\"fleet/tasks\"))",
+                "min(distance(prey, hunter))",
+                "quantile(0.9, distance(prey, hunter))",
+                "quantile(0.25, poseError(prey))",
+                "timeWeightedMean(within(prey, den))",
+                "last(visits(hunter, den))",
+                "last(metric(load))",
+                "mean(metric(\"energy used\"))",
+                "firstTime(metric(load) > 0.9 or visits(prey, den) >= 2)",
             })
     void readsMeasuresAsTheyAreWritten(String text) {
         assertThat(Grammar.measure(text, NAMES)).hasToString(text);
@@ -189,6 +244,10 @@ class GrammarTest {
                     allCougt(prey)           | 0  | (allCougt) is not a condition or quantity.
                     time > 3; exit()         | 8  | (;) can't stand here.
                     time = 3                 | 5  | <, <=, >, >=, == or != must stand here, not (=).
+                    visits(prey, pen) > 1    | 13 | No place is called (pen).
+                    visits(prey) > 1         | 11 | (,) must stand here, not ()).
+                    messages() > 1           | 9  | a topic of messages must stand here, not ()).
+                    metric(3) > 1            | 7  | the name of a metric must stand here, not (3).
                     ${time}                  | 0  | ($) can't stand here.
                     """)
     void pointsAtTheMistake(String text, int position, String message) {
@@ -218,6 +277,15 @@ class GrammarTest {
         } catch (InvalidExpression e) {
             return e.remedy();
         }
+    }
+
+    @Test
+    void saysWhatADistanceBetweenTwoRolesLacks() {
+        assertThatThrownBy(() -> Grammar.measure("distance(prey, hunter)", NAMES))
+                .isInstanceOfSatisfying(
+                        InvalidExpression.class, e -> assertThat(e.remedy()).contains("min(distance("));
+        assertThatThrownBy(() -> Grammar.measure("quantile(95, poseError)", NAMES))
+                .hasMessage("A quantile is from 0 to 1.");
     }
 
     @Test
@@ -253,6 +321,13 @@ class GrammarTest {
             "poseError",
             "firstTime",
             "count",
+            "quantile",
+            "distance",
+            "metric",
+            "messages",
+            ",",
+            "\"",
+            "\"a b\"",
             " ",
             "ä",
             "\n",

@@ -19,6 +19,8 @@ public final class Wanderer implements AgentType {
     private static final Parameter SPEED = Parameter.number("speed", 0.3, 0, 1, "m/s", "How fast it drives.");
     private static final Parameter CAUGHT_AFTER =
             Parameter.number("caughtAfter", 1000, 0, 1000, "s", "When it gives up.");
+    private static final Parameter DISTANCE =
+            Parameter.number("distance", 1, 0, 1000, "m", "How far away it says that this robot is.");
     private static final Parameter BY = Parameter.text("by", "nobody", "Robot that it says caught it.");
 
     @Override
@@ -33,7 +35,7 @@ public final class Wanderer implements AgentType {
 
     @Override
     public List<Parameter> parameters() {
-        return List.of(SPEED, CAUGHT_AFTER, BY);
+        return List.of(SPEED, CAUGHT_AFTER, BY, DISTANCE);
     }
 
     @Override
@@ -58,7 +60,9 @@ public final class Wanderer implements AgentType {
         self.scheduler()
                 .after(
                         arguments.seconds("caughtAfter"),
-                        () -> self.publish(Caught.TOPIC, new Caught(robot.id(), arguments.text("by"), 1)));
+                        () -> self.publish(
+                                Caught.TOPIC,
+                                new Caught(robot.id(), arguments.text("by"), arguments.number("distance"))));
         self.subscribe(
                 NewGoal.TOPIC,
                 goal -> self.publish(

@@ -206,7 +206,7 @@ class ComingTest {
         String navigating = Runs.TWO_WANDERERS
                 .replace("error: 0.2}}", "error: 0}, navigator: {}}")
                 .replace(
-                        "{type: wanderer, robot: prey, args: {caughtAfter: $caughtAfter, by: hunter-1}}",
+                        "{type: wanderer, robot: prey, args: {caughtAfter: $caughtAfter, by: hunter-1, distance: 30}}",
                         "{type: chatter, robot: prey}")
                 .replace("time >= 20", "time >= 90");
         run = LiveRun.start(Runs.plan(folder, navigating, RunOptions.NONE.withSpeed(20)));

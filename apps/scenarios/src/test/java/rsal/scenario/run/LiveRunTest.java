@@ -48,6 +48,12 @@ class LiveRunTest {
         return Runs.plan(folder, Runs.TWO_WANDERERS, options);
     }
 
+    /// The prey is caught after 3 s: no wall stands between it and its hunter.
+    private RunPlan caught() {
+        String text = Runs.TWO_WANDERERS.replace("pose: {free: true}", "pose: [-8.0, -1.0, 0]");
+        return Runs.plan(folder, text, RunOptions.NONE.withArguments(Map.of("caughtAfter", "3")));
+    }
+
     private RunPlan slow() {
         return plan(RunOptions.NONE.withSpeed(1));
     }
@@ -177,7 +183,7 @@ class LiveRunTest {
         assertThat(timeout.outcome()).isEqualTo("timeout");
         assertThat(timeout.simulatedSeconds()).isEqualTo(20);
         assertThat(timeout.measures().get("captureTime")).isEqualTo(OptionalDouble.empty());
-        RunResult success = Runs.result(plan(RunOptions.NONE.withArguments(Map.of("caughtAfter", "3"))));
+        RunResult success = Runs.result(caught());
         assertThat(success.outcome()).isEqualTo("success");
         assertThat(success.simulatedSeconds()).isCloseTo(3, within(0.11));
     }
@@ -191,7 +197,7 @@ class LiveRunTest {
 
     @Test
     void measuresAgainstTheTruth() {
-        RunResult result = Runs.result(plan(RunOptions.NONE.withArguments(Map.of("caughtAfter", "3"))));
+        RunResult result = Runs.result(caught());
         assertThat(result.measures().keySet())
                 .containsExactly("captureTime", "captureDistance", "error.prey", "error.hunter-1", "way");
         assertThat(result.measures().get("error.prey").getAsDouble()).isCloseTo(0.2, within(0.1));
@@ -226,7 +232,7 @@ class LiveRunTest {
 
     @Test
     void tellsWhatHappenedInOrderAndWithoutGaps() {
-        try (var run = LiveRun.start(plan(RunOptions.NONE.withArguments(Map.of("caughtAfter", "3"))))) {
+        try (var run = LiveRun.start(caught())) {
             Runs.result(run);
             List<RunEvent> events = run.events(0);
             assertThat(events).extracting(RunEvent::kind).contains("run", "agent", "caught");

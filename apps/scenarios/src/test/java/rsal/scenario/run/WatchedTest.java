@@ -27,8 +27,9 @@ class WatchedTest {
         look(5, 8);
         watched.visit(DOOR, new Pose2d(0.9, 0, 1), 8);
         look(8, 10);
-        assertThat(watched.idleTimes().value(Function.MAX)).hasValue(5);
-        assertThat(watched.idleTimes().value(Function.MEAN)).hasValue((1 + 2 + 3 + 1 + 2 + 1 + 2 + 3 + 4 + 5) / 10.0);
+        assertThat(watched.idleTimes().value(Function.MAX, 100)).hasValue(5);
+        assertThat(watched.idleTimes().value(Function.MEAN, 100))
+                .hasValue((1 + 2 + 3 + 1 + 2 + 1 + 2 + 3 + 4 + 5) / 10.0);
     }
 
     @Test
@@ -38,6 +39,6 @@ class WatchedTest {
         watched.visit(DOOR, new Pose2d(1.1, 0, 0), 2);
         watched.visit(SAFE, new Pose2d(10, 0, 0), 2);
         look(2, 4);
-        assertThat(watched.idleTimes().value(Function.MAX)).hasValue(4);
+        assertThat(watched.idleTimes().value(Function.MAX, 100)).hasValue(4);
     }
 }
