@@ -1,5 +1,6 @@
 import { expect, it } from 'vitest';
-import { age, brief, clockTime, degrees, factor, unsigned } from './format';
+import { age, brief, clockTime, degrees, factor, numberText, unsigned } from './format';
+import texts from './number-texts.json';
 
 it.each([
   [0, '0:00.0'],
@@ -49,3 +50,10 @@ it.each([
   ['-0.05 m, -0.5°, 10-0, r-0', '-0.05 m, -0.5°, 10-0, r-0'],
   ['-0', '0'],
 ])('%s is %s', (words, told) => expect(unsigned(words)).toBe(told));
+
+it('writes numbers as Java does', () => {
+  expect(texts.length).toBeGreaterThan(1000);
+  for (const [value, text] of texts as [number, string][]) {
+    expect(numberText(value), `${value}`).toBe(text);
+  }
+});

@@ -31,6 +31,29 @@ export function seconds(value: number): string {
   return `${value.toFixed(1)} s`;
 }
 
+/**
+ * A number of results, as everywhere else (Java's `NumberText`): whole numbers, counts above all, keep all their
+ * digits; others are rounded to three, but for their whole part.
+ */
+export function numberText(value: number): string {
+  const size = Math.abs(value);
+  if (!Number.isFinite(value)) {
+    return String(value);
+  }
+  if (size < GREATEST && Number.isInteger(size)) {
+    return String(value === 0 ? 0 : value);
+  }
+  if (size < LEAST_PLAIN || size >= GREATEST) {
+    return value.toExponential(DIGITS - 1).replace('e+', 'e');
+  }
+  const rounded = value.toPrecision(Math.max(DIGITS, String(Math.trunc(size)).length));
+  return rounded.includes('e') ? String(Number(rounded)) : rounded;
+}
+
+const DIGITS = 3;
+const LEAST_PLAIN = 1e-3;
+const GREATEST = 1e15;
+
 /** How long ago something was, as roughly as people want it: `12 s`, `5 min`, `3 h`. */
 export function age(seconds: number): string {
   const [minutes, hours] = [Math.floor(seconds / 60), Math.floor(seconds / 3600)];

@@ -15,7 +15,7 @@ const ending = {
     'error.prey-1': 0.41234,
     'error.hunter-1': 0.1,
     'way.hunter-1': 12,
-    collisions: 4,
+    collisions: 2278,
   },
   outOfBounds: ['error.prey-1', 'collisions'],
 } as unknown as Ending;
@@ -32,9 +32,9 @@ describe('measures', () => {
     });
   });
 
-  it('have three digits and a unit', () => {
+  it('have their unit; counts have all digits, others three', () => {
     expect(measured('error.prey-1', ending, measures)).toBe('0.412 m');
-    expect(measured('collisions', ending, measures)).toBe('4');
+    expect(measured('collisions', ending, measures)).toBe('2278');
     expect(measured('captureTime', ending, measures)).toBe('not measured');
     expect(measured('way.prey-1', ending, measures)).toBe('');
   });

@@ -1,4 +1,5 @@
 import type { Ending, MeasureInfo } from '../api/messages';
+import { numberText } from '../format';
 import { texts } from '../texts';
 
 /** Names of the values that are of the whole run, in the scenario's order. */
@@ -38,12 +39,12 @@ export function boundOf(name: string, measures: MeasureInfo[]): string {
   const min = info?.min ?? null;
   const max = info?.max ?? null;
   if (min !== null && max !== null) {
-    return texts.range.between(String(min), withUnit(max, info));
+    return texts.range.between(String(min), asWritten(max, info));
   }
   return min !== null
-    ? texts.range.least(withUnit(min, info))
+    ? texts.range.least(asWritten(min, info))
     : max !== null
-      ? texts.range.most(withUnit(max, info))
+      ? texts.range.most(asWritten(max, info))
       : '';
 }
 
@@ -55,6 +56,11 @@ function measureOf(name: string): string {
   return name.split('.')[0]!;
 }
 
+/** A bound, of which the scenario's author chose the digits. */
+function asWritten(bound: number, info: MeasureInfo | undefined): string {
+  return `${bound} ${info?.unit ?? ''}`.trimEnd();
+}
+
 function withUnit(value: number, info: MeasureInfo | undefined): string {
-  return `${Number(value.toPrecision(3))} ${info?.unit ?? ''}`.trimEnd();
+  return `${numberText(value)} ${info?.unit ?? ''}`.trimEnd();
 }

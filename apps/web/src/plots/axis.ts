@@ -1,3 +1,5 @@
+import { numberText } from '../format';
+
 /** What stands beside a box: round numbers, as many digits as tell them apart. */
 export interface Axis {
   least: number;
@@ -31,7 +33,7 @@ export const meant = (value: number, unit: string): number =>
 export function axisOf(least: number, greatest: number): Axis {
   const span = greatest - least;
   if (span <= NOTHING * Math.max(Math.abs(least), Math.abs(greatest))) {
-    return { least, greatest: least, ticks: [{ value: least, text: short(least) }] };
+    return { least, greatest: least, ticks: [{ value: least, text: numberText(least) }] };
   }
   const step = roundStep(span / PARTS);
   const first = Math.floor(least / step + 1e-9);
@@ -63,7 +65,7 @@ const decimals = (step: number) => Math.max(0, -Math.floor(Math.log10(step) + 1e
 /** How far it may be off beside it, both to the digit that the error leaves sure: `0.0390 ± 0.0006`. */
 export function withError(value: number, error: number): string {
   if (error === 0) {
-    return `${short(value)} ± 0`;
+    return `${numberText(value)} ± 0`;
   }
   const largest = Math.max(Math.abs(value), error);
   const power = largest >= 1e6 || largest < 1e-3 ? 10 ** Math.floor(Math.log10(largest)) : 1;
@@ -76,12 +78,4 @@ export function withError(value: number, error: number): string {
 function decimalsOf(error: number): number {
   const first = Math.floor(Math.log10(error));
   return Math.max(0, error / 10 ** first < 2.95 ? 1 - first : -first);
-}
-
-/** As many digits as it takes to tell it from its neighbours. */
-export function short(value: number): string {
-  const size = Math.abs(value);
-  return size >= 1e5 || (size > 0 && size < 1e-3)
-    ? value.toExponential(1)
-    : value.toFixed(size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 || size === 0 ? 2 : 3);
 }

@@ -7,6 +7,7 @@ import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import rsal.data.Pose2d;
 import rsal.scenario.Counted;
+import rsal.scenario.NumberText;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.Hearing;
 import rsal.scenario.run.RunResult;
@@ -68,14 +69,7 @@ record ResultText(RunPlan plan, RunResult result) {
         }
         String unit = measure(name).map(RunPlan.Measured::unit).orElse("");
         String bounds = result.outOfBounds().contains(name) ? "   out of bounds" : "";
-        return (number(value.getAsDouble()) + " " + unit).strip() + bounds;
-    }
-
-    /// Counts as they are, other numbers with three digits that say something.
-    private static String number(double value) {
-        return value == Math.rint(value) && Math.abs(value) < 1e6
-                ? Long.toString((long) value)
-                : String.format(Locale.ROOT, "%.3g", value);
+        return (NumberText.of(value.getAsDouble()) + " " + unit).strip() + bounds;
     }
 
     /// What a value is of: a robot's value is called `<name>.<robot>`.

@@ -2,24 +2,15 @@ package rsal.experiment.report;
 
 import java.util.Locale;
 import rsal.experiment.statistics.Interval;
+import rsal.scenario.NumberText;
 
 /// Numbers as people read them.
 public final class Numbers {
     private Numbers() {}
 
-    /// With about three digits that say something.
+    /// As [NumberText] has it, with a minus sign in place of a hyphen.
     public static String of(double value) {
-        double size = Math.abs(value);
-        String digits;
-        if (value == Math.rint(value) && size < 1e6) {
-            digits = Long.toString((long) size);
-        } else if (size >= 1e6 || size < 1e-3) {
-            digits = String.format(Locale.ROOT, "%.2e", size);
-        } else {
-            digits = String.format(
-                    Locale.ROOT, size >= 1000 ? "%.0f" : size >= 100 ? "%.1f" : size >= 1 ? "%.2f" : "%.3f", size);
-        }
-        return withMinus(value, digits);
+        return NumberText.of(value).replaceFirst("^-", "−");
     }
 
     /// How far it may be off beside it, both to the digit that the error leaves sure: `0.0390 ± 0.0006`. That is two
