@@ -107,16 +107,23 @@ final class NewCommand extends Subcommand {
         return """
                 #!/usr/bin/env bash
                 # Checks the scenario and runs it with the seeds that are given, or with 1, 2 and 3, as fast as it can. Fails at
-                # the first run that does not end in success. RSAL names another command than the one that made this.
+                # the first run that does not end in success. It takes the command that RSAL names, else the one in a folder
+                # above, else the one on the PATH.
                 set -eu
                 cd "$(dirname "${BASH_SOURCE[0]}")"
-                rsal=${RSAL:-%s}
+                rsal=${RSAL:-}
+                above=$PWD
+                while [[ -z $rsal && $above != / ]]; do
+                    above=$(dirname "$above")
+                    [[ ! -f $above/rsal || ! -x $above/rsal ]] || rsal=$above/rsal
+                done
+                rsal=${rsal:-rsal}
                 "$rsal" validate %s.yaml
                 (($#)) || set -- 1 2 3
                 for seed; do
                     "$rsal" run %s.yaml --headless --speed max --seed "$seed"%s
                 done
-                """.formatted(command(), name, name, ends ? "" : " --for 30");
+                """.formatted(name, name, ends ? "" : " --for 30");
     }
 
     /// As a word for a shell, wherever it is called from.
@@ -136,8 +143,8 @@ final class NewCommand extends Subcommand {
                 %s. Made by `rsal new`, from %s.
 
                 ```
-                %s run %s.yaml
-                %s show %s.yaml
+                rsal run %s.yaml
+                rsal show %s.yaml
                 ./test.sh
                 ```
 
@@ -156,9 +163,7 @@ final class NewCommand extends Subcommand {
                         mas == null || mas.equals(JAVA)
                                 ? "`%s`".formatted(template.scenario().name())
                                 : "its template for " + mas,
-                        command(),
                         name,
-                        command(),
                         name,
                         files,
                         written

@@ -60,6 +60,7 @@ class NewIT {
                         "Run it by   rsal run chase/chase.yaml",
                         "Test it by  chase/test.sh");
         assertThat(made("chase")).containsExactly("README.md", "chase.yaml", "hunter.asl", "prey.asl", "test.sh");
+        assertThat(folder.resolve("chase/test.sh")).content().doesNotContain(folder.toString());
         assertThat(folder.resolve("chase/README.md"))
                 .content()
                 .startsWith("# chase\n")

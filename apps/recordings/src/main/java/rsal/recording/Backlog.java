@@ -80,10 +80,10 @@ public final class Backlog implements Witness {
         }
     }
 
-    private record Heard(Said said) implements Entry {
+    private record Heard(Said said, Object content) implements Entry {
         @Override
         public void write(Encoder encoder) throws IOException {
-            encoder.said(said);
+            encoder.said(said, content);
         }
     }
 
@@ -165,8 +165,8 @@ public final class Backlog implements Witness {
     }
 
     @Override
-    public void heard(Said message) {
-        tell(new Heard(message));
+    public void heard(Said message, Object content) {
+        tell(new Heard(message, content));
     }
 
     private void tell(Entry entry) {

@@ -19,6 +19,7 @@ import rsal.map.RosMap;
 import rsal.recording.mcap.Channel;
 import rsal.recording.mcap.McapFile;
 import rsal.recording.mcap.Schema;
+import rsal.recording.proto.Descriptors;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.ProtoReader;
 import rsal.scenario.CsvLine;
@@ -56,11 +57,22 @@ public final class CsvExport {
     public CsvExport(McapFile file) {
         this.file = file;
         for (Channel channel : file.channels()) {
-            Optional<MessageType> type = file.schema(channel).map(Schema::name).map(KNOWN::get);
+            Optional<MessageType> type = file.schema(channel).flatMap(CsvExport::type);
             type.filter(known -> !known.equals(Foxglove.SCENE_UPDATE)
                             || channel.topic().endsWith("/" + Topics.PATH)
                             || channel.topic().endsWith("/" + Topics.LOCAL_PATH))
                     .ifPresent(known -> types.put(channel, known));
+        }
+    }
+
+    private static Optional<MessageType> type(Schema schema) {
+        if (!schema.name().startsWith(Contents.PACKAGE)) {
+            return Optional.ofNullable(KNOWN.get(schema.name()));
+        }
+        try {
+            return Descriptors.read(schema.data(), schema.name());
+        } catch (IOException _) {
+            return Optional.empty(); // another program's, which is called like ours
         }
     }
 

@@ -53,6 +53,8 @@ public final class Encoder {
     private final Map<String, Object> last = new HashMap<>(); // what was written of a thing
     private final Map<String, String> frames = new HashMap<>(); // of bases, by robot
     private final Map<String, String> topics = new HashMap<>(); // by robot and device
+    private final Contents contents = new Contents();
+    private final Map<String, Contents.Content> firstContents = new HashMap<>(); // by topic of agents
     private final ProtoWriter out = new ProtoWriter(new ByteSink(1 << 12));
     private List<Standing> things = List.of();
     private boolean thingsAgain;
@@ -120,7 +122,8 @@ public final class Encoder {
         };
     }
 
-    public void said(Said said) throws IOException {
+    /// @param content what was said; its fields are written besides, when it is a record
+    public void said(Said said, Object content) throws IOException {
         long time = time(said.time());
         out.clear();
         timestamp(1, time);
@@ -132,6 +135,24 @@ public final class Encoder {
         out.string(7, said.act());
         out.string(8, said.words());
         write(Topics.MESSAGES, Own.MESSAGE, time, time, Map.of());
+        Optional<Contents.Content> kind = contents.of(content.getClass());
+        if (kind.isPresent()) {
+            content(said, kind.get(), content, time);
+        }
+    }
+
+    private void content(Said said, Contents.Content kind, Object content, long time) throws IOException {
+        out.clear();
+        timestamp(1, time);
+        try {
+            Contents.write(out, kind, said.from(), said.to(), said.conversation(), content);
+        } catch (RuntimeException _) { // its author's own code, which throws, or changes it meanwhile
+            return;
+        }
+        // a topic may be of several kinds: acts of conversations, or records of one interface
+        boolean isFirst = said.act().isEmpty() && kind == firstContents.computeIfAbsent(said.topic(), _ -> kind);
+        String which = isFirst ? "" : kind.name();
+        write(Topics.content(said.topic(), which), kind.type(), time, time, Map.of());
     }
 
     public void minds(Duration at, Map<String, Mind.View> minds) throws IOException {

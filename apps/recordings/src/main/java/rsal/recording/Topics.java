@@ -23,6 +23,13 @@ final class Topics {
 
     private Topics() {}
 
+    /// Of what was said about a topic of agents: `/messages.caught`, which no topic of a robot is called.
+    ///
+    /// @param kind where the topic is of several kinds; else empty
+    static String content(String topic, String kind) {
+        return MESSAGES + "." + topic + (kind.isEmpty() ? "" : "." + kind);
+    }
+
     /// What of a channel that is of many is of one of them: no topic of a robot, whatever that is called.
     static String about(String topic, String name) {
         return topic + "\n" + name;

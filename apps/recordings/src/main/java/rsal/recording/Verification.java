@@ -244,7 +244,7 @@ public final class Verification {
         }
 
         @Override
-        public void heard(Said message) {
+        public void heard(Said message, Object content) {
             messages++; // in the hash
         }
     }

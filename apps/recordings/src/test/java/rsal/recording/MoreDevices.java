@@ -134,7 +134,7 @@ record MoreDevices(Witness told) implements Witness {
     }
 
     @Override
-    public void heard(Said message) {
-        told.heard(message);
+    public void heard(Said message, Object content) {
+        told.heard(message, content);
     }
 }

@@ -450,8 +450,8 @@ class PlaybackTest {
         }
 
         @Override
-        public void heard(Said message) {
-            next.heard(message);
+        public void heard(Said message, Object content) {
+            next.heard(message, content);
         }
     }
 }

@@ -312,6 +312,6 @@ class ExpositionTest {
         public void happened(RunEvent event, String hash) {}
 
         @Override
-        public void heard(Said message) {}
+        public void heard(Said message, Object content) {}
     }
 }

@@ -232,8 +232,8 @@ class RecordedPastTest {
         }
 
         @Override
-        public void heard(Said message) {
-            next.heard(message);
+        public void heard(Said message, Object content) {
+            next.heard(message, content);
         }
     }
 }

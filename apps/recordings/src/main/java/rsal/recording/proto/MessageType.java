@@ -37,6 +37,10 @@ public record MessageType(String name, List<Field> fields) {
         Kind(int number) {
             this.number = number;
         }
+
+        int number() {
+            return number;
+        }
     }
 
     /// @param type of a message within

@@ -118,7 +118,8 @@ final class Journal {
 
     /// Something was said, in words for people.
     void said(Message<?> message, String words) {
-        witness.ifPresent(seen -> seen.heard(of(message, words)));
+        Object content = message.content() instanceof Act act ? act.content() : message.content();
+        witness.ifPresent(seen -> seen.heard(of(message, words), content));
     }
 
     private Said of(Message<?> message, String words) {

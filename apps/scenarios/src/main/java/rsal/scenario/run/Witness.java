@@ -33,5 +33,8 @@ public interface Witness {
     /// An event; each is told, also where a run has more than it keeps.
     void happened(RunEvent event, String hash);
 
-    void heard(Said message);
+    /// A message.
+    ///
+    /// @param content what was said; of an act of a conversation, what that is about. Agents must not change it
+    void heard(Said message, Object content);
 }

@@ -41,7 +41,7 @@ record Witnesses(List<Witness> all) implements Witness {
     }
 
     @Override
-    public void heard(Said message) {
-        all.forEach(each -> each.heard(message));
+    public void heard(Said message, Object content) {
+        all.forEach(each -> each.heard(message, content));
     }
 }
