@@ -2,6 +2,7 @@ package rsal.cli;
 
 import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.fail;
 
 import java.awt.Color;
 import java.awt.image.BufferedImage;
@@ -15,6 +16,7 @@ import java.net.Socket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -22,6 +24,8 @@ import java.util.zip.InflaterInputStream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -32,7 +36,7 @@ class BridgeIT {
     private static final int REQUEST = 3;
     private static final int SYNCH = 5;
     private static final int PLAYER = 1;
-    private static final int POSITION2D = 4;
+    static final int POSITION2D = 4;
 
     @TempDir
     Path folder;
@@ -117,12 +121,7 @@ class BridgeIT {
                         body.writeInt(number); // subscribe to position2d:0
                     }
                 }));
-                send(to, POSITION2D, COMMAND, 1, bytes(body -> {
-                    body.writeDouble(0);
-                    body.writeDouble(0);
-                    body.writeDouble(0.5); // turns on the spot
-                    body.writeInt(1);
-                }));
+                turn(to);
                 assertThat(turned(from)).isTrue();
             }
         } finally {
@@ -289,7 +288,7 @@ class BridgeIT {
         throw new IOException("There is no answer.");
     }
 
-    private static void subscribe(DataOutputStream to, int interf) throws IOException {
+    static void subscribe(DataOutputStream to, int interf) throws IOException {
         send(to, PLAYER, REQUEST, 3, bytes(body -> {
             for (int number : new int[] {0, 0, interf, 0, 1, 0, 0}) {
                 body.writeInt(number);
@@ -417,6 +416,137 @@ class BridgeIT {
     }
 
     /// Whether odometry tells of the turn, in the next few hundred messages.
+    static void turn(DataOutputStream to) throws IOException {
+        send(to, POSITION2D, COMMAND, 1, bytes(body -> {
+            body.writeDouble(0);
+            body.writeDouble(0);
+            body.writeDouble(0.5); // turns on the spot
+            body.writeInt(1);
+        }));
+    }
+
+    /// How a client that drives falls silent.
+    enum Silence {
+        STOPPED,
+        KILLED,
+        NOTHING_IS_FORWARDED
+    }
+
+    /// Whatever the client commanded last: nothing of it goes on.
+    @ParameterizedTest
+    @EnumSource
+    void aRobotStopsWhenItsClientFallsSilent(Silence how) throws Exception {
+        Process process = new Rsal(folder).start("bridge", "player", "teleop", "--port", "0", "--json");
+        try (BufferedReader out = process.inputReader()) {
+            int port = JsonMapper.shared()
+                    .readTree(out.readLine())
+                    .get("offers")
+                    .get(0)
+                    .get("port")
+                    .asInt();
+            try (var socket = new Socket(InetAddress.getLoopbackAddress(), port);
+                    var link = new Link(port)) {
+                socket.setSoTimeout(20_000);
+                var from = new DataInputStream(socket.getInputStream());
+                from.skipNBytes(32);
+                subscribe(new DataOutputStream(socket.getOutputStream()), POSITION2D);
+                Process client = client(link.port());
+                try {
+                    awaitTurning(from, true);
+                    switch (how) {
+                        case STOPPED -> Ended.signal("STOP", client);
+                        case KILLED -> Ended.signal("KILL", client);
+                        case NOTHING_IS_FORWARDED -> link.fallSilent();
+                    }
+                    awaitTurning(from, false);
+                } finally {
+                    client.destroyForcibly();
+                }
+            }
+        } finally {
+            Ended.signal("INT", process);
+            assertThat(process.waitFor()).isEqualTo(130);
+        }
+    }
+
+    private static Process client(int port) throws IOException {
+        return new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        DrivingClient.class.getName(),
+                        Integer.toString(port))
+                .redirectErrorStream(true)
+                .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+                .start();
+    }
+
+    /// Reads on until the robot turns, or stands.
+    private static void awaitTurning(DataInputStream from, boolean turns) throws IOException {
+        for (int i = 0; i < 1000; i++) {
+            Message message = next(from);
+            if (message.interf == POSITION2D && message.type == DATA) {
+                message.body.skipNBytes(40);
+                if (message.body.readDouble() > 0.1 == turns) {
+                    return;
+                }
+            }
+        }
+        fail("The robot should %s.", turns ? "turn" : "stand");
+    }
+
+    /// Forwards what one client says and hears, until it falls silent without closing anything.
+    private static final class Link implements AutoCloseable {
+        private final ServerSocket listening = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
+        private final List<Socket> sockets = Collections.synchronizedList(new ArrayList<>());
+        private volatile boolean silent;
+
+        Link(int to) throws IOException {
+            Thread.ofPlatform().daemon().start(() -> {
+                try {
+                    Socket client = listening.accept();
+                    var server = new Socket(InetAddress.getLoopbackAddress(), to);
+                    sockets.addAll(List.of(client, server));
+                    Thread.ofPlatform().daemon().start(() -> forward(server, client));
+                    forward(client, server);
+                } catch (IOException _) {
+                    // the test is over
+                }
+            });
+        }
+
+        int port() {
+            return listening.getLocalPort();
+        }
+
+        void fallSilent() {
+            silent = true;
+        }
+
+        private void forward(Socket from, Socket to) {
+            var some = new byte[8192];
+            try {
+                for (int read = from.getInputStream().read(some);
+                        read >= 0;
+                        read = from.getInputStream().read(some)) {
+                    if (!silent) {
+                        to.getOutputStream().write(some, 0, read);
+                    }
+                }
+            } catch (IOException _) {
+                // the test is over
+            }
+        }
+
+        @Override
+        public void close() throws IOException {
+            listening.close();
+            for (Socket socket : List.copyOf(sockets)) {
+                socket.close();
+            }
+        }
+    }
+
     private static boolean turned(DataInputStream from) throws IOException {
         for (int i = 0; i < 500; i++) {
             Message message = next(from);

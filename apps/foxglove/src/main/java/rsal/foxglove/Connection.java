@@ -29,15 +29,18 @@ public final class Connection extends Session.Listener.AbstractAutoDemanding imp
     private final FoxgloveServer server;
     private final Showing showing;
     private final boolean mayPublish;
+    private final long number;
     private final Client client;
     private final Map<Long, Wish> published = new ConcurrentHashMap<>(); // by channel
     private final AtomicLong underWay = new AtomicLong(); // [B]
 
     /// @param mayPublish whether it knows the token
-    Connection(FoxgloveServer server, Showing showing, boolean mayPublish) {
+    /// @param number greater than those of all before
+    Connection(FoxgloveServer server, Showing showing, boolean mayPublish, long number) {
         this.server = server;
         this.showing = showing;
         this.mayPublish = mayPublish;
+        this.number = number;
         client = new Client(
                 this, showing.origin().start(), showing.origin().plan().map());
     }
@@ -48,6 +51,15 @@ public final class Connection extends Session.Listener.AbstractAutoDemanding imp
 
     Showing showing() {
         return showing;
+    }
+
+    /// Whether it knows the token.
+    boolean mayPublish() {
+        return mayPublish;
+    }
+
+    long number() {
+        return number;
     }
 
     @Override

@@ -7,10 +7,12 @@ import java.net.InetSocketAddress;
 import java.net.URI;
 import java.nio.channels.ServerSocketChannel;
 import java.time.Duration;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Supplier;
 import org.eclipse.jetty.http.HttpHeader;
 import org.eclipse.jetty.http.HttpStatus;
@@ -37,12 +39,14 @@ import rsal.recording.Origin;
 import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.Witness;
 
-/// Shows runs to Foxglove, one after the other, on this machine's loopback address: what recordings have, ten times a
-/// second of the run, at most. Programs of this machine may look; pages, as Foxglove itself is one, need the token, and
-/// so does whoever publishes goals and poses ([Wish#TOPICS]).
+/// Shows runs to Foxglove, one after the other, on this machine's loopback address: what recordings have, ten
+/// times a second of the run, at most. Programs of this machine may look; pages, as Foxglove itself is one,
+/// need the token, and so does whoever publishes goals and poses ([Wish#TOPICS]).
 ///
-/// A client that takes less than is sent is left out until it has taken it. With another run, all are let go, and come
-/// again. All methods may be called from any thread.
+/// There are places for some clients. Who knows the token takes one from those who do not, when all are taken.
+///
+/// A client that takes less than is sent is left out until it has taken it. With another run, all are let go,
+/// and come again. All methods may be called from any thread.
 public final class FoxgloveServer implements AutoCloseable {
     /// Where Foxglove looks when nobody says otherwise.
     public static final int PORT = 8765;
@@ -60,6 +64,7 @@ public final class FoxgloveServer implements AutoCloseable {
     private final URI url;
     private final Thread shower;
     private final Set<Connection> connections = ConcurrentHashMap.newKeySet();
+    private final AtomicLong numbers = new AtomicLong(); // of connections
     private volatile @Nullable Showing now;
     private volatile boolean closed;
     private volatile Supplier<Optional<String>> heldBack = Optional::empty;
@@ -179,7 +184,7 @@ public final class FoxgloveServer implements AutoCloseable {
         }
         response.setAcceptedSubProtocol(protocol.get());
         response.setExtensions(List.of()); // compressing costs more than loopback does
-        return new Connection(this, showing, door.knows(token));
+        return new Connection(this, showing, door.knows(token), numbers.incrementAndGet());
     }
 
     private static @Nullable Connection refuse(
@@ -232,9 +237,32 @@ public final class FoxgloveServer implements AutoCloseable {
         }
     }
 
+    /// Who knows the token always has a place: the one of who has been there longest without it, or else with
+    /// it.
+    ///
     /// @return whether there was room
-    synchronized boolean add(Connection connection) {
-        return connection.showing().equals(now) && connections.size() < MAX_CLIENTS && connections.add(connection);
+    boolean add(Connection connection) {
+        Optional<Connection> leaves;
+        synchronized (this) {
+            if (!connection.showing().equals(now)) {
+                return false;
+            }
+            leaves = connections.size() < MAX_CLIENTS ? Optional.empty() : leavesFor(connection);
+            if (connections.size() >= MAX_CLIENTS && leaves.isEmpty()) {
+                return false;
+            }
+            leaves.ifPresent(connections::remove);
+            connections.add(connection);
+        }
+        leaves.ifPresent(
+                other -> other.close(StatusCode.TRY_AGAIN_LATER, "Somebody who knows the token takes this place."));
+        return true;
+    }
+
+    private Optional<Connection> leavesFor(Connection connection) {
+        return connections.stream()
+                .filter(_ -> connection.mayPublish())
+                .min(Comparator.comparing(Connection::mayPublish).thenComparingLong(Connection::number));
     }
 
     void remove(Connection connection) {

@@ -9,6 +9,7 @@ import java.net.URI;
 import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.Optional;
 import java.util.Random;
@@ -304,21 +305,38 @@ class FoxgloveServerTest {
     }
 
     @Test
-    void noMoreThanSomeAreLetIn() throws Exception {
+    void whoKnowsTheTokenTakesAPlaceOfWhoDoesNot() throws Exception {
         start(plan(1, 60));
-        var watchers = new HashSet<Watcher>();
+        URI withoutToken = URI.create(server.url().toString().replaceFirst("\\?.*", ""));
+        var watchers = new ArrayList<Watcher>();
         try {
             for (int i = 0; i < FoxgloveServer.MAX_CLIENTS; i++) {
-                var watcher = new Watcher(server.url());
-                watchers.add(watcher);
-                watcher.channel("/state");
+                watchers.add(watching(withoutToken));
             }
-            var last = new Watcher(server.url());
-            watchers.add(last);
-            assertThat(last.closed.get(20, TimeUnit.SECONDS)).isEqualTo(1013);
+            var stranger = new Watcher(withoutToken);
+            watchers.add(stranger);
+            assertThat(stranger.closed.get(20, TimeUnit.SECONDS)).isEqualTo(1013);
+            for (int i = 0; i < FoxgloveServer.MAX_CLIENTS; i++) {
+                watchers.add(watching(server.url()));
+                assertThat(watchers.get(i).closed.get(20, TimeUnit.SECONDS))
+                        .as("who has been there longest without it leaves")
+                        .isEqualTo(1013);
+            }
+            var first = watchers.get(FoxgloveServer.MAX_CLIENTS + 1);
+            assertThat(first.closed).isNotDone();
+            watchers.add(watching(server.url()));
+            assertThat(first.closed.get(20, TimeUnit.SECONDS))
+                    .as("all know it: who has been there longest leaves")
+                    .isEqualTo(1013);
         } finally {
             watchers.forEach(Watcher::close);
         }
+    }
+
+    private static Watcher watching(URI url) throws Exception {
+        var watcher = new Watcher(url);
+        watcher.channel("/state");
+        return watcher;
     }
 
     @Test

@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -58,7 +59,8 @@ class EmergencyStopTest {
         HEADS_THAT_DO_NOT_END,
         IDLE_CONNECTIONS,
         VIEWERS_THAT_READ_NOTHING,
-        EXPENSIVE_QUESTIONS
+        EXPENSIVE_QUESTIONS,
+        ORDERS_WITH_THE_TOKEN
     }
 
     @ParameterizedTest
@@ -109,6 +111,11 @@ class EmergencyStopTest {
                     attackers.add(Thread.ofPlatform().daemon().start(this::askExpensively));
                 }
             }
+            case ORDERS_WITH_THE_TOKEN -> {
+                for (int i = 0; i < 10; i++) {
+                    attackers.add(Thread.ofPlatform().daemon().start(this::orderAtRandom));
+                }
+            }
         }
     }
 
@@ -140,6 +147,25 @@ class EmergencyStopTest {
                 RawHttp.get(port, "/api/scenarios", "Host: " + host());
             } catch (IOException _) {
                 // refused: asked again
+            }
+        }
+    }
+
+    /// Nothing that switches motors on, which who has the token may.
+    private void orderAtRandom() {
+        var random = new SplittableRandom(1);
+        List<String> paths = List.of("goal", "pose", "say", "speed", "step", "nothing");
+        List<String> bodies = List.of("{}", "{\"robot\":\"guard-1\",\"x\":1,\"y\":1}", "{\"speed\":2}", "[", "");
+        while (!Thread.currentThread().isInterrupted()) {
+            try {
+                RawHttp.post(
+                        port,
+                        "/api/run/" + paths.get(random.nextInt(paths.size())),
+                        bodies.get(random.nextInt(bodies.size())),
+                        "Host: " + host(),
+                        "Authorization: Bearer " + TOKEN);
+            } catch (IOException _) {
+                // refused: ordered again
             }
         }
     }

@@ -67,13 +67,21 @@ final class Peer {
         }
     }
 
-    /// How long it has said nothing [ns]; 0 while it uses a device.
-    long idle(long now) {
-        boolean uses;
+    /// How long it has said nothing [ns].
+    long silence(long now) {
+        return now - heardAt;
+    }
+
+    /// Whether it is told of a device.
+    boolean uses() {
         synchronized (subscribed) {
-            uses = !subscribed.isEmpty();
+            return !subscribed.isEmpty();
         }
-        return uses || !commanded.isEmpty() ? 0 : now - heardAt;
+    }
+
+    /// Whether it has commanded a device and not given it back.
+    boolean commands() {
+        return !commanded.isEmpty();
     }
 
     boolean isBehind() {

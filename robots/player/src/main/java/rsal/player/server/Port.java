@@ -29,7 +29,8 @@ import rsal.player.wire.Address;
 import rsal.time.AllowedToReadWallClock;
 
 /// A port of a Player server, with its devices and clients. When there are as many as it serves, a new one
-/// takes the place of who has said nothing for a while and uses no device. May be used on any thread.
+/// takes the place of who has said nothing for longest and uses no device, or else only looks. Who has
+/// commanded a device keeps its place. May be used on any thread.
 @AllowedToReadWallClock("It waits for clients, which live in real time.")
 public final class Port implements AutoCloseable {
     private static final int MOST_CLIENTS = 64;
@@ -109,8 +110,8 @@ public final class Port implements AutoCloseable {
     private boolean makeRoom() {
         long now = System.nanoTime();
         Optional<Peer> idle = peers.stream()
-                .filter(peer -> peer.idle(now) > IDLE.toNanos())
-                .max(Comparator.comparingLong(peer -> peer.idle(now)));
+                .filter(peer -> !peer.commands() && peer.silence(now) > IDLE.toNanos())
+                .max(Comparator.comparing((Peer peer) -> !peer.uses()).thenComparingLong(peer -> peer.silence(now)));
         idle.ifPresent(Peer::end);
         return idle.isPresent();
     }

@@ -565,6 +565,30 @@ class PortTest {
         assertThat(x(user.next())).isEqualTo(1);
     }
 
+    @Test
+    void whoOnlyLooksLosesItsPlaceAfterThoseWhoDoNotAndWhoCommandsKeepsIt() throws Exception {
+        Raw driver = subscribed();
+        var velocity = new Position2d.Velocity(new Pose(0.3, 0, 0.1), 1);
+        driver.send(
+                Packet.of(BASE, Kind.COMMAND, Position2d.VELOCITY, 0, velocity).bytes());
+        assertThat(base.commands.poll(10, TimeUnit.SECONDS)).isNotNull();
+        Raw viewer = subscribed();
+        var idle = new Raw();
+        while (port.clients() < 64) {
+            subscribed();
+        }
+        TimeUnit.MILLISECONDS.sleep(1200);
+        assertThat(isServed()).isTrue();
+        assertThat(idle.in.read()).as("it uses no device").isEqualTo(-1);
+        TimeUnit.MILLISECONDS.sleep(1200);
+        new Raw(); // takes the place of the one that was served, which uses no device either
+        assertThat(isServed()).isTrue();
+        publish(1);
+        assertThat(x(driver.next())).isEqualTo(1);
+        assertThat(port.clients()).isEqualTo(64);
+        assertThat(viewer.in.read()).as("the viewer that was silent longest").isEqualTo(-1);
+    }
+
     private boolean isServed() throws IOException {
         var socket = new Socket();
         open.add(socket);
