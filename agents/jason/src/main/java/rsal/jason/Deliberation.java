@@ -28,6 +28,8 @@ import rsal.time.Task;
 final class Deliberation extends TransitionSystem {
     private static final long serialVersionUID = 1;
 
+    private static final int MOST_VALUES = 100; // characters
+
     private final AgArch architecture;
     private final transient List<Deadline> deadlines = new ArrayList<>();
     private transient @Nullable Complaints complaints;
@@ -128,12 +130,29 @@ final class Deliberation extends TransitionSystem {
             throws JasonException {
         IntendedMeans failed = intention.peek();
         String thrown = complaints == null ? "" : complaints.takeThrownInAction();
-        List<Term> about = thrown.isEmpty() ? annotations : JasonException.createBasicErrorAnnots("ia_failed", thrown);
+        List<Term> about = thrown.isEmpty()
+                ? constraint(failed)
+                        .map(words -> (List<Term>) JasonException.createBasicErrorAnnots("constraint_failed", words))
+                        .orElse(annotations)
+                : JasonException.createBasicErrorAnnots("ia_failed", thrown);
         boolean goesOn = super.generateGoalDeletion(intention, about, reason);
         if (!goesOn) {
             getLogger().warning(words(failed, about));
         }
         return goesOn;
+    }
+
+    /// Which constraint does not hold, and what stood in it, where that is short; empty where something else
+    /// has failed. Jason would tell the rest of the plan, and the values of all variables.
+    private static Optional<String> constraint(IntendedMeans failed) {
+        PlanBody step = failed.isFinished() ? null : failed.getCurrentStep();
+        if (step == null || step.getBodyType() != PlanBody.BodyType.constraint) {
+            return Optional.empty();
+        }
+        String written = Terms.masked(step.getBodyTerm().toString());
+        String values = Terms.masked(step.getBodyTerm().capply(failed.getUnif()).toString());
+        String then = values.equals(written) || values.length() > MOST_VALUES ? "" : ": " + values;
+        return Optional.of("Constraint %s does not hold%s at %s".formatted(written, then, step.getSrcInfo()));
     }
 
     private static String words(IntendedMeans failed, @Nullable List<Term> annotations) {

@@ -932,6 +932,17 @@ class WrittenAgentTest extends RobotBench {
         assertThat(states).anyMatch(state -> state.startsWith("a: Cannot invoke "));
     }
 
+    /// Not the rest of the plan, nor what other variables stand for.
+    @Test
+    void aPlanForAFailureLearnsWhichConstraintDidNotHold() {
+        start(
+                "a",
+                "!go.\n+!go <- Y = other; X = 3;\n  X > 5; .print(rest, Y).\n"
+                        + "-!go[error(E), error_msg(Why)] <- .print(E, \": \", Why).");
+        advance(1);
+        assertThat(states).contains("a: constraint_failed: Constraint (X > 5) does not hold: (3 > 5) at a.asl:3");
+    }
+
     /// What the agent complained of last.
     private String failure(String name) {
         return society.look(name, Mind.View.class)
