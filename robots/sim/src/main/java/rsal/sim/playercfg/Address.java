@@ -52,6 +52,17 @@ public record Address(String key, String host, OptionalInt port, String type, in
         }
     }
 
+    /// The same on a server's port, unless it names one, or another host.
+    Address at(int usual) {
+        return port.isPresent() || !isHere()
+                ? this
+                : new Address(key, host, OptionalInt.of(usual), type, index, location);
+    }
+
+    static boolean isPort(double number) {
+        return number >= 1 && number <= MOST_PORT && number == Math.rint(number);
+    }
+
     /// The port, when the command line says nothing.
     public int portOrUsual() {
         return port.orElse(USUAL_PORT);

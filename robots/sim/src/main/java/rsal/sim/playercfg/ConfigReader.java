@@ -19,6 +19,7 @@ import rsal.sim.stage.WorldFile;
 /// Turns what is written into drivers and addresses.
 final class ConfigReader {
     private static final Set<String> OF_ALL = Set.of("name", "provides", "requires", "plugin", "alwayson");
+    private static final String SERVER = "server";
     private static final String ADDRESS = "Write (position2d:0), with a server's port (6665:position2d:0), or with"
             + " a key and its port (odometry::6665:position2d:0).";
 
@@ -26,6 +27,7 @@ final class ConfigReader {
     private final WorldFile file;
     private final Findings findings;
     private final Set<String> interfaces = new TreeSet<>(Interfaces.ALL);
+    private final Map<String, Integer> ports = new LinkedHashMap<>(); // by file, of devices that name none
 
     ConfigReader(String path, WorldFile file, Findings findings) {
         this.path = path;
@@ -54,11 +56,12 @@ final class ConfigReader {
         root.children().stream()
                 .filter(block -> block.type().equals("interface"))
                 .forEach(this::addInterface);
+        root.children().stream().filter(block -> block.type().equals(SERVER)).forEach(this::addServer);
         var drivers = new ArrayList<Driver>();
         for (Entity block : root.children()) {
             switch (block.type()) {
                 case "driver" -> driver(block).ifPresent(drivers::add);
-                case "interface" -> {}
+                case "interface", SERVER -> {}
                 default -> unknown(block);
             }
         }
@@ -89,6 +92,44 @@ final class ConfigReader {
             findings.error(block.location(), "This (interface) has no (name).", "Write name \"NAME\".");
         }
         name.ifPresent(interfaces::add);
+    }
+
+    /// What `player -p PORT FILE` says of a file that is included here. Not one of Player's blocks.
+    private void addServer(Entity block) {
+        Optional<String> name = block.find("file").flatMap(s -> text(s.value())).filter(n -> !n.isBlank());
+        Optional<Double> port = block.find("port")
+                .map(Setting::value)
+                .filter(value -> value instanceof Value.Scalar scalar && scalar.value() instanceof Number)
+                .map(value -> ((Number) ((Value.Scalar) value).value()).doubleValue())
+                .filter(Address::isPort);
+        if (name.isEmpty() || port.isEmpty()) {
+            findings.error(
+                    block.location(),
+                    "A (server) needs a (file) and a (port) from 1 to 65535.",
+                    "Write server ( file \"planner.cfg\" port 6666 ).");
+        } else if (ports.put(name.get(), port.get().intValue()) != null) {
+            findings.error(
+                    block.location(),
+                    "(%s) has two ports.".formatted(Findings.shortened(name.get())),
+                    "Leave one (server) out.");
+        } else if (file.root().children().stream().noneMatch(other -> isIn(name.get(), other.location()))) {
+            findings.error(
+                    block.location(),
+                    "Nothing of (%s) is included here.".formatted(Findings.shortened(name.get())),
+                    "Write include \"%s\" above.".formatted(Findings.shortened(name.get())));
+        }
+    }
+
+    private static boolean isIn(String file, Location location) {
+        return location.file().equals(file) || location.file().endsWith("/" + file);
+    }
+
+    private Address at(Address address) {
+        return ports.entrySet().stream()
+                .filter(server -> isIn(server.getKey(), address.location()))
+                .findFirst()
+                .map(server -> address.at(server.getValue()))
+                .orElse(address);
     }
 
     private void unknown(Entity block) {
@@ -193,7 +234,7 @@ final class ConfigReader {
                     ADDRESS);
             return read;
         }
-        Address address = read.get();
+        Address address = at(read.get());
         if (!interfaces.contains(address.type())) {
             findings.error(
                     value.location(),
@@ -210,7 +251,7 @@ final class ConfigReader {
                     "Maybe it is a key: write (%s:::%s)."
                             .formatted(Findings.shortened(address.host()), address.device()));
         }
-        return read;
+        return Optional.of(address);
     }
 
     /// `odometry::position2d:0` lacks a colon.

@@ -12,5 +12,6 @@ public record Dialect(Set<String> types, Set<String> dropped, boolean player) {
     static final Dialect STAGE = new Dialect(Types.ALL, Types.obsolete(), false);
 
     /// Configurations of Player's servers.
-    public static final Dialect PLAYER = new Dialect(new TreeSet<>(Set.of("driver", "interface")), Set.of(), true);
+    public static final Dialect PLAYER =
+            new Dialect(new TreeSet<>(Set.of("driver", "interface", "server")), Set.of(), true);
 }

@@ -465,6 +465,52 @@ class PlayerFormatTest {
         assertThat(own.provides().getFirst().device()).isEqualTo("own:3");
     }
 
+    /// The thesis started `player -p 6666 planner1.cfg` and `player -p 6668 planner2.cfg` beside the world.
+    @Test
+    void includedFilesHaveAPortEach() {
+        var findings = new Findings();
+        String planner = """
+                driver ( name "amcl" provides ["localize:0"] requires ["odometry::%d:position2d:0"] )
+                driver ( name "wavefront" provides ["planner:0"] requires ["localize:0"] )
+                """;
+        Configs configs = Configs.of("""
+                        include "plan/planner1.cfg"
+                        include "plan/planner2.cfg"
+                        server ( file "planner1.cfg" port 6666 )
+                        server ( file "plan/planner2.cfg" port 6668 )
+                        driver ( name "mapfile" provides ["map:0"] )
+                        """)
+                .and("etc/plan/planner1.cfg", planner.formatted(6665))
+                .and("etc/plan/planner2.cfg", planner.formatted(6667));
+        PlayerConfig config = PlayerConfig.read(Configs.FILE, WorldFiles.in(configs.source()), findings);
+        findings.throwIfAny();
+        assertThat(config.drivers())
+                .extracting(driver -> driver.provides().getFirst().place())
+                .containsExactly(
+                        "6666:localize:0", "6666:planner:0", "6668:localize:0", "6668:planner:0", "6665:map:0");
+        assertThat(config.drivers())
+                .flatExtracting(Driver::requires)
+                .extracting(Address::place)
+                .as("what names a port keeps it")
+                .containsExactly("6665:position2d:0", "6666:localize:0", "6667:position2d:0", "6668:localize:0");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "server ( file \"p.cfg\" port 0 ) | A (server) needs a (file) and a (port) from 1 to 65535.",
+                "server ( file \"p.cfg\" port 66.5 ) | A (server) needs a (file) and a (port)",
+                "server ( port 6666 ) | A (server) needs a (file)",
+                "server ( file \"q.cfg\" port 6666 ) | Nothing of (q.cfg) is included here.",
+                "server ( file \"p.cfg\" port 6666 ) server ( file \"p.cfg\" port 6667 ) | (p.cfg) has two ports.",
+            })
+    void aServerThatMeansNothingIsRefused(String server, String message) {
+        Configs configs = Configs.of("include \"p.cfg\"\n" + server)
+                .and("etc/p.cfg", "driver ( name \"mapfile\" provides [\"map:0\"] )");
+        assertThat(configs.mistakes()).anySatisfy(mistake -> assertThat(mistake).contains(message));
+    }
+
     /// After a driver that simulates the world.
     @ParameterizedTest
     @CsvSource(

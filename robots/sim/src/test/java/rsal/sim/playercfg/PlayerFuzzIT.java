@@ -35,6 +35,7 @@ class PlayerFuzzIT {
     private static final String[] WORDS = {
         "define",
         "include",
+        "server",
         "driver",
         "interface",
         "served",
