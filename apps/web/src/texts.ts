@@ -92,6 +92,8 @@ export const texts = {
     unmeasured: 'not measured',
     outOfBounds: (name: string, value: string, bound: string) =>
       `Out of bounds: ${name} is ${value}; the scenario allows ${bound}.`,
+    failed: (agent: string, why: string) => `Agent '${agent}' failed: ${why}`,
+    unhandled: (agent: string, goals: string) => `Agent '${agent}' has no plan for: ${goals}`,
     hash: 'event hash',
     close: 'Close',
   },

@@ -213,6 +213,8 @@ export interface Ending {
   eventHash: string;
   measures: Record<string, number | null>;
   outOfBounds: string[];
+  failed: Record<string, string>;
+  unhandledGoals: Record<string, string[]>;
   failure: string;
 }
 

@@ -422,8 +422,11 @@ final class Descriptions {
                                 end.eventHash(),
                                 measures(end),
                                 end.outOfBounds(),
+                                end.failed(),
+                                end.unhandledGoals(),
                                 "")
-                        : new Ending("broken", 0, 0, "", Map.of(), List.of(), reason(failure)))
+                        : new Ending(
+                                "broken", 0, 0, "", Map.of(), List.of(), Map.of(), Map.of(), reason(failure)))
                 .join());
     }
 

@@ -283,6 +283,8 @@ final class Messages {
     /// @param outcome as in [rsal.scenario.run.RunResult]; `broken` when the run itself failed
     /// @param measures by name (`captureTime`; `distance.prey-1` of those per robot); `null` where there was none
     /// @param outOfBounds names of the measures that are worse than the scenario allows
+    /// @param failed what went wrong with agents that ended by a mistake of their own, by name
+    /// @param unhandledGoals goals for which agents had no plan at all, by name of the agent
     /// @param failure why it broke; else empty
     record Ending(
             String outcome,
@@ -291,6 +293,8 @@ final class Messages {
             String eventHash,
             Map<String, @Nullable Double> measures,
             List<String> outOfBounds,
+            Map<String, String> failed,
+            Map<String, List<String>> unhandledGoals,
             String failure) {}
 
     /// @param gone whether a fault has taken it away: it can't be told anything

@@ -1,0 +1,155 @@
+package rsal.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import rsal.experiment.report.Numbers;
+import rsal.experiment.statistics.Mean;
+import rsal.scenario.NumberText;
+
+/// The figures in READMEs of scenarios are what a sweep tells, a row for each seed. The first row is run again here.
+/// `-Drsal.update=true` runs all, and writes them anew:
+///
+/// ```
+/// <!-- figures: hunt-and-prey:advanced --seeds 1-10 | captureTime -->
+/// <!-- end -->
+/// ```
+class FiguresIT {
+    private static final Path SCENARIOS = Path.of("../scenarios/src/main/resources/rsal/scenarios");
+    private static final Pattern FIGURES = Pattern.compile(
+            "<!-- figures: (?<sweep>[^|\n]+?) \\| (?<measures>[^\n]+?) -->\n(?<table>.*?)<!-- end -->", Pattern.DOTALL);
+    private static final Pattern SEEDS = Pattern.compile("--seeds (\\d+)-\\d+");
+    private static final String NOTHING = "–";
+    private static final int LONGEST = 20; // min, of all seeds
+
+    @TempDir
+    Path folder;
+
+    private int sweeps;
+
+    static Stream<Path> readmes() throws IOException {
+        List<Path> all = new ArrayList<>();
+        try (var files = Files.walk(SCENARIOS)) {
+            files.filter(file -> file.endsWith("README.md")).sorted().forEach(all::add);
+        }
+        all.removeIf(file -> !text(file).contains("<!-- figures: "));
+        assertThat(all).isNotEmpty();
+        return all.stream();
+    }
+
+    private static String text(Path file) {
+        try {
+            return Files.readString(file).replace("\r\n", "\n");
+        } catch (IOException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("readmes")
+    void areWhatASweepTells(Path readme) throws Exception {
+        boolean update = Boolean.getBoolean("rsal.update");
+        var written = new StringBuilder();
+        Matcher block = FIGURES.matcher(text(readme));
+        while (block.find()) {
+            String sweep = block.group("sweep");
+            List<String> measures = List.of(block.group("measures").split(", ", -1));
+            if (update) {
+                String table = table(sweep, measures, rows(sweep));
+                block.appendReplacement(
+                        written,
+                        Matcher.quoteReplacement("<!-- figures: %s | %s -->\n%s<!-- end -->"
+                                .formatted(sweep, block.group("measures"), table)));
+            } else {
+                String first = SEEDS.matcher(sweep).replaceFirst("--seeds $1-$1");
+                String row = line(rows(first).getFirst(), measures);
+                assertThat(block.group("table").lines())
+                        .as("'rsal sweep %s'. Write them anew: -Dit.test=FiguresIT -Drsal.update=true", first)
+                        .contains(row);
+            }
+        }
+        if (update) {
+            Files.writeString(readme, block.appendTail(written).toString());
+        }
+    }
+
+    /// What was measured in each run, as in `rows.csv`, by the name of the column.
+    private List<Map<String, String>> rows(String sweep) throws Exception {
+        Path out = folder.resolve("sweep-" + sweeps++);
+        List<String> arguments = new ArrayList<>(List.of("sweep"));
+        arguments.addAll(List.of(sweep.split(" ", -1)));
+        arguments.addAll(List.of("--out", out.toString()));
+        Process process = new ProcessBuilder(new Rsal(folder).command(arguments.toArray(String[]::new)))
+                .directory(folder.toFile())
+                .redirectErrorStream(true)
+                .redirectOutput(folder.resolve("out").toFile())
+                .start();
+        assertThat(process.waitFor(LONGEST, TimeUnit.MINUTES)).as("ends").isTrue();
+        assertThat(process.exitValue())
+                .as(Files.readString(folder.resolve("out")))
+                .isEqualTo(Exit.SUCCESS);
+        List<String> lines = Files.readAllLines(out.resolve("rows.csv"));
+        List<String> names = cells(lines.getFirst());
+        return lines.stream()
+                .skip(1)
+                .map(FiguresIT::cells)
+                .map(cells -> IntStream.range(0, names.size())
+                        .boxed()
+                        .collect(Collectors.toMap(names::get, cells::get, (one, _) -> one, LinkedHashMap::new)))
+                .map(row -> (Map<String, String>) row)
+                .toList();
+    }
+
+    /// None of these has a comma in quotes.
+    private static List<String> cells(String line) {
+        return Arrays.asList(line.split(",", -1));
+    }
+
+    private static String table(String sweep, List<String> measures, List<Map<String, String>> rows) {
+        var table = new StringBuilder("`rsal sweep %s`\n\n".formatted(sweep));
+        table.append("| seed | outcome | %s |\n".formatted(String.join(" | ", measures)));
+        table.append("|---|---|").append("---|".repeat(measures.size())).append("\n");
+        rows.forEach(row -> table.append(line(row, measures)).append("\n"));
+        String means = measures.stream().map(measure -> mean(measure, rows)).collect(Collectors.joining(" | "));
+        return table.append("| mean ± half of its 95 %% interval | | %s |\n".formatted(means))
+                .toString();
+    }
+
+    private static String line(Map<String, String> row, List<String> measures) {
+        return measures.stream()
+                .map(measure -> row.getOrDefault("measure." + measure, ""))
+                .map(value -> value.isEmpty() ? NOTHING : NumberText.of(Double.parseDouble(value)))
+                .collect(
+                        Collectors.joining(" | ", "| %s | %s | ".formatted(row.get("seed"), row.get("outcome")), " |"));
+    }
+
+    /// Of what was measured in all runs; else nothing.
+    private static String mean(String measure, List<Map<String, String>> rows) {
+        List<String> values = rows.stream()
+                .map(row -> row.getOrDefault("measure." + measure, ""))
+                .toList();
+        if (values.contains("")) {
+            return NOTHING;
+        }
+        Mean mean = Mean.of(values.stream().mapToDouble(Double::parseDouble).toArray());
+        return mean.interval()
+                .map(interval -> Numbers.withError(mean.value(), interval.high() - mean.value()))
+                .orElse(NOTHING);
+    }
+}
