@@ -15,6 +15,7 @@ import rsal.data.Pose2d;
 import rsal.device.Navigator.Tolerance;
 import rsal.device.PlaceFinder;
 import rsal.device.Planner;
+import rsal.robot.LineOfSight;
 import rsal.robot.Robot;
 
 /// The skill to go for a prey, alone or as one of several. While hunters are near enough to it that it may run, it

@@ -24,6 +24,7 @@ import rsal.data.Pose2d;
 import rsal.device.Navigator;
 import rsal.device.Navigator.Result;
 import rsal.device.Navigator.Tolerance;
+import rsal.robot.LineOfSight;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
 

@@ -14,6 +14,7 @@ import rsal.behavior.SetSpeed;
 import rsal.behavior.Subsumption;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
+import rsal.robot.LineOfSight;
 import rsal.robot.Robot;
 
 /// What a prey does when it believes a hunter too near, and sees nothing that stands between: it says that it

@@ -46,7 +46,10 @@ import java.util.stream.IntStream;
 import rsal.agent.AgentContext;
 import rsal.agent.Capability;
 import rsal.agent.Directory;
+import rsal.data.Pose2d;
+import rsal.device.Localizer;
 import rsal.device.Subscription;
+import rsal.robot.LineOfSight;
 
 /// Internal actions of Jason's that would read the machine's clock, make up random numbers, start threads, or write to
 /// the console, done by what the run gives an agent instead. They take what Jason's take.
@@ -63,6 +66,7 @@ final class Replaced {
             ".println",
             ".log",
             ".metric",
+            ".in_sight",
             ".send",
             ".broadcast",
             ".all_names",
@@ -124,6 +128,7 @@ final class Replaced {
                         1,
                         Integer.MAX_VALUE,
                         (ts, un, terms) -> print(ts, un, Arrays.copyOfRange(terms, 1, terms.length))));
+        all.put(".in_sight", new Simple(2, 2, this::inSight));
         all.put(".metric", new Simple(2, 2, false, this::metric));
         all.put(".concat", new Simple(2, Integer.MAX_VALUE, this::concat));
         all.put(".send", new Send());
@@ -276,6 +281,17 @@ final class Replaced {
     private Object print(TransitionSystem ts, Unifier un, Term[] terms) {
         agent.say(Terms.words(List.of(terms)));
         return true;
+    }
+
+    /// `.in_sight(X, Y)`: no wall stands between the robot and a place, as far as it knows. Not one of Jason's.
+    private Object inSight(TransitionSystem ts, Unifier un, Term[] terms) {
+        var mapFromPlace = new Pose2d(Terms.number(terms[0]), Terms.number(terms[1]), 0);
+        return self.robot()
+                .flatMap(robot -> robot.find(Localizer.class)
+                        .flatMap(Localizer::latest)
+                        .map(estimate -> estimate.value().mapFromBase())
+                        .filter(mapFromBase -> LineOfSight.isBlocked(robot, mapFromBase, mapFromPlace)))
+                .isEmpty();
     }
 
     /// `.metric(load, 0.4)`: a value for the results. Not one of Jason's.

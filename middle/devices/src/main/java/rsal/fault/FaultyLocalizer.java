@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import java.util.random.RandomGenerator;
+import rsal.data.OccupancyGrid;
 import rsal.data.ParticleCloud;
 import rsal.data.PoseEstimate;
 import rsal.data.Stamped;
@@ -53,6 +54,11 @@ public final class FaultyLocalizer extends SensorCore<PoseEstimate> implements L
         if (!(health.equals(Health.ok()) && faults.areDeadly())) {
             health(health);
         }
+    }
+
+    @Override
+    public Optional<OccupancyGrid> givenMap() {
+        return localizer.givenMap();
     }
 
     @Override

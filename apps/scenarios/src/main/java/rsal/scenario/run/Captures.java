@@ -7,10 +7,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
-import java.util.stream.DoubleStream;
 import rsal.agent.message.Caught;
-import rsal.data.Point2d;
 import rsal.data.Pose2d;
+import rsal.data.Walls;
 import rsal.scenario.run.Reached.There;
 
 /// Which prey are caught in truth. A prey says which hunter has caught it, and how far away that is. It counts
@@ -93,14 +92,8 @@ final class Captures {
         return mapFromPrey.distanceTo(mapFromHunter) <= claim.distance + RIGHT && isInSight(mapFromPrey, mapFromHunter);
     }
 
-    /// Whether its middle or one of its sides is.
     private boolean isInSight(Pose2d mapFromPrey, Pose2d mapFromHunter) {
-        Point2d prey = mapFromPrey.position();
-        double direction = mapFromPrey.theta() + mapFromPrey.bearingTo(mapFromHunter.position());
-        Pose2d facing = new Pose2d(mapFromHunter.x(), mapFromHunter.y(), direction);
-        return DoubleStream.of(0, SIDE, -SIDE)
-                .mapToObj(left -> facing.transform(new Point2d(0, left)))
-                .anyMatch(part -> !walls.standBetween(prey, part));
+        return !walls.hide(mapFromPrey.position(), mapFromHunter.position(), SIDE);
     }
 
     private void count(String prey, double distance) {

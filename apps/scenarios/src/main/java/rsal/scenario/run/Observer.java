@@ -28,6 +28,7 @@ import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.Stamped;
+import rsal.data.Walls;
 import rsal.device.Battery;
 import rsal.device.Localizer;
 import rsal.device.Mapper;

@@ -15,6 +15,7 @@ import rsal.agent.Delivery;
 import rsal.agent.Message;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
+import rsal.data.Walls;
 import rsal.scenario.Communication;
 import rsal.scenario.Span;
 

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import rsal.agent.message.VictimFound;
 import rsal.data.Pose2d;
+import rsal.data.Walls;
 import rsal.device.SimulationControl.Standing;
 import rsal.scenario.PlannedThings;
 import rsal.scenario.PlannedThings.PlannedThing;

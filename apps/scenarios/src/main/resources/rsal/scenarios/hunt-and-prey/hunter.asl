@@ -8,7 +8,7 @@ assignment(fixed).   // fixed: it hunts a prey until that has been caught; else 
 
 is_prey(Robot, Role) :- robot(Me, _) & Robot \== Me & (prey(Robot) | prey(Role)).
 distance(X, Y, D) :- pose(MyX, MyY, _) & D = math.sqrt((X - MyX) ** 2 + (Y - MyY) ** 2).
-near(X, Y) :- catchDistance(Near) & distance(X, Y, D) & D < Near.
+near(X, Y) :- catchDistance(Near) & distance(X, Y, D) & D < Near & .in_sight(X, Y).
 
 // The nearest prey, one that others hunt as if it were ten meters farther for each of them.
 cost(Prey, Cost) :- seen(Prey, X, Y) & distance(X, Y, D) & .count(chases(_, Prey), Others) & Cost = D + 10 * Others.

@@ -27,6 +27,7 @@ distance(X, Y, D) :- pose(MyX, MyY, _) & D = math.sqrt((X - MyX) ** 2 + (Y - MyY
 
 +heard(pose, _, pose_report(Hunter, Role, pose(X, Y, _)))
    :  not caught & is_hunter(Hunter, Role) & catchDistance(Near) & distance(X, Y, D) & D < Near
+      & .in_sight(X, Y)
    <- +caught; // first of all, as another may be near, too
       stop;
       ?robot(Me, _);

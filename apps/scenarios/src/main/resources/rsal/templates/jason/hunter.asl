@@ -6,7 +6,7 @@ period(0.5).         // How often it says where it is [s].
 interval(2).         // How often it goes for the prey's newest pose [s].
 
 distance(X, Y, D) :- pose(MyX, MyY, _) & D = math.sqrt((X - MyX) ** 2 + (Y - MyY) ** 2).
-near(X, Y) :- catchDistance(Near) & distance(X, Y, D) & D < Near.
+near(X, Y) :- catchDistance(Near) & distance(X, Y, D) & D < Near & .in_sight(X, Y).
 
 !report.
 !hunt.

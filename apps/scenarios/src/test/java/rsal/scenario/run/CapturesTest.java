@@ -8,6 +8,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import rsal.agent.message.Caught;
 import rsal.data.Pose2d;
+import rsal.data.Walls;
 import rsal.scenario.run.Reached.There;
 import rsal.testkit.DrawnMap;
 

@@ -16,6 +16,7 @@ import rsal.agent.Message;
 import rsal.agent.message.Text;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
+import rsal.data.Walls;
 import rsal.scenario.Communication;
 import rsal.scenario.Span;
 

@@ -12,6 +12,7 @@ import rsal.data.Pose2d;
 import rsal.data.Rgb;
 import rsal.data.Shape;
 import rsal.data.Solid;
+import rsal.data.Walls;
 import rsal.device.SimulationControl.Marker;
 import rsal.device.SimulationControl.Standing;
 import rsal.device.SimulationControl.Thing;

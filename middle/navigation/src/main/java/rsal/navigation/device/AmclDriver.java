@@ -138,6 +138,7 @@ public final class AmclDriver implements DeviceDriver {
         var localizer = new AmclLocalizer(
                 new DeviceInfo(context.robot().id(), context.name(), key()),
                 new Amcl(map, settings, context.random()),
+                context.map(),
                 context.mapFromBase().map(pose -> PoseEstimate.of(pose, deviations)),
                 context.scheduler());
         localizer.follow(base);

@@ -11,6 +11,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import rsal.data.OccupancyGrid;
 import rsal.data.Odometry;
 import rsal.data.ParticleCloud;
 import rsal.data.Pose2d;
@@ -41,6 +42,7 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     private static final Duration PATIENCE = Duration.ofSeconds(2);
 
     private final Amcl amcl;
+    private final OccupancyGrid map;
     private final Scheduler scheduler;
     private final List<CompletableFuture<Void>> followers = new ArrayList<>();
     private final Scrutiny scrutiny = Scrutiny.ofAnyScans(this::tellSkipped);
@@ -65,9 +67,11 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         }
     }
 
-    AmclLocalizer(DeviceInfo info, Amcl amcl, Optional<PoseEstimate> start, Scheduler scheduler) {
+    /// @param map on which the filter works
+    AmclLocalizer(DeviceInfo info, Amcl amcl, OccupancyGrid map, Optional<PoseEstimate> start, Scheduler scheduler) {
         super(info);
         this.amcl = amcl;
+        this.map = map;
         this.scheduler = scheduler;
         this.start = start;
         this.lastRanges = scheduler.instant();
@@ -93,6 +97,11 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
                 onRanges(ranges.time(), () -> Beams.of(ranges.value(), maxRange));
             }
         });
+    }
+
+    @Override
+    public Optional<OccupancyGrid> givenMap() {
+        return Optional.of(map);
     }
 
     @Override

@@ -7,6 +7,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import org.jspecify.annotations.Nullable;
 import rsal.data.Covariance2d;
+import rsal.data.OccupancyGrid;
 import rsal.data.Odometry;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
@@ -20,14 +21,17 @@ import rsal.device.SensorCore;
 /// uncertainty is that of its start and does not grow. Silent until it is told where the robot starts, and
 /// while odometry is no number. It does not notice when somebody resets odometry on the way.
 final class OdometryLocalizer extends SensorCore<PoseEstimate> implements Localizer {
+    private final OccupancyGrid map;
     private final List<CompletableFuture<Void>> followers = new ArrayList<>();
     private @Nullable PoseEstimate start; // to begin from with the next odometry
     private @Nullable Pose2d mapFromOdom;
     private @Nullable Odometry newest;
     private Covariance2d covariance = Covariance2d.ofDeviations(0, 0, 0);
 
-    OdometryLocalizer(DeviceInfo info, Optional<PoseEstimate> start) {
+    /// @param map in whose frame it starts
+    OdometryLocalizer(DeviceInfo info, OccupancyGrid map, Optional<PoseEstimate> start) {
         super(info);
+        this.map = map;
         this.start = start.orElse(null);
     }
 
@@ -39,6 +43,11 @@ final class OdometryLocalizer extends SensorCore<PoseEstimate> implements Locali
         begin();
         base.subscribe(this::onOdometry);
         base.onHealth(this::health);
+    }
+
+    @Override
+    public Optional<OccupancyGrid> givenMap() {
+        return Optional.of(map);
     }
 
     @Override

@@ -46,6 +46,7 @@ public final class OdometryLocalizerDriver implements DeviceDriver {
         var covariance = Covariance2d.ofDeviations(deviation, deviation, arguments.radians("angleDeviation"));
         var localizer = new OdometryLocalizer(
                 new DeviceInfo(context.robot().id(), context.name(), key()),
+                context.map(),
                 context.mapFromBase().map(pose -> PoseEstimate.of(pose, covariance)));
         localizer.follow(context.robot().require(DriveBase.class));
         return localizer;

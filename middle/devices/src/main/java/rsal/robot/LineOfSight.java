@@ -1,24 +1,33 @@
-package rsal.agents;
+package rsal.robot;
 
+import java.util.Optional;
 import rsal.data.LaserScan;
+import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.data.Stamped;
+import rsal.data.Walls;
 import rsal.device.LaserScanner;
-import rsal.robot.Robot;
+import rsal.device.Localizer;
 
-/// Whether a robot's laser scanner sees that something stands between it and another robot.
-final class LineOfSight {
-    /// How much nearer than the other robot's middle all that is seen must be [m]: the other's radius, and by
-    /// how much both may be wrong about where they are.
+/// Whether something stands between a robot and another one, as far as it knows: a wall of the map that it was
+/// given, or, without a map, what its laser scanner sees. Who is seen in part is not hidden.
+public final class LineOfSight {
+    /// How much nearer than the other robot's middle all that a scanner sees must be [m]: the other's radius,
+    /// and by how much both may be wrong about where they are.
     private static final double NEARER = 0.4;
-    /// How far to both sides of the other's middle it looks [m]: where that may really be.
+    /// How far to both sides of the other's middle it looks [m].
     private static final double WIDTH = 0.15;
 
     private LineOfSight() {}
 
-    /// Something is in the way in each direction in which the other robot could be seen. False where the robot
-    /// has no laser scanner, or this does not look there: then nobody knows.
-    static boolean isBlocked(Robot robot, Pose2d mapFromBase, Pose2d mapFromOther) {
+    /// False where nobody knows: the robot has neither map nor scanner, or this does not look there.
+    ///
+    /// @param mapFromBase where the robot believes to be
+    public static boolean isBlocked(Robot robot, Pose2d mapFromBase, Pose2d mapFromOther) {
+        Optional<OccupancyGrid> map = robot.find(Localizer.class).flatMap(Localizer::givenMap);
+        if (map.isPresent()) {
+            return new Walls(map.get()).hide(mapFromBase.position(), mapFromOther.position(), WIDTH);
+        }
         return robot.find(LaserScanner.class)
                 .flatMap(LaserScanner::latest)
                 .map(Stamped::value)

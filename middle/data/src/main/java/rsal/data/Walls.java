@@ -1,21 +1,36 @@
-package rsal.scenario.run;
-
-import rsal.data.OccupancyGrid;
-import rsal.data.Point2d;
+package rsal.data;
 
 /// The walls of a map: all that is occupied.
-final class Walls {
+public final class Walls {
     private final OccupancyGrid map;
 
-    Walls(OccupancyGrid map) {
+    public Walls(OccupancyGrid map) {
         this.map = map;
     }
 
     /// Whether the straight line between two places crosses one; the same in both directions. What lies outside the
     /// map is free of walls.
-    boolean standBetween(Point2d one, Point2d other) {
+    public boolean standBetween(Point2d one, Point2d other) {
         boolean inOrder = one.x() < other.x() || (one.x() == other.x() && one.y() <= other.y());
         return inOrder ? block(one, other) : block(other, one);
+    }
+
+    /// Whether walls hide all of a body: its middle, and what is so far to the left and to the right of it, as
+    /// seen from a place.
+    ///
+    /// @param side how far to each side [m]
+    public boolean hide(Point2d from, Point2d middle, double side) {
+        double distance = from.distanceTo(middle);
+        if (!standBetween(from, middle)) {
+            return false;
+        }
+        if (distance == 0) {
+            return true;
+        }
+        double x = -(middle.y() - from.y()) / distance * side;
+        double y = (middle.x() - from.x()) / distance * side;
+        return standBetween(from, new Point2d(middle.x() + x, middle.y() + y))
+                && standBetween(from, new Point2d(middle.x() - x, middle.y() - y));
     }
 
     /// Column by column, all rows that the line passes in each.

@@ -1,4 +1,4 @@
-package rsal.agents;
+package rsal.robot;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

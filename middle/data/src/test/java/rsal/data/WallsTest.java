@@ -1,11 +1,9 @@
-package rsal.scenario.run;
+package rsal.data;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
-import rsal.data.OccupancyGrid;
-import rsal.data.Point2d;
 
 class WallsTest {
     /// Whether any cell that is occupied is crossed, each looked at by itself.
@@ -83,5 +81,24 @@ class WallsTest {
                 .isTrue();
         assertThat(walls.standBetween(new Point2d(0.5, 0.5), new Point2d(0.5, 0.5)))
                 .isFalse();
+    }
+
+    /// A wall with a gap of a cell, at x from 3 to 4 m; who looks stands at its left.
+    @Test
+    void whoIsSeenInPartIsNotHidden() {
+        var cells = new byte[7 * 5];
+        for (int row = 0; row < 5; row++) {
+            cells[row * 7 + 3] = row == 1 ? OccupancyGrid.FREE : OccupancyGrid.OCCUPIED;
+        }
+        var walls = new Walls(new OccupancyGrid(7, 5, 1, 0, 0, cells));
+        double gap = walls.standBetween(new Point2d(1, 3.5), new Point2d(6, 3.5)) ? 1.5 : 3.5;
+        var from = new Point2d(1, gap);
+        assertThat(walls.hide(from, new Point2d(6, gap), 0.3)).isFalse();
+        assertThat(walls.hide(from, new Point2d(6, gap + 1), 0.3))
+                .as("its side is seen through the gap")
+                .isFalse();
+        assertThat(walls.hide(from, new Point2d(6, gap + 1), 0.01)).isTrue();
+        assertThat(walls.hide(from, new Point2d(6, gap + 3), 0.3)).isTrue();
+        assertThat(walls.hide(from, from, 0.3)).isFalse();
     }
 }
