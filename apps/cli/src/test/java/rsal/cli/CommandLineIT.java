@@ -412,6 +412,7 @@ class CommandLineIT {
                         "wallSeconds",
                         "eventHash",
                         "measures",
+                        "endPoses",
                         "topics",
                         "communication",
                         "failed",

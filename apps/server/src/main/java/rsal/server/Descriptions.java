@@ -425,8 +425,7 @@ final class Descriptions {
                                 end.failed(),
                                 end.unhandledGoals(),
                                 "")
-                        : new Ending(
-                                "broken", 0, 0, "", Map.of(), List.of(), Map.of(), Map.of(), reason(failure)))
+                        : new Ending("broken", 0, 0, "", Map.of(), List.of(), Map.of(), Map.of(), reason(failure)))
                 .join());
     }
 
