@@ -66,15 +66,14 @@ final class Surrender {
 
     void lookAround(Optional<Pose2d> mapFromBase) {
         if (!caught) {
-            mapFromBase
-                    .flatMap(this::nearestHunter)
-                    .filter(hunter -> hunter.distance < catchDistance)
-                    .ifPresent(this::giveUp);
+            mapFromBase.flatMap(this::nearestHunter).ifPresent(this::giveUp);
         }
     }
 
+    /// Of those that are near enough to catch it, with nothing between.
     private Optional<Hunter> nearestHunter(Pose2d mapFromBase) {
         return hunters.of(_ -> true).entrySet().stream()
+                .filter(hunter -> mapFromBase.distanceTo(hunter.getValue()) < catchDistance)
                 .filter(hunter -> !LineOfSight.isBlocked(robot, mapFromBase, hunter.getValue()))
                 .map(hunter -> new Hunter(hunter.getKey(), mapFromBase.distanceTo(hunter.getValue())))
                 .min(Comparator.comparingDouble(Hunter::distance)); // of equals the first by id
