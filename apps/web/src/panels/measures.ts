@@ -30,7 +30,7 @@ export function measured(name: string, ending: Ending, measures: MeasureInfo[]):
   if (value === undefined) {
     return '';
   }
-  return value === null ? texts.ending.unmeasured : withUnit(value, infoOf(name, measures));
+  return value === null ? texts.ending.unmeasured : withUnit(numberText(value), infoOf(name, measures));
 }
 
 /** What a value may be: `at most 0.3 m`. */
@@ -39,12 +39,12 @@ export function boundOf(name: string, measures: MeasureInfo[]): string {
   const min = info?.min ?? null;
   const max = info?.max ?? null;
   if (min !== null && max !== null) {
-    return texts.range.between(String(min), asWritten(max, info));
+    return texts.range.between(String(min), withUnit(String(max), info));
   }
   return min !== null
-    ? texts.range.least(asWritten(min, info))
+    ? texts.range.least(withUnit(String(min), info))
     : max !== null
-      ? texts.range.most(asWritten(max, info))
+      ? texts.range.most(withUnit(String(max), info))
       : '';
 }
 
@@ -56,11 +56,6 @@ function measureOf(name: string): string {
   return name.split('.')[0]!;
 }
 
-/** A bound, of which the scenario's author chose the digits. */
-function asWritten(bound: number, info: MeasureInfo | undefined): string {
-  return `${bound} ${info?.unit ?? ''}`.trimEnd();
-}
-
-function withUnit(value: number, info: MeasureInfo | undefined): string {
-  return `${numberText(value)} ${info?.unit ?? ''}`.trimEnd();
+function withUnit(number: string, info: MeasureInfo | undefined): string {
+  return `${number} ${info?.unit ?? ''}`.trimEnd();
 }

@@ -145,7 +145,7 @@ final class Deliberation extends TransitionSystem {
     /// Which constraint does not hold, and what stood in it, where that is short; empty where something else
     /// has failed. Jason would tell the rest of the plan, and the values of all variables.
     private static Optional<String> constraint(IntendedMeans failed) {
-        PlanBody step = failed.isFinished() ? null : failed.getCurrentStep();
+        PlanBody step = step(failed);
         if (step == null || step.getBodyType() != PlanBody.BodyType.constraint) {
             return Optional.empty();
         }
@@ -155,8 +155,13 @@ final class Deliberation extends TransitionSystem {
         return Optional.of("Constraint %s does not hold%s at %s".formatted(written, then, step.getSrcInfo()));
     }
 
+    /// Where it has failed; null when at its end.
+    private static @Nullable PlanBody step(IntendedMeans failed) {
+        return failed.isFinished() ? null : failed.getCurrentStep();
+    }
+
     private static String words(IntendedMeans failed, @Nullable List<Term> annotations) {
-        PlanBody step = failed.isFinished() ? null : failed.getCurrentStep();
+        PlanBody step = step(failed);
         SourceInfo place =
                 step == null || step.getSrcInfo() == null ? failed.getPlan().getSrcInfo() : step.getSrcInfo();
         String what = step == null ? "" : ": " + step.getBodyType() + Terms.written(step.getBodyTerm());

@@ -38,12 +38,17 @@ final class PlaceReader {
         if (place.has("at")) {
             return place.numbers("at", 2).map(xy -> new Place.Disc(new Point2d(xy[0], xy[1]), radius));
         }
-        return place.numbers("within", 4).flatMap(edges -> rectangle(place, edges));
+        return rectangle(place).map(area -> area);
     }
 
-    private static Optional<Place.Area> rectangle(Section place, double[] edges) {
+    /// What the setting `within` says; empty when it isn't given, or a mistake.
+    static Optional<Place.Rectangle> rectangle(Section section) {
+        double[] edges = section.numbers("within", 4).orElse(new double[0]);
+        if (edges.length == 0) {
+            return Optional.empty();
+        }
         if (!(edges[0] < edges[2] && edges[1] < edges[3])) {
-            place.problem("within", "(within) must be [least x, least y, greatest x, greatest y].", "");
+            section.problem("within", "(within) must be [least x, least y, greatest x, greatest y].", "");
             return Optional.empty();
         }
         return Optional.of(new Place.Rectangle(new Point2d(edges[0], edges[1]), new Point2d(edges[2], edges[3])));

@@ -6,7 +6,6 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
-import org.jspecify.annotations.Nullable;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.map.FreeSpace;
@@ -29,8 +28,8 @@ record Start(List<Pose2d> fixed, Optional<Free> free) {
     }
 
     /// @param passage clearance of the ways between places [m]
-    /// @param within x and y of the lower left and the upper right corner [m]; null for anywhere
-    record Free(double clearance, double passage, double @Nullable [] within) {
+    /// @param within empty for anywhere
+    record Free(double clearance, double passage, Optional<Place.Rectangle> within) {
         /// Where there is room on a map.
         FreeSpace on(OccupancyGrid map) {
             return new FreeSpace(map, clearance, passage);
@@ -40,17 +39,9 @@ record Start(List<Pose2d> fixed, Optional<Free> free) {
         Optional<Pose2d> choose(FreeSpace space, long seed, Collection<Pose2d> others, Predicate<Pose2d> suits) {
             return space.choose(
                     new SplittableRandom(seed),
-                    pose -> holds(pose)
+                    pose -> within.map(area -> area.holds(pose.position(), 0)).orElse(true)
                             && others.stream().noneMatch(other -> other.distanceTo(pose) < 2 * clearance)
                             && suits.test(pose));
-        }
-
-        private boolean holds(Pose2d pose) {
-            return within == null
-                    || (pose.x() >= within[0]
-                            && pose.y() >= within[1]
-                            && pose.x() <= within[2]
-                            && pose.y() <= within[3]);
         }
     }
 
@@ -69,10 +60,7 @@ record Start(List<Pose2d> fixed, Optional<Free> free) {
             pose.problem(
                     "passage", "(passage) must not be more than (clearance), which is %s.".formatted(clearance), "");
         }
-        double[] within = pose.numbers("within", 4).orElse(null);
-        if (within != null && !(within[0] < within[2] && within[1] < within[3])) {
-            pose.problem("within", "(within) must be [least x, least y, greatest x, greatest y].", "");
-        }
+        Optional<Place.Rectangle> within = PlaceReader.rectangle(pose);
         pose.done();
         return new Free(clearance, passage, within);
     }

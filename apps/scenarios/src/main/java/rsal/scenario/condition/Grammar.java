@@ -39,9 +39,8 @@ public final class Grammar {
     public static final int MAX_LENGTH = 1000;
 
     private static final int MAX_DEPTH = 50;
-    private static final Pattern TOKEN =
-            Pattern.compile("\\s*(?:(?<word>\\p{Alpha}[\\w-]*)|(?<quoted>\"[^\"]+\")|(?<number>-?\\d+(?:\\.\\d+)?)"
-                    + "|(?<sign>[<>=!]=?|[(),]))");
+    private static final Pattern TOKEN = Pattern.compile("\\s*(?:(?<word>" + Quantity.WORD
+            + ")|(?<quoted>\"[^\"]+\")|(?<number>-?\\d+(?:\\.\\d+)?)" + "|(?<sign>[<>=!]=?|[(),]))");
     private static final List<String> QUANTITIES =
             Arrays.stream(Quantity.Kind.values()).map(Quantity.Kind::word).toList();
     private static final List<String> PREDICATES = Stream.of(

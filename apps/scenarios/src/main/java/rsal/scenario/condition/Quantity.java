@@ -11,7 +11,10 @@ import java.util.stream.Collectors;
 ///
 /// @param names of what it is, as [Kind#of] says; empty where it is of the whole run
 public record Quantity(Kind kind, List<String> names) {
-    private static final Pattern WORD = Pattern.compile("\\p{Alpha}[\\w-]*");
+    /// What a name is that needs no quotes.
+    static final String WORD = "\\p{Alpha}[\\w-]*";
+
+    private static final Pattern PLAIN = Pattern.compile(WORD);
 
     public Quantity {
         names = List.copyOf(names);
@@ -127,6 +130,6 @@ public record Quantity(Kind kind, List<String> names) {
     }
 
     private static String written(String name) {
-        return WORD.matcher(name).matches() ? name : '"' + name + '"';
+        return PLAIN.matcher(name).matches() ? name : '"' + name + '"';
     }
 }

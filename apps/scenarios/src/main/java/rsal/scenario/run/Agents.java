@@ -130,11 +130,13 @@ final class Agents implements AutoCloseable {
         return where.mapFromBase(robot).map(pose -> new Point2d(pose.x(), pose.y()));
     }
 
+    private Optional<String> robot(String agent) {
+        return Optional.ofNullable(started.get(agent)).flatMap(PlannedAgent::robot);
+    }
+
     /// Empty when it has none.
     private String robotOf(String agent) {
-        return Optional.ofNullable(started.get(agent))
-                .flatMap(PlannedAgent::robot)
-                .orElse("");
+        return robot(agent).orElse("");
     }
 
     boolean isGathered() {
@@ -499,11 +501,7 @@ final class Agents implements AutoCloseable {
     private void measured(Society.Metric metric) {
         if (!closed) {
             journal.hash("metric", metric.agent(), metric.name(), Double.toString(metric.value()));
-            observer.published(
-                    metric.agent(),
-                    Optional.ofNullable(started.get(metric.agent())).flatMap(PlannedAgent::robot),
-                    metric.name(),
-                    metric.value());
+            observer.published(metric.agent(), robot(metric.agent()), metric.name(), metric.value());
         }
     }
 

@@ -64,7 +64,7 @@ final class Observer implements Facts {
     private final MessageCounts said;
     private final MessageCounts heard;
     private final MessageCounts lost;
-    private final Map<Measured, Samples> quantities = new LinkedHashMap<>(); // after each step
+    private final Map<Quantity, Samples> quantities = new LinkedHashMap<>(); // after each step
     private final Published published;
     private final Positions positions;
     private final boolean asksForPositions;
@@ -112,7 +112,7 @@ final class Observer implements Facts {
         for (Measured measured : plan.measures()) {
             if (measured.from() instanceof Measure.OfQuantity(var _, var quantity)
                     && quantity.kind() != Quantity.Kind.METRIC) {
-                quantities.put(measured, new Samples());
+                quantities.put(quantity, new Samples());
             }
         }
     }
@@ -254,12 +254,10 @@ final class Observer implements Facts {
     }
 
     private void noteQuantities() {
-        quantities.forEach((measured, samples) -> {
-            if (measured.from() instanceof Measure.OfQuantity(var _, var quantity)) {
-                double value = quantity.of(this);
-                if (!Double.isNaN(value)) {
-                    samples.add(time(), value);
-                }
+        quantities.forEach((quantity, samples) -> {
+            double value = quantity.of(this);
+            if (!Double.isNaN(value)) {
+                samples.add(time(), value);
             }
         });
     }
@@ -551,7 +549,7 @@ final class Observer implements Facts {
             case Measure.OfQuantity(var aggregate, var quantity) ->
                 quantity.kind() == Quantity.Kind.METRIC
                         ? value(aggregate, published.samples(quantity.names().getFirst(), robot))
-                        : quantities.getOrDefault(measured, new Samples()).value(aggregate, time());
+                        : quantities.getOrDefault(quantity, new Samples()).value(aggregate, time());
         };
         boolean inBounds =
                 value.isEmpty() || (value.getAsDouble() >= measured.min() && value.getAsDouble() <= measured.max());
