@@ -24,7 +24,7 @@ import rsal.experiment.statistics.Mean;
 import rsal.scenario.NumberText;
 
 /// The figures in READMEs of scenarios are what a sweep tells, a row for each seed. The first row is run again here.
-/// `-Drsal.update=true` runs all, and writes them anew:
+/// `-Drsal.update=true` runs all, and writes them again:
 ///
 /// ```
 /// <!-- figures: hunt-and-prey:advanced --seeds 1-10 | captureTime -->
@@ -80,7 +80,7 @@ class FiguresIT {
                 String first = SEEDS.matcher(sweep).replaceFirst("--seeds $1-$1");
                 String row = line(rows(first).getFirst(), measures);
                 assertThat(block.group("table").lines())
-                        .as("'rsal sweep %s'. Write them anew: -Dit.test=FiguresIT -Drsal.update=true", first)
+                        .as("'rsal sweep %s'. Write them again: -Dit.test=FiguresIT -Drsal.update=true", first)
                         .contains(row);
             }
         }

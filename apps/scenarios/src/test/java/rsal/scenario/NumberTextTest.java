@@ -58,7 +58,7 @@ class NumberTextTest {
         });
     }
 
-    /// The page writes the same numbers: its tests read this file. `-Drsal.update=true` writes it anew.
+    /// The page writes the same numbers: its tests read this file. `-Drsal.update=true` writes it again.
     @Test
     void thePageWritesTheSame() throws IOException {
         String cases = values().mapToObj("  [%s, \"%%s\"]"::formatted)
@@ -68,7 +68,7 @@ class NumberTextTest {
             Files.writeString(CASES, cases);
         }
         assertThat(Files.readString(CASES).replace("\r\n", "\n"))
-                .as("Write it anew: -Dtest=NumberTextTest -Drsal.update=true")
+                .as("Write it again: -Dtest=NumberTextTest -Drsal.update=true")
                 .isEqualTo(cases);
     }
 

@@ -72,7 +72,7 @@ final class Peer {
         return now - heardAt;
     }
 
-    /// Whether it is told of a device.
+    /// Whether it has subscribed to a device.
     boolean uses() {
         synchronized (subscribed) {
             return !subscribed.isEmpty();
