@@ -6,19 +6,18 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import rsal.experiment.Findings;
+import rsal.experiment.Row;
 import rsal.experiment.report.Numbers;
 import rsal.experiment.statistics.Mean;
 import rsal.scenario.NumberText;
@@ -89,8 +88,8 @@ class FiguresIT {
         }
     }
 
-    /// What was measured in each run, as in `rows.csv`, by the name of the column.
-    private List<Map<String, String>> rows(String sweep) throws Exception {
+    /// What came of each run.
+    private List<Row> rows(String sweep) throws Exception {
         Path out = folder.resolve("sweep-" + sweeps++);
         List<String> arguments = new ArrayList<>(List.of("sweep"));
         arguments.addAll(List.of(sweep.split(" ", -1)));
@@ -104,24 +103,10 @@ class FiguresIT {
         assertThat(process.exitValue())
                 .as(Files.readString(folder.resolve("out")))
                 .isEqualTo(Exit.SUCCESS);
-        List<String> lines = Files.readAllLines(out.resolve("rows.csv"));
-        List<String> names = cells(lines.getFirst());
-        return lines.stream()
-                .skip(1)
-                .map(FiguresIT::cells)
-                .map(cells -> IntStream.range(0, names.size())
-                        .boxed()
-                        .collect(Collectors.toMap(names::get, cells::get, (one, _) -> one, LinkedHashMap::new)))
-                .map(row -> (Map<String, String>) row)
-                .toList();
+        return Findings.read(out).rows();
     }
 
-    /// None of these has a comma in quotes.
-    private static List<String> cells(String line) {
-        return Arrays.asList(line.split(",", -1));
-    }
-
-    private static String table(String sweep, List<String> measures, List<Map<String, String>> rows) {
+    private static String table(String sweep, List<String> measures, List<Row> rows) {
         var table = new StringBuilder("`rsal sweep %s`\n\n".formatted(sweep));
         table.append("| seed | outcome | %s |\n".formatted(String.join(" | ", measures)));
         table.append("|---|---|").append("---|".repeat(measures.size())).append("\n");
@@ -131,23 +116,26 @@ class FiguresIT {
                 .toString();
     }
 
-    private static String line(Map<String, String> row, List<String> measures) {
+    private static String line(Row row, List<String> measures) {
         return measures.stream()
-                .map(measure -> row.getOrDefault("measure." + measure, ""))
-                .map(value -> value.isEmpty() ? NOTHING : NumberText.of(Double.parseDouble(value)))
-                .collect(
-                        Collectors.joining(" | ", "| %s | %s | ".formatted(row.get("seed"), row.get("outcome")), " |"));
+                .map(measure -> value(row, measure))
+                .map(value -> value.isEmpty() ? NOTHING : NumberText.of(value.getAsDouble()))
+                .collect(Collectors.joining(" | ", "| %d | %s | ".formatted(row.seed(), row.outcome()), " |"));
+    }
+
+    private static OptionalDouble value(Row row, String measure) {
+        return row.measures().getOrDefault(measure, OptionalDouble.empty());
     }
 
     /// Of what was measured in all runs; else nothing.
-    private static String mean(String measure, List<Map<String, String>> rows) {
-        List<String> values = rows.stream()
-                .map(row -> row.getOrDefault("measure." + measure, ""))
-                .toList();
-        if (values.contains("")) {
+    private static String mean(String measure, List<Row> rows) {
+        double[] values = rows.stream()
+                .flatMapToDouble(row -> value(row, measure).stream())
+                .toArray();
+        if (values.length < rows.size()) {
             return NOTHING;
         }
-        Mean mean = Mean.of(values.stream().mapToDouble(Double::parseDouble).toArray());
+        Mean mean = Mean.of(values);
         return mean.interval()
                 .map(interval -> Numbers.withError(mean.value(), interval.high() - mean.value()))
                 .orElse(NOTHING);
