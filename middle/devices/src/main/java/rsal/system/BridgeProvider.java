@@ -10,8 +10,9 @@ import rsal.robot.Robot;
 import rsal.scene.Service;
 import rsal.time.Scheduler;
 
-/// A way to offer the robots of a run, whatever robot system they are of, to programs that speak another system's
-/// protocol. Found by [java.util.ServiceLoader] and named by its key (`rsal bridge player`).
+/// A way to offer the robots of a run, whatever robot system they are of, to programs that speak another
+/// system's protocol. Found by [java.util.ServiceLoader] and named by its key (`rsal bridge player`). What each
+/// owes to the robots that its clients drive says `rsal.testkit.contract.CommandTimeoutContract`.
 public interface BridgeProvider {
     /// `player`
     String key();

@@ -4,9 +4,10 @@ import java.time.Duration;
 import java.util.Optional;
 import java.util.function.LongSupplier;
 
-/// For how long what a client commanded holds when no further command comes from it, by the clock on the wall: a client
-/// that hangs, or whose connection is silent, must not go on driving robots. Every bridge that repeats commands to a
-/// device asks a [Watch] of it before.
+/// For how long what a client commanded holds when no further command comes from it, by the clock on the wall:
+/// a client that hangs, or whose connection is silent, must not go on driving robots. Every bridge that repeats
+/// commands to a device asks a [CommandWatch] before. `rsal.testkit.contract.CommandTimeoutContract` says what
+/// each owes.
 ///
 /// @param limit empty for clients that command once, and mean it until they say otherwise
 /// @param nanos the clock; any thread asks it [ns]
@@ -19,29 +20,13 @@ public record CommandTimeout(Optional<Duration> limit, LongSupplier nanos) {
         return new CommandTimeout(Optional.empty(), () -> 0);
     }
 
-    /// Of one device.
-    public Watch watch() {
-        return new Watch();
+    /// What the clock says [ns].
+    public long now() {
+        return nanos.getAsLong();
     }
 
-    /// When the last command for a device came. Safe for any thread.
-    public final class Watch {
-        private volatile long last = nanos.getAsLong();
-
-        private Watch() {}
-
-        /// A command came from a client.
-        public void heard() {
-            last = nanos.getAsLong();
-        }
-
-        /// Whether no command came for too long, or would not have until the next look.
-        ///
-        /// @param period between two looks
-        public boolean isSilent(Duration period) {
-            return limit.filter(most -> nanos.getAsLong() - last
-                            > most.minus(period.dividedBy(2)).toNanos())
-                    .isPresent();
-        }
+    /// Of one device, from now on.
+    public CommandWatch watch() {
+        return new CommandWatch(limit, now());
     }
 }

@@ -1,27 +1,31 @@
 package rsal.scenario.run;
 
+import java.time.Duration;
+import java.util.Optional;
 import rsal.data.Twist2d;
+import rsal.system.CommandTimeout;
+import rsal.system.CommandWatch;
 
 /// Somebody drives a robot by keys, and must say so again and again: in real time, since it is a person's hand that is
 /// watched.
 final class Grip {
-    /// When nobody was heard for this long the robot stands still, so that with a step of the world it takes no
-    /// longer than half a second [ns].
-    static final long DEADMAN = 400_000_000L;
+    /// When nobody was heard for this long the robot is given back.
+    static final Duration LEASE = Duration.ofSeconds(5);
 
-    /// When nobody was heard for this long the robot is given back [ns].
-    static final long LEASE = 5_000_000_000L;
+    /// Between two looks at the clock: twice a step of the world, so that the robot is told to stand still
+    /// within [CommandTimeout#USUAL].
+    private static final Duration LOOK = Duration.ofMillis(200);
 
     private final String driver;
+    private final CommandWatch watch;
     private Twist2d wanted = Twist2d.STOP;
-    private long heard;
     private boolean released; // from all keys, since the motors were switched off
 
     /// @param driver who drives, as that page calls itself
     /// @param now [ns]
     Grip(String driver, long now, boolean motors) {
         this.driver = driver;
-        this.heard = now;
+        this.watch = new CommandWatch(Optional.of(CommandTimeout.USUAL), now);
         this.released = motors;
     }
 
@@ -35,7 +39,7 @@ final class Grip {
 
     /// The driver wants this. After an emergency stop nothing counts until the keys were released once.
     void want(Twist2d velocity, long now, boolean motors) {
-        heard = Math.max(heard, now);
+        watch.heard(now);
         released = motors && (released || velocity.equals(Twist2d.STOP));
         wanted = released ? velocity : Twist2d.STOP;
     }
@@ -50,7 +54,7 @@ final class Grip {
     ///
     /// @return whether that has stopped it
     boolean fadesAt(long now) {
-        boolean fades = now - heard > DEADMAN && !wanted.equals(Twist2d.STOP);
+        boolean fades = watch.isSilent(now, LOOK) && !wanted.equals(Twist2d.STOP);
         if (fades) {
             wanted = Twist2d.STOP;
         }
@@ -58,6 +62,6 @@ final class Grip {
     }
 
     boolean isOverAt(long now) {
-        return now - heard > LEASE;
+        return watch.silence(now).compareTo(LEASE) > 0;
     }
 }

@@ -23,6 +23,7 @@ import rsal.data.Pose2d;
 import rsal.data.Twist2d;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
+import rsal.system.CommandTimeout;
 
 /// What people tell the robots of a world to do: by keys, by a behavior, by a place to go to.
 @Timeout(60)
@@ -204,12 +205,12 @@ class OrdersTest {
     void aRobotStandsStillWhenItsDriverFallsSilentAndIsGivenBack() {
         drive("roamer", Twist2d.drive(-0.3, 0), 3);
         run.resume();
-        handClock.addAndGet(Grip.DEADMAN + 1);
+        handClock.addAndGet(CommandTimeout.USUAL.toNanos());
         await(_ -> happened("roamer", "stands still: its driver is not heard"));
         await(s ->
                 robot(s, "roamer").odometry().orElseThrow().value().velocity().equals(Twist2d.STOP));
         assertThat(robot(now(), "roamer").driver()).isEqualTo("me");
-        handClock.addAndGet(Grip.LEASE);
+        handClock.addAndGet(Grip.LEASE.toNanos());
         await(s -> robot(s, "roamer").driver().isEmpty());
         assertThat(happened("roamer", "its driver is gone")).isTrue();
         await(s -> roams(robot(s, "roamer")));
@@ -232,10 +233,10 @@ class OrdersTest {
     void whoIsHeardNoLongerKeepsNobodyOut() {
         for (int time = 0; time < 20; time++) {
             done(run.drive("idle", "me", Twist2d.STOP));
-            handClock.addAndGet(Grip.LEASE + 1);
+            handClock.addAndGet(Grip.LEASE.toNanos() + 1);
             sent(run.goTo("idle", new Pose2d(3, 0, 0)));
             done(run.drive("idle", "me", Twist2d.STOP));
-            handClock.addAndGet(Grip.LEASE + 1);
+            handClock.addAndGet(Grip.LEASE.toNanos() + 1);
             done(run.drive("idle", "you", Twist2d.STOP));
             done(run.letGo("idle", "you"));
         }

@@ -17,6 +17,7 @@ import rsal.player.wire.Kind;
 import rsal.player.wire.MalformedException;
 import rsal.player.wire.Packet;
 import rsal.system.CommandTimeout;
+import rsal.system.CommandWatch;
 import rsal.time.Scheduler;
 
 /// An actuator as `actarray` of one joint. As with a base, a speed holds until it is told something else, no client is
@@ -27,22 +28,24 @@ final class OfferedActuator extends OfferedSensor<ActuatorState> {
     private static final int ROTARY = 2;
 
     private final Actuator actuator;
-    private final CommandTimeout.Watch watch;
+    private final CommandTimeout timeout;
+    private final CommandWatch watch;
     private OptionalDouble speed = OptionalDouble.empty();
 
     OfferedActuator(int index, Actuator actuator, CommandTimeout timeout, Scheduler scheduler) {
         super(Interface.ACTARRAY, index, actuator, scheduler);
         this.actuator = actuator;
+        this.timeout = timeout;
         this.watch = timeout.watch();
     }
 
     @Override
     void heard(Packet command) {
-        watch.heard();
+        watch.heard(timeout.now());
     }
 
     private void move() {
-        if (watch.isSilent(AGAIN)) {
+        if (watch.isSilent(timeout.now(), AGAIN)) {
             idle();
         }
         speed.ifPresent(actuator::command);

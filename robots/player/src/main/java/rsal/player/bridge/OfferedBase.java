@@ -22,13 +22,12 @@ import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Drive;
 import rsal.robot.RobotModel.Steering;
 import rsal.system.CommandTimeout;
+import rsal.system.CommandWatch;
 import rsal.time.Scheduler;
 
-/// A base as `position2d`. What a client wants is said again and again, as Player's clients expect it to hold and ours
-/// do
-/// not: until it wants something else, no client is left, or no command came for too long ([CommandTimeout]). A goal
-/// has an
-/// end of its own, so that it holds while clients are silent.
+/// A base as `position2d`. What a client wants is said again and again, as Player's clients expect it to hold
+/// and ours do not: until it wants something else, no client is left, or no command came for too long
+/// ([CommandTimeout]). A goal has an end of its own, so that it holds while clients are silent.
 final class OfferedBase extends Offered implements Reins.Holder {
     private static final Duration AGAIN = Duration.ofMillis(100);
 
@@ -36,7 +35,8 @@ final class OfferedBase extends Offered implements Reins.Holder {
     private final RobotModel model;
     private final Optional<Guide> guide;
     private final Reins reins;
-    private final CommandTimeout.Watch watch;
+    private final CommandTimeout timeout;
+    private final CommandWatch watch;
     private Optional<Wish> wanted = Optional.empty();
     private boolean lasting; // whether what is wanted ends by itself
 
@@ -55,6 +55,7 @@ final class OfferedBase extends Offered implements Reins.Holder {
         this.model = model;
         this.guide = guide;
         this.reins = reins;
+        this.timeout = timeout;
         this.watch = timeout.watch();
     }
 
@@ -70,12 +71,12 @@ final class OfferedBase extends Offered implements Reins.Holder {
 
     @Override
     void heard(Packet command) {
-        watch.heard();
+        watch.heard(timeout.now());
     }
 
     private void drive() {
         guide.ifPresent(Guide::begin);
-        if (wanted.isPresent() && !lasting && watch.isSilent(AGAIN)) {
+        if (wanted.isPresent() && !lasting && watch.isSilent(timeout.now(), AGAIN)) {
             wanted = Optional.empty();
             base.command(Twist2d.STOP);
         }
