@@ -14,6 +14,7 @@ module rsal.scenarios {
     exports rsal.scenario.run;
 
     uses rsal.agent.AgentHostProvider;
+    uses rsal.agent.AgentLanguage;
     uses rsal.agent.AgentType;
     uses rsal.robot.DeviceDriver;
     uses rsal.scene.SceneFormat;

@@ -5,8 +5,9 @@ import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 
-/// A language in which people write agents, as AgentSpeak. A scenario names the file of such an agent where it names
-/// a type else (`type: hunter.asl`).
+/// A language in which people write agents, as AgentSpeak. A scenario names the file of such an agent where it
+/// names a type else (`type: hunter.asl`). One in which agents can be written on every multi-agent system is
+/// found by [java.util.ServiceLoader]; others are told by theirs ([AgentHostProvider#languages]).
 public interface AgentLanguage {
     /// How its files' names end: `.asl`.
     String suffix();
@@ -14,6 +15,13 @@ public interface AgentLanguage {
     /// Names that mean something else in it, as `self`: agents that run beside those written in it can't have them.
     default Set<String> takenNames() {
         return Set.of();
+    }
+
+    /// Whether its files are programs that may do whatever this process may, also when they are only read. Such
+    /// files are read from where a person keeps them ([FileSource#isTrusted]), never from a recording, which
+    /// anybody may have made.
+    default boolean runsCode() {
+        return false;
     }
 
     /// Reads an agent's file.

@@ -252,7 +252,7 @@ final class PageBench implements Bench {
                 .withSpeed(speed);
         try {
             return RunServer.start(
-                    Scenario.again("crowd.yaml", files).plan(options),
+                    Scenario.again("crowd.yaml", files, true).plan(options),
                     new Options(0, RunServer.newToken(), page, _ -> {}));
         } catch (IOException e) {
             throw new UncheckedIOException("The page can't be shown.", e);

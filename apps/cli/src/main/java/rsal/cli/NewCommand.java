@@ -29,10 +29,10 @@ import rsal.settings.Suggestion;
 @Command(
         name = "new",
         description =
-                "Make a folder with a scenario of your own to begin with: NAME.yaml, an agent in AgentSpeak, other files"
-                        + " that it names, a test and a README. It runs as it is. Overwrites nothing.")
+                "Make a folder with a scenario of your own to begin with: NAME.yaml, an agent in Java (or in AgentSpeak),"
+                        + " other files that it names, a test and a README. It runs as it is. Overwrites nothing.")
 final class NewCommand extends Subcommand {
-    private static final String JAVA = "plain";
+    private static final String PLAIN = "plain"; // runs agents in Java
     private static final String TEST = "test.sh";
     private static final String README = "README.md";
 
@@ -42,13 +42,14 @@ final class NewCommand extends Subcommand {
     @Option(
             names = "--from",
             paramLabel = "SCENARIO",
-            description = "One that comes with RSAL ('rsal list') to begin with; hunt-and-prey when left out.")
+            description =
+                    "One that comes with RSAL ('rsal list') to begin with; a hunt by a hunter of yours when left out.")
     private @Nullable String from;
 
     @Option(
             names = "--mas",
             paramLabel = "KEY",
-            description = "jason for an agent in AgentSpeak, a file beside the scenario; agents in Java when left out.")
+            description = "jason for an agent in AgentSpeak; an agent in Java when left out.")
     private @Nullable String mas;
 
     /// @param run the scenario's file
@@ -82,19 +83,19 @@ final class NewCommand extends Subcommand {
     }
 
     private Template template() {
-        if (mas == null || mas.equals(JAVA)) {
-            return Template.of(from == null ? ScenarioReference.DEFAULT : from);
+        if (mas == null || mas.equals(PLAIN)) {
+            return from == null ? Template.inLanguage("java").orElseThrow() : Template.of(from);
         }
         List<String> hosts = List.copyOf(
                 Providers.byKey(AgentHostProvider.class, AgentHostProvider::key).keySet());
         check(
                 hosts.contains(mas),
                 "There is no multi-agent system (%s). %s".formatted(mas, Suggestion.among(mas, hosts)));
-        Template template = Template.inLanguageOf(mas)
+        Template template = Template.inLanguage(mas)
                 .orElseThrow(() -> new ParameterException(
                         spec.commandLine(),
                         "Multi-agent system (%s) runs the same agents as (%s). Leave --mas out here, and say it to 'rsal run'."
-                                .formatted(mas, JAVA)));
+                                .formatted(mas, PLAIN)));
         check(from == null, "--mas %s begins with a scenario of its own. Leave --from %s out.".formatted(mas, from));
         return template;
     }
@@ -136,7 +137,6 @@ final class NewCommand extends Subcommand {
                 .filter(file -> !file.equals(TEST))
                 .map(file -> "| `%s` | %s |%n".formatted(file, about(file, name)))
                 .collect(Collectors.joining());
-        boolean written = texts.keySet().stream().anyMatch(file -> file.endsWith(".asl"));
         return """
                 # %s
 
@@ -155,21 +155,20 @@ final class NewCommand extends Subcommand {
                 |---|---|
                 %s| `test.sh` | the test |
 
-                Agents are named by their `type` under `agents`. `rsal list agents` tells which there are in Java, `rsal show TYPE` what can be set of
-                one; how to write your own tells `docs/tutorials/first-agent.md` of RSAL. %s
+                Agents are named by their `type` under `agents`: a file here, in Java (`.java`) or AgentSpeak (`.asl`), or one that comes
+                with RSAL. Change a file and run the scenario again. `rsal list agents` tells which agents come with RSAL, and `rsal show TYPE`
+                what can be set of one. How to write your own tell `docs/tutorials/first-agent.md` and
+                `docs/tutorials/first-agentspeak-robot.md` of RSAL.
                 """.formatted(
                         name,
                         template.scenario().title(),
-                        mas == null || mas.equals(JAVA)
-                                ? "`%s`".formatted(template.scenario().name())
-                                : "its template for " + mas,
+                        from == null
+                                ? "its template for agents in %s"
+                                        .formatted(mas == null || mas.equals(PLAIN) ? "Java" : "AgentSpeak")
+                                : "`%s`".formatted(from),
                         name,
                         name,
-                        files,
-                        written
-                                ? "Those in AgentSpeak are files\nhere, for the configurations that name them: change one, and run such a configuration"
-                                        + " (`docs/tutorials/first-agentspeak-robot.md`)."
-                                : "In AgentSpeak an agent is a\nfile here (`docs/tutorials/first-agentspeak-robot.md`).");
+                        files);
     }
 
     private static String about(String file, String name) {
@@ -177,12 +176,13 @@ final class NewCommand extends Subcommand {
             return "the scenario";
         }
         if (file.equals(Template.WATCHER)) {
-            return "an agent in AgentSpeak, which listens to the others: `rsal run %s.yaml:%s`"
+            return "an agent in Java, which listens to the others: `rsal run %s.yaml:%s`"
                     .formatted(name, Template.WATCHED);
         }
-        return file.endsWith(".asl")
-                ? "an agent in AgentSpeak: `rsal show %s`".formatted(file)
-                : "named by the scenario";
+        if (ShownAgent.is(file)) {
+            return "an agent in %s: `rsal show %s`".formatted(file.endsWith(".asl") ? "AgentSpeak" : "Java", file);
+        }
+        return "named by the scenario";
     }
 
     private static void write(Path folder, Map<String, String> texts) {

@@ -20,6 +20,7 @@ import rsal.recording.Verification;
 import rsal.recording.Verification.Compared;
 import rsal.recording.Verification.Finding;
 import rsal.scenario.Counted;
+import rsal.scenario.RunPlan;
 import rsal.scenario.run.RunEvent;
 import rsal.server.ReplayServer;
 import rsal.server.RunServer;
@@ -43,6 +44,13 @@ final class ReplayCommand extends Subcommand {
     private boolean verify;
 
     @Option(
+            names = "--trust",
+            description =
+                    "With --verify: run programs of agents that are in the recording (agents in Java). Say so only when"
+                            + " you trust who made it.")
+    private boolean trust;
+
+    @Option(
             names = "--port",
             paramLabel = "P",
             converter = PageChoices.Port.class,
@@ -53,6 +61,7 @@ final class ReplayCommand extends Subcommand {
     @Override
     int run() throws Exception {
         check(!verify || port == null, "With --verify there is no page, and so no --port.");
+        check(verify || !trust, "--trust is for --verify: without it nothing is run.");
         check(verify || !json, "--json tells what --verify has found; say --verify, too.");
         return verify ? verify() : show();
     }
@@ -102,9 +111,17 @@ final class ReplayCommand extends Subcommand {
         }
     }
 
-    private static Finding verified(Recording recording) throws Exception {
+    private Finding verified(Recording recording) throws Exception {
+        RunPlan plan = recording.plan(trust);
+        if (!plan.untrusted().isEmpty()) {
+            throw new InvalidSettings(
+                    Location.of(name),
+                    "To run this again is to run programs that are in the recording: %s."
+                            .formatted(String.join(", ", plan.untrusted())),
+                    "Add --trust if you trust who made it.");
+        }
         try {
-            return Verification.begin(recording).toCompletableFuture().get();
+            return Verification.begin(recording, plan).toCompletableFuture().get();
         } catch (ExecutionException e) {
             throw e.getCause() instanceof Exception cause ? cause : e;
         }

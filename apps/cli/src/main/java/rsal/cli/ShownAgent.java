@@ -14,7 +14,8 @@ import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 
-/// An agent that its author wrote in a language of a host, as AgentSpeak, for `rsal show`.
+/// An agent that its author wrote in a file, in Java or in a language of a host, as AgentSpeak, for `rsal
+/// show`.
 ///
 /// @param hosts keys of those that run it
 /// @param needs types of devices that its robot must have
@@ -29,6 +30,9 @@ record ShownAgent(
         List<Line> plans,
         List<String> hears,
         List<Line> says) {
+
+    /// Of a program, which nobody can see into.
+    private static final Outline UNKNOWN = new Outline(List.of(), List.of(), List.of(), List.of());
 
     record Line(String file, int line, String text) {
         static List<Line> of(List<Outline.Line> lines) {
@@ -64,14 +68,16 @@ record ShownAgent(
     }
 
     private static Stream<AgentLanguage> language(AgentHostProvider host, String path) {
-        return host.languages().stream().filter(language -> path.endsWith(language.suffix()));
+        return Stream.concat(
+                        host.languages().stream(),
+                        Providers.byKey(AgentLanguage.class, AgentLanguage::suffix).values().stream())
+                .filter(language -> path.endsWith(language.suffix()));
     }
 
     private static ShownAgent of(String path, AgentLanguage language, List<String> hosts) {
         AgentType type = language.read(name(path), FileSource.folder(folder(path)), Location.of(path));
         Kind kind = Kind.of(type);
-        Outline outline = type.outline()
-                .orElseThrow(() -> new IllegalStateException("Agent (%s) has no outline.".formatted(path)));
+        Outline outline = type.outline().orElse(UNKNOWN);
         return new ShownAgent(
                 path,
                 kind.description(),

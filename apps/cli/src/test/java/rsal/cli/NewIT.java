@@ -50,27 +50,56 @@ class NewIT {
     }
 
     @Test
-    void theHuntIsWhatOneBeginsWith() throws Exception {
+    void aHunterInJavaIsWhatOneBeginsWith() throws Exception {
         Ended ended = rsal.run("new", "chase");
         assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
         assertThat(ended.out().lines())
                 .contains(
                         "chase/chase.yaml",
-                        "chase/hunter.asl",
+                        "chase/Hunter.java",
                         "Run it by   rsal run chase/chase.yaml",
                         "Test it by  chase/test.sh");
-        assertThat(made("chase")).containsExactly("README.md", "chase.yaml", "hunter.asl", "prey.asl", "test.sh");
-        assertThat(folder.resolve("chase/test.sh")).content().doesNotContain(folder.toString());
-        assertThat(folder.resolve("chase/README.md"))
-                .content()
-                .startsWith("# chase\n")
-                .contains("from `hunt-and-prey`");
+        assertThat(made("chase")).containsExactly("Hunter.java", "README.md", "chase.yaml", "test.sh");
+        for (String file : made("chase")) {
+            assertThat(folder.resolve("chase").resolve(file)).content().doesNotContain(folder.toString());
+        }
+        assertThat(folder.resolve("chase/README.md")).content().startsWith("# chase\n");
         assertThat(folder.resolve("chase/chase.yaml")).content().contains("\ntitle: 'Chase'\n");
 
-        Ended run = rsal.run("run", "chase/chase.yaml", "--headless", "--speed", "max", "--seed", "7");
+        Ended run = rsal.run("run", "chase/chase.yaml", "--headless", "--speed", "max", "--seed", "3");
         assertThat(run.code()).as(run.err()).isEqualTo(Exit.SUCCESS);
-        assertThat(run.out()).startsWith("chase:virtual, seed 7\n").containsPattern("outcome +success");
+        assertThat(run.out()).startsWith("chase:default, seed 3\n").containsPattern("outcome +success");
         assertThat(test("chase", "1", "2").code()).isEqualTo(Exit.SUCCESS);
+        assertThat(rsal.run("show", "chase/Hunter.java").out()).contains("catchDistance", "Navigator");
+    }
+
+    @Test
+    void whatIsWrongInItsAgentIsToldWithItsLine() throws Exception {
+        rsal.run("new", "chase");
+        Path agent = folder.resolve("chase/Hunter.java");
+        Files.writeString(agent, Files.readString(agent).replace("seen.isEmpty()", "seen.isNobody()"));
+        for (String command : List.of("validate", "run")) {
+            Ended ended = rsal.run(command, "chase");
+            assertThat(ended.code()).isEqualTo(Exit.INVALID);
+            assertThat(ended.out() + ended.err())
+                    .containsPattern(
+                            "Hunter.java:\\d+:\\d+: Java can't compile this: cannot find symbol, symbol: method isNobody");
+        }
+    }
+
+    /// Whoever made a recording may have written anything into the program of an agent.
+    @Test
+    void aRecordingsProgramsAreRunOnlyForThoseWhoTrustIt() throws Exception {
+        rsal.run("new", "chase");
+        rsal.run("run", "chase", "--headless", "--speed", "max", "--for", "5", "--record", "chase.mcap");
+        Files.delete(folder.resolve("chase/Hunter.java"));
+        Ended refused = rsal.run("replay", "--verify", "chase.mcap");
+        assertThat(refused.code()).isEqualTo(Exit.INVALID);
+        assertThat(refused.err()).contains("programs that are in the recording: Hunter.java", "--trust");
+        assertThat(rsal.run("show", "chase.mcap").code()).isEqualTo(Exit.SUCCESS);
+        Ended trusted = rsal.run("replay", "--verify", "--trust", "chase.mcap");
+        assertThat(trusted.code()).as(trusted.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(trusted.out()).startsWith("The same: ");
     }
 
     @Test
@@ -119,20 +148,18 @@ class NewIT {
         assertThat(run.code()).as(run.err()).isEqualTo(Exit.SUCCESS);
         assertThat(run.out()).startsWith("mine:");
 
-        assertThat(made("mine")).as("an agent of one's own").anyMatch(file -> file.endsWith(".asl"));
-        if (made("mine").contains("watcher.asl")) {
-            Ended watched = rsal.run("run", "mine/mine.yaml:own", "--headless", "--speed", "max", "--for", "3");
-            assertThat(watched.code()).as(watched.err()).isEqualTo(Exit.SUCCESS);
-            assertThat(watched.out()).startsWith("mine:own");
-        }
+        assertThat(made("mine")).as("an agent of one's own").contains("Watcher.java");
+        Ended watched = rsal.run("run", "mine/mine.yaml:own", "--headless", "--speed", "max", "--for", "3");
+        assertThat(watched.code()).as(watched.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(watched.out()).startsWith("mine:own");
     }
 
     @Test
     void itsFolderStandsForItsFile() throws Exception {
-        rsal.run("new", "chase");
+        rsal.run("new", "chase", "--from", "hunt-and-prey");
         assertThat(rsal.run("validate", "chase", "chase:advanced", "chase:advnced")
                         .out())
-                .contains("chase: valid, 9 configurations\n", "chase:advanced: valid\n")
+                .contains("chase: valid, 10 configurations\n", "chase:advanced: valid\n")
                 .contains("chase:advnced: Scenario (chase) has no configuration (advnced).", "Maybe (advanced)");
         assertThat(rsal.run("show", "chase:advanced").out()).contains("read from chase/chase.yaml");
         Ended run = rsal.run("run", "chase:advanced", "--headless", "--speed", "max", "--for", "1");

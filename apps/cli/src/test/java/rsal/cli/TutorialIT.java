@@ -35,10 +35,10 @@ class TutorialIT {
     void anAgentDoesWhatItsTutorialShows() throws Exception {
         String tutorial = tutorial("first-agent.md");
         Files.writeString(folder.resolve("watch.yaml"), blocks(tutorial, "yaml").getFirst());
-        compile(blocks(tutorial, "java"));
-        Path services = Files.createDirectories(folder.resolve("META-INF/services"));
-        Files.writeString(services.resolve("rsal.agent.AgentType"), "own.Sentry\nown.Logbook\n");
-        follow(tutorial, new Rsal(folder, folder.toString()));
+        List<String> classes = blocks(tutorial, "java");
+        Files.writeString(folder.resolve("Sentry.java"), classes.getFirst());
+        Files.writeString(folder.resolve("Logbook.java"), classes.getLast());
+        follow(tutorial, new Rsal(folder));
     }
 
     @Test

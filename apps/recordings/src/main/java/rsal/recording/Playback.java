@@ -78,7 +78,7 @@ public final class Playback implements Closeable {
     /// @throws rsal.settings.InvalidSettings when its scenario can't be read any more
     /// @throws IOException when it can't be read, or says more at once than can be held
     public static Playback of(Recording recording) throws IOException {
-        RunPlan plan = recording.plan();
+        RunPlan plan = recording.plan(false);
         long start = plan.clock() == RunPlan.Clock.SIMULATED ? 0 : started(recording);
         var playback = new Playback(recording, plan, start);
         recording.file().channels().forEach(playback::reads);

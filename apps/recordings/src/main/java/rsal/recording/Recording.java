@@ -79,8 +79,10 @@ public final class Recording implements Closeable {
 
     /// The run, to be run again, from what was recorded of its scenario's files.
     ///
+    /// @param trusted whether agents' programs that were recorded with it may be run; whoever made the
+    ///         recording may have written anything into them
     /// @throws InvalidSettings with every mistake, as of an argument that a later version has no more
-    public RunPlan plan() throws IOException {
+    public RunPlan plan(boolean trusted) throws IOException {
         var files = new LinkedHashMap<String, byte[]>();
         for (AttachmentEntry entry : file.attachments()) {
             if (entry.name().startsWith(Origin.FILES)) {
@@ -89,7 +91,7 @@ public final class Recording implements Closeable {
                         file.attachment(entry).data());
             }
         }
-        return Scenario.again(run.getOrDefault("file", name), files).plan(Origin.options(run));
+        return Scenario.again(run.getOrDefault("file", name), files, trusted).plan(Origin.options(run));
     }
 
     /// All events, oldest first.

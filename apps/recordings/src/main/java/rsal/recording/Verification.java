@@ -10,6 +10,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.function.Function;
 import rsal.agent.bdi.Mind;
 import rsal.recording.Recording.Hashed;
+import rsal.scenario.RunPlan;
 import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.Said;
@@ -100,13 +101,17 @@ public final class Verification {
     /// Runs it again, as fast as it can.
     ///
     /// @return completes when it is known, maybe on the run's thread; exceptionally when the run breaks
-    /// @throws IllegalArgumentException when it was in real time
-    public static CompletionStage<Finding> begin(Recording recording) throws IOException {
+    /// @param plan of the recording ([Recording#plan])
+    /// @throws IllegalArgumentException when it was in real time, or has agents whose programs are not run
+    public static CompletionStage<Finding> begin(Recording recording, RunPlan plan) throws IOException {
         if (!recording.isRepeatable()) {
             throw new IllegalArgumentException("A run in real time can't be run again.");
         }
+        if (!plan.untrusted().isEmpty()) {
+            throw new IllegalArgumentException("Programs %s are not run.".formatted(plan.untrusted()));
+        }
         Verification verification = of(recording);
-        LiveRun run = LiveRun.start(recording.plan(), verification.new Comparison());
+        LiveRun run = LiveRun.start(plan, verification.new Comparison());
         run.result().whenComplete((_, broken) -> {
             if (broken != null) {
                 verification.finding.completeExceptionally(broken);

@@ -44,7 +44,7 @@ class RecorderTest {
         Path file = folder.resolve("edited.mcap");
         RunResult result = Recorded.run(plan, file);
         try (Recording recording = Recording.open(file.toString(), true)) {
-            RunPlan again = recording.plan();
+            RunPlan again = recording.plan(false);
             assertThat(again.scenario().name()).isEqualTo("rounds");
             assertThat(again.scenario().text()).isEqualTo(text);
             RunResult second =
@@ -230,7 +230,9 @@ class RecorderTest {
 
     private static Finding verify(Path file) throws Exception {
         try (Recording recording = Recording.open(file.toString(), false)) {
-            return Verification.begin(recording).toCompletableFuture().get(100, TimeUnit.SECONDS);
+            return Verification.begin(recording, recording.plan(false))
+                    .toCompletableFuture()
+                    .get(100, TimeUnit.SECONDS);
         }
     }
 

@@ -3,6 +3,7 @@ package rsal.scenario;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentLanguage;
 import rsal.agent.AgentType;
@@ -17,12 +18,14 @@ import rsal.system.RobotSystemProvider;
 
 /// What scenarios can name in this installation, by key, in the order of the keys.
 ///
+/// @param languages in which agents can be written on every multi-agent system, by suffix
 /// @param formats of world files, by suffix
 record Catalog(
         Map<String, RobotSystemProvider> systems,
         Map<String, AgentHostProvider> hosts,
         Map<String, DeviceDriver> drivers,
         Map<String, AgentType> agents,
+        Map<String, AgentLanguage> languages,
         Map<String, SceneFormat> formats,
         List<String> models,
         List<String> parts,
@@ -34,6 +37,7 @@ record Catalog(
                 Providers.byKey(AgentHostProvider.class, AgentHostProvider::key),
                 Providers.byKey(DeviceDriver.class, DeviceDriver::key),
                 Providers.byKey(AgentType.class, AgentType::key),
+                Providers.byKey(AgentLanguage.class, AgentLanguage::suffix),
                 Providers.byKey(SceneFormat.class, SceneFormat::suffix),
                 RobotModels.builtIn(),
                 RobotModels.builtInParts(),
@@ -73,9 +77,14 @@ record Catalog(
                 .toList();
     }
 
+    /// Languages in which agents on a host can be written, besides those types that are installed.
+    Stream<AgentLanguage> languages(AgentHostProvider host) {
+        return Stream.concat(host.languages().stream(), languages.values().stream());
+    }
+
     /// The language of a file of such a name, when agents on a host can be written in it.
-    static Optional<AgentLanguage> language(AgentHostProvider host, String file) {
-        return host.languages().stream()
+    Optional<AgentLanguage> language(AgentHostProvider host, String file) {
+        return languages(host)
                 .filter(language -> file.endsWith(language.suffix()))
                 .findFirst();
     }

@@ -38,6 +38,7 @@ import rsal.settings.Problems;
 import rsal.settings.Section;
 import rsal.settings.Suggestion;
 import rsal.settings.Value;
+import rsal.settings.Yaml;
 import rsal.system.RobotSystem;
 import rsal.system.RobotSystemProvider.InvalidRobots;
 import rsal.time.LockstepScheduler;
@@ -401,11 +402,13 @@ final class PlanReader {
         if (hosts.isEmpty()) {
             return catalog.agent(key, at, problems);
         }
-        return mas.flatMap(host -> written(key, host, hosts, files, at));
+        return mas.flatMap(host -> written(agent, host, hosts, files));
     }
 
-    private Optional<AgentType> written(String file, Mas mas, List<String> hosts, FileSource files, Location at) {
-        Optional<AgentLanguage> language = Catalog.language(mas.provider(), file);
+    private Optional<AgentType> written(Section agent, Mas mas, List<String> hosts, FileSource files) {
+        String file = agent.text("type");
+        Location at = agent.locationOf("type");
+        Optional<AgentLanguage> language = catalog.language(mas.provider(), file);
         if (language.isEmpty()) {
             problems.add(
                     at,
@@ -413,6 +416,10 @@ final class PlanReader {
                             .formatted(mas.provider().key(), file),
                     "Maybe mas: {use: %s}.".formatted(hosts.getFirst()));
             return Optional.empty();
+        }
+        if (language.get().runsCode() && !files.isTrusted()) {
+            files.read(file, Yaml.MAX_CHARACTERS, at); // it must be there
+            return Optional.of(UntrustedType.of(file, agent.section("args")));
         }
         try {
             return Optional.of(language.get().read(file, files, at));
@@ -454,7 +461,7 @@ final class PlanReader {
                 .ifPresent(why ->
                         problems.add(at, "No agent can be called '%s' here. %s".formatted(agent, why), "Rename it."));
         mas.map(Mas::provider)
-                .filter(host -> host.languages().stream()
+                .filter(host -> catalog.languages(host)
                         .anyMatch(language -> language.takenNames().contains(agent)))
                 .ifPresent(host -> problems.add(
                         at,

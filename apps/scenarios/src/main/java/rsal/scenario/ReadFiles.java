@@ -42,7 +42,8 @@ final class ReadFiles implements FileSource {
     /// Those that were read before, and no others.
     ///
     /// @param everywhere whether they were from anywhere on the machine
-    static ReadFiles again(Map<String, byte[]> known, boolean everywhere) {
+    /// @param trusted whether programs among them may be run
+    static ReadFiles again(Map<String, byte[]> known, boolean everywhere, boolean trusted) {
         return new ReadFiles(new FileSource() {
             @Override
             public byte[] read(String path, int most, Location askedAt) {
@@ -57,6 +58,11 @@ final class ReadFiles implements FileSource {
             @Override
             public boolean everywhere() {
                 return everywhere;
+            }
+
+            @Override
+            public boolean isTrusted() {
+                return trusted;
             }
         });
     }
@@ -101,6 +107,11 @@ final class ReadFiles implements FileSource {
     @Override
     public boolean everywhere() {
         return files.everywhere();
+    }
+
+    @Override
+    public boolean isTrusted() {
+        return files.isTrusted();
     }
 
     Map<String, byte[]> all() {

@@ -82,6 +82,16 @@ public record RunPlan(
         return Notes.of(this);
     }
 
+    /// Files of those agents that are programs from who knows where, and so will not be run.
+    public List<String> untrusted() {
+        return agents.stream()
+                .map(PlannedAgent::type)
+                .filter(UntrustedType.class::isInstance)
+                .map(AgentType::key)
+                .distinct()
+                .toList();
+    }
+
     /// The robot systems that take part: the scenario's, then those that robots name, in their order. The
     /// scenario's does so, too, when no robot is of it, as its world may be of use; unless robots are of one of
     /// its kind.

@@ -148,12 +148,13 @@ public final class Scenario {
     ///
     /// @param file its [#location]
     /// @param files as [#readFiles] had them once it was planned
+    /// @param trusted whether agents' programs among them may be run; those of others are not even read, and an
+    ///         agent of such a program fails at its start
     /// @throws InvalidSettings with all of its mistakes, and when one of its files is not among them
-    public static Scenario again(String file, Map<String, byte[]> files) {
-        if (isWorld(file)) {
-            return ofWorld(file, ReadFiles.again(files, true));
-        }
-        return new Origin(file, nameOf(file), Location.of(file), ReadFiles.again(files, false)).read();
+    public static Scenario again(String file, Map<String, byte[]> files, boolean trusted) {
+        boolean isWorld = isWorld(file);
+        var again = ReadFiles.again(files, isWorld, trusted);
+        return isWorld ? ofWorld(file, again) : new Origin(file, nameOf(file), Location.of(file), again).read();
     }
 
     /// The same with another text, among the same files.

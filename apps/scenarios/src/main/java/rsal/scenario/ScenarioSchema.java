@@ -397,7 +397,7 @@ public final class ScenarioSchema {
         catalog.agents().forEach((key, type) -> kinds.add(agent(key, type, robot)));
         kinds.add(anyAgent(reference(), robot));
         catalog.hosts().values().stream()
-                .flatMap(host -> host.languages().stream())
+                .flatMap(catalog::languages)
                 .map(AgentLanguage::suffix)
                 .distinct()
                 .forEach(suffix -> kinds.add(described(

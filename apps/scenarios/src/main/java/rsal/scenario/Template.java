@@ -13,11 +13,12 @@ import rsal.settings.Location;
 import rsal.settings.Suggestion;
 import rsal.settings.Yaml;
 
-/// What somebody's own scenario begins with: one that comes with the program, and the files that it names. There is an
-/// agent among them: where all of its agents are in Java, one configuration more has one that is a file. Immutable.
+/// What somebody's own scenario begins with: one that comes with the program, and the files that it names.
+/// There is an agent among them: a scenario that comes with the program has one configuration more, with one in
+/// Java. Immutable.
 public final class Template {
-    /// The agent that is there where all others are in Java.
-    public static final String WATCHER = "watcher.asl";
+    /// The agent that is laid beside a scenario that comes with the program.
+    public static final String WATCHER = "Watcher.java";
     /// The configuration that it is in.
     public static final String WATCHED = "own";
 
@@ -28,7 +29,6 @@ public final class Template {
     private static final String WITH_WATCHER = """
               %s:
                 title: With an agent of yours, which listens to the others
-                mas: {use: jason}
                 agents: {watcher: {type: %s}}
             """.formatted(WATCHED, WATCHER);
 
@@ -49,9 +49,7 @@ public final class Template {
                     "There is no scenario (%s) to begin with.".formatted(scenario),
                     Suggestion.among(scenario, Scenario.builtInNames()));
         }
-        Template found = read("/rsal/scenarios/" + scenario + "/");
-        boolean hasAgent = found.texts.keySet().stream().anyMatch(path -> path.endsWith(".asl"));
-        return hasAgent ? found : found.watched();
+        return read("/rsal/scenarios/" + scenario + "/").watched();
     }
 
     /// The text ends with the scenario's configurations.
@@ -64,17 +62,17 @@ public final class Template {
                         .text(WATCHER, Yaml.MAX_CHARACTERS, Location.of(WATCHER)));
         var files = new LinkedHashMap<String, byte[]>();
         all.forEach((path, text) -> files.put(path, text.getBytes(StandardCharsets.UTF_8)));
-        Scenario watched = Scenario.again(FILE, files);
+        Scenario watched = Scenario.again(FILE, files, true);
         var _ = watched.plan(RunOptions.NONE.withConfiguration(WATCHED)); // all others are as they were
         return new Template(watched, all);
     }
 
-    /// One with agents in the language of a host; empty where there is none.
+    /// One with agents in a language; empty where there is none.
     ///
-    /// @param mas key of the host
-    public static Optional<Template> inLanguageOf(String mas) {
-        String folder = TEMPLATES + mas + "/";
-        return mas.matches("\\w+") && Template.class.getResource(folder + FILE) != null
+    /// @param language `java`, or the key of the multi-agent system that has it (`jason`)
+    public static Optional<Template> inLanguage(String language) {
+        String folder = TEMPLATES + language + "/";
+        return language.matches("\\w+") && Template.class.getResource(folder + FILE) != null
                 ? Optional.of(read(folder))
                 : Optional.empty();
     }

@@ -77,7 +77,7 @@ class EditedScenarioTest {
         again.plan(RunOptions.NONE);
 
         assertThat(again.name()).isEqualTo("rounds");
-        Scenario made = Scenario.again(again.location().file(), again.readFiles());
+        Scenario made = Scenario.again(again.location().file(), again.readFiles(), true);
         assertThat(made.text()).isEqualTo(again.text()).endsWith("# nothing new\n");
     }
 

@@ -38,6 +38,7 @@ class ScenarioSchemaTest {
                 shipped(all.hosts()),
                 shipped(all.drivers()),
                 shipped(all.agents()),
+                all.languages(),
                 all.formats(),
                 all.models(),
                 all.parts(),

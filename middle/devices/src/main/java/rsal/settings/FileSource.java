@@ -23,6 +23,12 @@ public interface FileSource {
         return false;
     }
 
+    /// Whether programs among its files may be run: those in a folder that a person named, and those that come
+    /// with the program. Files that only claim to be such, as those in a recording, are not.
+    default boolean isTrusted() {
+        return false;
+    }
+
     /// A text in UTF-8.
     default String text(String path, int most, Location askedAt) {
         try {
@@ -42,7 +48,7 @@ public interface FileSource {
 
     /// A folder on disk. Links are followed as long as they stay in it.
     static FileSource folder(Path folder) {
-        return (path, most, askedAt) -> {
+        return trusted((path, most, askedAt) -> {
             Path file;
             try {
                 Path root = folder.toRealPath();
@@ -72,7 +78,7 @@ public interface FileSource {
             } catch (IOException e) {
                 throw new InvalidSettings(askedAt, "File (%s) can't be read: %s.".formatted(path, e.getMessage()), "");
             }
-        };
+        });
     }
 
     /// All files that this process may read, for those that a person names on the command line. Paths are relative
@@ -103,6 +109,11 @@ public interface FileSource {
             public boolean everywhere() {
                 return true;
             }
+
+            @Override
+            public boolean isTrusted() {
+                return true;
+            }
         };
     }
 
@@ -110,7 +121,7 @@ public interface FileSource {
     ///
     /// @param folder absolute in the class path, `/rsal/maps/`
     static FileSource resources(Class<?> owner, String folder) {
-        return (path, most, askedAt) -> {
+        return trusted((path, most, askedAt) -> {
             if (path.contains("..")) {
                 throw missing(path, "", askedAt);
             }
@@ -122,6 +133,26 @@ public interface FileSource {
             } catch (IOException e) {
                 throw new InvalidSettings(
                         askedAt, "Resource (%s) can't be read: %s.".formatted(path, e.getMessage()), "");
+            }
+        });
+    }
+
+    /// The same files, of which programs may be run.
+    static FileSource trusted(FileSource files) {
+        return new FileSource() {
+            @Override
+            public byte[] read(String path, int most, Location askedAt) {
+                return files.read(path, most, askedAt);
+            }
+
+            @Override
+            public boolean everywhere() {
+                return files.everywhere();
+            }
+
+            @Override
+            public boolean isTrusted() {
+                return true;
             }
         };
     }

@@ -11,6 +11,7 @@ import java.util.function.Function;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -32,10 +33,19 @@ class FirstAgentTest {
 
     @Test
     void theTutorialShowsWhatIsCompiledAndTestedHere() throws IOException {
-        assertThat(blocks("java"))
-                .containsExactly(
-                        Files.readString(SOURCES.resolve("Sentry.java")),
-                        Files.readString(SOURCES.resolve("Logbook.java")));
+        assertThat(blocks("java")).containsExactly(source("Sentry.java"), source("Logbook.java"));
+    }
+
+    /// As it is in a folder of one's own, in no package.
+    private static String source(String file) throws IOException {
+        return Files.readString(SOURCES.resolve(file)).replaceFirst("package own;\n\n", "");
+    }
+
+    @BeforeEach
+    void putTheAgentsBesideTheScenario() throws IOException {
+        for (String file : List.of("Sentry.java", "Logbook.java")) {
+            Files.writeString(folder.resolve(file), source(file));
+        }
     }
 
     @ParameterizedTest
@@ -74,7 +84,7 @@ class FirstAgentTest {
                 configurations:
                   witnessed:
                     agents:
-                      logbook: {type: logbook}
+                      logbook: {type: Logbook.java}
                       first: {type: witness, args: {of: guard, x: -8, y: -1.2}}
                       second: {type: witness, args: {of: guard, x: 0, y: -1.2}}
                 """;

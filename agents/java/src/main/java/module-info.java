@@ -1,0 +1,12 @@
+/// Agents written in Java, in files beside a scenario (`type: Hunter.java`), which are compiled when the
+/// scenario is read. Knows nothing of scenarios.
+module rsal.java {
+    requires transitive rsal.agents;
+    requires java.compiler;
+    requires static org.jspecify;
+
+    exports rsal.java;
+
+    provides rsal.agent.AgentLanguage with
+            rsal.java.JavaLanguage;
+}

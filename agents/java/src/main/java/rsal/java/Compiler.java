@@ -1,0 +1,99 @@
+package rsal.java;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import javax.tools.Diagnostic;
+import javax.tools.DiagnosticCollector;
+import javax.tools.JavaCompiler;
+import javax.tools.JavaFileObject;
+import javax.tools.ToolProvider;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
+import rsal.settings.Problems;
+
+/// The JDK's own compiler, from text to classes in memory: it writes no file and runs nothing of what it
+/// compiles.
+final class Compiler {
+    /// Names of symbols that another file may declare, in the words of the compiler.
+    private static final Pattern MISSING_CLASS =
+            Pattern.compile("symbol:\\s+(?:class|variable) (\\p{javaUpperCase}\\w*)");
+
+    private static final int MOST_PROBLEMS = 50;
+
+    private Compiler() {}
+
+    /// @return classes by their names
+    /// @throws InvalidSettings with all mistakes, each where it is
+    static Map<String, byte[]> compile(Sources sources) {
+        JavaCompiler javac = ToolProvider.getSystemJavaCompiler();
+        if (javac == null) {
+            throw new InvalidSettings(
+                    Location.of(sources.path()),
+                    "This Java runtime has no compiler for agents in Java.",
+                    "Install a JDK, which has one.");
+        }
+        var told = new DiagnosticCollector<JavaFileObject>();
+        List<MemoryFiles.Source> units = sources.texts().entrySet().stream()
+                .map(file -> new MemoryFiles.Source(file.getKey(), file.getValue()))
+                .toList();
+        try (var standard = javac.getStandardFileManager(told, Locale.ENGLISH, StandardCharsets.UTF_8);
+                var files = new MemoryFiles(standard)) {
+            if (!javac.getTask(null, files, told, options(), null, units).call()) {
+                throw mistakes(sources, told.getDiagnostics());
+            }
+            return files.compiled();
+        } catch (IOException e) {
+            throw new InvalidSettings(
+                    Location.of(sources.path()), "This can't be compiled: %s.".formatted(e.getMessage()), "");
+        }
+    }
+
+    /// What this process can use, agents can: its classes are found as they are by the process itself.
+    private static List<String> options() {
+        var options = new ArrayList<>(List.of("-proc:none", "-implicit:none", "-Xlint:none", "-g", "-parameters"));
+        String modules = System.getProperty("jdk.module.path", "");
+        if (!modules.isEmpty()) {
+            options.addAll(List.of("--module-path", modules, "--add-modules", "ALL-MODULE-PATH"));
+        }
+        options.addAll(List.of("-classpath", System.getProperty("java.class.path", "")));
+        return options;
+    }
+
+    private static InvalidSettings mistakes(Sources sources, List<Diagnostic<? extends JavaFileObject>> told) {
+        var problems = new Problems(MOST_PROBLEMS);
+        for (Diagnostic<? extends JavaFileObject> one : told) {
+            if (one.getKind() == Diagnostic.Kind.ERROR) {
+                String message = one.getMessage(Locale.ENGLISH);
+                problems.add(
+                        at(sources, one),
+                        "Java can't compile this: %s."
+                                .formatted(message.strip()
+                                        .replaceAll("\\s*\\R\\s*", ", ")
+                                        .replaceAll("\\s+", " ")),
+                        remedy(message));
+            }
+        }
+        problems.throwIfAny();
+        return new InvalidSettings(Location.of(sources.path()), "Java can't compile this.", "");
+    }
+
+    private static Location at(Sources sources, Diagnostic<? extends JavaFileObject> told) {
+        String file = told.getSource() instanceof MemoryFiles.Source source ? source.path() : sources.path();
+        return told.getLineNumber() == Diagnostic.NOPOS
+                ? Location.of(file)
+                : new Location(file, (int) told.getLineNumber(), (int) told.getColumnNumber());
+    }
+
+    private static String remedy(String message) {
+        Matcher missing = MISSING_CLASS.matcher(message);
+        return missing.find()
+                ? "Maybe an import is missing, or a file '%s%s' beside it.".formatted(missing.group(1), Sources.SUFFIX)
+                : "";
+    }
+}

@@ -1,0 +1,5 @@
+/// Java files of agents: read, compiled and loaded.
+@NullMarked
+package rsal.java;
+
+import org.jspecify.annotations.NullMarked;
