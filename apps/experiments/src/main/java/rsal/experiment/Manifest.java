@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import rsal.scenario.Folders;
 import rsal.scenario.RunPlan.Measured;
 import rsal.scenario.condition.Measure.FirstTime;
 
@@ -131,14 +132,17 @@ public record Manifest(
         }
     }
 
+    /// What is told of folders of the machine is left out: a sweep is given to others.
+    ///
     /// @param started by the clock of the machine, in ISO 8601 and UTC
-    /// @param scenario its built-in name, or the file, as typed
-    /// @param command as typed, word by word
+    /// @param scenario its built-in name, or the file, as typed; of an absolute path the file's name
+    /// @param command as typed, word by word; of absolute paths the files' names
     /// @param jobs how many runs at once
     public record Session(String started, String scenario, List<String> command, int jobs, Machine machine) {
         public Session {
             requireNonNull(started);
-            command = List.copyOf(command);
+            scenario = Folders.without(scenario);
+            command = command.stream().map(Folders::without).toList();
             requireNonNull(machine);
         }
     }

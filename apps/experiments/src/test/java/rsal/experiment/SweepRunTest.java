@@ -99,6 +99,22 @@ class SweepRunTest {
     }
 
     @Test
+    void tellsNoFoldersOfTheMachineThatMadeIt() throws Exception {
+        var session = new Manifest.Session(
+                "2026-01-02T03:04:05Z",
+                "/home/bob/lab/guards.yaml",
+                List.of("rsal", "sweep", "/home/bob/lab/guards.yaml", "--out=/home/bob/lab/swept"),
+                1,
+                Manifest.Machine.here("0"));
+        run(sweep, SweepFolder.create(out, sweep, session), 1);
+        assertThat(out.resolve(SweepFolder.MANIFEST))
+                .content()
+                .doesNotContain("bob", out.getParent().toString());
+        assertThat(SweepFolder.manifest(out).sessions().getFirst().command())
+                .containsExactly("rsal", "sweep", "guards.yaml", "--out=swept");
+    }
+
+    @Test
     void aLastLineThatIsNoRowIsCutOff() throws Exception {
         run(sweep, create(sweep), 2);
         Path rows = out.resolve(SweepFolder.ROWS);

@@ -17,6 +17,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import rsal.agent.AgentHostProvider;
+import rsal.scenario.Folders;
 import rsal.scenario.Providers;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
@@ -55,6 +56,16 @@ final class Shelf {
     /// @throws InvalidSettings with its mistakes
     Scenario load(String id) {
         return Scenario.load(known(id));
+    }
+
+    /// The one that a sweep's folder names, which tells no folders of this machine ([Folders]).
+    ///
+    /// @throws Refusal when it is not there
+    String idOf(String named) {
+        return ids.stream()
+                .filter(id -> id.equals(named) || Folders.without(id).equals(named))
+                .findFirst()
+                .orElseThrow(() -> unknown(named));
     }
 
     /// A scenario with another text than its own.

@@ -123,9 +123,9 @@ final class Sweeps implements AutoCloseable {
             SweepReader.tooLarge(design).ifPresent(mistake -> {
                 throw new Refusal(409, mistake.message());
             });
-            Sweep sweep = Sweep.of(shelf.load(last.scenario()), design);
-            return new BackgroundSweep.Order(
-                    nextNumber(), sweep, last.scenario(), Math.clamp(last.jobs(), 1, cores), out);
+            String scenario = shelf.idOf(last.scenario());
+            Sweep sweep = Sweep.of(shelf.load(scenario), design);
+            return new BackgroundSweep.Order(nextNumber(), sweep, scenario, Math.clamp(last.jobs(), 1, cores), out);
         } catch (InvalidSettings e) {
             throw new Refusal(409, e);
         } catch (UncheckedIOException e) {

@@ -284,6 +284,7 @@ class SweepApiTest {
         Path folder = sweeps.resolve("guard-1");
         List<String> rows = Files.readAllLines(folder.resolve(SweepFolder.ROWS));
         assertThat(rows).hasSizeBetween(2, 29);
+        assertThat(folder.resolve(SweepFolder.MANIFEST)).content().doesNotContain(directory.toString());
         Path half = Files.createDirectories(sweeps.resolve("half"));
         Files.writeString(half.resolve(SweepFolder.MANIFEST), "{\"format\": 1, \"sessions\": []}");
         Files.createDirectories(sweeps.resolve("empty"));
@@ -319,7 +320,7 @@ class SweepApiTest {
         Files.writeString(scenario, GUARD);
         Files.writeString(manifest, written.replace("\"--jobs\"", "\"--record\", \"--jobs\""));
         assertThat(resume("guard-1").body()).contains("Its runs are recorded");
-        Files.writeString(manifest, written.replace(scenario.toString(), "elsewhere.yaml"));
+        Files.writeString(manifest, written.replace(scenario.getFileName().toString(), "elsewhere.yaml"));
         assertThat(resume("guard-1").status()).isEqualTo(404);
         assertThat(state().newest()).isEmpty();
     }

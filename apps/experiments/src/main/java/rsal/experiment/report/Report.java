@@ -28,7 +28,6 @@ import rsal.experiment.report.Conclusions.Quantity;
 import rsal.experiment.report.Conclusions.Sentence;
 import rsal.scenario.Counted;
 import rsal.scenario.CsvLine;
-import rsal.scenario.Folders;
 
 /// What an experiment says, as a page that carries all it needs: it can be sent to others, read without a
 /// network, and printed. Its figures and tables are also there as files.
@@ -358,9 +357,7 @@ public final class Report {
     private String again(Row row) {
         Combination combination = findings.design().combinations().get(row.combination() - 1);
         var words = new ArrayList<>(List.of(
-                "rsal",
-                "run",
-                Folders.without(findings.manifest().sessions().getFirst().scenario()) + ":" + row.configuration()));
+                "rsal", "run", findings.manifest().sessions().getFirst().scenario() + ":" + row.configuration()));
         var set = new LinkedHashMap<>(findings.manifest().subject().settings());
         set.putAll(combination.levels());
         set.forEach((name, value) -> words.addAll(List.of("--set", name + "=" + value)));
@@ -383,9 +380,7 @@ public final class Report {
                             text(session.machine().java()),
                             text(session.machine().system()),
                             Counted.of(session.machine().cores(), "core"),
-                            text(ShellWords.of(session.command().stream()
-                                    .map(Folders::without)
-                                    .toList()))));
+                            text(ShellWords.of(session.command()))));
         }
         Set<String> varied =
                 findings.design().factors().stream().map(Factor::argument).collect(Collectors.toSet());
