@@ -34,7 +34,7 @@ final class Plans extends PlanLibrary {
         if (plan.hasSubPlans()) {
             label(plan.getSubPlans());
         }
-        return super.add(plan, before);
+        return super.add(ContextFreePlan.of(plan), before);
     }
 
     /// Those of a plan of its own are labelled before it is added.

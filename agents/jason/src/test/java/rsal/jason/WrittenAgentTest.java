@@ -675,6 +675,22 @@ class WrittenAgentTest extends RobotBench {
         assertThat(transcripts.iterator().next()).anyMatch(line -> line.contains("missing(_)"));
     }
 
+    /// Jason 3.3.0 does so only for those with a context.
+    @Test
+    void aPlanIsTakenApartAndPutTogether() {
+        start("a", """
+                b(10).
+                !start.
+                +!pa : b(10) <- .print("pa").
+                @two +!pb <- .print("pb").
+                +!start <- .relevant_plans({+!pa}, [A|_]); A =.. LA; .length(LA, N); .print(N);
+                           .relevant_plans({+!pb}, [B|_]); B =.. [Label, Trigger, Context, Body];
+                           .print(Context, " ", Body); !pb.
+                """);
+        advance(0.5);
+        assertThat(states).containsSubsequence("a: 4", "a: true { .print(\"pb\") }", "a: pb");
+    }
+
     /// What Jason counts for the whole process: labels of plans, intentions, variables, also within formulas.
     @Test
     void nothingThatJasonCountsIsSeen() {
