@@ -10,6 +10,8 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 
@@ -25,6 +27,7 @@ final class Lexer {
     static final int MAX_INCLUDES = 1000;
     static final int MAX_TOKENS = 2_000_000;
     private static final Set<String> FLAGS = Set.of("true", "false", "yes", "no");
+    private static final Pattern NUMBER = Pattern.compile("[+-]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][+-]?\\d+)?");
     private static final Set<String> UNITS = Set.of(
             "m", "cm", "mm", "km", "deg", "degree", "degrees", "rad", "radians", "s", "sec", "ms", "kg", "g", "px", "w",
             "j");
@@ -367,13 +370,27 @@ final class Lexer {
                         digits + unit,
                         "Units are not written here; unit_length and unit_angle tell those of all numbers.");
             } else {
-                double value = parse(digits);
+                String read = begun(digits);
+                double value = parse(read);
                 if (Double.isNaN(value)) {
                     wrong(at, digits, "");
                 } else {
+                    if (!read.equals(digits)) {
+                        findings.warn(
+                                at,
+                                "'%s' is read as %s, as Stage reads it.".formatted(Findings.shortened(digits), read),
+                                "Write the number that is meant.");
+                    }
                     add(new Token.Literal(at, Double.isInfinite(value) ? digits : plain(value)));
                 }
             }
+        }
+
+        /// What Stage reads of it, which goes as far as it is a number (C's `atof`); all when it does not begin with
+        /// one.
+        private static String begun(String digits) {
+            Matcher number = NUMBER.matcher(digits);
+            return number.lookingAt() ? number.group() : digits;
         }
 
         private void wrong(Location at, String number, String remedy) {

@@ -17,7 +17,7 @@ class WorldMistakesTest {
             delimiter = '|',
             quoteCharacter = '`',
             value = {
-                "model ( mass 1.2.3 )       | 14 | (1.2.3) is not a number.",
+                "model ( mass --3 )         | 14 | (--3) is not a number.",
                 "model ( mass 1e999 )       | 9 | (mass) must be from 0 to 1000000000, not (1e999).",
                 "model ( mass \"much\" )    | 9 | (mass) must be a number, not (much).",
                 "model ( name \"a )         | 14 | The text that begins here is not closed.",
@@ -255,7 +255,7 @@ class WorldMistakesTest {
 
     @Test
     void mistakesAreToldInTheOrderOfLines() {
-        assertThat(Worlds.of("model ( mass \"a\" )\ninclude \"no.inc\"\nmodel ( mass 1.2.3 )")
+        assertThat(Worlds.of("model ( mass \"a\" )\ninclude \"no.inc\"\nmodel ( mass --3 )")
                         .mistakes())
                 .extracting(problem -> problem.substring(0, "test.world:1".length()))
                 .containsExactly("test.world:1", "test.world:2", "test.world:3");
@@ -265,7 +265,7 @@ class WorldMistakesTest {
     void severalMistakesAreToldAtOnce() {
         assertThat(Worlds.of("""
                         include "no.inc"
-                        model ( mass 1.2.3 )
+                        model ( mass --3 )
                         model ( pose [1 2] )
                         model ( bitmap "no.png" colour "red" )
                         """).mistakes()).hasSize(4);
@@ -413,6 +413,16 @@ class WorldMistakesTest {
         assertThat(Worlds.of(text).warnings())
                 .containsExactly(
                         "test.world:1:%d: %s".formatted(column, message) + (remedy.isEmpty() ? "" : "\n    " + remedy));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"3.75.2, 3.75", "7.-1, 7.", ".5.5, .5", "1e3.5, 1e3", "+4+4, +4"})
+    void aNumberThatGoesOnAsNoneIsReadAsStageReadsIt(String written, String read) {
+        Worlds worlds = Worlds.of("position ( mass %s )".formatted(written));
+        assertThat(worlds.warnings())
+                .containsExactly(
+                        "test.world:1:17: '%s' is read as %s, as Stage reads it.\n    Write the number that is meant."
+                                .formatted(written, read));
     }
 
     @Test
