@@ -86,7 +86,7 @@ final class Chasing implements Skill<Catch> {
         evasion.ifPresent(guess -> guess.learn(here.get()));
         Pose2d prey = mapFromPrey.get();
         List<Pose2d> hunters = huntersNear(prey, here.get());
-        if (isNear(here.get(), prey)) {
+        if (LineOfSight.reaches(robot, here.get(), prey, catchDistance)) {
             driver.stop();
         } else if (evasion.isEmpty() || hunters.isEmpty()) {
             go(prey);
@@ -99,11 +99,6 @@ final class Chasing implements Skill<Catch> {
                 }
             });
         }
-    }
-
-    /// Near enough to catch it, with nothing between.
-    private boolean isNear(Pose2d here, Pose2d prey) {
-        return here.distanceTo(prey) < catchDistance && !LineOfSight.isBlocked(robot, here, prey);
     }
 
     private List<Pose2d> huntersNear(Pose2d mapFromPrey, Pose2d here) {
@@ -133,7 +128,7 @@ final class Chasing implements Skill<Catch> {
         boolean near = job.filter(now -> now.prey().equals(report.robot())).isPresent()
                 && mapFromBase
                         .get()
-                        .filter(here -> isNear(here, report.mapFromBase()))
+                        .filter(here -> LineOfSight.reaches(robot, here, report.mapFromBase(), catchDistance))
                         .isPresent();
         if (near) {
             driver.stop();

@@ -196,8 +196,7 @@ final class Hunt {
 
     private boolean isNear(Pose2d mapFromPrey) {
         return reporter.mapFromBase()
-                .filter(mapFromBase -> mapFromBase.distanceTo(mapFromPrey) < catchDistance)
-                .filter(mapFromBase -> !LineOfSight.isBlocked(robot, mapFromBase, mapFromPrey))
+                .filter(here -> LineOfSight.reaches(robot, here, mapFromPrey, catchDistance))
                 .isPresent();
     }
 

@@ -73,8 +73,7 @@ final class Surrender {
     /// Of those that are near enough to catch it, with nothing between.
     private Optional<Hunter> nearestHunter(Pose2d mapFromBase) {
         return hunters.of(_ -> true).entrySet().stream()
-                .filter(hunter -> mapFromBase.distanceTo(hunter.getValue()) < catchDistance)
-                .filter(hunter -> !LineOfSight.isBlocked(robot, mapFromBase, hunter.getValue()))
+                .filter(hunter -> LineOfSight.reaches(robot, mapFromBase, hunter.getValue(), catchDistance))
                 .map(hunter -> new Hunter(hunter.getKey(), mapFromBase.distanceTo(hunter.getValue())))
                 .min(Comparator.comparingDouble(Hunter::distance)); // of equals the first by id
     }

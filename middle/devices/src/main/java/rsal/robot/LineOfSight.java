@@ -35,7 +35,15 @@ public final class LineOfSight {
                 .isPresent();
     }
 
-    /// The same with a reading of it.
+    /// Whether another robot is nearer than that, with nothing between.
+    ///
+    /// @param mapFromBase where the robot believes to be
+    /// @param range [m]
+    public static boolean reaches(Robot robot, Pose2d mapFromBase, Pose2d mapFromOther, double range) {
+        return mapFromBase.distanceTo(mapFromOther) < range && !isBlocked(robot, mapFromBase, mapFromOther);
+    }
+
+    /// [#isBlocked] by a reading of its scanner.
     static boolean isBlocked(LaserScan scan, Pose2d mapFromBase, Pose2d mapFromOther) {
         Pose2d mapFromLaser = mapFromBase.compose(scan.baseFromLaser());
         double distance = mapFromLaser.distanceTo(mapFromOther);

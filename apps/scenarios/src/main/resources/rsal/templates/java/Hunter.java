@@ -107,18 +107,13 @@ public final class Hunter implements AgentType {
                 return;
             }
             Pose2d prey = seen.get().mapFromBase();
-            if (isNear(here().get(), prey)) {
+            if (LineOfSight.reaches(robot, here().get(), prey, catchDistance)) {
                 stop.run();
                 self.state("holding %s at bay".formatted(seen.get().robot()));
             } else {
                 stop = navigator.goTo(prey, Tolerance.position(catchDistance / 2))::cancel;
                 self.state("hunting %s".formatted(seen.get().robot()));
             }
-        }
-
-        /// Near enough to catch it, with no wall between.
-        private boolean isNear(Pose2d here, Pose2d prey) {
-            return here.distanceTo(prey) < catchDistance && !LineOfSight.isBlocked(robot, here, prey);
         }
     }
 }
