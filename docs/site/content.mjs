@@ -28,7 +28,7 @@ function place(path) {
   return path
     .replace(/^docs\//, '')
     .replace(/^first-hour/, 'tutorials/first-hour')
-    .replace(/^apps\/scenarios\/.*\/([^/]+)\/README\.md$/, 'scenarios/$1.md')
+    .replace(/^runs\/scenarios\/.*\/([^/]+)\/README\.md$/, 'scenarios/$1.md')
     .replace(/README\.md$/, 'index.md');
 }
 

@@ -4,7 +4,7 @@
  */
 const docs = (folder, ...names) => names.map((name) => `docs/${folder}/${name}.md`);
 const scenarios = (...names) =>
-  names.map((name) => `apps/scenarios/src/main/resources/rsal/scenarios/${name}/README.md`);
+  names.map((name) => `runs/scenarios/src/main/resources/rsal/scenarios/${name}/README.md`);
 
 export const parts = [
   {

@@ -30,7 +30,7 @@ import rsal.scenario.NumberText;
 /// <!-- end -->
 /// ```
 class FiguresIT {
-    private static final Path SCENARIOS = Path.of("../scenarios/src/main/resources/rsal/scenarios");
+    private static final Path SCENARIOS = Path.of("../../runs/scenarios/src/main/resources/rsal/scenarios");
     private static final Pattern FIGURES = Pattern.compile(
             "<!-- figures: (?<sweep>[^|\n]+?) \\| (?<measures>[^\n]+?) -->\n(?<table>.*?)<!-- end -->", Pattern.DOTALL);
     private static final Pattern SEEDS = Pattern.compile("--seeds (\\d+)-\\d+");

@@ -14,7 +14,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class NumberTextTest {
     /// What the page's tests expect of its own.
-    private static final Path CASES = Path.of("../web/src/number-texts.json");
+    private static final Path CASES = Path.of("../../apps/web/src/number-texts.json");
 
     @ParameterizedTest
     @CsvSource({
