@@ -5,7 +5,7 @@ module rsal.bench {
     requires transitive rsal.devices;
     requires rsal.agents;
     requires rsal.navigation;
-    requires rsal.scenarios;
+    requires rsal.engine;
     requires rsal.server;
     requires java.net.http; // what browsers are told
     requires jdk.management; // time of the processor, bytes allocated

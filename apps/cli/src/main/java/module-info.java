@@ -13,7 +13,7 @@ module rsal.cli {
     requires rsal.foxglove;
     requires rsal.navigation;
     requires rsal.recordings;
-    requires rsal.scenarios;
+    requires rsal.engine;
     requires rsal.server;
     requires static org.jspecify;
     requires tools.jackson.databind;

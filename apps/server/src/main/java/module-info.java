@@ -4,7 +4,7 @@
 module rsal.server {
     requires rsal.experiments;
     requires transitive rsal.recordings;
-    requires transitive rsal.scenarios;
+    requires transitive rsal.engine;
     requires io.javalin;
     requires io.prometheus.metrics.model;
     requires io.prometheus.writer.text;

@@ -1,7 +1,7 @@
 /// Experiments: many runs of a scenario with other arguments, configurations and seeds, what came of each,
 /// and what that says. Knows nothing of robots and agents beyond what a run's result tells.
 module rsal.experiments {
-    requires transitive rsal.scenarios;
+    requires transitive rsal.engine;
     requires java.desktop; // draws figures
     requires tools.jackson.databind;
     requires org.apache.commons.statistics.distribution;

@@ -1,17 +1,15 @@
-/// Scenarios: the format in which people write them, the runs they become, and the scenarios themselves. Names
+/// Scenarios: the format in which people write them, what is planned from it, and the scenarios themselves. Names
 /// robot systems, device drivers, agent hosts and agents by key, and knows nothing of those that stand behind.
 module rsal.scenarios {
     requires transitive rsal.agents;
     requires transitive rsal.devices;
     requires java.desktop; // draws worlds
-    requires java.management; // processor time of threads
     requires tools.jackson.databind;
     requires static org.jspecify;
 
     exports rsal.scenario;
     exports rsal.scenario.condition;
     exports rsal.scenario.picture;
-    exports rsal.scenario.run;
 
     uses rsal.agent.AgentHostProvider;
     uses rsal.agent.AgentLanguage;

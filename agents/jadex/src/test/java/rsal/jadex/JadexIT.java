@@ -11,12 +11,12 @@ import java.util.concurrent.TimeoutException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import rsal.agent.bdi.Mind.GoalState;
+import rsal.engine.Answer;
+import rsal.engine.Inside;
+import rsal.engine.LiveRun;
+import rsal.engine.RunResult;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
-import rsal.scenario.run.Answer;
-import rsal.scenario.run.Inside;
-import rsal.scenario.run.LiveRun;
-import rsal.scenario.run.RunResult;
 
 /// The same scenarios on Jadex as on our own host, to ends that are quick to reach, in real time, so all at once; and
 /// hunters that think by Jadex.

@@ -20,6 +20,8 @@ import rsal.agent.team.Estimate;
 import rsal.agent.team.Objective;
 import rsal.agent.team.Routes;
 import rsal.data.Point2d;
+import rsal.engine.RunResult;
+import rsal.engine.TopicTraffic;
 import rsal.navigation.grid.DistanceField;
 import rsal.navigation.spread.Ground;
 import rsal.navigation.spread.Spreader;
@@ -27,8 +29,6 @@ import rsal.navigation.wavefront.CostMap;
 import rsal.navigation.wavefront.Wavefront;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
-import rsal.scenario.run.RunResult;
-import rsal.scenario.run.TopicTraffic;
 
 /// How well a team's jobs are allotted by what its members bid, beside the best there is, found by trying everything:
 /// members and jobs anywhere in a square of 100 m, drawn from the seeds 1, 2, 3, ….

@@ -5,9 +5,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import rsal.bench.Plot.Lines.Point;
+import rsal.engine.RunResult;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
-import rsal.scenario.run.RunResult;
 
 /// Whole runs of the scenario `find-and-collect` in the configuration `watched`, where sensors on the ceiling show all
 /// cans at once: how fast robots bring them in is a matter of driving and of who gets which. A run that does not end

@@ -5,9 +5,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import rsal.bench.Plot.Bars.Bar;
+import rsal.engine.RunResult;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
-import rsal.scenario.run.RunResult;
 
 /// Whole runs of the scenario `swarm:coverage`: robots that map the office floor together, from somewhere on it.
 ///

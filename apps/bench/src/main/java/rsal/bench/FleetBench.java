@@ -4,10 +4,10 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import rsal.engine.LiveRun;
+import rsal.engine.RunResult;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
-import rsal.scenario.run.LiveRun;
-import rsal.scenario.run.RunResult;
 
 /// Whole runs of the scenario `swarm` in a cave of 128 m × 128 m, each repeat with a seed of its own: robots that
 /// localize themselves by their sonars, follow walls and tell all others where they are. A run that nobody counts goes

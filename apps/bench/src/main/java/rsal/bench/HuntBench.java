@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import rsal.bench.Plot.Bars.Bar;
+import rsal.engine.RunResult;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
-import rsal.scenario.run.RunResult;
 
 /// Whole runs of the scenario `hunt-and-prey` in the configuration `advanced`: hunters that bid for clever prey and cut
 /// them off, beside those of the thesis, each of which has its prey from the beginning and goes straight for it

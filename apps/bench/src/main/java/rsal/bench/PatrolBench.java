@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import rsal.bench.Plot.Bars.Bar;
+import rsal.engine.RunResult;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
-import rsal.scenario.run.RunResult;
 
 /// Whole runs of the scenario `patrol`, 20 minutes long: guards that bid for places beside those that go along a cycle
 /// and at random.

@@ -4,10 +4,10 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.LongStream;
+import rsal.engine.LiveRun;
+import rsal.engine.RunResult;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
-import rsal.scenario.run.LiveRun;
-import rsal.scenario.run.RunResult;
 
 /// Whole runs of a scenario with the seeds 1, 2, 3, …: the same for all that is compared. As many go on at once as
 /// there are cores, which changes nothing in them, as their time is simulated.

@@ -6,12 +6,12 @@ import java.net.BindException;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Optional;
+import rsal.engine.LiveRun;
+import rsal.engine.Witness;
 import rsal.foxglove.FoxgloveServer;
 import rsal.recording.Origin;
 import rsal.recording.Recorder;
 import rsal.scenario.RunPlan;
-import rsal.scenario.run.LiveRun;
-import rsal.scenario.run.Witness;
 import rsal.server.RunServer;
 import rsal.time.AllowedToReadWallClock;
 

@@ -11,11 +11,11 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import rsal.engine.LiveRun;
+import rsal.engine.RunResult;
 import rsal.recording.Recorder;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
-import rsal.scenario.run.LiveRun;
-import rsal.scenario.run.RunResult;
 import rsal.server.PortInUse;
 import rsal.server.RunServer;
 

@@ -8,11 +8,11 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import rsal.engine.LiveRun;
+import rsal.engine.RunEvent;
+import rsal.engine.RunResult;
+import rsal.engine.Snapshot;
 import rsal.scenario.RunPlan;
-import rsal.scenario.run.LiveRun;
-import rsal.scenario.run.RunEvent;
-import rsal.scenario.run.RunResult;
-import rsal.scenario.run.Snapshot;
 import rsal.time.AllowedToReadWallClock;
 
 /// Tells on stderr how a run goes: what happens, and how far it is; on a terminal by a line that is drawn over and

@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import rsal.engine.Hearing;
+import rsal.engine.RunResult;
+import rsal.engine.TopicTraffic;
 import rsal.scenario.RunPlan;
-import rsal.scenario.run.Hearing;
-import rsal.scenario.run.RunResult;
-import rsal.scenario.run.TopicTraffic;
 
 /// A run's result for programs. Part of what users build on: names and order stay.
 ///

@@ -6,11 +6,11 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import rsal.data.Pose2d;
+import rsal.engine.Hearing;
+import rsal.engine.RunResult;
 import rsal.scenario.Counted;
 import rsal.scenario.NumberText;
 import rsal.scenario.RunPlan;
-import rsal.scenario.run.Hearing;
-import rsal.scenario.run.RunResult;
 
 /// A run's result for people.
 record ResultText(RunPlan plan, RunResult result) {

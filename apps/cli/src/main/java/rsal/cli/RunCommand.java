@@ -13,11 +13,11 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.TypeConversionException;
+import rsal.engine.LiveRun;
+import rsal.engine.RunResult;
 import rsal.recording.Recorder;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
-import rsal.scenario.run.LiveRun;
-import rsal.scenario.run.RunResult;
 import rsal.server.RunServer;
 
 /// `rsal run`

@@ -9,11 +9,11 @@ import java.util.stream.Stream;
 import rsal.data.OccupancyGrid;
 import rsal.data.Stamped;
 import rsal.device.Mapper;
+import rsal.engine.LiveRun;
+import rsal.engine.RobotView;
 import rsal.map.RosMap;
 import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.PlannedRobot;
-import rsal.scenario.run.LiveRun;
-import rsal.scenario.run.RobotView;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 

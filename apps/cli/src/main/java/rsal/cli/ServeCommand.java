@@ -8,12 +8,12 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import rsal.engine.LiveRun;
+import rsal.engine.RunResult;
 import rsal.recording.Recorder;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
-import rsal.scenario.run.LiveRun;
-import rsal.scenario.run.RunResult;
 import rsal.server.RunServer;
 
 /// `rsal serve`

@@ -5,14 +5,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.Optional;
+import rsal.engine.RunResult;
+import rsal.engine.Witness;
 import rsal.experiment.Recordings;
 import rsal.experiment.Trial;
 import rsal.recording.Backlog;
 import rsal.recording.Origin;
 import rsal.recording.Recorder;
 import rsal.scenario.RunPlan;
-import rsal.scenario.run.RunResult;
-import rsal.scenario.run.Witness;
 import rsal.time.AllowedToReadWallClock;
 
 /// Records the runs of a sweep, each to a file of its own. Runs wait for their files, so that nothing is left out.

@@ -25,12 +25,12 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rsal.data.Pose2d;
+import rsal.engine.LiveRun;
+import rsal.engine.RobotView;
+import rsal.engine.RunEvent;
+import rsal.engine.RunResult;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
-import rsal.scenario.run.LiveRun;
-import rsal.scenario.run.RobotView;
-import rsal.scenario.run.RunEvent;
-import rsal.scenario.run.RunResult;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 

@@ -7,11 +7,11 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import rsal.data.Pose2d;
+import rsal.engine.RunResult;
 import rsal.experiment.Row;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
-import rsal.scenario.run.RunResult;
 
 class ResultTest {
     private static RunPlan plan(RunOptions options) {

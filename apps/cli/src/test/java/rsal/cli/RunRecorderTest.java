@@ -12,13 +12,13 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import rsal.engine.LiveRun;
 import rsal.recording.Origin;
 import rsal.recording.Recorder;
 import rsal.recording.Recording;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
-import rsal.scenario.run.LiveRun;
 
 class RunRecorderTest {
     private final StringWriter told = new StringWriter();

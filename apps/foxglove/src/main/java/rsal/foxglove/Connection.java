@@ -11,11 +11,11 @@ import org.eclipse.jetty.websocket.api.Session;
 import org.eclipse.jetty.websocket.api.StatusCode;
 import org.jspecify.annotations.Nullable;
 import rsal.data.Pose2d;
+import rsal.engine.Answer;
 import rsal.foxglove.FoxgloveServer.Showing;
 import rsal.foxglove.ServerMessages.ServerInfo;
 import rsal.foxglove.ServerMessages.Status;
 import rsal.foxglove.Wish.Unclear;
-import rsal.scenario.run.Answer;
 import tools.jackson.core.JacksonException;
 import tools.jackson.databind.JsonNode;
 

@@ -32,12 +32,12 @@ import org.eclipse.jetty.websocket.server.WebSocketUpgradeHandler;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import rsal.engine.LiveRun;
+import rsal.engine.Witness;
 import rsal.recording.Backlog;
 import rsal.recording.Backlog.Behind;
 import rsal.recording.Backlog.Entry;
 import rsal.recording.Origin;
-import rsal.scenario.run.LiveRun;
-import rsal.scenario.run.Witness;
 
 /// Shows runs to Foxglove, one after the other, on this machine's loopback address: what recordings have, ten
 /// times a second of the run, at most. Programs of this machine may look; pages, as Foxglove itself is one,

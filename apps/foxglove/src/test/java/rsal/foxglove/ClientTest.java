@@ -8,13 +8,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
+import rsal.engine.LiveRun;
 import rsal.recording.Backlog;
 import rsal.recording.Backlog.Behind;
 import rsal.recording.Backlog.Entry;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
-import rsal.scenario.run.LiveRun;
 
 class ClientTest {
     private final Tap line = new Tap();

@@ -20,12 +20,12 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import rsal.data.Pose2d;
+import rsal.engine.LiveRun;
+import rsal.engine.RunResult;
 import rsal.recording.Origin;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
-import rsal.scenario.run.LiveRun;
-import rsal.scenario.run.RunResult;
 import tools.jackson.databind.JsonNode;
 
 class FoxgloveServerTest {

@@ -5,11 +5,11 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
-import rsal.scenario.run.Mail;
-import rsal.scenario.run.MindChange;
-import rsal.scenario.run.RunEvent;
-import rsal.scenario.run.Said;
-import rsal.scenario.run.Spoken;
+import rsal.engine.Mail;
+import rsal.engine.MindChange;
+import rsal.engine.RunEvent;
+import rsal.engine.Said;
+import rsal.engine.Spoken;
 
 /// What events of a run tell of an agent's past: what it did, what was said to it by name, and what it talked about.
 /// Whom it reached what is said to all is no event. Of each kind it has the last [#MOST_OF_A_KIND].

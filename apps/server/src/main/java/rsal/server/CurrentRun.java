@@ -4,12 +4,12 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import rsal.engine.LiveRun;
+import rsal.engine.Metrics;
+import rsal.engine.Snapshot;
+import rsal.engine.Teammate;
 import rsal.robot.RobotSpec;
 import rsal.scenario.RunPlan;
-import rsal.scenario.run.LiveRun;
-import rsal.scenario.run.Metrics;
-import rsal.scenario.run.Snapshot;
-import rsal.scenario.run.Teammate;
 import rsal.scene.Entity;
 
 /// The run that is shown, and its successors: one at a time. All methods may be called from any thread.

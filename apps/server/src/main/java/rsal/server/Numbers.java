@@ -2,9 +2,9 @@ package rsal.server;
 
 import java.util.List;
 import java.util.Optional;
+import rsal.engine.Answer;
 import rsal.recording.Quantities;
 import rsal.recording.Quantity;
-import rsal.scenario.run.Answer;
 import rsal.server.Messages.DeviceNumbers;
 import rsal.server.Messages.NumberInfo;
 import rsal.server.Messages.PlottedNumbers;

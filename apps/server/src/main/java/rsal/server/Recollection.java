@@ -15,15 +15,15 @@ import rsal.agent.Society;
 import rsal.agent.bdi.Mind;
 import rsal.data.OccupancyGrid;
 import rsal.data.Stamped;
-import rsal.scenario.run.AgentView;
-import rsal.scenario.run.Answer;
-import rsal.scenario.run.Inside;
-import rsal.scenario.run.LiveRun;
-import rsal.scenario.run.MindChange;
-import rsal.scenario.run.Reading;
-import rsal.scenario.run.RobotView;
-import rsal.scenario.run.RunEvent;
-import rsal.scenario.run.Snapshot;
+import rsal.engine.AgentView;
+import rsal.engine.Answer;
+import rsal.engine.Inside;
+import rsal.engine.LiveRun;
+import rsal.engine.MindChange;
+import rsal.engine.Reading;
+import rsal.engine.RobotView;
+import rsal.engine.RunEvent;
+import rsal.engine.Snapshot;
 
 /// What can be asked about a live run's past, beside the frames of its [History]: what devices had told, twice a
 /// second of the run and where it was paused, as whoever goes on by steps looks closely, and who heard whom; and

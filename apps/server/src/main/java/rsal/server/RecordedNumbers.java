@@ -4,9 +4,9 @@ import java.io.IOException;
 import java.time.Duration;
 import java.util.HashSet;
 import java.util.Set;
+import rsal.engine.Answer;
 import rsal.recording.Playback;
 import rsal.recording.Playback.Told;
-import rsal.scenario.run.Answer;
 import rsal.server.Messages.PastNumbers;
 
 /// What devices of a recorded run's robots have told, as [NumberHistory] has it of a live one: of robots that somebody

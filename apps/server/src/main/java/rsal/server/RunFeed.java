@@ -2,10 +2,10 @@ package rsal.server;
 
 import java.time.Duration;
 import java.util.List;
-import rsal.scenario.run.RobotView;
-import rsal.scenario.run.RunEvent;
-import rsal.scenario.run.Snapshot;
-import rsal.scenario.run.Teammate;
+import rsal.engine.RobotView;
+import rsal.engine.RunEvent;
+import rsal.engine.Snapshot;
+import rsal.engine.Teammate;
 import rsal.server.CurrentRun.Numbered;
 import rsal.server.Messages.MotorsOff;
 import rsal.server.Messages.Newcomers;

@@ -11,9 +11,9 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import rsal.engine.LiveRun;
 import rsal.recording.Recorder;
 import rsal.scenario.RunPlan;
-import rsal.scenario.run.LiveRun;
 
 /// Runs a scenario, and others beside it, and shows them on this machine's loopback address, and there only.
 /// Whoever can reach the port may look; changing anything takes the token.

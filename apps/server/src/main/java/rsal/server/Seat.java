@@ -4,7 +4,7 @@ import java.time.Duration;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
-import rsal.scenario.run.Answer;
+import rsal.engine.Answer;
 import rsal.server.CurrentRun.Numbered;
 import rsal.server.Messages.Trails;
 

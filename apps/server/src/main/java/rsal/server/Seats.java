@@ -17,9 +17,9 @@ import org.eclipse.jetty.ee10.websocket.server.JettyServerUpgradeRequest;
 import org.eclipse.jetty.ee10.websocket.server.JettyServerUpgradeResponse;
 import org.eclipse.jetty.ee10.websocket.server.JettyWebSocketServerContainer;
 import org.jspecify.annotations.Nullable;
+import rsal.engine.Answer;
+import rsal.engine.LiveRun;
 import rsal.scenario.RunPlan;
-import rsal.scenario.run.Answer;
-import rsal.scenario.run.LiveRun;
 import rsal.time.AllowedToReadWallClock;
 
 /// Runs side by side: the first, at `/`, which is always there, and others, at `/beside/<number>/`. What runs in real

@@ -28,9 +28,9 @@ import rsal.data.Solid;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
 import rsal.device.SimulationControl.Standing;
-import rsal.scenario.run.Answer;
-import rsal.scenario.run.RobotView;
-import rsal.scenario.run.Snapshot;
+import rsal.engine.Answer;
+import rsal.engine.RobotView;
+import rsal.engine.Snapshot;
 
 class FrameEncoderTest {
     private static final Path FIXTURES = Path.of("../web/src/live/fixtures");

@@ -7,9 +7,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import rsal.engine.LiveRun;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
-import rsal.scenario.run.LiveRun;
 
 @Timeout(60)
 class LiveShowingTest {

@@ -108,7 +108,7 @@ class LiveTest {
                         .withLimit(java.time.Duration.ofSeconds(20))
                         .withSpeed(Double.POSITIVE_INFINITY));
         String unwatched;
-        try (var run = rsal.scenario.run.LiveRun.start(plan)) {
+        try (var run = rsal.engine.LiveRun.start(plan)) {
             unwatched = run.result().toCompletableFuture().join().eventHash();
         }
         java.nio.file.Files.writeString(directory.resolve("index.html"), "");

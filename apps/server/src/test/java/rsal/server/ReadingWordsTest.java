@@ -32,8 +32,8 @@ import rsal.data.Rgb;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
 import rsal.device.Planner;
-import rsal.scenario.run.NavigatorState;
-import rsal.scenario.run.Reading;
+import rsal.engine.NavigatorState;
+import rsal.engine.Reading;
 import rsal.server.Messages.ReadingInfo;
 
 class ReadingWordsTest {

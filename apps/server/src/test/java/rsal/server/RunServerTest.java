@@ -35,9 +35,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.OccupancyGrid;
-import rsal.scenario.run.LiveRun;
-import rsal.scenario.run.RunEvent;
-import rsal.scenario.run.Snapshot;
+import rsal.engine.LiveRun;
+import rsal.engine.RunEvent;
+import rsal.engine.Snapshot;
 import rsal.server.RawHttp.Response;
 
 class RunServerTest {

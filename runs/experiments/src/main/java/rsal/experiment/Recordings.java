@@ -3,9 +3,9 @@ package rsal.experiment;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
+import rsal.engine.RunResult;
+import rsal.engine.Witness;
 import rsal.scenario.RunPlan;
-import rsal.scenario.run.RunResult;
-import rsal.scenario.run.Witness;
 
 /// Who records the runs of an experiment, beside their rows.
 @FunctionalInterface

@@ -7,8 +7,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import rsal.engine.RunResult;
 import rsal.scenario.Folders;
-import rsal.scenario.run.RunResult;
 
 /// What came of one run of an experiment. Part of what users build on: names and order stay, more may follow.
 ///

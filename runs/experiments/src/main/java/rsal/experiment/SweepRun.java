@@ -14,11 +14,11 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
+import rsal.engine.LiveRun;
+import rsal.engine.RunBroken;
+import rsal.engine.RunResult;
 import rsal.experiment.Recordings.Recording;
 import rsal.scenario.RunPlan;
-import rsal.scenario.run.LiveRun;
-import rsal.scenario.run.RunBroken;
-import rsal.scenario.run.RunResult;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 

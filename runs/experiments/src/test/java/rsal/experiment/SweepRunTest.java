@@ -23,9 +23,9 @@ import org.junit.jupiter.api.Timeout.ThreadMode;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import rsal.engine.LiveRun;
 import rsal.experiment.example.Endless;
 import rsal.scenario.Scenario;
-import rsal.scenario.run.LiveRun;
 import rsal.settings.InvalidSettings;
 
 class SweepRunTest {

@@ -10,10 +10,10 @@ import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.BooleanSupplier;
 import rsal.agent.bdi.Mind;
-import rsal.scenario.run.RunEvent;
-import rsal.scenario.run.Said;
-import rsal.scenario.run.Snapshot;
-import rsal.scenario.run.Witness;
+import rsal.engine.RunEvent;
+import rsal.engine.Said;
+import rsal.engine.Snapshot;
+import rsal.engine.Witness;
 
 /// What a run has told and nobody has taken yet: told on the run's thread, taken on one other. It is bounded: when
 /// [Behind#DROP] is chosen, the newest states win and others are counted as dropped, and only when 100,000 events and

@@ -10,9 +10,9 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 import rsal.data.Pose2d;
 import rsal.data.Stamped;
-import rsal.scenario.run.AgentView;
-import rsal.scenario.run.RobotView;
-import rsal.scenario.run.Snapshot;
+import rsal.engine.AgentView;
+import rsal.engine.RobotView;
+import rsal.engine.Snapshot;
 
 /// In what two moments differ that should be the same, in words.
 final class Differences {

@@ -28,19 +28,19 @@ import rsal.data.Stamped;
 import rsal.device.Health;
 import rsal.device.SimulationControl.Carried;
 import rsal.device.SimulationControl.Standing;
+import rsal.engine.AgentView;
+import rsal.engine.Answer;
+import rsal.engine.DeviceView;
+import rsal.engine.Link;
+import rsal.engine.Reading;
+import rsal.engine.RobotView;
+import rsal.engine.RunEvent;
+import rsal.engine.Said;
+import rsal.engine.Snapshot;
+import rsal.engine.Teammate;
 import rsal.recording.mcap.ByteSink;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.ProtoWriter;
-import rsal.scenario.run.AgentView;
-import rsal.scenario.run.Answer;
-import rsal.scenario.run.DeviceView;
-import rsal.scenario.run.Link;
-import rsal.scenario.run.Reading;
-import rsal.scenario.run.RobotView;
-import rsal.scenario.run.RunEvent;
-import rsal.scenario.run.Said;
-import rsal.scenario.run.Snapshot;
-import rsal.scenario.run.Teammate;
 
 /// Writes what is seen of a run as messages, each reading once. For one thread.
 public final class Encoder {

@@ -8,10 +8,10 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
 import rsal.data.Pose2d;
+import rsal.engine.RunResult;
 import rsal.recording.mcap.McapWriter;
 import rsal.recording.mcap.Metadata;
 import rsal.scenario.RunPlan;
-import rsal.scenario.run.RunResult;
 
 /// How a recorded run ended, as metadata of its file.
 final class Outcome {

@@ -16,16 +16,16 @@ import java.util.Map;
 import java.util.Optional;
 import rsal.agent.bdi.Mind;
 import rsal.data.Pose2d;
+import rsal.engine.MindChange;
+import rsal.engine.Reading;
+import rsal.engine.RunEvent;
+import rsal.engine.RunResult;
+import rsal.engine.Said;
+import rsal.engine.Snapshot;
 import rsal.recording.mcap.Channel;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.MessageType.Kind;
 import rsal.scenario.RunPlan;
-import rsal.scenario.run.MindChange;
-import rsal.scenario.run.Reading;
-import rsal.scenario.run.RunEvent;
-import rsal.scenario.run.RunResult;
-import rsal.scenario.run.Said;
-import rsal.scenario.run.Snapshot;
 
 /// A recorded run, to be seen as it was at any time. The file is read through once at the beginning; from then on what
 /// was is found from the nearest of some places that are kept, at most [#MOST_KEPT] bytes of them.

@@ -32,9 +32,9 @@ import rsal.data.Rgb;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
 import rsal.device.Planner;
+import rsal.engine.NavigatorState;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.ProtoWriter;
-import rsal.scenario.run.NavigatorState;
 
 /// How what a device tells is written and read again. Names of fields and their meanings are those of the records, and
 /// of scans Foxglove's.

@@ -8,10 +8,10 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
+import rsal.engine.RunResult;
+import rsal.engine.Witness;
 import rsal.recording.Backlog.Entry;
 import rsal.recording.mcap.McapWriter;
-import rsal.scenario.run.RunResult;
-import rsal.scenario.run.Witness;
 
 /// Records a run: what its witness is told on the run's thread is written on one of its own, `recorder`.
 ///

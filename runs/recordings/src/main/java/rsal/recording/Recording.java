@@ -9,12 +9,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import rsal.engine.RunEvent;
 import rsal.recording.mcap.AttachmentEntry;
 import rsal.recording.mcap.McapFile;
 import rsal.recording.proto.ProtoReader;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
-import rsal.scenario.run.RunEvent;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 

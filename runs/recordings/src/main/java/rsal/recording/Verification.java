@@ -9,13 +9,13 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Function;
 import rsal.agent.bdi.Mind;
+import rsal.engine.LiveRun;
+import rsal.engine.RunEvent;
+import rsal.engine.Said;
+import rsal.engine.Snapshot;
+import rsal.engine.Witness;
 import rsal.recording.Recording.Hashed;
 import rsal.scenario.RunPlan;
-import rsal.scenario.run.LiveRun;
-import rsal.scenario.run.RunEvent;
-import rsal.scenario.run.Said;
-import rsal.scenario.run.Snapshot;
-import rsal.scenario.run.Witness;
 import rsal.settings.InvalidSettings;
 
 /// Runs a recorded run again and compares: event by event, and between them hash by hash, which are over all that

@@ -7,10 +7,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import rsal.engine.LiveRun;
+import rsal.engine.RunEvent;
+import rsal.engine.Snapshot;
 import rsal.recording.Backlog.Behind;
-import rsal.scenario.run.LiveRun;
-import rsal.scenario.run.RunEvent;
-import rsal.scenario.run.Snapshot;
 
 @Timeout(60)
 class BacklogTest {

@@ -16,10 +16,10 @@ import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import rsal.data.Pose2d;
+import rsal.engine.Said;
 import rsal.recording.proto.Descriptors;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.ProtoReader;
-import rsal.scenario.run.Said;
 
 class ContentsTest {
     private enum Color {

@@ -17,13 +17,13 @@ import rsal.data.RangeArray;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
 import rsal.device.Health;
-import rsal.scenario.run.DeviceView;
-import rsal.scenario.run.Reading;
-import rsal.scenario.run.RobotView;
-import rsal.scenario.run.RunEvent;
-import rsal.scenario.run.Said;
-import rsal.scenario.run.Snapshot;
-import rsal.scenario.run.Witness;
+import rsal.engine.DeviceView;
+import rsal.engine.Reading;
+import rsal.engine.RobotView;
+import rsal.engine.RunEvent;
+import rsal.engine.Said;
+import rsal.engine.Snapshot;
+import rsal.engine.Witness;
 
 /// Sees of a run that each robot has more devices: a second one of kinds of which one is drawn, one of a kind that
 /// nobody knows, and one that tells no numbers. Each tells something ten times a second.

@@ -41,9 +41,9 @@ import rsal.data.Rgb;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
 import rsal.device.Planner;
+import rsal.engine.NavigatorState;
 import rsal.recording.mcap.ByteSink;
 import rsal.recording.proto.ProtoWriter;
-import rsal.scenario.run.NavigatorState;
 
 class ReadingTypeTest {
     private static final Pose2d POSE = new Pose2d(1.5, -2, 0.25);

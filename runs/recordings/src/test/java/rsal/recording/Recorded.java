@@ -6,12 +6,12 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.concurrent.TimeUnit;
 import java.util.function.UnaryOperator;
+import rsal.engine.LiveRun;
+import rsal.engine.RunResult;
+import rsal.engine.Witness;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
-import rsal.scenario.run.LiveRun;
-import rsal.scenario.run.RunResult;
-import rsal.scenario.run.Witness;
 
 /// Runs with a recording.
 final class Recorded {

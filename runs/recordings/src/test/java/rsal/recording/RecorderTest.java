@@ -19,15 +19,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import rsal.engine.LiveRun;
+import rsal.engine.RunResult;
+import rsal.engine.Snapshot;
 import rsal.recording.Verification.Finding;
 import rsal.recording.mcap.McapFile;
 import rsal.recording.proto.ProtoReader;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
-import rsal.scenario.run.LiveRun;
-import rsal.scenario.run.RunResult;
-import rsal.scenario.run.Snapshot;
 
 class RecorderTest {
     private static final String HUNT = "hunt-and-prey";

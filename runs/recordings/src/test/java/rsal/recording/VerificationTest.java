@@ -6,10 +6,10 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import rsal.engine.RunEvent;
 import rsal.recording.Recording.Hashed;
 import rsal.recording.Verification.Compared;
 import rsal.recording.Verification.Finding;
-import rsal.scenario.run.RunEvent;
 
 /// A run that is not the same is never told to be, whatever comes after its first difference.
 class VerificationTest {

@@ -20,28 +20,29 @@ class ProvidersTest {
 
     @Test
     void findsThemByKey() throws IOException {
-        assertThat(agentsWith("")).containsKeys("follow", "sentry");
+        assertThat(agentsWith("")).containsKeys("follow", "wanderer");
     }
 
     @Test
     void saysWhichClassIsNotThere() {
         assertThatExceptionOfType(InvalidSettings.class)
-                .isThrownBy(() -> agentsWith("own.Sentri"))
-                .withMessageContainingAll("META-INF/services/rsal.agent.AgentType: ", "own.Sentri", "public AgentType");
+                .isThrownBy(() -> agentsWith("own.Wandere"))
+                .withMessageContainingAll(
+                        "META-INF/services/rsal.agent.AgentType: ", "own.Wandere", "public AgentType");
     }
 
     @Test
     void saysWhichClassIsSomethingElse() {
         assertThatExceptionOfType(InvalidSettings.class)
-                .isThrownBy(() -> agentsWith("own.Sentry$Visit"))
-                .withMessageContainingAll("own.Sentry$Visit", "public AgentType");
+                .isThrownBy(() -> agentsWith("rsal.agent.AgentType"))
+                .withMessageContainingAll("rsal.agent.AgentType", "public AgentType");
     }
 
     @Test
     void saysWhichTwoHaveTheSameKey() {
         assertThatExceptionOfType(InvalidSettings.class)
-                .isThrownBy(() -> agentsWith(SecondSentry.class.getName()))
-                .withMessageContainingAll("own.Sentry", "SecondSentry", "both called (sentry)");
+                .isThrownBy(() -> agentsWith(SecondWanderer.class.getName()))
+                .withMessageContainingAll("rsal.testkit.example.Wanderer", "SecondWanderer", "both called (wanderer)");
     }
 
     /// All types of agents, as if one more were installed.

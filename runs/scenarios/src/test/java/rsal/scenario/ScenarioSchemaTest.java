@@ -46,8 +46,7 @@ class ScenarioSchemaTest {
     }
 
     private static <P> Map<String, P> shipped(Map<String, P> providers) {
-        Predicate<P> ofTests = provider ->
-                provider.getClass().getName().matches("(own|rsal\\.scenario\\.example|rsal\\.testkit)\\..*");
+        Predicate<P> ofTests = provider -> provider.getClass().getName().matches("(own|rsal\\.testkit)\\..*");
         var shipped = new TreeMap<>(providers);
         shipped.values().removeIf(ofTests);
         return shipped;

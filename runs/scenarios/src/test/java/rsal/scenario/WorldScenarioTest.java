@@ -9,19 +9,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
-import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rsal.data.OccupancyGrid;
-import rsal.data.Pose2d;
 import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.RunPlan.PlannedDevice;
 import rsal.scenario.RunPlan.PlannedRobot;
-import rsal.scenario.run.LiveRun;
 import rsal.scene.Touch;
 import rsal.settings.InvalidSettings;
 
@@ -285,26 +281,6 @@ class WorldScenarioTest {
         assertThat(devices.get(1).options().number("maxSpeed")).isEqualTo(0.3);
         assertThat(devices.getFirst().seed()).isNotEqualTo(devices.get(1).seed());
         assertThat(plan.robots().get(1).drivers()).isEmpty();
-    }
-
-    @Test
-    @Timeout(60)
-    void aLocalizerBelievesAtFirstWhatItsFileSays() throws IOException {
-        String told = "pf_max_samples 900 init_pose [1.5 0.5 90] init_pose_var [0.01 0.01 1]";
-        RunPlan plan = served(SERVED.replace("pf_max_samples 900", told));
-        Pose2d wrong = Pose2d.ofDegrees(1.5, 0.5, 90);
-        assertThat(plan.robots().getFirst().spec().mapFromBase().orElseThrow().distanceTo(wrong))
-                .isGreaterThan(0.5);
-        try (var run = LiveRun.start(plan)) {
-            Optional<Pose2d> believed = Optional.empty();
-            while (believed.isEmpty()) {
-                believed = run.snapshot().robots().stream()
-                        .flatMap(robot -> robot.estimate().stream())
-                        .map(estimate -> estimate.value().mapFromBase())
-                        .findFirst();
-            }
-            assertThat(believed.get().isNear(wrong, 0.1, 0.1)).isTrue();
-        }
     }
 
     @ParameterizedTest

@@ -61,6 +61,7 @@ public abstract class ArchitectureRules {
     private static final String[] AGENTS = {"rsal.agent..", "rsal.agents.."};
     private static final String NAVIGATION = "rsal.navigation..";
     private static final String SCENARIOS = "rsal.scenario..";
+    private static final String ENGINE = "rsal.engine..";
     private static final String RECORDING = "rsal.recording..";
     private static final String EXPERIMENTS = "rsal.experiment..";
     private static final String SERVER = "rsal.server..";
@@ -78,7 +79,7 @@ public abstract class ArchitectureRules {
         "rsal.scene..",
         "rsal.system.."
     };
-    private static final String[] APPS = {SCENARIOS, RECORDING, EXPERIMENTS, SERVER, CLI};
+    private static final String[] APPS = {SCENARIOS, ENGINE, RECORDING, EXPERIMENTS, SERVER, CLI};
 
     private static final SliceAssignment PACKAGES = new SliceAssignment() {
         @Override
@@ -221,6 +222,16 @@ public abstract class ArchitectureRules {
         check(noClasses()
                 .that()
                 .resideInAPackage(SCENARIOS)
+                .should()
+                .dependOnClassesThat(
+                        within(with(ROBOT_SYSTEMS, NAVIGATION, ENGINE, RECORDING, EXPERIMENTS, SERVER, CLI))));
+    }
+
+    @Test
+    void theEngineDoesNotSeeWhatLooksAtRuns() {
+        check(noClasses()
+                .that()
+                .resideInAPackage(ENGINE)
                 .should()
                 .dependOnClassesThat(within(with(ROBOT_SYSTEMS, NAVIGATION, RECORDING, EXPERIMENTS, SERVER, CLI))));
     }

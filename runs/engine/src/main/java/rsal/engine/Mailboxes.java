@@ -1,0 +1,50 @@
+package rsal.engine;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Map;
+import rsal.agent.Message;
+
+/// What reached each agent lately, for people to read: the newest of each topic, so that poses at 10 Hz do not push out
+/// the one request. Words are made only for those who ask.
+final class Mailboxes {
+    /// How many messages of one topic are kept for an agent.
+    static final int MOST_OF_A_TOPIC = 8;
+
+    /// How many topics are kept for an agent: those heard of last.
+    static final int MOST_TOPICS = 32;
+
+    /// How many agents' are kept: of those that heard something last.
+    private static final int MOST_AGENTS = 20_000;
+
+    private final Instant began;
+    private final Map<String, Newest<Message<?>>> byAgent = Newest.touchedLast(MOST_AGENTS);
+
+    /// @param began when the run did
+    Mailboxes(Instant began) {
+        this.began = began;
+    }
+
+    void heard(Message<?> message, String listener) {
+        byAgent.computeIfAbsent(listener, _ -> new Newest<>(MOST_OF_A_TOPIC, MOST_TOPICS))
+                .add(message.topic().name(), message);
+    }
+
+    /// What reached an agent, oldest first.
+    List<Mail> of(String agent) {
+        Newest<Message<?>> letters = byAgent.get(agent);
+        return letters == null
+                ? List.of()
+                : letters.all().stream().map(this::mail).toList();
+    }
+
+    private Mail mail(Message<?> message) {
+        return new Mail(
+                Duration.between(began, message.time()),
+                message.sender(),
+                message.isForAll(),
+                message.topic().name(),
+                Words.clipped(message));
+    }
+}

@@ -1,0 +1,112 @@
+package rsal.engine;
+
+import java.time.Instant;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Iterator;
+import org.jspecify.annotations.Nullable;
+import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
+import rsal.data.Stamped;
+import rsal.scenario.condition.Measure.Signal;
+
+/// What there is to measure of one robot.
+final class RobotRecord {
+    static final String WORLD = "map"; // the frame of poses in the world
+
+    private static final int HISTORY = 64; // steps that a localizer may be late
+
+    private final String role;
+    private final Deque<Truth> history = new ArrayDeque<>(); // newest first
+    private final Samples poseErrors = new Samples();
+    private final Samples captureDistances = new Samples();
+    private final Samples batteryLevels = new Samples();
+    private final Samples formationErrors = new Samples();
+    private @Nullable Instant compared;
+    private double distance;
+    private boolean seen;
+
+    RobotRecord(String role) {
+        this.role = role;
+    }
+
+    String role() {
+        return role;
+    }
+
+    /// Where it really is now.
+    void moved(Instant now, Pose2d mapFromBase) {
+        if (!history.isEmpty()) {
+            distance += history.getFirst().mapFromBase.distanceTo(mapFromBase);
+        }
+        seen = true;
+        history.addFirst(new Truth(now, mapFromBase));
+        if (history.size() > HISTORY) {
+            history.removeLast();
+        }
+    }
+
+    /// Somebody is going to put it elsewhere: that way does not count.
+    void placed() {
+        history.clear();
+    }
+
+    /// Compares a localizer's reading, unless that is done, with the truth at its time.
+    ///
+    /// @param now since the run's start, as below [s]
+    void compare(Stamped<PoseEstimate> estimate, double now) {
+        if (estimate.time().equals(compared)) {
+            return;
+        }
+        compared = estimate.time();
+        if (!estimate.frame().equals(WORLD)) {
+            return; // nobody knows how its own map lies in the world
+        }
+        for (Iterator<Truth> truths = history.iterator(); truths.hasNext(); ) {
+            Truth truth = truths.next();
+            if (!truth.time.isAfter(estimate.time())) {
+                poseErrors.add(
+                        now, truth.mapFromBase.distanceTo(estimate.value().mapFromBase()));
+                return;
+            }
+        }
+    }
+
+    void caught(double distance, double now) {
+        captureDistances.add(now, distance);
+    }
+
+    /// Share of the battery that is left; NaN when the battery can't tell.
+    void charged(double level, double now) {
+        if (!Double.isNaN(level)) {
+            batteryLevels.add(now, level);
+        }
+    }
+
+    /// It really is so far from its place in a formation [m].
+    void outOfPlace(double distance, double now) {
+        formationErrors.add(now, distance);
+    }
+
+    /// The way it really made [m].
+    double distance() {
+        return distance;
+    }
+
+    /// Whether there is a truth at all.
+    boolean seen() {
+        return seen;
+    }
+
+    Samples samples(Signal signal) {
+        return switch (signal) {
+            case POSE_ERROR -> poseErrors;
+            case CAPTURE_DISTANCE -> captureDistances;
+            case BATTERY_LEVEL -> batteryLevels;
+            case IDLE_TIME -> throw new IllegalArgumentException("Idle times are of places, not of robots.");
+            case FORMATION_ERROR -> formationErrors;
+        };
+    }
+
+    private record Truth(Instant time, Pose2d mapFromBase) {}
+}

@@ -1,0 +1,126 @@
+package rsal.engine;
+
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicLong;
+import rsal.agent.Message;
+
+/// Counts what agents say and hear, by topic. Who heard what is recorded, and part of the event hash, where
+/// communication is limited: else all hear all, and the counts are enough. All calls on the run's thread, but for
+/// [#topics], which any may ask for.
+final class Traffic {
+    /// How many topics are counted each.
+    static final int MOST_TOPICS = 500;
+    /// What the others are together.
+    static final String OTHERS = "…";
+
+    private final Journal journal;
+    private final Observer observer;
+    private final Optional<Hearings> hearings;
+    private final Map<String, Counts> topics = new ConcurrentHashMap<>();
+
+    private static final class Counts {
+        private final AtomicLong said = new AtomicLong();
+        private final AtomicLong heard = new AtomicLong();
+        private final Map<Loss, AtomicLong> lost = new EnumMap<>(Loss.class);
+
+        Counts() {
+            for (Loss why : Loss.values()) {
+                lost.put(why, new AtomicLong());
+            }
+        }
+
+        void said() {
+            addOne(said);
+        }
+
+        void heard() {
+            addOne(heard);
+        }
+
+        void lost(Loss why) {
+            addOne(Objects.requireNonNull(lost.get(why))); // each has one
+        }
+
+        private static void addOne(AtomicLong count) {
+            count.setRelease(count.getPlain() + 1); // nobody else writes
+        }
+
+        TopicTraffic of(String topic) {
+            var happened = new EnumMap<Loss, Long>(Loss.class);
+            lost.forEach((why, count) -> happened.put(why, count.get()));
+            happened.values().removeIf(times -> times == 0);
+            return new TopicTraffic(topic, said.get(), heard.get(), happened);
+        }
+    }
+
+    Traffic(Journal journal, Observer observer, boolean isLimited) {
+        this.journal = journal;
+        this.observer = observer;
+        this.hearings = isLimited ? Optional.of(new Hearings()) : Optional.empty();
+    }
+
+    void said(Message<?> message) {
+        observer.messageSaid(message.topic().name());
+        of(message).said();
+    }
+
+    void heard(Message<?> message, String listener) {
+        observer.messageHeard(message.topic().name());
+        of(message).heard();
+        if (hearings.isPresent()) {
+            String topic = message.topic().name();
+            journal.hash("heard", message.sender(), topic, listener);
+            hearings.get().heard(message.sender(), listener, topic);
+        }
+    }
+
+    void lost(Message<?> message, String listener, Loss why) {
+        journal.hash("lost", message.sender(), message.topic().name(), listener);
+        count(message, listener, why);
+    }
+
+    /// A message does not reach one whose robot is gone. That it is gone has its place in the event hash already.
+    void unheard(Message<?> message, String listener) {
+        count(message, listener, Loss.FAULT);
+    }
+
+    private void count(Message<?> message, String listener, Loss why) {
+        observer.messageLost(message.topic().name());
+        of(message).lost(why);
+        hearings.ifPresent(
+                all -> all.lost(message.sender(), listener, message.topic().name()));
+    }
+
+    private Counts of(Message<?> message) {
+        String topic = message.topic().name();
+        Counts known = topics.get(topic);
+        if (known != null) {
+            return known;
+        }
+        return topics.computeIfAbsent(topics.size() < MOST_TOPICS ? topic : OTHERS, _ -> new Counts());
+    }
+
+    /// What was said so far, by topic.
+    List<TopicTraffic> topics() {
+        var all = new ArrayList<TopicTraffic>();
+        new TreeMap<>(topics).forEach((topic, counts) -> all.add(counts.of(topic)));
+        return all;
+    }
+
+    /// Who heard what so far; nothing where communication is not limited.
+    List<Hearing> hearings() {
+        return hearings.map(Hearings::all).orElse(List.of());
+    }
+
+    /// What one agent heard and what was heard of it so far; nothing where communication is not limited.
+    List<Hearing> hearings(String agent) {
+        return hearings.map(all -> all.of(agent)).orElse(List.of());
+    }
+}

@@ -1,0 +1,36 @@
+package rsal.engine;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import rsal.agent.Turns;
+
+/// Finds out which agent never returns, and so holds up all others on its thread. Counts how often it is seen in one
+/// turn instead of measuring time: while a machine sleeps nobody is late. Of one thread.
+final class Watchdog {
+    private final Turns turns;
+    private final int patience;
+    private Map<String, Sight> seen = Map.of(); // by agent
+
+    private record Sight(long turn, int looks) {}
+
+    /// @param patience in how many looks running an agent may be seen in one turn
+    Watchdog(Turns turns, int patience) {
+        this.turns = turns;
+        this.patience = patience;
+    }
+
+    /// @return the agent that was seen in one turn too often; of several the first by name
+    Optional<String> look() {
+        var now = new HashMap<String, Sight>();
+        turns.underWay().forEach((agent, turn) -> {
+            Sight before = seen.get(agent);
+            now.put(agent, new Sight(turn, before != null && before.turn == turn ? before.looks + 1 : 1));
+        });
+        seen = now;
+        return now.entrySet().stream()
+                .filter(sight -> sight.getValue().looks > patience)
+                .map(Map.Entry::getKey)
+                .min(String::compareTo);
+    }
+}

@@ -1,0 +1,92 @@
+package rsal.engine;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import rsal.data.Point2d;
+import rsal.scenario.RunOptions;
+import rsal.scenario.Scenario;
+
+@Timeout(300)
+class DistributionIT {
+    private static final Scenario DISTRIBUTION = Scenario.load("distribution");
+    private static final int ROBOTS = 6;
+
+    /// @param ends where the robots were at the end, by id
+    private record Dispersal(RunResult result, List<RunEvent> events, Map<String, Point2d> ends) {
+        double measure(String name) {
+            return result.measures().get(name).getAsDouble();
+        }
+
+        List<String> gone() {
+            return events.stream()
+                    .filter(event ->
+                            event.kind().equals("fault") && event.text().startsWith("gone"))
+                    .map(RunEvent::subject)
+                    .toList();
+        }
+    }
+
+    private static Dispersal disperse(String configuration, long seed) {
+        var options =
+                RunOptions.NONE.withConfiguration(configuration).withSeed(seed).withSpeed(Double.POSITIVE_INFINITY);
+        try (var run = LiveRun.start(DISTRIBUTION.plan(options))) {
+            var result = run.result()
+                    .toCompletableFuture()
+                    .orTimeout(120, TimeUnit.SECONDS)
+                    .join();
+            var ends = new HashMap<String, Point2d>();
+            run.snapshot()
+                    .robots()
+                    .forEach(robot ->
+                            ends.put(robot.id(), robot.truth().orElseThrow().position()));
+            return new Dispersal(result, run.events(0), ends);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"virtual", "found"})
+    void allRobotsArriveWithoutACollision(String configuration) {
+        for (long seed = 1; seed <= 3; seed++) {
+            Dispersal dispersal = disperse(configuration, seed);
+            assertThat(dispersal.result.outcome()).as("seed %d", seed).isEqualTo("success");
+            assertThat(dispersal.measure("arrived")).as("seed %d", seed).isEqualTo(ROBOTS);
+            assertThat(dispersal.measure("collisions")).as("seed %d", seed).isZero();
+            assertFarFromEachOther(dispersal, 4);
+        }
+    }
+
+    @Test
+    void theOthersArriveWhenOneStopsOnItsWayAndMessagesAreLost() {
+        for (long seed = 1; seed <= 3; seed++) {
+            Dispersal dispersal = disperse("faulty", seed);
+            assertThat(dispersal.result.outcome()).as("seed %d", seed).isEqualTo("success");
+            assertThat(dispersal.gone()).hasSize(1);
+            assertThat(dispersal.measure("arrived")).as("seed %d", seed).isGreaterThanOrEqualTo(ROBOTS - 1);
+            assertFarFromEachOther(dispersal, 4);
+        }
+    }
+
+    /// Those that are not gone.
+    private static void assertFarFromEachOther(Dispersal dispersal, double least) {
+        var present = new ArrayList<>(dispersal.ends.keySet());
+        present.removeAll(dispersal.gone());
+        for (String one : present) {
+            for (String other : present) {
+                if (!one.equals(other)) {
+                    assertThat(dispersal.ends.get(one).distanceTo(dispersal.ends.get(other)))
+                            .as("%s to %s, seed %d", one, other, dispersal.result.seed())
+                            .isGreaterThan(least);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,246 @@
+package rsal.engine;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.tuple;
+import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.InstanceOfAssertFactories.DURATION;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import rsal.data.Pose2d;
+import rsal.scenario.RunOptions;
+import rsal.scenario.Scenario;
+
+@Timeout(300)
+class HuntAndPreyIT {
+    @TempDir
+    private Path folder;
+
+    private static final Scenario HUNT = Scenario.load("hunt-and-prey");
+
+    private record Hunt(RunResult result, List<RunEvent> events) {}
+
+    private static Hunt hunt(String configuration, long seed) {
+        return hunt(configuration, seed, 1);
+    }
+
+    private static Hunt hunt(String configuration, long seed, int helpers) {
+        var options =
+                RunOptions.NONE.withConfiguration(configuration).withSeed(seed).withSpeed(Double.POSITIVE_INFINITY);
+        try (var run = LiveRun.start(HUNT.plan(options), helpers)) {
+            var result = run.result()
+                    .toCompletableFuture()
+                    .orTimeout(60, TimeUnit.SECONDS)
+                    .join();
+            return new Hunt(result, run.events(0));
+        }
+    }
+
+    @Test
+    void thePreyIsCaughtInNineOfTenHunts() {
+        var caught = new ArrayList<Long>();
+        for (long seed = 1; seed <= 10; seed++) {
+            Hunt hunt = hunt("virtual", seed);
+            if (hunt.result.outcome().equals("success")) {
+                caught.add(seed);
+            }
+            assertThat(hunt.result.measures().get("wallCollisions").getAsDouble())
+                    .as("seed %d", seed)
+                    .isZero();
+            hunt.result.measures().forEach((name, value) -> {
+                if (name.startsWith("localizationError.")) {
+                    assertThat(value.getAsDouble())
+                            .as("%s, seed %d", name, hunt.result.seed())
+                            .isLessThanOrEqualTo(0.30);
+                }
+            });
+        }
+        assertThat(caught).hasSizeGreaterThanOrEqualTo(9);
+    }
+
+    @Test
+    void agentsInAgentSpeakCatchThePreyEachSeedTheSameWay() {
+        for (long seed = 1; seed <= 5; seed++) {
+            Hunt hunt = hunt("jason", seed);
+            assertThat(hunt.result.outcome()).as("seed %d", seed).isEqualTo("success");
+            assertThat(hunt.result.failed()).as("seed %d", seed).isEmpty();
+            assertThat(hunt.result.measures().get("captureDistance").getAsDouble())
+                    .as("seed %d", seed)
+                    .isLessThan(1.7); // prey and hunter mistake where they are
+            assertThat(hunt.result.measures().get("wallCollisions").getAsDouble())
+                    .as("seed %d", seed)
+                    .isZero();
+            assertThat(hunt("jason", seed, 2).result.eventHash())
+                    .as("seed %d again, on more threads", seed)
+                    .isEqualTo(hunt.result.eventHash());
+        }
+    }
+
+    @Test
+    void runsInAgentSpeakDoNotMeetInOneProcess() {
+        var options = RunOptions.NONE.withConfiguration("jason").withSeed(3).withSpeed(Double.POSITIVE_INFINITY);
+        try (var one = LiveRun.start(HUNT.plan(options), 1);
+                var other = LiveRun.start(HUNT.plan(options), 1)) {
+            var first = one.result().toCompletableFuture().orTimeout(60, TimeUnit.SECONDS);
+            var second = other.result().toCompletableFuture().orTimeout(60, TimeUnit.SECONDS);
+            assertThat(first.join().eventHash()).isEqualTo(second.join().eventHash());
+        }
+    }
+
+    @Test
+    void severalHuntersInAgentSpeakDivideThePreyAmongThem() {
+        var options = RunOptions.NONE
+                .withConfiguration("jason")
+                .withSeed(5)
+                .withSpeed(Double.POSITIVE_INFINITY)
+                .withArguments(Map.of("hunters", "5", "prey", "3", "assignment", "nearest"));
+        try (var run = LiveRun.start(HUNT.plan(options), 1)) {
+            var result = run.result()
+                    .toCompletableFuture()
+                    .orTimeout(60, TimeUnit.SECONDS)
+                    .join();
+            assertThat(result.outcome()).isEqualTo("success");
+        }
+    }
+
+    @Test
+    void caughtPreySpinsOnlyAsLongAsItHasRoom() {
+        Hunt hunt = hunt("advanced", 14); // one is caught in front of a wall
+        assertThat(hunt.result.outcome()).isEqualTo("success");
+        assertThat(hunt.events)
+                .filteredOn(event -> event.kind().equals("collision"))
+                .isEmpty();
+    }
+
+    @Test
+    void theSameSeedIsTheSameHuntHoweverManyHelp() {
+        Hunt first = hunt("virtual", 3, 1);
+        Hunt second = hunt("virtual", 3, 4);
+        assertThat(second.events).isEqualTo(first.events);
+        assertThat(second.result.eventHash()).isEqualTo(first.result.eventHash());
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void thePreyOfAHunterThatIsGoneIsSoonAnothers(long seed) {
+        Hunt hunt = hunt("faulty", seed);
+        assertThat(hunt.result.outcome()).isEqualTo("success");
+        List<RunEvent> faults = hunt.events.stream()
+                .filter(event -> event.kind().equals("fault"))
+                .toList();
+        assertThat(faults)
+                .extracting(event -> event.time().toSeconds(), RunEvent::text)
+                .containsExactly(tuple(0L, "lost (20 %)"), tuple(13L, "gone and in the way"));
+        RunEvent gone = faults.getLast();
+        Handover prey = Handover.of(hunt.events, gone, gone.subject().replace("hunter", "follow"));
+        assertThat(prey.job()).matches("hunt prey-\\d");
+        assertThat(prey.taken()).get(DURATION).isLessThanOrEqualTo(Handover.MOST);
+    }
+
+    @Test
+    void theHuntGoesOnWhenRobotsThatOthersKnowAreRemovedAndOthersCome() throws InterruptedException {
+        var options = RunOptions.NONE.withSeed(3).withSpeed(20).withLimit(Duration.ofSeconds(40));
+        try (var run = LiveRun.start(HUNT.plan(options))) {
+            after(run, 5);
+            var added = run.addRobot("hunter-1", new Pose2d(0, -1, 0));
+            assertThat(added.toCompletableFuture().join()).isEqualTo(new Answer.Added("hunter-3"));
+            after(run, 10);
+            var removed = run.remove("hunter-1");
+            assertThat(removed.toCompletableFuture().join()).isEqualTo(new Answer.Done());
+            after(run, 20);
+            var gone = run.remove("prey-1");
+            assertThat(gone.toCompletableFuture().join()).isEqualTo(new Answer.Done());
+            assertThat(Runs.result(run).outcome()).isEqualTo("limit");
+            assertThat(run.events(0)).extracting(RunEvent::kind).doesNotContain("fault", "health");
+            assertThat(run.snapshot().robots()).extracting(RobotView::id).containsExactly("hunter-2", "hunter-3");
+        }
+    }
+
+    private static void after(LiveRun run, int seconds) throws InterruptedException {
+        while (run.snapshot().time().toSeconds() < seconds) {
+            var news = new CountDownLatch(1);
+            try (var _ = run.onSnapshot(news::countDown)) {
+                run.snapshot();
+                news.await();
+            }
+        }
+    }
+
+    @Test
+    void withoutAnyHuntersItEndsWhenTimeIsUp() throws IOException {
+        String scenario = Files.readString(Path.of("src/main/resources/rsal/scenarios/hunt-and-prey/scenario.yaml"))
+                .replace("pick: 1, at: 13, stays: true", "at: 5")
+                .replace("time > 300", "time > 60");
+        Path file = Files.writeString(folder.resolve("hunt.yaml"), scenario);
+        var options = RunOptions.NONE.withConfiguration("faulty").withSeed(4).withSpeed(Double.POSITIVE_INFINITY);
+        RunResult result = Runs.result(Scenario.load(file.toString()).plan(options));
+        assertThat(result.outcome()).isEqualTo("timeout");
+        assertThat(result.simulatedSeconds()).isCloseTo(60, within(0.2));
+    }
+
+    @Test
+    void aBehaviorIsInChargeOfThePreyAndANavigatorOfTheHunters() {
+        var options =
+                RunOptions.NONE.withSeed(3).withSpeed(Double.POSITIVE_INFINITY).withLimit(Duration.ofSeconds(10));
+        try (var run = LiveRun.start(HUNT.plan(options))) {
+            Runs.result(run);
+            assertThat(run.snapshot().robots())
+                    .extracting(RobotView::inCharge)
+                    .satisfiesExactly(
+                            prey -> assertThat(prey).isNotEmpty().isNotEqualTo("navigator"),
+                            hunter -> assertThat(hunter).isEqualTo("navigator"),
+                            hunter -> assertThat(hunter).isEqualTo("navigator"));
+        }
+    }
+
+    @Test
+    void fourHuntersThatBidCatchThreeCleverPrey() {
+        for (long seed = 1; seed <= 3; seed++) {
+            Hunt hunt = hunt("advanced", seed);
+            assertThat(hunt.result.outcome()).as("seed %d", seed).isEqualTo("success");
+            assertThat(hunt.result.measures().get("collisions").getAsDouble())
+                    .as("seed %d", seed)
+                    .isZero();
+            assertThat(hunt.events)
+                    .as("seed %d", seed)
+                    .filteredOn(event -> event.kind().equals("caught"))
+                    .extracting(RunEvent::subject)
+                    .containsExactlyInAnyOrder("escape-1", "escape-2", "escape-3");
+            assertThat(hunt.events)
+                    .as("seed %d", seed)
+                    .extracting(RunEvent::text)
+                    .contains("not be caught: run")
+                    .anyMatch(text -> text.endsWith("accept-proposal: hunt prey-1 as no. 2"));
+        }
+    }
+
+    @Test
+    void preyThatTellNobodyWhereTheyAreAreSeenAndCaught() {
+        for (long seed = 1; seed <= 5; seed++) {
+            Hunt hunt = hunt("unseen", seed);
+            assertThat(hunt.result.outcome()).as("seed %d", seed).isEqualTo("success");
+            assertThat(hunt.result.measures().get("collisions").getAsDouble())
+                    .as("seed %d", seed)
+                    .isZero();
+            assertThat(hunt.result.measures().get("captureDistance").getAsDouble())
+                    .as("seed %d", seed)
+                    .isLessThan(2);
+            assertThat(hunt.events)
+                    .as("seed %d", seed)
+                    .extracting(RunEvent::text)
+                    .anyMatch(text -> text.startsWith("going to look around at"));
+        }
+    }
+}

@@ -1,0 +1,59 @@
+package rsal.engine;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import rsal.scenario.RunOptions;
+import rsal.scenario.Scenario;
+
+/// The same scenarios on JADE as on our own host, to ends that are quick to reach. In real time, so all at once.
+@Timeout(600)
+class JadeIT {
+    @Test
+    void threeScenariosSideBySideReachTheirEnds() {
+        var quickHunt = Map.of("catchDistance", "3.0", "hunters", "3");
+        try (var hunt = start("hunt-and-prey", jade(3).withArguments(quickHunt));
+                var distribution = start("distribution", jade(5).withArguments(Map.of("robots", "3")));
+                var collection = start("find-and-collect", jade(1))) {
+            List<Mail> mail = await(Runs.mail(hunt, "follow-1", "pose"));
+            assertThat(mail).anySatisfy(letter -> assertThat(letter.from()).isNotEqualTo("follow-1"));
+            assertSuccess(hunt);
+            assertSuccess(distribution);
+            assertThat(await(firstDelivery(collection)).subject()).startsWith("can-");
+        }
+    }
+
+    /// Completes when a can lies in its depot; until all four do, three minutes would pass.
+    private static CompletableFuture<RunEvent> firstDelivery(LiveRun run) {
+        var delivery = new CompletableFuture<RunEvent>();
+        run.onEvents(() -> run.events(0).stream()
+                .filter(event -> event.kind().equals("collected"))
+                .findFirst()
+                .ifPresent(delivery::complete));
+        run.result().thenAccept(early -> delivery.completeExceptionally(new AssertionError(early.outcome())));
+        return delivery;
+    }
+
+    private static RunOptions jade(long seed) {
+        return RunOptions.NONE.withConfiguration("jade").withSeed(seed);
+    }
+
+    private static LiveRun start(String scenario, RunOptions options) {
+        return LiveRun.start(Scenario.load(scenario).plan(options));
+    }
+
+    private static void assertSuccess(LiveRun run) {
+        RunResult result = await(run.result().toCompletableFuture());
+        assertThat(result.outcome()).as(result.scenario()).isEqualTo("success");
+        assertThat(result.failed()).as(result.scenario()).isEmpty();
+    }
+
+    private static <T> T await(CompletableFuture<T> future) {
+        return future.orTimeout(300, TimeUnit.SECONDS).join();
+    }
+}

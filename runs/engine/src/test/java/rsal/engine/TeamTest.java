@@ -1,0 +1,49 @@
+package rsal.engine;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import rsal.device.DriveBase;
+import rsal.robot.Robot;
+import rsal.robot.RobotSpec;
+import rsal.scenario.RunPlan.Spares;
+import rsal.testkit.contract.RobotBench;
+import rsal.testkit.fake.FakeSystem;
+import rsal.time.LockstepScheduler;
+
+class TeamTest {
+    private final Team team = new Team();
+
+    private void join(Robot robot) {
+        var controls = new Controls(
+                robot,
+                new Helm(robot.require(DriveBase.class)),
+                Spares.none("There is nothing to make."),
+                (_, _) -> {
+                    throw new AssertionError("Nothing is made.");
+                },
+                new Journal(() -> Duration.ZERO, () -> {}));
+        var spec = new RobotSpec(robot.id(), robot.role(), robot.model(), Optional.empty(), "#808080");
+        team.join(robot, Optional.of(controls), new Teammate(spec, Optional.empty()));
+    }
+
+    @Test
+    void somebodyMayLeaveWhileAllAreTold() {
+        List<Robot> robots = FakeSystem.pioneers(new LockstepScheduler(), RobotBench.WORLD, RobotBench.START)
+                .robots();
+        Robot first = robots.getFirst();
+        join(first);
+        join(new Robot("other", first.role(), first.model(), first.devices()));
+        var told = new ArrayList<Controls>();
+        for (Controls controls : team.controls()) {
+            team.leave("other");
+            told.add(controls);
+        }
+        assertThat(told).hasSize(2);
+        assertThat(team.controls()).hasSize(1);
+    }
+}

@@ -1,0 +1,64 @@
+package rsal.engine;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.file.Path;
+import java.util.concurrent.CompletionException;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import rsal.scenario.RunOptions;
+import rsal.scenario.RunPlan;
+import rsal.testkit.example.Endless;
+
+@Timeout(120)
+class WatchdogTest {
+    private static final int PATIENCE = 2; // s
+
+    @TempDir
+    Path folder;
+
+    @Test
+    void agentThatNeverReturnsIsNamedAndEndsTheRun() throws InterruptedException {
+        endlessAgentIsNamed(RunOptions.NONE);
+    }
+
+    @Test
+    void soIsOneThatHasAThreadOfItsOwn() throws InterruptedException {
+        endlessAgentIsNamed(RunOptions.NONE.inRealTimeOn("jade"));
+    }
+
+    private void endlessAgentIsNamed(RunOptions options) throws InterruptedException {
+        LiveRun run = LiveRun.start(plan("endless", options), 1, System::nanoTime, PATIENCE);
+        try {
+            assertThatThrownBy(() -> run.result().toCompletableFuture().join())
+                    .isInstanceOf(CompletionException.class)
+                    .cause()
+                    .isInstanceOf(RunBroken.class)
+                    .hasMessageContainingAll("Agent (chase) has not returned for 2 s", "Endless");
+        } finally {
+            Endless.RELEASE.release();
+        }
+        while (run.events(0).stream().noneMatch(event -> event.text().equals("ends: broken"))) {
+            Thread.sleep(10); // until it lets go of everything after all
+        }
+    }
+
+    @Test
+    void aRunThatBreaksOnAnAgentsThreadEndsOnItsOwn() {
+        LiveRun run = LiveRun.start(plan("wrecker", RunOptions.NONE.inRealTimeOn("jade")));
+        String thread = run.result()
+                .handle((_, _) -> Thread.currentThread().getName())
+                .toCompletableFuture()
+                .join();
+        assertThat(thread).matches("run-[0-9]+");
+        assertThatThrownBy(() -> Runs.result(run)).hasMessageContaining("out of order");
+    }
+
+    private RunPlan plan(String chaser, RunOptions options) {
+        String text =
+                Runs.TWO_WANDERERS.replace("chase: {type: wanderer, robot: hunter}", "chase: {type: " + chaser + "}");
+        return Runs.plan(folder, text, options);
+    }
+}

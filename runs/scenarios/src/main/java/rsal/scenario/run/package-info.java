@@ -1,5 +1,0 @@
-/// Runs under way: robots, devices and agents put together, driven, watched and measured.
-@NullMarked
-package rsal.scenario.run;
-
-import org.jspecify.annotations.NullMarked;

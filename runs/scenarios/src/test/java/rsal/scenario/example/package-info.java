@@ -1,5 +1,0 @@
-/// Small agents, devices and hosts for scenarios in tests to name.
-@NullMarked
-package rsal.scenario.example;
-
-import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,100 @@
+package rsal.testkit.example;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.function.Consumer;
+import rsal.data.OccupancyGrid;
+import rsal.device.SimulationControl;
+import rsal.device.Subscription;
+import rsal.robot.Robot;
+import rsal.scene.Scene;
+import rsal.settings.Parameter;
+import rsal.system.RobotSystem;
+import rsal.system.RobotSystemProvider;
+import rsal.testkit.fake.FakeProvider;
+import rsal.time.LockstepScheduler;
+import rsal.time.Scheduler;
+
+/// Robots that nobody knows the truth about, as real ones are, in a hall without walls: reality is not as the map
+/// has it, and fakes look at each wall with each beam.
+public class Reality implements RobotSystemProvider {
+    private static final Parameter HOST = Parameter.text("host", "localhost", "Where they are.");
+    private static final Parameter PORT = Parameter.integer("port", 6665, 1, 65535, "", "Where they listen.");
+
+    @Override
+    public String key() {
+        return "reality";
+    }
+
+    @Override
+    public String description() {
+        return "Robots that nobody knows the truth about.";
+    }
+
+    @Override
+    public boolean followsSchedulerTime() {
+        return true;
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        return List.of(HOST, PORT);
+    }
+
+    @Override
+    public RobotSystem create(Config config, Scheduler scheduler) {
+        boolean planning = scheduler instanceof LockstepScheduler; // whoever only checks a plan has his own
+        String host = planning ? "" : config.settings().text("host");
+        if (host.equals("nowhere")) {
+            throw new IllegalStateException("Nobody is there.");
+        }
+        var there = new Config(config.settings(), Scene.of(hall()), config.robots(), config.seed());
+        return new Robots(new FakeProvider().create(there, scheduler), host);
+    }
+
+    private static OccupancyGrid hall() {
+        var cells = new byte[64 * 64];
+        Arrays.fill(cells, OccupancyGrid.FREE);
+        return new OccupancyGrid(64, 64, 1, -32, -32, cells);
+    }
+
+    /// @param host `away` can't be reached, `empty` has no robots, `silent` is never done with looking for them,
+    /// `stuck` can't let go of them, and `watched` knows where they are; all others are fine
+    private record Robots(RobotSystem fakes, String host) implements RobotSystem {
+        @Override
+        public CompletionStage<List<Robot>> discover() {
+            return switch (host) {
+                case "away" -> CompletableFuture.failedFuture(new IllegalStateException("Nobody answers."));
+                case "empty" -> fakes.discover().thenApply(_ -> List.of());
+                case "silent" -> new CompletableFuture<>();
+                default -> fakes.discover();
+            };
+        }
+
+        @Override
+        public Subscription onChange(Consumer<? super Change> listener) {
+            return fakes.onChange(listener);
+        }
+
+        @Override
+        public Optional<SimulationControl> simulation() {
+            return Optional.empty();
+        }
+
+        @Override
+        public Optional<SimulationControl> truth() {
+            return host.equals("watched") ? fakes.simulation() : Optional.empty();
+        }
+
+        @Override
+        public void close() {
+            fakes.close();
+            if (host.equals("stuck")) {
+                throw new IllegalStateException("Nobody lets go.");
+            }
+        }
+    }
+}
