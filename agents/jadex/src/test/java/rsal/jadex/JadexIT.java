@@ -11,8 +11,8 @@ import java.util.concurrent.TimeoutException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import rsal.agent.bdi.Mind.GoalState;
+import rsal.engine.AgentInspection;
 import rsal.engine.Answer;
-import rsal.engine.Inside;
 import rsal.engine.LiveRun;
 import rsal.engine.RunResult;
 import rsal.scenario.RunOptions;
@@ -51,7 +51,7 @@ class JadexIT {
     void huntersThatThinkByJadexCatchThePreyAndShowWhatTheyWant() throws Exception {
         RunOptions options = RunOptions.NONE.withSeed(4).withArguments(Map.of("catchDistance", "3.0", "hunters", "3"));
         try (var hunt = LiveRun.start(Scenario.load(HUNTERS).plan(options))) {
-            Inside hunter = await(untilItWants(hunt, "catch"));
+            AgentInspection hunter = await(untilItWants(hunt, "catch"));
             assertThat(hunter.mail().orElseThrow()).anySatisfy(letter -> {
                 assertThat(letter.topic()).isEqualTo("pose");
                 assertThat(letter.forAll()).isTrue();
@@ -61,10 +61,10 @@ class JadexIT {
     }
 
     /// Completes with what is in a hunter when its mind shows that it is after that.
-    private static CompletableFuture<Inside> untilItWants(LiveRun run, String goal) {
-        var wanted = new CompletableFuture<Inside>();
+    private static CompletableFuture<AgentInspection> untilItWants(LiveRun run, String goal) {
+        var wanted = new CompletableFuture<AgentInspection>();
         run.onEvents(() -> run.inside("follow-1").thenAccept(answer -> {
-            if (answer instanceof Answer.Seen(Inside hunter)
+            if (answer instanceof Answer.Seen(AgentInspection hunter)
                     && hunter.mind().stream()
                             .flatMap(mind -> mind.goals().stream())
                             .anyMatch(shown -> shown.name().equals(goal) && shown.state() == GoalState.PURSUED)) {

@@ -7,7 +7,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Optional;
 import rsal.engine.LiveRun;
-import rsal.engine.Witness;
+import rsal.engine.RunObserver;
 import rsal.foxglove.FoxgloveServer;
 import rsal.recording.Origin;
 import rsal.recording.Recorder;
@@ -54,10 +54,10 @@ final class Onlookers implements AutoCloseable {
 
     synchronized LiveRun start(RunPlan plan) {
         var origin = new Origin(plan, Build.name(), command, Instant.now());
-        var witnesses = new ArrayList<Witness>();
+        var witnesses = new ArrayList<RunObserver>();
         recorder.begin(origin).ifPresent(witnesses::add);
         foxglove.ifPresent(server -> witnesses.add(server.next(origin)));
-        LiveRun run = witnesses.isEmpty() ? LiveRun.start(plan) : LiveRun.start(plan, Witness.all(witnesses));
+        LiveRun run = witnesses.isEmpty() ? LiveRun.start(plan) : LiveRun.start(plan, RunObserver.all(witnesses));
         recorder.began(run);
         foxglove.ifPresent(server -> server.began(run));
         return run;

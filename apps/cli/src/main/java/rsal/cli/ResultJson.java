@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import rsal.engine.Hearing;
+import rsal.engine.Reception;
 import rsal.engine.RunResult;
 import rsal.engine.TopicTraffic;
 import rsal.scenario.RunPlan;
@@ -32,7 +32,7 @@ record ResultJson(
         Map<String, @Nullable Double> measures,
         Map<String, EndPose> endPoses,
         List<Topic> topics,
-        List<Hearing> communication,
+        List<Reception> communication,
         Map<String, String> failed,
         Map<String, List<String>> unhandledGoals,
         Map<String, Object> arguments,

@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import rsal.data.Pose2d;
-import rsal.engine.Hearing;
+import rsal.engine.Reception;
 import rsal.engine.RunResult;
 import rsal.scenario.Counted;
 import rsal.scenario.NumberText;
@@ -56,11 +56,11 @@ record ResultText(RunPlan plan, RunResult result) {
                 .collect(Collectors.joining(", "));
     }
 
-    private static String heard(List<Hearing> all) {
+    private static String heard(List<Reception> all) {
         return "%s heard, %d lost"
                 .formatted(
-                        Counted.of(all.stream().mapToLong(Hearing::heard).sum(), "message"),
-                        all.stream().mapToLong(Hearing::lost).sum());
+                        Counted.of(all.stream().mapToLong(Reception::heard).sum(), "message"),
+                        all.stream().mapToLong(Reception::lost).sum());
     }
 
     private String measured(String name, OptionalDouble value) {

@@ -8,8 +8,8 @@ import java.nio.file.Path;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import rsal.engine.LiveRun;
+import rsal.engine.RunObserver;
 import rsal.engine.RunResult;
-import rsal.engine.Witness;
 import rsal.recording.Backlog;
 import rsal.recording.Origin;
 import rsal.recording.Recorder;
@@ -66,7 +66,7 @@ final class RunRecorder implements AutoCloseable {
     ///
     /// @return whom it is to tell; empty when nothing is to be recorded
     /// @throws InvalidSettings when the file can't be written, or is there and may not be lost
-    synchronized Optional<Witness> begin(Origin origin) {
+    synchronized Optional<RunObserver> begin(Origin origin) {
         if (file.isEmpty() || over) {
             return Optional.empty();
         }

@@ -5,8 +5,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.Optional;
+import rsal.engine.RunObserver;
 import rsal.engine.RunResult;
-import rsal.engine.Witness;
 import rsal.experiment.Recordings;
 import rsal.experiment.Trial;
 import rsal.recording.Backlog;
@@ -31,7 +31,7 @@ record SweepRecordings(Path folder, String command) implements Recordings {
 
     private record Recorded(Recorder recorder) implements Recording {
         @Override
-        public Optional<Witness> witness() {
+        public Optional<RunObserver> witness() {
             return Optional.of(recorder.witness());
         }
 

@@ -33,7 +33,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import rsal.engine.LiveRun;
-import rsal.engine.Witness;
+import rsal.engine.RunObserver;
 import rsal.recording.Backlog;
 import rsal.recording.Backlog.Behind;
 import rsal.recording.Backlog.Entry;
@@ -213,7 +213,7 @@ public final class FoxgloveServer implements AutoCloseable {
     /// The next run.
     ///
     /// @return whom it is to tell
-    public synchronized Witness next(Origin origin) {
+    public synchronized RunObserver next(Origin origin) {
         Showing before = now;
         runs++;
         var backlog = new Backlog(Behind.DROP, () -> !connections.isEmpty());

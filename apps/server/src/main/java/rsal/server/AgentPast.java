@@ -5,11 +5,11 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
-import rsal.engine.Mail;
 import rsal.engine.MindChange;
+import rsal.engine.ReceivedMessage;
 import rsal.engine.RunEvent;
-import rsal.engine.Said;
-import rsal.engine.Spoken;
+import rsal.engine.SentMessage;
+import rsal.engine.SpeechAct;
 
 /// What events of a run tell of an agent's past: what it did, what was said to it by name, and what it talked about.
 /// Whom it reached what is said to all is no event. Of each kind it has the last [#MOST_OF_A_KIND].
@@ -40,17 +40,17 @@ final class AgentPast {
                 .toList());
     }
 
-    List<Mail> mail() {
+    List<ReceivedMessage> mail() {
         return last(said().filter(said -> said.to().equals(agent))
-                .map(said -> new Mail(said.time(), said.from(), false, said.topic(), words(said)))
+                .map(said -> new ReceivedMessage(said.time(), said.from(), false, said.topic(), words(said)))
                 .toList());
     }
 
     /// What was said again, as nobody answered, is not among the events.
-    List<Spoken> talks() {
+    List<SpeechAct> talks() {
         return last(said().filter(said -> !said.conversation().isEmpty()
                         && (said.to().equals(agent) || said.from().equals(agent)))
-                .map(said -> new Spoken(
+                .map(said -> new SpeechAct(
                         said.time(),
                         said.from(),
                         said.to(),
@@ -63,19 +63,19 @@ final class AgentPast {
     }
 
     /// What is said of a conversation begins with its partner and the act, which are told beside it.
-    private static String about(Said said) {
+    private static String about(SentMessage said) {
         String words = words(said);
         return words.startsWith(said.act())
                 ? words.substring(said.act().length()).replaceFirst("^: ", "")
                 : words;
     }
 
-    private static String words(Said said) {
+    private static String words(SentMessage said) {
         String partner = said.to() + ", ";
         return said.words().startsWith(partner) ? said.words().substring(partner.length()) : said.words();
     }
 
-    private Stream<Said> said() {
+    private Stream<SentMessage> said() {
         return happened.stream().flatMap(event -> event.said().stream());
     }
 

@@ -33,7 +33,7 @@ import rsal.data.Pose2d;
 import rsal.engine.Answer;
 import rsal.engine.LiveRun;
 import rsal.engine.Operator;
-import rsal.engine.Prop;
+import rsal.engine.PlacedThing;
 import rsal.engine.Snapshot;
 import rsal.map.RosMap;
 import rsal.scenario.RunPlan;
@@ -171,7 +171,7 @@ final class Api {
         command(routes, "add", request -> {
             Addition wish = read(request, Addition.class);
             Pose2d there = pose(wish.x(), wish.y(), wish.heading());
-            Prop prop = Prop.valueOf(wish.kind().name());
+            PlacedThing prop = PlacedThing.valueOf(wish.kind().name());
             answerWhenDone(request, running(request).add(prop, there));
         });
         command(routes, "add-robot", request -> {

@@ -18,21 +18,21 @@ import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.data.Rgb;
 import rsal.device.Health;
+import rsal.engine.AgentInspection;
 import rsal.engine.AgentView;
 import rsal.engine.Answer;
 import rsal.engine.DeviceView;
-import rsal.engine.Hearing;
-import rsal.engine.Inside;
 import rsal.engine.LiveRun;
-import rsal.engine.Loss;
-import rsal.engine.Mail;
+import rsal.engine.LossReason;
 import rsal.engine.MindChange;
+import rsal.engine.OperatorMessage;
+import rsal.engine.ReceivedMessage;
+import rsal.engine.Reception;
 import rsal.engine.RobotView;
 import rsal.engine.RunEvent;
 import rsal.engine.RunResult;
-import rsal.engine.Said;
-import rsal.engine.Sayable;
 import rsal.engine.SentGoal;
+import rsal.engine.SentMessage;
 import rsal.engine.Snapshot;
 import rsal.engine.Teammate;
 import rsal.engine.TopicTraffic;
@@ -225,7 +225,7 @@ final class Descriptions {
                 FloorPlan.height(scene));
     }
 
-    static Communication communication(List<Hearing> all) {
+    static Communication communication(List<Reception> all) {
         return new Communication(hearings(all));
     }
 
@@ -243,7 +243,7 @@ final class Descriptions {
                 told.ofChosen());
     }
 
-    static Sayables sayable(List<Sayable> all) {
+    static Sayables sayable(List<OperatorMessage> all) {
         return new Sayables(all.stream()
                 .map(one -> new SayableInfo(
                         one.topic(),
@@ -265,19 +265,19 @@ final class Descriptions {
                 topic.topic(),
                 topic.said(),
                 topic.heard(),
-                topic.lost().getOrDefault(Loss.RANGE, 0L),
-                topic.lost().getOrDefault(Loss.CHANCE, 0L),
-                topic.lost().getOrDefault(Loss.BANDWIDTH, 0L),
-                topic.lost().getOrDefault(Loss.FAULT, 0L));
+                topic.lost().getOrDefault(LossReason.RANGE, 0L),
+                topic.lost().getOrDefault(LossReason.CHANCE, 0L),
+                topic.lost().getOrDefault(LossReason.BANDWIDTH, 0L),
+                topic.lost().getOrDefault(LossReason.FAULT, 0L));
     }
 
-    private static List<HearingInfo> hearings(List<Hearing> all) {
+    private static List<HearingInfo> hearings(List<Reception> all) {
         return all.stream()
                 .map(one -> new HearingInfo(one.sender(), one.listener(), one.topic(), one.heard(), one.lost()))
                 .toList();
     }
 
-    static AgentInside inside(Inside agent) {
+    static AgentInside inside(AgentInspection agent) {
         return new AgentInside(
                 agent.name(),
                 agent.planned().map(Descriptions::settings).orElse(List.of()),
@@ -310,7 +310,7 @@ final class Descriptions {
                 change.words());
     }
 
-    private static MailInfo mail(Mail mail) {
+    private static MailInfo mail(ReceivedMessage mail) {
         return new MailInfo(mail.time().toNanos() / 1e9, mail.from(), mail.forAll(), mail.topic(), mail.words());
     }
 
@@ -581,7 +581,7 @@ final class Descriptions {
     }
 
     /// @param topic of which all is told that is kept; maybe none
-    static Routine routine(Map<String, List<Said>> byTopic, String topic) {
+    static Routine routine(Map<String, List<SentMessage>> byTopic, String topic) {
         return new Routine(
                 byTopic.keySet().stream().sorted().toList(),
                 byTopic.getOrDefault(topic, List.of()).stream()
@@ -590,7 +590,7 @@ final class Descriptions {
                         .toList());
     }
 
-    private static SaidInfo said(Said said) {
+    private static SaidInfo said(SentMessage said) {
         return new SaidInfo(said.to(), said.topic(), said.conversation(), said.protocol(), said.act());
     }
 }

@@ -25,7 +25,7 @@ import java.util.function.ToLongFunction;
 import java.util.stream.Stream;
 import rsal.agent.Society;
 import rsal.engine.Histogram;
-import rsal.engine.Loss;
+import rsal.engine.LossReason;
 import rsal.engine.Metrics;
 import rsal.engine.Snapshot;
 import rsal.engine.TopicTraffic;
@@ -195,8 +195,8 @@ final class Exposition {
     }
 
     private static Stream<Sample> lost(TopicTraffic topic) {
-        Map<Loss, Long> lost = topic.lost();
-        return Arrays.stream(Loss.values())
+        Map<LossReason, Long> lost = topic.lost();
+        return Arrays.stream(LossReason.values())
                 .map(why -> Sample.of(lost.getOrDefault(why, 0L), "topic", topic.topic(), "reason", Family.word(why)));
     }
 

@@ -15,9 +15,9 @@ import rsal.agent.Society;
 import rsal.agent.bdi.Mind;
 import rsal.data.OccupancyGrid;
 import rsal.data.Stamped;
+import rsal.engine.AgentInspection;
 import rsal.engine.AgentView;
 import rsal.engine.Answer;
-import rsal.engine.Inside;
 import rsal.engine.LiveRun;
 import rsal.engine.MindChange;
 import rsal.engine.Reading;
@@ -193,7 +193,7 @@ final class Recollection {
     ///
     /// @param now how it is now
     /// @param events of the run, oldest first
-    Inside inside(Inside now, Duration time, List<RunEvent> events) {
+    AgentInspection inside(AgentInspection now, Duration time, List<RunEvent> events) {
         String name = now.name();
         var past = new AgentPast(name, time, events);
         Optional<Society.View> shown;
@@ -214,7 +214,7 @@ final class Recollection {
                 before = view.value();
             }
         }
-        return new Inside(
+        return new AgentInspection(
                 name,
                 now.planned(),
                 shown,

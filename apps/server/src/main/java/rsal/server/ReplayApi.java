@@ -14,12 +14,12 @@ import java.util.stream.Stream;
 import rsal.agent.Society;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
+import rsal.engine.AgentInspection;
 import rsal.engine.AgentView;
 import rsal.engine.Answer;
-import rsal.engine.Inside;
 import rsal.engine.RobotView;
 import rsal.engine.RunEvent;
-import rsal.engine.Said;
+import rsal.engine.SentMessage;
 import rsal.engine.Snapshot;
 import rsal.recording.Playback;
 import rsal.recording.Playback.Whereabouts;
@@ -135,11 +135,11 @@ final class ReplayApi {
     /// What was said shortly before, but for what is among the events.
     private void routine(Context request) throws IOException {
         Duration until = Past.asked(request);
-        Set<Said> known = said(until)
+        Set<SentMessage> known = said(until)
                 .filter(said -> said.time().compareTo(until.minus(Past.SHORTLY)) > 0)
                 .collect(Collectors.toSet());
-        var byTopic = new TreeMap<String, List<Said>>();
-        for (Said said : playback.said(until.minus(Past.SHORTLY), until)) {
+        var byTopic = new TreeMap<String, List<SentMessage>>();
+        for (SentMessage said : playback.said(until.minus(Past.SHORTLY), until)) {
             if (said.conversation().isEmpty() && !known.contains(said)) { // an act that is said again is one event
                 byTopic.computeIfAbsent(said.topic(), _ -> new ArrayList<>()).add(said);
             }
@@ -171,7 +171,7 @@ final class ReplayApi {
         var past = new AgentPast(name, time, playback.events());
         Api.answer(
                 request,
-                Descriptions.inside(new Inside(
+                Descriptions.inside(new AgentInspection(
                         name,
                         planned,
                         shown,
@@ -183,7 +183,7 @@ final class ReplayApi {
                         List.of())));
     }
 
-    private Stream<Said> said(Duration until) {
+    private Stream<SentMessage> said(Duration until) {
         return happened(until).flatMap(event -> event.said().stream());
     }
 

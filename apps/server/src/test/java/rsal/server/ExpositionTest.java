@@ -27,9 +27,9 @@ import org.junit.jupiter.api.io.TempDir;
 import rsal.agent.bdi.Mind;
 import rsal.engine.LiveRun;
 import rsal.engine.RunEvent;
-import rsal.engine.Said;
+import rsal.engine.RunObserver;
+import rsal.engine.SentMessage;
 import rsal.engine.Snapshot;
-import rsal.engine.Witness;
 import rsal.recording.Recorder;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
@@ -198,7 +198,7 @@ class ExpositionTest {
     void doesNotWaitForARunThatIsHeldUp() throws Exception {
         var held = new CountDownLatch(1);
         var free = new CountDownLatch(1);
-        Witness holding = new Onlooker(() -> {
+        RunObserver holding = new Onlooker(() -> {
             held.countDown();
             free.await();
         });
@@ -290,7 +290,7 @@ class ExpositionTest {
     }
 
     /// Holds the run up whenever it is shown how everything stands.
-    private record Onlooker(Held held) implements Witness {
+    private record Onlooker(Held held) implements RunObserver {
         @Override
         public Duration period() {
             return Duration.ofMillis(500);
@@ -312,6 +312,6 @@ class ExpositionTest {
         public void happened(RunEvent event, String hash) {}
 
         @Override
-        public void heard(Said message, Object content) {}
+        public void heard(SentMessage message, Object content) {}
     }
 }

@@ -23,10 +23,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rsal.agent.bdi.Mind;
 import rsal.engine.LiveRun;
 import rsal.engine.RunEvent;
+import rsal.engine.RunObserver;
 import rsal.engine.RunResult;
-import rsal.engine.Said;
+import rsal.engine.SentMessage;
 import rsal.engine.Snapshot;
-import rsal.engine.Witness;
 import rsal.recording.Backlog;
 import rsal.recording.Origin;
 import rsal.recording.Playback;
@@ -209,7 +209,7 @@ class RecordedPastTest {
     }
 
     /// Keeps what it passes on.
-    private record Seen(Witness next, List<Snapshot> snapshots) implements Witness {
+    private record Seen(RunObserver next, List<Snapshot> snapshots) implements RunObserver {
         @Override
         public Duration period() {
             return next.period();
@@ -232,7 +232,7 @@ class RecordedPastTest {
         }
 
         @Override
-        public void heard(Said message, Object content) {
+        public void heard(SentMessage message, Object content) {
             next.heard(message, content);
         }
     }

@@ -55,11 +55,11 @@ final class Agents implements AutoCloseable {
     private final RunPlan plan;
     private final Scheduler scheduler;
     private final Instant begun;
-    private final Journal journal;
-    private final Observer observer;
+    private final EventLog eventLog;
+    private final MetricsObserver observer;
     private final Faults faults;
     private final Team team;
-    private final Whereabouts where;
+    private final RobotPoses where;
     private final Traffic traffic;
     private final Turns turns;
     private final Map<String, PlannedAgent> started = new HashMap<>(); // by name
@@ -69,9 +69,9 @@ final class Agents implements AutoCloseable {
     private final Map<String, List<String>> unhandledGoals = new TreeMap<>(); // by agent
     private final Map<String, Sending> sendings = new HashMap<>(); // where the operator wants robots
     private final Conversations conversations = new Conversations();
-    private final Talks talks;
+    private final ConversationLog talks;
     private final Mailboxes mailboxes;
-    private final Diaries diaries;
+    private final BeliefHistory beliefHistory;
     private final Links links;
     private Optional<Radio> radio = Optional.empty();
     private int byHand;
@@ -81,25 +81,25 @@ final class Agents implements AutoCloseable {
     Agents(
             RunPlan plan,
             Scheduler scheduler,
-            Journal journal,
-            Observer observer,
+            EventLog eventLog,
+            MetricsObserver observer,
             Faults faults,
             Team team,
-            Whereabouts where,
+            RobotPoses where,
             Traffic traffic,
             Turns turns) {
         this.plan = plan;
         this.scheduler = scheduler;
-        this.journal = journal;
+        this.eventLog = eventLog;
         this.observer = observer;
         this.faults = faults;
         this.team = team;
         this.where = where;
         this.traffic = traffic;
         this.begun = scheduler.instant();
-        this.talks = new Talks(scheduler.instant());
+        this.talks = new ConversationLog(scheduler.instant());
         this.mailboxes = new Mailboxes(scheduler.instant());
-        this.diaries = new Diaries(scheduler);
+        this.beliefHistory = new BeliefHistory(scheduler);
         this.links = new Links(scheduler, this::robotOf);
         this.turns = turns;
     }
@@ -119,7 +119,7 @@ final class Agents implements AutoCloseable {
         agents.onMetric(this::measured);
         agents.onUnhandled(this::unhandled);
         radio = plan.communication().map(this::radio);
-        agents.deliverBy(new Post(radio, faults, traffic, mailboxes, links));
+        agents.deliverBy(new MessageRouter(radio, faults, traffic, mailboxes, links));
     }
 
     private Radio radio(Communication limits) {
@@ -186,7 +186,7 @@ final class Agents implements AutoCloseable {
             before.ifPresentOrElse(known -> started.put(known.name(), known), () -> started.remove(agent.name()));
             return new Answer.Refused("Agent (%s) can't be started: %s".formatted(agent.name(), e.getMessage()));
         }
-        journal.event(OPERATOR, agent.name(), how);
+        eventLog.event(OPERATOR, agent.name(), how);
         return done;
     }
 
@@ -195,7 +195,7 @@ final class Agents implements AutoCloseable {
         if (!isRunning(name)) {
             return notRunning(name);
         }
-        journal.event(OPERATOR, name, "stopped");
+        eventLog.event(OPERATOR, name, "stopped");
         society.orElseThrow().stop(name);
         return new Answer.Done();
     }
@@ -205,14 +205,14 @@ final class Agents implements AutoCloseable {
     /// @param to name of an agent; empty for all
     /// @throws IllegalArgumentException with a sentence when that is no message
     Answer say(String to, String topic, Map<String, String> typed) {
-        return to.isEmpty() || isRunning(to) ? say(to, Phrasebook.read(topic, typed)) : notRunning(to);
+        return to.isEmpty() || isRunning(to) ? say(to, OperatorMessages.read(topic, typed)) : notRunning(to);
     }
 
-    private <M> Answer say(String to, Phrasebook.Phrase<M> phrase) {
+    private <M> Answer say(String to, OperatorMessages.Phrase<M> phrase) {
         String words =
                 Words.clipped(new Message<>(phrase.topic(), OPERATOR, to, scheduler.instant(), phrase.message()));
         String said = to.isEmpty() ? "all are told on %s: %s" : "is told on %s: %s";
-        journal.event(OPERATOR, to, said.formatted(phrase.topic().name(), words));
+        eventLog.event(OPERATOR, to, said.formatted(phrase.topic().name(), words));
         if (to.isEmpty()) {
             society.orElseThrow().publish(OPERATOR, phrase.topic(), phrase.message());
         } else {
@@ -262,7 +262,7 @@ final class Agents implements AutoCloseable {
     ///
     /// @param onEnd told how that ended, unless it is sent elsewhere before
     void ask(String robot, Pose2d mapFromGoal, Consumer<GoalReached> onEnd) {
-        journal.event(OPERATOR, robot, "sent to " + Words.of(mapFromGoal));
+        eventLog.event(OPERATOR, robot, "sent to " + Words.of(mapFromGoal));
         boolean again = Optional.ofNullable(sendings.get(robot))
                 .filter(before -> before.mapFromGoal().equals(mapFromGoal))
                 .isPresent();
@@ -276,7 +276,7 @@ final class Agents implements AutoCloseable {
         }
         String words = Words.of(message); // if it can't be made, the one who says it is told, and nothing was said
         traffic.said(message);
-        journal.said(message, words);
+        eventLog.said(message, words);
         lastSaid.put(message.sender(), scheduler.instant());
         var last = lastMessages.computeIfAbsent(message.sender(), _ -> new ArrayDeque<>());
         last.addLast(message.topic().name() + ": " + words);
@@ -285,46 +285,46 @@ final class Agents implements AutoCloseable {
         }
         switch (message.content()) {
             case Hello hello
-            when hello.kind() == Hello.Kind.PING || hello.kind() == Hello.Kind.PONG -> journal.routine(message, words);
+            when hello.kind() == Hello.Kind.PING || hello.kind() == Hello.Kind.PONG -> eventLog.routine(message, words);
             case Ranks ranks -> {
-                journal.routine(message, words);
+                eventLog.routine(message, words);
                 observer.heard(message.sender(), ranks);
             }
-            case PoseReport _, PoseRequest _, ChargerTaken _, Alarm _, MapEnds _ -> journal.routine(message, words);
+            case PoseReport _, PoseRequest _, ChargerTaken _, Alarm _, MapEnds _ -> eventLog.routine(message, words);
             case NewGoal order -> {
-                journal.event("goal", message, words);
+                eventLog.event("goal", message, words);
                 observer.heard(order);
             }
             case GoalReached end -> {
-                journal.event("goal", message, words);
+                eventLog.event("goal", message, words);
                 observer.heard(end);
                 ended(end);
             }
             case Caught caught -> {
-                journal.event("caught", message, words);
+                eventLog.event("caught", message, words);
                 observer.heard(caught, where);
             }
             case Watch watch -> {
-                journal.event("message", message, words);
+                eventLog.event("message", message, words);
                 observer.heard(watch);
             }
             case Visited visited -> {
-                journal.event("message", message, words);
+                eventLog.event("message", message, words);
                 observer.heard(visited, where);
             }
             case VictimFound found -> {
-                journal.event("message", message, words);
+                eventLog.event("message", message, words);
                 observer.heard(found);
             }
             case Act act
             when !isNew(message, act) ->
-                journal.hash(message.sender(), message.topic().name(), words);
+                eventLog.hash(message.sender(), message.topic().name(), words);
             case Act act
             when act.content() instanceof NewGoal order -> {
-                journal.event("goal", message, words);
+                eventLog.event("goal", message, words);
                 observer.heard(order);
             }
-            default -> journal.event("message", message, words);
+            default -> eventLog.event("message", message, words);
         }
     }
 
@@ -342,21 +342,21 @@ final class Agents implements AutoCloseable {
     ///
     /// @param now in real time [ns]
     /// @throws IllegalArgumentException when it can't tell
-    Optional<Inside> inside(String name, long now) {
+    Optional<AgentInspection> inside(String name, long now) {
         PlannedAgent agent = started.get(name);
         if (agent == null) {
             return Optional.empty();
         }
         Optional<Society.View> shown = society.orElseThrow().view(name);
         Optional<Mind.View> mind = society.orElseThrow().look(name, Mind.View.class);
-        diaries.look(name, held(shown, mind), now);
-        return Optional.of(new Inside(
+        beliefHistory.look(name, held(shown, mind), now);
+        return Optional.of(new AgentInspection(
                 name,
                 Optional.of(agent),
                 shown,
                 mind,
                 society.orElseThrow().look(name, Mind.Program.class),
-                diaries.of(name),
+                beliefHistory.of(name),
                 Optional.of(mailboxes.of(name)),
                 talks.of(name),
                 traffic.hearings(name)));
@@ -367,8 +367,8 @@ final class Agents implements AutoCloseable {
         return List.copyOf(started.keySet());
     }
 
-    private static Diaries.Held held(Optional<Society.View> shown, Optional<Mind.View> mind) {
-        return Diaries.Held.of(
+    private static BeliefHistory.Held held(Optional<Society.View> shown, Optional<Mind.View> mind) {
+        return BeliefHistory.Held.of(
                 mind.map(Mind.View::beliefs)
                         .or(() -> shown.map(Society.View::beliefs))
                         .orElse(Map.of()),
@@ -377,7 +377,7 @@ final class Agents implements AutoCloseable {
 
     /// After each step: notes what changed in those that people look into.
     void observe() {
-        society.ifPresent(agents -> diaries.step(name -> {
+        society.ifPresent(agents -> beliefHistory.step(name -> {
             try {
                 return Optional.of(held(agents.view(name), agents.look(name, Mind.View.class)));
             } catch (IllegalArgumentException _) { // whoever asks is told
@@ -426,7 +426,7 @@ final class Agents implements AutoCloseable {
 
     /// @param now in real time [ns]
     void beat(long now) {
-        diaries.beat(now);
+        beliefHistory.beat(now);
         links.beat(now);
     }
 
@@ -469,7 +469,7 @@ final class Agents implements AutoCloseable {
             sending.onEnd().accept(end);
         }
         if (!end.reached() && !end.cancelled()) {
-            journal.event(
+            eventLog.event(
                     "unreached",
                     end.robot(),
                     "can't get to %s: %s".formatted(Words.of(end.mapFromGoal()), end.words()));
@@ -484,8 +484,8 @@ final class Agents implements AutoCloseable {
         };
         String name = view.agent().name();
         if (!closed && !words.equals(lastWords.put(name, words))) {
-            journal.event(view.status() == Society.Status.FAILED ? "fault" : "agent", name, words);
-            diaries.does(name, words);
+            eventLog.event(view.status() == Society.Status.FAILED ? "fault" : "agent", name, words);
+            beliefHistory.does(name, words);
         }
     }
 
@@ -493,14 +493,14 @@ final class Agents implements AutoCloseable {
     private void printed(Society.Print print) {
         if (!closed) {
             lastWords.put(print.agent(), print.line());
-            journal.event("print", print.agent(), print.line());
-            diaries.does(print.agent(), print.line());
+            eventLog.event("print", print.agent(), print.line());
+            beliefHistory.does(print.agent(), print.line());
         }
     }
 
     private void measured(Society.Metric metric) {
         if (!closed) {
-            journal.hash("metric", metric.agent(), metric.name(), Double.toString(metric.value()));
+            eventLog.hash("metric", metric.agent(), metric.name(), Double.toString(metric.value()));
             observer.published(metric.agent(), robot(metric.agent()), metric.name(), metric.value());
         }
     }
@@ -514,7 +514,7 @@ final class Agents implements AutoCloseable {
             all.add(goal.goal());
         }
         String where = goal.where().isEmpty() ? "" : " at " + goal.where();
-        journal.event("fault", goal.agent(), "has no plan for goal '%s'%s".formatted(goal.goal(), where));
+        eventLog.event("fault", goal.agent(), "has no plan for goal '%s'%s".formatted(goal.goal(), where));
     }
 
     /// Goals for which agents had no plan at all, by their names; the first ten of each.

@@ -55,7 +55,7 @@ public sealed interface Answer {
     }
 
     /// @param byTopic what agents say all the time: all topics, with the newest of those that were wanted, oldest first
-    record Repeated(Map<String, List<Said>> byTopic) implements Answer {
+    record Repeated(Map<String, List<SentMessage>> byTopic) implements Answer {
         public Repeated {
             byTopic = Map.copyOf(byTopic);
         }
@@ -72,13 +72,13 @@ public sealed interface Answer {
     }
 
     /// @param communication by sender, listener and topic; nothing where it is not limited
-    record Heard(List<Hearing> communication) implements Answer {
+    record Heard(List<Reception> communication) implements Answer {
         public Heard {
             communication = List.copyOf(communication);
         }
     }
 
-    record Seen(Inside agent) implements Answer {}
+    record Seen(AgentInspection agent) implements Answer {}
 
     /// @param time since the run's start
     /// @param minds what those agents believe and want that show it, by name

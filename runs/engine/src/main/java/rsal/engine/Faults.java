@@ -27,11 +27,11 @@ import rsal.time.Scheduler;
 final class Faults {
     private final RunPlan plan;
     private final Scheduler scheduler;
-    private final Journal journal;
-    private final Observer observer;
+    private final EventLog eventLog;
+    private final MetricsObserver observer;
     private final Breaker breaker;
-    private final Mishaps mishaps;
-    private final Tally gone = new Tally(); // robots
+    private final ChannelFaults channelFaults;
+    private final Counter gone = new Counter(); // robots
     private final Map<String, Runnable> ending = new HashMap<>(); // absences, by robots that have no room yet
     private final Set<String> left = new HashSet<>(); // robots that were taken out of the world
     private final Map<String, Set<String>> agentsOf = new HashMap<>(); // by robots
@@ -45,19 +45,26 @@ final class Faults {
         Subscription begin(OfRobot broken, RandomGenerator random);
     }
 
-    Faults(RunPlan plan, Scheduler scheduler, Journal journal, Observer observer, Traffic traffic, Breaker breaker) {
+    Faults(
+            RunPlan plan,
+            Scheduler scheduler,
+            EventLog eventLog,
+            MetricsObserver observer,
+            Traffic traffic,
+            Breaker breaker) {
         this.plan = plan;
         this.scheduler = scheduler;
-        this.journal = journal;
+        this.eventLog = eventLog;
         this.observer = observer;
         this.breaker = breaker;
-        this.mishaps = new Mishaps((message, listener) -> traffic.lost(message, listener, Loss.FAULT));
+        this.channelFaults =
+                new ChannelFaults((message, listener) -> traffic.lost(message, listener, LossReason.FAULT));
         plan.agents().forEach(agent -> agent.robot().ifPresent(robot -> mans(robot, agent.name())));
     }
 
     /// What becomes of messages.
     Delivery delivery() {
-        return mishaps;
+        return channelFaults;
     }
 
     /// Whether a robot is gone.
@@ -83,12 +90,12 @@ final class Faults {
 
     /// Whether an agent is not heard, as its robot is gone.
     boolean isSilent(String agent) {
-        return mishaps.isSilent(agent);
+        return channelFaults.isSilent(agent);
     }
 
     /// Whether all that an agent says to another is lost now.
     boolean blocks(String sender, String listener) {
-        return mishaps.blocks(sender, listener);
+        return channelFaults.blocks(sender, listener);
     }
 
     /// From now on things go wrong; some maybe at once.
@@ -166,22 +173,22 @@ final class Faults {
     private Subscription begin(Target target, Optional<Duration> length, RandomGenerator random) {
         Optional<String> refusal = target instanceof OfRobot broken ? breaker.refusal(broken) : Optional.empty();
         if (refusal.isPresent()) {
-            journal.event("fault", target.name(), "not %s: %s".formatted(target.words(), refusal.get()));
+            eventLog.event("fault", target.name(), "not %s: %s".formatted(target.words(), refusal.get()));
             return () -> {};
         }
         observer.faultBegan();
-        journal.event(
+        eventLog.event(
                 "fault",
                 target.name(),
                 target.words()
                         + length.map(time -> String.format(Locale.ROOT, " for %.2f s", time.toNanos() / 1e9))
                                 .orElse(""));
-        Runnable over = () -> journal.event("fault", target.name(), "no longer " + target.words());
+        Runnable over = () -> eventLog.event("fault", target.name(), "no longer " + target.words());
         if (target instanceof OfRobot lost && lost.fault() instanceof Fault.Gone) {
             return gone(lost, random, over);
         }
         Subscription begun = switch (target) {
-            case OfMessages messages -> mishaps.begin(messages, random);
+            case OfMessages messages -> channelFaults.begin(messages, random);
             case OfRobot broken -> breaker.begin(broken, random);
         };
         return () -> {
@@ -195,7 +202,7 @@ final class Faults {
         String robot = lost.robot();
         appeared(robot); // what waited for room ends, as it is gone anew
         gone.add(robot);
-        Subscription silence = mishaps.silence(Set.copyOf(agentsOf.getOrDefault(robot, Set.of())));
+        Subscription silence = channelFaults.silence(Set.copyOf(agentsOf.getOrDefault(robot, Set.of())));
         Subscription absence = breaker.begin(lost, random);
         observer.gone(gone.names());
         Runnable end = () -> {

@@ -89,31 +89,31 @@ public final class LiveRun implements AutoCloseable {
     private final Instant began;
     private final long beganNanos = System.nanoTime();
     private final LongSupplier handClock;
-    private final Journal journal;
+    private final EventLog eventLog;
     private final SentGoals goals = new SentGoals(this::elapsed);
-    private final Observer observer;
+    private final MetricsObserver observer;
     private final Traffic traffic;
-    private final Pace pace;
+    private final Pacer pace;
     private final Snapshots snapshots;
     private final Turns turns = new Turns();
-    private final Optional<Witness> witness;
+    private final Optional<RunObserver> witness;
     private volatile @Nullable Thread thread;
     private volatile boolean remembers;
-    private volatile @Nullable LastLook lastLook;
+    private volatile @Nullable FinalState lastLook;
 
     // of the run's thread
-    private @Nullable Stage stage;
+    private @Nullable RunAssembly stage;
     private @Nullable String outcome;
     private boolean over;
     private boolean paused;
     private int stepsWanted;
     private long witnessed; // how often everything was shown
-    private final EachSecond witnessedLinks = new EachSecond(); // apart from those who look when they like
-    private final EachSecond seenLinks = new EachSecond();
+    private final LinkSampler witnessedLinks = new LinkSampler(); // apart from those who look when they like
+    private final LinkSampler seenLinks = new LinkSampler();
     private Duration nextWitnessed = Duration.ZERO;
     private Duration nextMinds = Duration.ZERO;
 
-    private LiveRun(RunPlan plan, String name, int helpers, LongSupplier handClock, Optional<Witness> witness) {
+    private LiveRun(RunPlan plan, String name, int helpers, LongSupplier handClock, Optional<RunObserver> witness) {
         this.plan = plan;
         this.witness = witness;
         this.handClock = handClock;
@@ -124,10 +124,10 @@ public final class LiveRun implements AutoCloseable {
             case WALL -> new WallScheduler(name, this.helpers, this::breaksOnItsThread, phaseTimes);
         };
         this.began = scheduler.instant();
-        this.journal = new Journal(this::elapsed, eventViewers::tell, witness);
-        this.observer = new Observer(plan, journal, scheduler);
-        this.traffic = new Traffic(journal, observer, plan.communication().isPresent());
-        this.pace = new Pace(System::nanoTime, plan.clock() == RunPlan.Clock.WALL ? 1 : plan.speed());
+        this.eventLog = new EventLog(this::elapsed, eventViewers::tell, witness);
+        this.observer = new MetricsObserver(plan, eventLog, scheduler);
+        this.traffic = new Traffic(eventLog, observer, plan.communication().isPresent());
+        this.pace = new Pacer(System::nanoTime, plan.clock() == RunPlan.Clock.WALL ? 1 : plan.speed());
         this.snapshots = new Snapshots(System::nanoTime, sequence -> snapshot(sequence, seenLinks));
     }
 
@@ -137,7 +137,7 @@ public final class LiveRun implements AutoCloseable {
     }
 
     /// Starts a run that somebody sees all of. It goes as it would without.
-    public static LiveRun start(RunPlan plan, Witness witness) {
+    public static LiveRun start(RunPlan plan, RunObserver witness) {
         return start(plan, usualHelpers(), System::nanoTime, AGENTS_MAY_TAKE, Optional.of(witness));
     }
 
@@ -158,7 +158,7 @@ public final class LiveRun implements AutoCloseable {
     }
 
     /// @param witness who sees all of it; it goes as it would without
-    public static LiveRun start(RunPlan plan, int helpers, Optional<Witness> witness) {
+    public static LiveRun start(RunPlan plan, int helpers, Optional<RunObserver> witness) {
         return start(plan, helpers, System::nanoTime, AGENTS_MAY_TAKE, witness);
     }
 
@@ -172,7 +172,7 @@ public final class LiveRun implements AutoCloseable {
     }
 
     private static LiveRun start(
-            RunPlan plan, int helpers, LongSupplier handClock, int patience, Optional<Witness> witness) {
+            RunPlan plan, int helpers, LongSupplier handClock, int patience, Optional<RunObserver> witness) {
         String name = "run-" + RUNS.incrementAndGet();
         var run = new LiveRun(plan, name, helpers, handClock, witness);
         switch (run.scheduler) {
@@ -248,7 +248,7 @@ public final class LiveRun implements AutoCloseable {
     /// Puts something new into the simulated world.
     ///
     /// @return [Answer.Added] when it is there
-    public CompletionStage<Answer> add(Prop prop, Pose2d mapFromThing) {
+    public CompletionStage<Answer> add(PlacedThing prop, Pose2d mapFromThing) {
         return ask(stage -> stage.world().add(prop, mapFromThing));
     }
 
@@ -317,12 +317,12 @@ public final class LiveRun implements AutoCloseable {
 
     /// Who heard what so far, as [Answer.Heard]; afterwards the result tells, too.
     public CompletionStage<Answer> communication() {
-        return askOrRecall(stage -> new Answer.Heard(stage.hearings()), LastLook::communication);
+        return askOrRecall(stage -> new Answer.Heard(stage.hearings()), FinalState::communication);
     }
 
     /// How much was said so far, and what became of it, as [Answer.Counted]; afterwards the result tells, too.
     public CompletionStage<Answer> topics() {
-        return askOrRecall(stage -> new Answer.Counted(stage.topics()), LastLook::topics);
+        return askOrRecall(stage -> new Answer.Counted(stage.topics()), FinalState::topics);
     }
 
     /// What agents say so often that it is no event each time, as where they are: see [Answer.Repeated].
@@ -411,8 +411,8 @@ public final class LiveRun implements AutoCloseable {
     }
 
     /// What people can say: the same in all runs.
-    public static List<Sayable> sayable() {
-        return Phrasebook.ALL;
+    public static List<OperatorMessage> sayable() {
+        return OperatorMessages.ALL;
     }
 
     /// Offers the robots to others, until the run ends, those that come later, too. Who has them over the bridge drives
@@ -495,7 +495,7 @@ public final class LiveRun implements AutoCloseable {
     ///
     /// @param sequence of that event; 0 for all
     public List<RunEvent> events(long sequence) {
-        return journal.after(sequence);
+        return eventLog.after(sequence);
     }
 
     /// What it has counted so far; also when it has ended. Never waits for the run.
@@ -506,7 +506,8 @@ public final class LiveRun implements AutoCloseable {
             phases.put(phase, phaseTimes.of(phase));
             processors.put(phase, phaseTimes.processor(phase));
         }
-        return new Metrics(snapshot().time(), stepTimes.soFar(), phases, processors, traffic.topics(), journal.kinds());
+        return new Metrics(
+                snapshot().time(), stepTimes.soFar(), phases, processors, traffic.topics(), eventLog.kinds());
     }
 
     /// Of the thread that asks [ns]; 0 where the machine doesn't tell.
@@ -524,7 +525,7 @@ public final class LiveRun implements AutoCloseable {
     /// refused when it is over. One that ends for lack of memory remembers nothing.
     public void remember() {
         remembers = true;
-        journal.routine().remember();
+        eventLog.routine().remember();
     }
 
     /// Ends the run, if it has not ended, and waits up to a second until it has.
@@ -604,22 +605,23 @@ public final class LiveRun implements AutoCloseable {
         }
     }
 
-    private CompletionStage<Answer> ask(Function<Stage, Answer> order) {
+    private CompletionStage<Answer> ask(Function<RunAssembly, Answer> order) {
         String operator = Operator.name();
-        CompletionStage<Answer> answer = requests.ask(() -> journal.by(operator, () -> answer(order)));
+        CompletionStage<Answer> answer = requests.ask(() -> eventLog.by(operator, () -> answer(order)));
         wake();
         return answer;
     }
 
     /// @param recalled what is answered once the run has ended, if it remembers that
-    private CompletionStage<Answer> askOrRecall(Function<Stage, Answer> order, Function<LastLook, Answer> recalled) {
+    private CompletionStage<Answer> askOrRecall(
+            Function<RunAssembly, Answer> order, Function<FinalState, Answer> recalled) {
         return ask(order).thenApply(answer -> {
-            LastLook last = lastLook;
+            FinalState last = lastLook;
             return last != null && answer.equals(LATE) ? recalled.apply(last) : answer;
         });
     }
 
-    private Answer answer(Function<Stage, Answer> order) {
+    private Answer answer(Function<RunAssembly, Answer> order) {
         try {
             return order.apply(Objects.requireNonNull(stage));
         } catch (IllegalArgumentException e) {
@@ -643,7 +645,7 @@ public final class LiveRun implements AutoCloseable {
 
     private void begin() {
         thread = Thread.currentThread();
-        var everything = new Stage(plan, scheduler, journal, observer, traffic, turns, goals);
+        var everything = new RunAssembly(plan, scheduler, eventLog, observer, traffic, turns, goals);
         stage = everything;
         witness.ifPresent(_ -> everything.noteLinks(handClock.getAsLong()));
         everything.begin();
@@ -658,7 +660,7 @@ public final class LiveRun implements AutoCloseable {
         });
     }
 
-    private void showIfDue(Witness seen, Stage everything) {
+    private void showIfDue(RunObserver seen, RunAssembly everything) {
         Duration now = elapsed();
         if (now.compareTo(nextMinds) >= 0) {
             nextMinds = now.plus(PERIOD_OF_MINDS);
@@ -670,7 +672,7 @@ public final class LiveRun implements AutoCloseable {
                 nextWitnessed = now.plus(seen.period());
             }
             if (seen.looks()) {
-                seen.sees(snapshot(witnessed++, witnessedLinks), journal.hashSoFar());
+                seen.sees(snapshot(witnessed++, witnessedLinks), eventLog.hashSoFar());
             }
         }
     }
@@ -746,13 +748,13 @@ public final class LiveRun implements AutoCloseable {
                             .collect(Collectors.toCollection(TreeSet::new));
             outcome = failed.isEmpty() || how.equals(TIMEOUT) ? how : FAILURE;
             String why = failed.isEmpty() ? "" : "; failed: " + String.join(", ", failed);
-            journal.event("run", "", "ends: " + outcome + why);
+            eventLog.event("run", "", "ends: " + outcome + why);
         }
     }
 
     private void finish() {
-        witness.filter(Witness::looks)
-                .ifPresent(seen -> seen.sees(snapshot(witnessed++, witnessedLinks), journal.hashSoFar()));
+        witness.filter(RunObserver::looks)
+                .ifPresent(seen -> seen.sees(snapshot(witnessed++, witnessedLinks), eventLog.hashSoFar()));
         snapshots.make();
         RunResult ended = result(String.valueOf(outcome), (System.nanoTime() - beganNanos) / 1e9);
         rememberItsEnd();
@@ -781,7 +783,7 @@ public final class LiveRun implements AutoCloseable {
             dropTasks(); // first of all, as the rest of this needs memory
         }
         var broken = cause instanceof RunBroken known ? known : new RunBroken("The run", cause);
-        journal.event("fault", "", String.valueOf(broken.getMessage()));
+        eventLog.event("fault", "", String.valueOf(broken.getMessage()));
         end("broken");
         List<Runnable> last = isFull // for which a last look would take minutes
                 ? List.of(this::letGo)
@@ -830,7 +832,7 @@ public final class LiveRun implements AutoCloseable {
         goals.close();
         var measures = new LinkedHashMap<String, OptionalDouble>();
         var outOfBounds = new ArrayList<String>();
-        for (Observer.Finding finding : observer.findings()) {
+        for (MetricsObserver.Finding finding : observer.findings()) {
             measures.put(finding.name(), finding.value());
             if (!finding.inBounds()) {
                 outOfBounds.add(finding.name());
@@ -843,7 +845,7 @@ public final class LiveRun implements AutoCloseable {
                 how,
                 observer.time(),
                 wallSeconds,
-                journal.finish(),
+                eventLog.finish(),
                 measures,
                 outOfBounds,
                 stage == null ? Map.of() : stage.poses(),
@@ -854,7 +856,7 @@ public final class LiveRun implements AutoCloseable {
     }
 
     /// @param links that whoever looks was shown before
-    private Snapshot snapshot(long sequence, EachSecond links) {
+    private Snapshot snapshot(long sequence, LinkSampler links) {
         return new Snapshot(
                 sequence,
                 elapsed(),

@@ -19,7 +19,7 @@ final class Mailboxes {
     private static final int MOST_AGENTS = 20_000;
 
     private final Instant began;
-    private final Map<String, Newest<Message<?>>> byAgent = Newest.touchedLast(MOST_AGENTS);
+    private final Map<String, NewestByName<Message<?>>> byAgent = NewestByName.touchedLast(MOST_AGENTS);
 
     /// @param began when the run did
     Mailboxes(Instant began) {
@@ -27,20 +27,20 @@ final class Mailboxes {
     }
 
     void heard(Message<?> message, String listener) {
-        byAgent.computeIfAbsent(listener, _ -> new Newest<>(MOST_OF_A_TOPIC, MOST_TOPICS))
+        byAgent.computeIfAbsent(listener, _ -> new NewestByName<>(MOST_OF_A_TOPIC, MOST_TOPICS))
                 .add(message.topic().name(), message);
     }
 
     /// What reached an agent, oldest first.
-    List<Mail> of(String agent) {
-        Newest<Message<?>> letters = byAgent.get(agent);
+    List<ReceivedMessage> of(String agent) {
+        NewestByName<Message<?>> letters = byAgent.get(agent);
         return letters == null
                 ? List.of()
                 : letters.all().stream().map(this::mail).toList();
     }
 
-    private Mail mail(Message<?> message) {
-        return new Mail(
+    private ReceivedMessage mail(Message<?> message) {
+        return new ReceivedMessage(
                 Duration.between(began, message.time()),
                 message.sender(),
                 message.isForAll(),

@@ -20,9 +20,9 @@ public record MindChange(Duration time, Kind kind, String name, String words) {
     ///
     /// @param time of the later look
     public static List<MindChange> between(Mind.View before, Mind.View after, Duration time) {
-        return Diaries.changes(
-                Diaries.Held.of(before.beliefs(), before.goals()),
-                Diaries.Held.of(after.beliefs(), after.goals()),
+        return BeliefHistory.changes(
+                BeliefHistory.Held.of(before.beliefs(), before.goals()),
+                BeliefHistory.Held.of(after.beliefs(), after.goals()),
                 time);
     }
 }

@@ -30,7 +30,7 @@ final class Overlay {
     private final Supplier<Optional<Stamped<Pose2d>>> mapFromBase;
     private final Supplier<Optional<SimulationControl>> simulation;
     private final Supplier<Set<String>> unseen;
-    private final Journal journal;
+    private final EventLog eventLog;
     private @Nullable Instant known; // when it was where it believed to be last
     private boolean blind;
 
@@ -41,12 +41,12 @@ final class Overlay {
             Supplier<Optional<Stamped<Pose2d>>> mapFromBase,
             Supplier<Optional<SimulationControl>> simulation,
             Supplier<Set<String>> unseen,
-            Journal journal) {
+            EventLog eventLog) {
         this.spec = spec;
         this.mapFromBase = mapFromBase;
         this.simulation = simulation;
         this.unseen = unseen;
-        this.journal = journal;
+        this.eventLog = eventLog;
     }
 
     /// The same robot with sensors that see what is simulated, too.
@@ -92,7 +92,7 @@ final class Overlay {
         boolean old = last.plus(PATIENCE).isBefore(now);
         if (old != blind) {
             blind = old;
-            journal.event(
+            eventLog.event(
                     "overlay",
                     spec.id(),
                     old

@@ -25,12 +25,12 @@ import rsal.time.Scheduler;
 
 /// Stand-ins of real robots in the simulated world: bodies without devices under the robots' own ids, which
 /// simulated robots see and run into. Each stands where its robot's localizer says, or, when it has none, where
-/// its odometry has taken it from its start. It stands there whether there is room or not, for the robot does, and
-/// takes along what its robot has [gripped][Grasp].
-/// All calls on the run's thread.
+/// its odometry has taken it from its start. It stands there whether there is room or not, for the robot does,
+/// and takes along what its robot has [gripped][ProxyGrasp]. All calls on the run's thread.
 ///
-/// Nothing is guessed in between or ahead: what was measured is late by a little at most, while a guess is wrong
-/// by as much as the robot brakes, turns or its localizer jumps, and nobody could tell it from what was measured.
+/// Nothing is guessed in between or ahead: what was measured is late by a little at most, while a guess is
+/// wrong by as much as the robot brakes, turns or its localizer jumps, and nobody could tell it from what was
+/// measured.
 final class Proxies {
     private static final Duration BEAT = Duration.ofMillis(100);
     private static final Duration PATIENCE = Duration.ofSeconds(1);
@@ -38,18 +38,18 @@ final class Proxies {
 
     private final RobotSystems systems;
     private final Team team;
-    private final Whereabouts where;
+    private final RobotPoses where;
     private final Scheduler scheduler;
-    private final Journal journal;
+    private final EventLog eventLog;
     private final Map<String, Proxy> proxies = new LinkedHashMap<>();
     private boolean beating;
 
-    Proxies(RobotSystems systems, Team team, Whereabouts where, Scheduler scheduler, Journal journal) {
+    Proxies(RobotSystems systems, Team team, RobotPoses where, Scheduler scheduler, EventLog eventLog) {
         this.systems = systems;
         this.team = team;
         this.where = where;
         this.scheduler = scheduler;
-        this.journal = journal;
+        this.eventLog = eventLog;
     }
 
     /// A robot of the team is there.
@@ -94,7 +94,7 @@ final class Proxies {
     /// One stand-in.
     private final class Proxy {
         private final RobotSpec spec;
-        private final Grasp grasp;
+        private final ProxyGrasp grasp;
         private @Nullable Stamped<Pose2d> shown;
         private Instant heard = Instant.MIN;
         private String refused = "";
@@ -102,7 +102,7 @@ final class Proxies {
 
         Proxy(RobotSpec spec) {
             this.spec = spec;
-            this.grasp = new Grasp(spec, thing -> names().contains(thing), this::tell);
+            this.grasp = new ProxyGrasp(spec, thing -> names().contains(thing), this::tell);
         }
 
         void beat(SimulationControl world) {
@@ -173,7 +173,7 @@ final class Proxies {
         }
 
         private void tell(String words) {
-            journal.event("proxy", spec.id(), words);
+            eventLog.event("proxy", spec.id(), words);
         }
     }
 }

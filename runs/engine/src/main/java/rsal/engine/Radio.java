@@ -40,7 +40,7 @@ final class Radio implements Delivery {
     private Instant instant = Instant.MIN;
     private @Nullable Message<?> newest;
     private Optional<Duration> turn = Optional.empty(); // how long the newest waits for it
-    private Loss why = Loss.CHANCE;
+    private LossReason why = LossReason.CHANCE;
 
     private record Pair(String one, String other) {
         static Pair of(String one, String other) {
@@ -71,26 +71,26 @@ final class Radio implements Delivery {
         }
         Optional<Duration> waits = turn(message);
         if (waits.isEmpty()) {
-            return lost(Loss.BANDWIDTH);
+            return lost(LossReason.BANDWIDTH);
         }
         if (!isInRange(from, to, message.time())) {
-            return lost(Loss.RANGE);
+            return lost(LossReason.RANGE);
         }
         if (isLost()) {
-            return lost(Loss.CHANCE);
+            return lost(LossReason.CHANCE);
         }
         Span delay = limits.delay();
         Duration late = delay.most().isZero() ? waits.get() : waits.get().plus(delay.draw(random));
         return late.isZero() ? AT_ONCE : List.of(late);
     }
 
-    private List<Duration> lost(Loss cause) {
+    private List<Duration> lost(LossReason cause) {
         why = cause;
         return List.of();
     }
 
     /// Why the message was lost that was lost last.
-    Loss why() {
+    LossReason why() {
         return why;
     }
 

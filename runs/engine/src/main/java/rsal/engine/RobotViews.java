@@ -50,7 +50,7 @@ final class RobotViews {
 
     /// What its devices have told last, where it is now.
     List<Reading> readings(Robot robot) {
-        return readings(robot.id(), devices(robot, team.controls(robot.id())));
+        return readings(robot.id(), devices(robot, team.teleoperation(robot.id())));
     }
 
     private List<Reading> readings(String id, List<Device> devices) {
@@ -66,7 +66,7 @@ final class RobotViews {
     /// What places cost its navigator, or the one that people send it by; empty when it has none that tells.
     Optional<OccupancyGrid> costs(Robot robot) {
         Optional<Navigator> spare =
-                team.controls(robot.id()).flatMap(orders -> orders.outfit().find(Navigator.class));
+                team.teleoperation(robot.id()).flatMap(orders -> orders.outfit().find(Navigator.class));
         return robot.find(Navigator.class)
                 .or(() -> spare)
                 .filter(_ -> !faults.isGone(robot.id()))
@@ -91,10 +91,10 @@ final class RobotViews {
 
     private RobotView view(RobotSpec spec, Robot robot) {
         String id = robot.id();
-        Placements placements = world.placements();
+        Relocations placements = world.placements();
         boolean gone = faults.isGone(id);
         boolean there = !gone && !world.lacks(id);
-        Optional<Controls> told = team.controls(id);
+        Optional<Teleoperation> told = team.teleoperation(id);
         Optional<Localizer> localizer = team.localizer(robot).filter(_ -> there && placements.isBeliefOfHere(id));
         Optional<Navigator> navigator = told.flatMap(orders -> orders.outfit().find(Navigator.class))
                 .filter(spare -> spare.goal().isPresent())
@@ -125,16 +125,16 @@ final class RobotViews {
                         .map(Navigator::localPath)
                         .orElse(Path2d.EMPTY),
                 navigator.flatMap(Navigator::goal),
-                told.map(Controls::incharge)
+                told.map(Teleoperation::incharge)
                         .orElse(Optional.of(robot))
                         .filter(_ -> there)
                         .map(RobotViews::inCharge)
                         .orElse(""),
-                told.map(Controls::behavior).orElse(""),
-                told.map(Controls::driver).orElse(""),
+                told.map(Teleoperation::behavior).orElse(""),
+                told.map(Teleoperation::driver).orElse(""),
                 robot.find(Gripper.class).filter(_ -> there).flatMap(Gripper::latest),
-                told.filter(orders -> orders.helm().isOff()).isPresent(),
-                told.filter(orders -> orders.helm().isSwitchedOff()).isPresent(),
+                told.filter(orders -> orders.arbiter().isOff()).isPresent(),
+                told.filter(orders -> orders.arbiter().isSwitchedOff()).isPresent(),
                 robot.find(Light.class)
                         .filter(_ -> there)
                         .flatMap(Light::latest)
@@ -166,7 +166,7 @@ final class RobotViews {
     }
 
     /// Its own, and those besides that are of another name.
-    private static List<Device> devices(Robot robot, Optional<Controls> told) {
+    private static List<Device> devices(Robot robot, Optional<Teleoperation> told) {
         var all = new LinkedHashMap<String, Device>();
         robot.devices().forEach(device -> all.put(device.info().name(), device));
         told.ifPresent(orders ->

@@ -7,11 +7,13 @@ import java.util.Optional;
 ///
 /// @param sequence from 1, without gaps
 /// @param time since the run's start
-/// @param kind `run`, `agent`, `message`, `goal`, `caught`, `collision`, `operator`, `hand`, `health`
-/// or `fault`
+/// @param kind `run`, `agent`, `message`, `goal`, `caught`, `collision`, `operator`, `hand`, `health` or
+///         `fault`
 /// @param subject name of the robot, agent or device it is about; empty for the run itself
-/// @param said when it is a message of its subject's: to whom, and what about. A [Witness] hears messages by themselves
-public record RunEvent(long sequence, Duration time, String kind, String subject, String text, Optional<Said> said) {
+/// @param said when it is a message of its subject's: to whom, and what about. A [RunObserver] hears messages
+///         by themselves
+public record RunEvent(
+        long sequence, Duration time, String kind, String subject, String text, Optional<SentMessage> said) {
     /// Something that is no message.
     public RunEvent(long sequence, Duration time, String kind, String subject, String text) {
         this(sequence, time, kind, subject, text, Optional.empty());

@@ -37,7 +37,7 @@ public record RunResult(
         Map<String, String> failed,
         Map<String, List<String>> unhandledGoals,
         List<TopicTraffic> topics,
-        List<Hearing> communication) {
+        List<Reception> communication) {
     public RunResult {
         measures = Collections.unmodifiableMap(new LinkedHashMap<>(measures));
         outOfBounds = List.copyOf(outOfBounds);

@@ -34,12 +34,12 @@ final class SimulatedWorld {
     private final boolean hasProxies;
     private final RobotSystems systems;
     private final Scheduler scheduler;
-    private final Journal journal;
-    private final Observer observer;
-    private final Newcomers newcomers;
+    private final EventLog eventLog;
+    private final MetricsObserver observer;
+    private final DynamicRobots dynamicRobots;
     private final Team team;
     private final Faults faults;
-    private final Placements placements = new Placements();
+    private final Relocations placements = new Relocations();
     private final Set<String> props = new HashSet<>(); // things that were added by hand and are there
     private final Set<String> takenOut = new HashSet<>(); // robots, by hand
     private int robotsAdded; // by hand
@@ -48,18 +48,18 @@ final class SimulatedWorld {
             RunPlan plan,
             RobotSystems systems,
             Scheduler scheduler,
-            Journal journal,
-            Observer observer,
-            Newcomers newcomers,
+            EventLog eventLog,
+            MetricsObserver observer,
+            DynamicRobots dynamicRobots,
             Team team,
             Faults faults) {
         this.plan = plan;
         this.hasProxies = plan.robots().stream().anyMatch(RunPlan.PlannedRobot::proxy);
         this.systems = systems;
         this.scheduler = scheduler;
-        this.journal = journal;
+        this.eventLog = eventLog;
         this.observer = observer;
-        this.newcomers = newcomers;
+        this.dynamicRobots = dynamicRobots;
         this.team = team;
         this.faults = faults;
     }
@@ -90,7 +90,7 @@ final class SimulatedWorld {
     }
 
     /// Which robots were put elsewhere in it.
-    Placements placements() {
+    Relocations placements() {
         return placements;
     }
 
@@ -122,7 +122,7 @@ final class SimulatedWorld {
             return new Answer.Refused("Robot (%s) has no localizer that could be told.".formatted(id));
         }
         var _ = localizer.get().relocalize(PoseEstimate.of(mapFromBase, PLACED_BY_HAND));
-        journal.event("operator", id, "told that it is at " + Words.of(mapFromBase));
+        eventLog.event("operator", id, "told that it is at " + Words.of(mapFromBase));
         return new Answer.Done();
     }
 
@@ -154,7 +154,7 @@ final class SimulatedWorld {
         if (overseer.isPresent()) {
             placements.add(id, scheduler.instant(), believed);
         }
-        journal.event("operator", id, "placed at " + Words.of(mapFromBase));
+        eventLog.event("operator", id, "placed at " + Words.of(mapFromBase));
         return new Answer.Done();
     }
 
@@ -174,12 +174,12 @@ final class SimulatedWorld {
         if (placement instanceof Placement.Refused(String why)) {
             return new Answer.Refused(why);
         }
-        journal.event("operator", name, words);
+        eventLog.event("operator", name, words);
         return done;
     }
 
     /// Puts something new into the world.
-    Answer add(Prop prop, Pose2d mapFromThing) {
+    Answer add(PlacedThing prop, Pose2d mapFromThing) {
         Optional<SimulationControl> simulation = systems.simulation();
         if (simulation.isEmpty()) {
             return nothingSimulated();
@@ -214,7 +214,7 @@ final class SimulatedWorld {
             return enough();
         }
         Optional<String> id =
-                newcomers.expect(example, new HashSet<>(simulation.get().entities()));
+                dynamicRobots.expect(example, new HashSet<>(simulation.get().entities()));
         return id.map(free -> added(free, mapFromBase, simulation.get().addRobot(free, example, mapFromBase)))
                 .orElseGet(() -> unknown(example));
     }
@@ -237,7 +237,7 @@ final class SimulatedWorld {
         if (robotsAdded == MOST_ADDED) {
             return enough();
         }
-        RobotSpec wanted = newcomers.expect(
+        RobotSpec wanted = dynamicRobots.expect(
                 known.get(), mapFromBase, new HashSet<>(simulation.get().entities()));
         return added(wanted.id(), mapFromBase, systems.addRobot(wanted));
     }
@@ -252,7 +252,7 @@ final class SimulatedWorld {
         if (answer instanceof Answer.Added) {
             robotsAdded++;
         } else {
-            newcomers.dismiss(robot);
+            dynamicRobots.dismiss(robot);
         }
         return answer;
     }
@@ -272,7 +272,7 @@ final class SimulatedWorld {
             return unknown(entity);
         }
         props.remove(entity);
-        journal.event("operator", entity, "removed");
+        eventLog.event("operator", entity, "removed");
         return new Answer.Done();
     }
 

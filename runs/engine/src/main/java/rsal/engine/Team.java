@@ -11,7 +11,7 @@ import rsal.robot.Robot;
 /// The robots of a run. All calls on the run's thread.
 final class Team {
     private final Map<String, Robot> robots = new LinkedHashMap<>();
-    private final Map<String, Controls> controls = new LinkedHashMap<>();
+    private final Map<String, Teleoperation> teleoperation = new LinkedHashMap<>();
     private final Map<String, Teammate> cameSoFar = new LinkedHashMap<>();
     private Optional<List<Teammate>> mates = Optional.empty(); // made when somebody asks
 
@@ -19,16 +19,16 @@ final class Team {
     ///
     /// @param robot as its agents have it
     /// @param told by what people tell it what to do; empty when it has no drive
-    void join(Robot robot, Optional<Controls> told, Teammate mate) {
+    void join(Robot robot, Optional<Teleoperation> told, Teammate mate) {
         robots.put(robot.id(), robot);
-        told.ifPresent(own -> controls.put(robot.id(), own));
+        told.ifPresent(own -> teleoperation.put(robot.id(), own));
         cameSoFar.put(robot.id(), mate);
         mates = Optional.empty();
     }
 
     void leave(String id) {
         robots.remove(id);
-        controls.remove(id);
+        teleoperation.remove(id);
     }
 
     /// Those that are there, by id, in the order in which they came.
@@ -45,19 +45,20 @@ final class Team {
     }
 
     /// By what people tell a robot what to do; empty when it has no drive or is not there.
-    Optional<Controls> controls(String id) {
-        return Optional.ofNullable(controls.get(id));
+    Optional<Teleoperation> teleoperation(String id) {
+        return Optional.ofNullable(teleoperation.get(id));
     }
 
     /// All there are now; who comes or leaves meanwhile does not change it.
-    List<Controls> controls() {
-        return List.copyOf(controls.values());
+    List<Teleoperation> teleoperation() {
+        return List.copyOf(teleoperation.values());
     }
 
     /// A robot's own, or else one that it was given to do what people told it.
     Optional<Localizer> localizer(Robot robot) {
         return robot.find(Localizer.class)
-                .or(() -> controls(robot.id()).flatMap(told -> told.outfit().find(Localizer.class)));
+                .or(() ->
+                        teleoperation(robot.id()).flatMap(told -> told.outfit().find(Localizer.class)));
     }
 
     /// All that are or were there, in the order in which they came; the same list until it grows.

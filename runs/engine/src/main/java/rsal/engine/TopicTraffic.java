@@ -10,9 +10,9 @@ import java.util.Map;
 /// @param said how many messages
 /// @param heard how often one of them reached an agent that listened
 /// @param lost how often one did not, by why; what never happened is left out
-public record TopicTraffic(String topic, long said, long heard, Map<Loss, Long> lost) {
+public record TopicTraffic(String topic, long said, long heard, Map<LossReason, Long> lost) {
     public TopicTraffic {
-        var copy = new EnumMap<Loss, Long>(Loss.class);
+        var copy = new EnumMap<LossReason, Long>(LossReason.class);
         copy.putAll(lost);
         lost = Collections.unmodifiableMap(copy);
     }
@@ -23,7 +23,7 @@ public record TopicTraffic(String topic, long said, long heard, Map<Loss, Long> 
 
     /// This and what was said about the topic elsewhere.
     TopicTraffic plus(TopicTraffic other) {
-        var all = new EnumMap<Loss, Long>(Loss.class);
+        var all = new EnumMap<LossReason, Long>(LossReason.class);
         all.putAll(lost);
         other.lost.forEach((why, times) -> all.merge(why, times, Long::sum));
         return new TopicTraffic(topic, said + other.said, heard + other.heard, all);

@@ -20,18 +20,18 @@ final class Traffic {
     /// What the others are together.
     static final String OTHERS = "…";
 
-    private final Journal journal;
-    private final Observer observer;
-    private final Optional<Hearings> hearings;
+    private final EventLog eventLog;
+    private final MetricsObserver observer;
+    private final Optional<ReceptionCounts> hearings;
     private final Map<String, Counts> topics = new ConcurrentHashMap<>();
 
     private static final class Counts {
         private final AtomicLong said = new AtomicLong();
         private final AtomicLong heard = new AtomicLong();
-        private final Map<Loss, AtomicLong> lost = new EnumMap<>(Loss.class);
+        private final Map<LossReason, AtomicLong> lost = new EnumMap<>(LossReason.class);
 
         Counts() {
-            for (Loss why : Loss.values()) {
+            for (LossReason why : LossReason.values()) {
                 lost.put(why, new AtomicLong());
             }
         }
@@ -44,7 +44,7 @@ final class Traffic {
             addOne(heard);
         }
 
-        void lost(Loss why) {
+        void lost(LossReason why) {
             addOne(Objects.requireNonNull(lost.get(why))); // each has one
         }
 
@@ -53,17 +53,17 @@ final class Traffic {
         }
 
         TopicTraffic of(String topic) {
-            var happened = new EnumMap<Loss, Long>(Loss.class);
+            var happened = new EnumMap<LossReason, Long>(LossReason.class);
             lost.forEach((why, count) -> happened.put(why, count.get()));
             happened.values().removeIf(times -> times == 0);
             return new TopicTraffic(topic, said.get(), heard.get(), happened);
         }
     }
 
-    Traffic(Journal journal, Observer observer, boolean isLimited) {
-        this.journal = journal;
+    Traffic(EventLog eventLog, MetricsObserver observer, boolean isLimited) {
+        this.eventLog = eventLog;
         this.observer = observer;
-        this.hearings = isLimited ? Optional.of(new Hearings()) : Optional.empty();
+        this.hearings = isLimited ? Optional.of(new ReceptionCounts()) : Optional.empty();
     }
 
     void said(Message<?> message) {
@@ -76,22 +76,22 @@ final class Traffic {
         of(message).heard();
         if (hearings.isPresent()) {
             String topic = message.topic().name();
-            journal.hash("heard", message.sender(), topic, listener);
+            eventLog.hash("heard", message.sender(), topic, listener);
             hearings.get().heard(message.sender(), listener, topic);
         }
     }
 
-    void lost(Message<?> message, String listener, Loss why) {
-        journal.hash("lost", message.sender(), message.topic().name(), listener);
+    void lost(Message<?> message, String listener, LossReason why) {
+        eventLog.hash("lost", message.sender(), message.topic().name(), listener);
         count(message, listener, why);
     }
 
     /// A message does not reach one whose robot is gone. That it is gone has its place in the event hash already.
     void unheard(Message<?> message, String listener) {
-        count(message, listener, Loss.FAULT);
+        count(message, listener, LossReason.FAULT);
     }
 
-    private void count(Message<?> message, String listener, Loss why) {
+    private void count(Message<?> message, String listener, LossReason why) {
         observer.messageLost(message.topic().name());
         of(message).lost(why);
         hearings.ifPresent(
@@ -115,12 +115,12 @@ final class Traffic {
     }
 
     /// Who heard what so far; nothing where communication is not limited.
-    List<Hearing> hearings() {
-        return hearings.map(Hearings::all).orElse(List.of());
+    List<Reception> hearings() {
+        return hearings.map(ReceptionCounts::all).orElse(List.of());
     }
 
     /// What one agent heard and what was heard of it so far; nothing where communication is not limited.
-    List<Hearing> hearings(String agent) {
+    List<Reception> hearings(String agent) {
         return hearings.map(all -> all.of(agent)).orElse(List.of());
     }
 }

@@ -70,7 +70,7 @@ class AgentsByHandTest {
         return asked.toCompletableFuture().get(10, TimeUnit.SECONDS);
     }
 
-    private Inside inside(String agent) throws Exception {
+    private AgentInspection inside(String agent) throws Exception {
         return ((Answer.Seen) answer(run.inside(agent))).agent();
     }
 
@@ -192,7 +192,7 @@ class AgentsByHandTest {
     private List<String> letters(String agent) throws Exception {
         return inside(agent).mail().orElseThrow().stream()
                 .filter(mail -> mail.from().equals("operator"))
-                .map(Mail::words)
+                .map(ReceivedMessage::words)
                 .toList();
     }
 

@@ -163,8 +163,8 @@ class ComingTest {
 
     @Test
     void thingsAreAddedMovedAndRemoved() throws InterruptedException {
-        assertThat(answer(run.add(Prop.BOX, THERE))).isEqualTo(new Answer.Added("box-1"));
-        assertThat(answer(run.add(Prop.BALL, new Pose2d(-7, -1, 0)))).isEqualTo(new Answer.Added("ball-1"));
+        assertThat(answer(run.add(PlacedThing.BOX, THERE))).isEqualTo(new Answer.Added("box-1"));
+        assertThat(answer(run.add(PlacedThing.BALL, new Pose2d(-7, -1, 0)))).isEqualTo(new Answer.Added("ball-1"));
         Snapshot snapshot = await(now -> now.things().size() == 2);
         assertThat(snapshot.things()).extracting(Standing::name).containsExactly("box-1", "ball-1");
         var next = new Pose2d(-10, -1, 1);
@@ -221,17 +221,17 @@ class ComingTest {
 
     @Test
     void saysWhyNot() {
-        refuses(run.add(Prop.BOX, new Pose2d(-1000, 0, 0)), "outside");
-        refuses(run.add(Prop.BOX, new Pose2d(-31.4, -7.7, 0)), "(wall) is in the way");
+        refuses(run.add(PlacedThing.BOX, new Pose2d(-1000, 0, 0)), "outside");
+        refuses(run.add(PlacedThing.BOX, new Pose2d(-31.4, -7.7, 0)), "(wall) is in the way");
         refuses(run.addRobot("nobody", THERE), "There is no (nobody); there are the robots [prey, hunter-1]");
         refuses(run.addRobot("prey", new Pose2d(-31.4, -7.7, 0)), "(wall) is in the way");
         refuses(run.remove("nobody"), "There is no (nobody)");
         refuses(run.place("nobody", THERE), "There is no (nobody)");
         refuses(run.believe("nobody", THERE), "There is no (nobody)");
         refuses(run.believe("prey", new Pose2d(-1000, 0, 0)), "outside");
-        answer(run.add(Prop.BOX, THERE));
+        answer(run.add(PlacedThing.BOX, THERE));
         refuses(run.place("box-1", new Pose2d(-31.4, -7.7, 0)), "(wall) is in the way");
-        refuses(run.add(Prop.BALL, THERE), "(box-1) is in the way");
+        refuses(run.add(PlacedThing.BALL, THERE), "(box-1) is in the way");
         refuses(run.addRobot("prey", THERE), "(box-1) is in the way");
     }
 

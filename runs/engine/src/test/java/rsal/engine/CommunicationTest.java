@@ -91,7 +91,7 @@ class CommunicationTest {
         }
     }
 
-    private static Hearing find(List<Hearing> all, String sender, String listener) {
+    private static Reception find(List<Reception> all, String sender, String listener) {
         return all.stream()
                 .filter(one -> one.sender().equals(sender) && one.listener().equals(listener))
                 .findFirst()
@@ -126,7 +126,7 @@ class CommunicationTest {
     @Test
     void robotsBehindAWallHearEachOtherWhenTheyMeet() throws Exception {
         try (var run = stopped("communication: {range: 9, behindWalls: 3}\n")) {
-            List<Hearing> apart = recorded(run);
+            List<Reception> apart = recorded(run);
             assertThat(find(apart, "amy", "bob").heard()).isZero();
             assertThat(find(apart, "bob", "amy").heard()).isZero();
             assertThat(find(apart, "amy", "bob").lost()).isGreaterThan(80);
@@ -136,7 +136,7 @@ class CommunicationTest {
             run.place("east", new Pose2d(8, 6, 0)).toCompletableFuture().get(10, TimeUnit.SECONDS);
             long lost = find(recorded(run), "amy", "bob").lost();
             run.resume();
-            List<Hearing> together = Runs.result(run).communication();
+            List<Reception> together = Runs.result(run).communication();
             assertThat(find(together, "amy", "bob").heard()).isGreaterThan(150);
             assertThat(find(together, "bob", "amy").heard()).isGreaterThan(150);
             assertThat(find(together, "amy", "bob").lost()).isEqualTo(lost);
@@ -144,7 +144,7 @@ class CommunicationTest {
     }
 
     /// Who has heard what.
-    private static List<Hearing> recorded(LiveRun run) throws Exception {
+    private static List<Reception> recorded(LiveRun run) throws Exception {
         Answer answer = run.communication().toCompletableFuture().get(10, TimeUnit.SECONDS);
         assertThat(answer).isInstanceOf(Answer.Heard.class);
         return ((Answer.Heard) answer).communication();
@@ -224,9 +224,9 @@ class CommunicationTest {
         assertThat(measure(result, "heard") + measure(result, "lost")).isCloseTo(1800, within(10.0));
         double share = 0.8 * 0.5;
         assertThat(measure(result, "heard")).isCloseTo(1800 * share, within(4 * Math.sqrt(1800 * share * (1 - share))));
-        assertThat(result.communication().stream().mapToLong(Hearing::heard).sum())
+        assertThat(result.communication().stream().mapToLong(Reception::heard).sum())
                 .isEqualTo((long) measure(result, "heard"));
-        assertThat(result.communication().stream().mapToLong(Hearing::lost).sum())
+        assertThat(result.communication().stream().mapToLong(Reception::lost).sum())
                 .isEqualTo((long) measure(result, "lost"));
     }
 
@@ -247,10 +247,10 @@ class CommunicationTest {
             TopicTraffic text = topics(run).getFirst();
             assertThat(text.topic()).isEqualTo("text");
             assertThat(text.said()).isGreaterThan(250);
-            assertThat(text.lost().keySet()).containsExactly(Loss.values());
+            assertThat(text.lost().keySet()).containsExactly(LossReason.values());
             assertThat(text.lost().values())
                     .allSatisfy(count -> assertThat(count).isPositive());
-            assertThat(text.lost().get(Loss.RANGE)).isGreaterThan(100);
+            assertThat(text.lost().get(LossReason.RANGE)).isGreaterThan(100);
         }
     }
 
@@ -276,7 +276,7 @@ class CommunicationTest {
             assertThat(recorded(run)).hasSize(6);
             Answer answer = run.inside("amy").toCompletableFuture().get(10, TimeUnit.SECONDS);
             assertThat(answer).isInstanceOf(Answer.Seen.class);
-            Inside amy = ((Answer.Seen) answer).agent();
+            AgentInspection amy = ((Answer.Seen) answer).agent();
             assertThat(amy.mind()).isEmpty();
             assertThat(amy.hearings())
                     .extracting(one -> one.sender() + " to " + one.listener() + (one.lost() > 0 ? ", lost" : ""))
@@ -296,7 +296,7 @@ class CommunicationTest {
                 .extracting(one -> one.sender() + " to " + one.listener() + (one.heard() > 0 ? "" : ", lost"))
                 .containsExactly("base to amy, lost", "base to bob", "bob to amy, lost", "bob to base");
         TopicTraffic text = result.topics().getFirst();
-        assertThat(text.lost()).containsExactly(entry(Loss.FAULT, text.said()));
+        assertThat(text.lost()).containsExactly(entry(LossReason.FAULT, text.said()));
         assertThat(text.heard()).isEqualTo(text.said());
         assertThat((long) measure(result, "lost")).isEqualTo(text.said());
     }

@@ -20,7 +20,7 @@ class JadeIT {
         try (var hunt = start("hunt-and-prey", jade(3).withArguments(quickHunt));
                 var distribution = start("distribution", jade(5).withArguments(Map.of("robots", "3")));
                 var collection = start("find-and-collect", jade(1))) {
-            List<Mail> mail = await(Runs.mail(hunt, "follow-1", "pose"));
+            List<ReceivedMessage> mail = await(Runs.mail(hunt, "follow-1", "pose"));
             assertThat(mail).anySatisfy(letter -> assertThat(letter.from()).isNotEqualTo("follow-1"));
             assertSuccess(hunt);
             assertSuccess(distribution);

@@ -46,7 +46,7 @@ class JasonIT {
                 .withArguments(Map.of("hunters", "2"))
                 .withSpeed(Double.POSITIVE_INFINITY);
         try (var run = LiveRun.start(Scenario.load("hunt-and-prey").plan(options))) {
-            List<Mail> mail = Runs.mail(run, "follow-1", "pose")
+            List<ReceivedMessage> mail = Runs.mail(run, "follow-1", "pose")
                     .orTimeout(120, TimeUnit.SECONDS)
                     .join();
             assertThat(mail).anySatisfy(letter -> assertThat(letter.from()).isNotEqualTo("follow-1"));

@@ -124,7 +124,7 @@ class LinksTest {
 
     @Test
     void areLookedForOnceInASecondAndWhatIsAsBeforeIsTheSame() {
-        var each = new EachSecond();
+        var each = new LinkSampler();
         Answer.Linked first = each.at(Duration.ofSeconds(1), () -> look(BOTH, ""));
         assertThat(each.at(Duration.ofMillis(1999), () -> Answer.Linked.NONE)).isSameAs(first);
         assertThat(each.at(Duration.ofSeconds(2), () -> look(BOTH, ""))).isSameAs(first);

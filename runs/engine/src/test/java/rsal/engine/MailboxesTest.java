@@ -26,8 +26,8 @@ class MailboxesTest {
 
         assertThat(mailboxes.of("bob"))
                 .containsExactly(
-                        new Mail(Duration.ofMillis(20), "ann", true, "pose", "late"),
-                        new Mail(Duration.ofMillis(10), "ann", false, "ask", "later"));
+                        new ReceivedMessage(Duration.ofMillis(20), "ann", true, "pose", "late"),
+                        new ReceivedMessage(Duration.ofMillis(10), "ann", false, "ask", "later"));
         assertThat(mailboxes.of("nobody")).isEmpty();
     }
 
@@ -40,8 +40,8 @@ class MailboxesTest {
 
         assertThat(mailboxes.of("bob"))
                 .hasSize(1 + Mailboxes.MOST_OF_A_TOPIC)
-                .startsWith(new Mail(Duration.ZERO, "ann", false, "ask", "once"))
-                .endsWith(new Mail(Duration.ofSeconds(1), "ann", true, "pose", "pose 1000"));
+                .startsWith(new ReceivedMessage(Duration.ZERO, "ann", false, "ask", "once"))
+                .endsWith(new ReceivedMessage(Duration.ofSeconds(1), "ann", true, "pose", "pose 1000"));
     }
 
     @Test
@@ -51,7 +51,7 @@ class MailboxesTest {
             hear("bob", "pose", "", i, "");
         }
 
-        assertThat(mailboxes.of("bob").stream().map(Mail::topic).distinct())
+        assertThat(mailboxes.of("bob").stream().map(ReceivedMessage::topic).distinct())
                 .hasSize(Mailboxes.MOST_TOPICS)
                 .contains("pose", "topic " + (10 * Mailboxes.MOST_TOPICS - 1))
                 .doesNotContain("topic 0");

@@ -18,7 +18,7 @@ class MetricsTest {
                 Map.of(Phase.WORLD, Duration.ofMillis(1), Phase.THINK, Duration.ofMillis(5)),
                 Map.of(Phase.OBSERVE, Duration.ofMillis(10)),
                 List.of(
-                        new TopicTraffic("hello", 3, 2, Map.of(Loss.CHANCE, 1L)),
+                        new TopicTraffic("hello", 3, 2, Map.of(LossReason.CHANCE, 1L)),
                         new TopicTraffic("pose", 7, 7, Map.of())),
                 Map.of("agent", 4L));
         var other = new Metrics(
@@ -28,7 +28,7 @@ class MetricsTest {
                 Map.of(Phase.OBSERVE, Duration.ofMillis(20), Phase.DEVICES, Duration.ofMillis(40)),
                 List.of(
                         new TopicTraffic("alarm", 1, 1, Map.of()),
-                        new TopicTraffic("hello", 10, 1, Map.of(Loss.CHANCE, 4L, Loss.RANGE, 5L))),
+                        new TopicTraffic("hello", 10, 1, Map.of(LossReason.CHANCE, 4L, LossReason.RANGE, 5L))),
                 Map.of("agent", 1L, "fault", 1L));
         Metrics both = one.plus(other);
         assertThat(both.time()).isEqualTo(Duration.ofSeconds(11));
@@ -58,7 +58,7 @@ class MetricsTest {
         assertThat(both.topics())
                 .containsExactly(
                         new TopicTraffic("alarm", 1, 1, Map.of()),
-                        new TopicTraffic("hello", 13, 3, Map.of(Loss.CHANCE, 5L, Loss.RANGE, 5L)),
+                        new TopicTraffic("hello", 13, 3, Map.of(LossReason.CHANCE, 5L, LossReason.RANGE, 5L)),
                         new TopicTraffic("pose", 7, 7, Map.of()));
         assertThat(both.events()).isEqualTo(Map.of("agent", 5L, "fault", 1L));
         assertThat(Metrics.NONE.plus(one)).isEqualTo(one);

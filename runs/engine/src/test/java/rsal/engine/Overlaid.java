@@ -42,7 +42,7 @@ final class Overlaid implements RobotSystemProvider {
 
     @Override
     public RobotSystem create(Config config, Scheduler scheduler) {
-        var journal = new Journal(() -> Duration.ZERO, () -> {});
+        var eventLog = new EventLog(() -> Duration.ZERO, () -> {});
         RobotSystem fakes = new FakeProvider().create(config, scheduler);
         return new RobotSystem() {
             @Override
@@ -54,7 +54,8 @@ final class Overlaid implements RobotSystemProvider {
             private Robot over(Robot robot) {
                 var spec = new RobotSpec(robot.id(), robot.role(), robot.model(), Optional.empty(), "#808080");
                 Set<String> itself = Set.of(robot.id());
-                return new Overlay(spec, () -> truth(robot.id()), fakes::simulation, () -> itself, journal).over(robot);
+                return new Overlay(spec, () -> truth(robot.id()), fakes::simulation, () -> itself, eventLog)
+                        .over(robot);
             }
 
             private Optional<Stamped<Pose2d>> truth(String robot) {

@@ -44,16 +44,16 @@ class OverlaidRunTest {
     private final LockstepScheduler time = new LockstepScheduler(Instant.EPOCH, Runnable::run);
     private Pose2d end = START;
 
-    private Stage stage(String scenario) {
+    private RunAssembly stage(String scenario) {
         RunPlan plan = Runs.plan(folder, scenario, RunOptions.NONE);
-        var journal = new Journal(() -> Duration.between(Instant.EPOCH, time.instant()), () -> {});
-        var observer = new Observer(plan, journal, time);
-        var stage = new Stage(
+        var eventLog = new EventLog(() -> Duration.between(Instant.EPOCH, time.instant()), () -> {});
+        var observer = new MetricsObserver(plan, eventLog, time);
+        var stage = new RunAssembly(
                 plan,
                 time,
-                journal,
+                eventLog,
                 observer,
-                new Traffic(journal, observer, false),
+                new Traffic(eventLog, observer, false),
                 new Turns(),
                 new SentGoals(() -> Duration.ZERO));
         stage.begin();
@@ -61,14 +61,14 @@ class OverlaidRunTest {
         return stage;
     }
 
-    private static RobotView view(Stage stage) {
+    private static RobotView view(RunAssembly stage) {
         return stage.robotViews().getFirst();
     }
 
     /// Lets the robot drive.
     ///
     /// @return how near to the middle of the box it came [m]
-    private double nearest(Stage stage, int seconds) {
+    private double nearest(RunAssembly stage, int seconds) {
         double nearest = Double.POSITIVE_INFINITY;
         for (int i = 0; i < seconds * 10; i++) {
             time.advance(Duration.ofMillis(100));
@@ -79,14 +79,14 @@ class OverlaidRunTest {
     }
 
     /// Of the box, and of the circle around the robot.
-    private static double radii(Stage stage) {
+    private static double radii(RunAssembly stage) {
         return 0.25 + stage.team().getFirst().spec().model().footprint().circumscribedRadius();
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"laser: urg04lx", "sonar: front8"})
     void goesAroundItAsIfItWereReal(String sensor) {
-        try (Stage stage = stage(SCENARIO.replace("laser: urg04lx", sensor))) {
+        try (RunAssembly stage = stage(SCENARIO.replace("laser: urg04lx", sensor))) {
             assertThat(stage.orders().goTo("real", GOAL, 0)).isEqualTo(new Answer.Sent(1));
             assertThat(nearest(stage, 40)).isBetween(radii(stage), 1.5);
             assertThat(end.distanceTo(GOAL)).isLessThan(0.5);
@@ -96,7 +96,7 @@ class OverlaidRunTest {
     @ParameterizedTest
     @ValueSource(strings = {"laser: urg04lx", "sonar: front8"})
     void behaviorsAvoidItToo(String sensor) {
-        try (Stage stage = stage(SCENARIO.replace("laser: urg04lx", sensor))) {
+        try (RunAssembly stage = stage(SCENARIO.replace("laser: urg04lx", sensor))) {
             assertThat(stage.orders().behave("real", "wander", 0)).isEqualTo(new Answer.Done());
             assertThat(nearest(stage, 15)).isBetween(radii(stage), 1.5);
         }
@@ -104,7 +104,7 @@ class OverlaidRunTest {
 
     @Test
     void drivesThroughItWithoutSeeingIt() {
-        try (Stage stage = stage(SCENARIO.replace("    overlay: true\n", ""))) {
+        try (RunAssembly stage = stage(SCENARIO.replace("    overlay: true\n", ""))) {
             stage.orders().goTo("real", GOAL, 0);
             assertThat(nearest(stage, 40)).isLessThan(0.1);
             assertThat(end.distanceTo(GOAL)).isLessThan(0.5);

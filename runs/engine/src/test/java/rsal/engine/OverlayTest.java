@@ -52,7 +52,7 @@ class OverlayTest {
     private static final float NOTHING = Float.POSITIVE_INFINITY;
 
     private final LockstepScheduler time = new LockstepScheduler(Instant.EPOCH, Runnable::run);
-    private final Journal journal = new Journal(() -> Duration.between(Instant.EPOCH, time.instant()), () -> {});
+    private final EventLog eventLog = new EventLog(() -> Duration.between(Instant.EPOCH, time.instant()), () -> {});
     private final FakeSystem world = FakeSystem.pioneers(time, HALL, SIMULATED);
     private final Beam laser = new Beam();
     private final Ring sonars = new Ring();
@@ -100,7 +100,7 @@ class OverlayTest {
         real = new Robot("real", "rover", like.model(), List.of(laser, sonars));
         var spec = new RobotSpec("real", "rover", like.model(), Optional.of(HERE), "#808080");
         var overlay = new Overlay(
-                spec, () -> Optional.ofNullable(believed), world::simulation, () -> Set.of("stand-in"), journal);
+                spec, () -> Optional.ofNullable(believed), world::simulation, () -> Set.of("stand-in"), eventLog);
         overlaid = overlay.over(real);
         believe(HERE);
     }
@@ -145,7 +145,7 @@ class OverlayTest {
     }
 
     private List<String> told() {
-        return journal.after(0).stream().map(RunEvent::toString).toList();
+        return eventLog.after(0).stream().map(RunEvent::toString).toList();
     }
 
     @Test

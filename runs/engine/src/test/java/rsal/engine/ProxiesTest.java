@@ -61,7 +61,7 @@ class ProxiesTest {
 
     private final LockstepScheduler time = new LockstepScheduler(Instant.EPOCH, Runnable::run);
     private final Team team = new Team();
-    private Journal journal;
+    private EventLog eventLog;
     private RunPlan plan;
     private RobotSystems systems;
     private Proxies proxies;
@@ -130,8 +130,8 @@ class ProxiesTest {
     void begin() {
         plan = Runs.plan(folder, SCENARIO, RunOptions.NONE);
         systems = new RobotSystems(plan, time);
-        journal = new Journal(() -> Duration.between(Instant.EPOCH, time.instant()), () -> {});
-        proxies = new Proxies(systems, team, new Whereabouts(systems, team), time, journal);
+        eventLog = new EventLog(() -> Duration.between(Instant.EPOCH, time.instant()), () -> {});
+        proxies = new Proxies(systems, team, new RobotPoses(systems, team), time, eventLog);
         localizer = new Oracle();
         CompletionStage<List<Robot>> search = systems.discover();
         seconds(0.1);
@@ -167,7 +167,7 @@ class ProxiesTest {
 
     /// What the stand-in had people told.
     private List<String> told() {
-        return journal.after(0).stream()
+        return eventLog.after(0).stream()
                 .filter(event -> event.kind().equals("proxy") && event.subject().equals("real"))
                 .map(RunEvent::text)
                 .toList();

@@ -66,7 +66,7 @@ class RadioTalkTest {
     private final Society society = new Society(
             scheduler, new PlainHostProvider().create(Arguments.defaults(List.of()), scheduler), Optional.empty());
     private final Map<String, Point2d> places = new HashMap<>(); // of robots, which are called like their agents
-    private final Map<Loss, Integer> lost = new EnumMap<>(Loss.class);
+    private final Map<LossReason, Integer> lost = new EnumMap<>(LossReason.class);
 
     private void radio(int seed) {
         var limits =
@@ -168,7 +168,7 @@ class RadioTalkTest {
     /// not heard on the way.
     @Test
     void aTeamDoesAllOfItsJobs() {
-        var all = new EnumMap<Loss, Integer>(Loss.class);
+        var all = new EnumMap<LossReason, Integer>(LossReason.class);
         int taken = 0;
         for (int seed = 1; seed <= SEEDS; seed++) {
             var test = new RadioTalkTest();
@@ -177,7 +177,7 @@ class RadioTalkTest {
         }
         assertThat(all)
                 .as("what kept messages from being heard")
-                .containsOnlyKeys(Loss.RANGE, Loss.CHANCE, Loss.BANDWIDTH);
+                .containsOnlyKeys(LossReason.RANGE, LossReason.CHANCE, LossReason.BANDWIDTH);
         assertThat(taken).as("jobs that were given to another").isPositive();
     }
 

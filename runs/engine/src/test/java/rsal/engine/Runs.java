@@ -83,10 +83,10 @@ final class Runs {
     }
 
     /// Completes with what is in an agent's mailbox when something of that topic is.
-    static CompletableFuture<List<Mail>> mail(LiveRun run, String agent, String topic) {
-        var heard = new CompletableFuture<List<Mail>>();
+    static CompletableFuture<List<ReceivedMessage>> mail(LiveRun run, String agent, String topic) {
+        var heard = new CompletableFuture<List<ReceivedMessage>>();
         run.onEvents(() -> run.inside(agent).thenAccept(answer -> {
-            if (answer instanceof Answer.Seen(Inside inside)) {
+            if (answer instanceof Answer.Seen(AgentInspection inside)) {
                 inside.mail()
                         .filter(mail ->
                                 mail.stream().anyMatch(letter -> letter.topic().equals(topic)))

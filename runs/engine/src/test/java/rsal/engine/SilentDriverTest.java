@@ -23,14 +23,14 @@ class SilentDriverTest implements CommandTimeoutContract {
     private final LockstepScheduler scheduler = new LockstepScheduler();
     private final FakeSystem system = FakeSystem.pioneers(scheduler, RobotBench.WORLD, RobotBench.START);
     private final Robot robot = system.robots().getFirst();
-    private final Controls controls = new Controls(
+    private final Teleoperation teleoperation = new Teleoperation(
             robot,
-            new Helm(robot.require(DriveBase.class)),
+            new CommandArbiter(robot.require(DriveBase.class)),
             new Spares(new Spare(List.of(), "none"), new Spare(List.of(), "none")),
             (_, _) -> {
                 throw new AssertionError("Nothing is asked for that has to be made.");
             },
-            new Journal(scheduler::elapsed, () -> {}));
+            new EventLog(scheduler::elapsed, () -> {}));
     private long clock; // on the wall [ns]
 
     @BeforeEach
@@ -40,7 +40,7 @@ class SilentDriverTest implements CommandTimeoutContract {
 
     @Override
     public void command() {
-        assertThat(controls.drive("me", Twist2d.drive(0, 0.3), clock)).isEqualTo(new Answer.Done());
+        assertThat(teleoperation.drive("me", Twist2d.drive(0, 0.3), clock)).isEqualTo(new Answer.Done());
         advanceRobot(Duration.ofSeconds(1));
     }
 
@@ -53,7 +53,7 @@ class SilentDriverTest implements CommandTimeoutContract {
     @Override
     public void advanceRobot(Duration time) {
         for (long step = 0; step < time.dividedBy(STEP); step++) {
-            controls.beat(clock);
+            teleoperation.beat(clock);
             scheduler.advance(STEP);
         }
     }

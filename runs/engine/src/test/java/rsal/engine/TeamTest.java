@@ -19,16 +19,16 @@ class TeamTest {
     private final Team team = new Team();
 
     private void join(Robot robot) {
-        var controls = new Controls(
+        var teleoperation = new Teleoperation(
                 robot,
-                new Helm(robot.require(DriveBase.class)),
+                new CommandArbiter(robot.require(DriveBase.class)),
                 Spares.none("There is nothing to make."),
                 (_, _) -> {
                     throw new AssertionError("Nothing is made.");
                 },
-                new Journal(() -> Duration.ZERO, () -> {}));
+                new EventLog(() -> Duration.ZERO, () -> {}));
         var spec = new RobotSpec(robot.id(), robot.role(), robot.model(), Optional.empty(), "#808080");
-        team.join(robot, Optional.of(controls), new Teammate(spec, Optional.empty()));
+        team.join(robot, Optional.of(teleoperation), new Teammate(spec, Optional.empty()));
     }
 
     @Test
@@ -38,12 +38,12 @@ class TeamTest {
         Robot first = robots.getFirst();
         join(first);
         join(new Robot("other", first.role(), first.model(), first.devices()));
-        var told = new ArrayList<Controls>();
-        for (Controls controls : team.controls()) {
+        var told = new ArrayList<Teleoperation>();
+        for (Teleoperation teleoperation : team.teleoperation()) {
             team.leave("other");
-            told.add(controls);
+            told.add(teleoperation);
         }
         assertThat(told).hasSize(2);
-        assertThat(team.controls()).hasSize(1);
+        assertThat(team.teleoperation()).hasSize(1);
     }
 }

@@ -3,8 +3,8 @@ package rsal.experiment;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
+import rsal.engine.RunObserver;
 import rsal.engine.RunResult;
-import rsal.engine.Witness;
 import rsal.scenario.RunPlan;
 
 /// Who records the runs of an experiment, beside their rows.
@@ -13,7 +13,7 @@ public interface Recordings {
     /// Nobody does.
     Recordings NONE = (_, _) -> new Recording() {
         @Override
-        public Optional<Witness> witness() {
+        public Optional<RunObserver> witness() {
             return Optional.empty();
         }
 
@@ -40,7 +40,7 @@ public interface Recordings {
     /// One run's.
     interface Recording extends AutoCloseable {
         /// Whom the run is to tell.
-        Optional<Witness> witness();
+        Optional<RunObserver> witness();
 
         /// To be called before [#close], for how it ended to be recorded.
         void ended(RunResult how);

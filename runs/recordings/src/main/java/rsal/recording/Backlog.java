@@ -11,15 +11,15 @@ import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.BooleanSupplier;
 import rsal.agent.bdi.Mind;
 import rsal.engine.RunEvent;
-import rsal.engine.Said;
+import rsal.engine.RunObserver;
+import rsal.engine.SentMessage;
 import rsal.engine.Snapshot;
-import rsal.engine.Witness;
 
 /// What a run has told and nobody has taken yet: told on the run's thread, taken on one other. It is bounded: when
 /// [Behind#DROP] is chosen, the newest states win and others are counted as dropped, and only when 100,000 events and
 /// messages wait does the run, too, as those are never dropped. When [Behind#WAIT] is, the run waits for whoever takes,
 /// and what is taken depends on nothing but the run.
-public final class Backlog implements Witness {
+public final class Backlog implements RunObserver {
     /// How often a run tells how everything stands.
     static final Duration PERIOD = Duration.ofMillis(100);
 
@@ -80,7 +80,7 @@ public final class Backlog implements Witness {
         }
     }
 
-    private record Heard(Said said, Object content) implements Entry {
+    private record Heard(SentMessage said, Object content) implements Entry {
         @Override
         public void write(Encoder encoder) throws IOException {
             encoder.said(said, content);
@@ -165,7 +165,7 @@ public final class Backlog implements Witness {
     }
 
     @Override
-    public void heard(Said message, Object content) {
+    public void heard(SentMessage message, Object content) {
         tell(new Heard(message, content));
     }
 

@@ -35,7 +35,7 @@ import rsal.engine.Link;
 import rsal.engine.Reading;
 import rsal.engine.RobotView;
 import rsal.engine.RunEvent;
-import rsal.engine.Said;
+import rsal.engine.SentMessage;
 import rsal.engine.Snapshot;
 import rsal.engine.Teammate;
 import rsal.recording.mcap.ByteSink;
@@ -123,7 +123,7 @@ public final class Encoder {
     }
 
     /// @param content what was said; its fields are written besides, when it is a record
-    public void said(Said said, Object content) throws IOException {
+    public void said(SentMessage said, Object content) throws IOException {
         long time = time(said.time());
         out.clear();
         timestamp(1, time);
@@ -141,7 +141,7 @@ public final class Encoder {
         }
     }
 
-    private void content(Said said, Contents.Content kind, Object content, long time) throws IOException {
+    private void content(SentMessage said, Contents.Content kind, Object content, long time) throws IOException {
         out.clear();
         timestamp(1, time);
         try {

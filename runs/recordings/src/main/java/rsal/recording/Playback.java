@@ -20,7 +20,7 @@ import rsal.engine.MindChange;
 import rsal.engine.Reading;
 import rsal.engine.RunEvent;
 import rsal.engine.RunResult;
-import rsal.engine.Said;
+import rsal.engine.SentMessage;
 import rsal.engine.Snapshot;
 import rsal.recording.mcap.Channel;
 import rsal.recording.proto.MessageType;
@@ -149,13 +149,13 @@ public final class Playback implements Closeable {
         Duration time = sinceStart(logTime);
         String subject = clip(fields.text("subject"));
         String text = clip(fields.text("text"));
-        Optional<Said> said = fields.within("said").map(about -> said(time, subject, about, text));
+        Optional<SentMessage> said = fields.within("said").map(about -> said(time, subject, about, text));
         events.add(new RunEvent(events.size() + 1L, time, clip(fields.text("kind")), subject, text, said));
     }
 
     /// @param about to whom it is said, and what kind of message it is
-    private static Said said(Duration time, String from, Fields about, String words) {
-        return new Said(
+    private static SentMessage said(Duration time, String from, Fields about, String words) {
+        return new SentMessage(
                 time,
                 from,
                 about.text("to"),
@@ -263,8 +263,8 @@ public final class Playback implements Closeable {
     /// All that agents said within some time, oldest first.
     ///
     /// @param from which does not belong to it
-    public synchronized List<Said> said(Duration from, Duration until) throws IOException {
-        var all = new ArrayList<Said>();
+    public synchronized List<SentMessage> said(Duration from, Duration until) throws IOException {
+        var all = new ArrayList<SentMessage>();
         recording
                 .file()
                 .read(

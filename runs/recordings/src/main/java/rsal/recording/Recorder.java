@@ -8,8 +8,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
+import rsal.engine.RunObserver;
 import rsal.engine.RunResult;
-import rsal.engine.Witness;
 import rsal.recording.Backlog.Entry;
 import rsal.recording.mcap.McapWriter;
 
@@ -76,7 +76,7 @@ public final class Recorder implements AutoCloseable {
     }
 
     /// Whom the run is to tell.
-    public Witness witness() {
+    public RunObserver witness() {
         return backlog;
     }
 

@@ -11,9 +11,9 @@ import java.util.function.Function;
 import rsal.agent.bdi.Mind;
 import rsal.engine.LiveRun;
 import rsal.engine.RunEvent;
-import rsal.engine.Said;
+import rsal.engine.RunObserver;
+import rsal.engine.SentMessage;
 import rsal.engine.Snapshot;
-import rsal.engine.Witness;
 import rsal.recording.Recording.Hashed;
 import rsal.scenario.RunPlan;
 import rsal.settings.InvalidSettings;
@@ -229,7 +229,7 @@ public final class Verification {
                 || (event.kind().equals("run") && event.text().equals("ends: stopped"));
     }
 
-    private final class Comparison implements Witness {
+    private final class Comparison implements RunObserver {
         @Override
         public Duration period() {
             return PERIOD;
@@ -249,7 +249,7 @@ public final class Verification {
         }
 
         @Override
-        public void heard(Said message, Object content) {
+        public void heard(SentMessage message, Object content) {
             messages++; // in the hash
         }
     }

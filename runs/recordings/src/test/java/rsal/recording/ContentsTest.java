@@ -16,7 +16,7 @@ import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import rsal.data.Pose2d;
-import rsal.engine.Said;
+import rsal.engine.SentMessage;
 import rsal.recording.proto.Descriptors;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.ProtoReader;
@@ -80,8 +80,8 @@ class ContentsTest {
             },
             0);
 
-    private static Said said(String topic, String act) {
-        return new Said(
+    private static SentMessage said(String topic, String act) {
+        return new SentMessage(
                 Duration.ofSeconds(3), "amy", "bob", topic, act.isEmpty() ? "" : "c:1", "", act, "words for people");
     }
 

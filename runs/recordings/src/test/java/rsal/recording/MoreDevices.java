@@ -21,13 +21,13 @@ import rsal.engine.DeviceView;
 import rsal.engine.Reading;
 import rsal.engine.RobotView;
 import rsal.engine.RunEvent;
-import rsal.engine.Said;
+import rsal.engine.RunObserver;
+import rsal.engine.SentMessage;
 import rsal.engine.Snapshot;
-import rsal.engine.Witness;
 
 /// Sees of a run that each robot has more devices: a second one of kinds of which one is drawn, one of a kind that
 /// nobody knows, and one that tells no numbers. Each tells something ten times a second.
-record MoreDevices(Witness told) implements Witness {
+record MoreDevices(RunObserver told) implements RunObserver {
     static final List<String> NAMES =
             List.of("rear", "more-sonars", "elsewhere", "trailer", "chart", "weather", "speech");
 
@@ -134,7 +134,7 @@ record MoreDevices(Witness told) implements Witness {
     }
 
     @Override
-    public void heard(Said message, Object content) {
+    public void heard(SentMessage message, Object content) {
         told.heard(message, content);
     }
 }

@@ -34,10 +34,10 @@ import rsal.engine.NavigatorState;
 import rsal.engine.Reading;
 import rsal.engine.RobotView;
 import rsal.engine.RunEvent;
+import rsal.engine.RunObserver;
 import rsal.engine.RunResult;
-import rsal.engine.Said;
+import rsal.engine.SentMessage;
 import rsal.engine.Snapshot;
-import rsal.engine.Witness;
 import rsal.recording.Playback.Told;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
@@ -417,13 +417,13 @@ class PlaybackTest {
     }
 
     /// Keeps what it passes on.
-    private static final class Seen implements Witness {
-        private final Witness next;
+    private static final class Seen implements RunObserver {
+        private final RunObserver next;
         private final List<Snapshot> snapshots = new ArrayList<>();
         private final List<RunEvent> events = new ArrayList<>();
         private RunResult result;
 
-        Seen(Witness next) {
+        Seen(RunObserver next) {
             this.next = next;
         }
 
@@ -450,7 +450,7 @@ class PlaybackTest {
         }
 
         @Override
-        public void heard(Said message, Object content) {
+        public void heard(SentMessage message, Object content) {
             next.heard(message, content);
         }
     }

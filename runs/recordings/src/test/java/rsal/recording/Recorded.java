@@ -7,8 +7,8 @@ import java.time.Instant;
 import java.util.concurrent.TimeUnit;
 import java.util.function.UnaryOperator;
 import rsal.engine.LiveRun;
+import rsal.engine.RunObserver;
 import rsal.engine.RunResult;
-import rsal.engine.Witness;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
@@ -39,7 +39,8 @@ final class Recorded {
         return run(plan, plan, file, MoreDevices::new);
     }
 
-    private static RunResult run(RunPlan plan, RunPlan told, Path file, UnaryOperator<Witness> seen) throws Exception {
+    private static RunResult run(RunPlan plan, RunPlan told, Path file, UnaryOperator<RunObserver> seen)
+            throws Exception {
         try (Recorder recorder = begin(told, file)) {
             RunResult result = LiveRun.start(plan, seen.apply(recorder.witness()))
                     .result()

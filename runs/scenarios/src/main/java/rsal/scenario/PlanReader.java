@@ -308,7 +308,7 @@ final class PlanReader {
                             .addAll(agent.type().needs(agent.arguments())));
         }
         return robots.stream()
-                .map(robot -> Outfitter.equipped(
+                .map(robot -> DeviceSelector.equipped(
                         robot, needs.getOrDefault(robot.spec().id(), Set.of())))
                 .toList();
     }
@@ -656,7 +656,7 @@ final class PlanReader {
                     at,
                     "There is no simulated world that robot (%s) could see.".formatted(id),
                     "Leave (overlay) out, or let the scenario use robot system (sim).");
-        } else if (!Outfitter.has(robot.spec().model(), RangeSensor.class)) {
+        } else if (!DeviceSelector.has(robot.spec().model(), RangeSensor.class)) {
             problems.add(
                     at,
                     "Robot (%s) has no laser and no sonars by which it could see what is simulated.".formatted(id),

@@ -36,7 +36,7 @@ final class RobotReader {
 
     private final DeviceReader devices;
     private final SystemReader systems;
-    private final Outfitter outfitter;
+    private final DeviceSelector outfitter;
     private final Optional<OccupancyGrid> map;
     private final Seeds seeds;
     private final Problems problems;
@@ -51,7 +51,7 @@ final class RobotReader {
             Problems problems) {
         this.systems = systems;
         this.devices = new DeviceReader(catalog, new RobotModels(files), problems);
-        this.outfitter = new Outfitter(catalog, seeds);
+        this.outfitter = new DeviceSelector(catalog, seeds);
         this.map = map;
         this.seeds = seeds;
         this.problems = problems;

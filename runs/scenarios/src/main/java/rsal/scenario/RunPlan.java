@@ -143,7 +143,7 @@ public record RunPlan(
     /// Plans a robot that somebody adds to the scenario's robot system while the run goes on: without agents, but with
     /// what it can be given when people tell it what to do.
     public PlannedRobot newcomer(RobotSpec robot) {
-        return new Outfitter(Catalog.installed(), new Seeds(seed)).robot(robot, mrs, List.of());
+        return new DeviceSelector(Catalog.installed(), new Seeds(seed)).robot(robot, mrs, List.of());
     }
 
     /// Whether robots stand until somebody switches their motors on.

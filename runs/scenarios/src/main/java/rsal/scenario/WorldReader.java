@@ -32,14 +32,14 @@ final class WorldReader {
     private static final int MAX_BYTES = 1 << 28;
 
     private final Catalog catalog;
-    private final Outfitter outfitter;
+    private final DeviceSelector outfitter;
     private final FileSource files;
     private final Seeds seeds;
     private final Problems problems;
 
     WorldReader(Catalog catalog, FileSource files, Seeds seeds, Problems problems) {
         this.catalog = catalog;
-        this.outfitter = new Outfitter(catalog, seeds);
+        this.outfitter = new DeviceSelector(catalog, seeds);
         this.files = files;
         this.seeds = seeds;
         this.problems = problems;
@@ -159,12 +159,12 @@ final class WorldReader {
         var models = new IdentityHashMap<RobotModel, Boolean>();
         robots.forEach(robot -> models.put(robot.spec().model(), true));
         robots.getFirst().spec().model().sensors().values().forEach(part -> {
-            if (models.keySet().stream().allMatch(model -> Outfitter.has(model, part.makes()))) {
+            if (models.keySet().stream().allMatch(model -> DeviceSelector.has(model, part.makes()))) {
                 common.add(part.makes());
             }
         });
-        var given = new LinkedHashSet<>(Outfitter.gives(robots.getFirst()));
-        robots.forEach(robot -> given.retainAll(Outfitter.gives(robot)));
+        var given = new LinkedHashSet<>(DeviceSelector.gives(robots.getFirst()));
+        robots.forEach(robot -> given.retainAll(DeviceSelector.gives(robot)));
         common.addAll(given);
         return common;
     }

@@ -1,0 +1,409 @@
+package rsal.engine;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import rsal.agent.Turns;
+import rsal.agent.bdi.Mind;
+import rsal.data.Pose2d;
+import rsal.robot.Robot;
+import rsal.robot.RobotSpec;
+import rsal.scenario.Counted;
+import rsal.scenario.RunPlan;
+import rsal.scenario.RunPlan.PlannedAgent;
+import rsal.scenario.RunPlan.PlannedRobot;
+import rsal.system.Bridge;
+import rsal.system.BridgeProvider;
+import rsal.system.BridgeProvider.Lent;
+import rsal.system.CommandTimeout;
+import rsal.system.RobotSystem;
+import rsal.time.Scheduler;
+
+/// Everything that takes part in a run, put together after the plan: the robots of the robot systems, their
+/// software devices, the agents. All calls on the run's thread.
+final class RunAssembly implements AutoCloseable {
+    private final RunPlan plan;
+    private final Scheduler scheduler;
+    private final EventLog eventLog;
+    private final MetricsObserver observer;
+    private final RobotSystems systems;
+    private final DynamicRobots dynamicRobots;
+    private final RobotBreaker breaker;
+    private final Traffic traffic;
+    private final Faults faults;
+    private final SimulatedWorld world;
+    private final DeviceFactory deviceFactory;
+    private final Proxies proxies;
+    private final DrawnPlans drawnPlans;
+    private final Agents agents;
+    private final OperatorCommands orders;
+    private final RobotViews robotViews;
+    private final Team team = new Team();
+    private final RobotPoses where;
+    private final List<Bridge> bridges = new ArrayList<>();
+    private boolean closed;
+
+    /// Makes the robot systems; nothing moves yet.
+    ///
+    /// @param traffic where is counted what agents say
+    /// @param turns where is counted which agents are at work
+    /// @param goals to which people send robots
+    RunAssembly(
+            RunPlan plan,
+            Scheduler scheduler,
+            EventLog eventLog,
+            MetricsObserver observer,
+            Traffic traffic,
+            Turns turns,
+            SentGoals goals) {
+        this.plan = plan;
+        this.scheduler = scheduler;
+        this.eventLog = eventLog;
+        this.observer = observer;
+        this.dynamicRobots = new DynamicRobots(plan);
+        this.systems = new RobotSystems(plan, scheduler);
+        this.where = new RobotPoses(systems, team);
+        this.breaker = new RobotBreaker(systems, plan.faults());
+        this.traffic = traffic;
+        this.faults = new Faults(plan, scheduler, eventLog, observer, traffic, breaker);
+        this.world = new SimulatedWorld(plan, systems, scheduler, eventLog, observer, dynamicRobots, team, faults);
+        this.proxies = new Proxies(systems, team, where, scheduler, eventLog);
+        this.deviceFactory = new DeviceFactory(plan, scheduler, eventLog, breaker, world, team, this::overlay);
+        this.agents = new Agents(plan, scheduler, eventLog, observer, faults, team, where, traffic, turns);
+        this.drawnPlans = new DrawnPlans(team, scheduler);
+        this.orders = new OperatorCommands(plan.map(), eventLog, faults, world, team, agents, goals);
+        this.robotViews = new RobotViews(team, world, faults, proxies, scheduler);
+    }
+
+    /// Finds the robots and, once they are there, begins.
+    void begin() {
+        systems.discover()
+                .whenComplete((found, error) -> scheduler.execute(() -> {
+                    if (error instanceof RunBroken broken) {
+                        throw broken;
+                    }
+                    assemble(found);
+                }));
+    }
+
+    private void assemble(List<Robot> found) {
+        for (PlannedRobot planned : plan.robots()) {
+            String id = planned.spec().id();
+            found.stream().filter(robot -> robot.id().equals(id)).findFirst().ifPresent(robot -> equip(robot, planned));
+        }
+        orders.begin();
+        systems.onChange(this::changed);
+        agents.gather(systems.simulation());
+        systems.simulation().ifPresent(new ThingArrivals(plan, scheduler, eventLog)::begin);
+        faults.begin();
+        plan.agents().forEach(agents::start);
+        eventLog.event(
+                "run",
+                "",
+                "%s, %s"
+                        .formatted(
+                                Counted.of(team.robots().size(), "robot"),
+                                Counted.of(plan.agents().size(), "agent")));
+    }
+
+    private void equip(Robot robot, PlannedRobot planned) {
+        deviceFactory.equip(robot, planned);
+        proxies.join(planned);
+        drawnPlans.join(planned.spec());
+    }
+
+    private Overlay overlay(RobotSpec spec) {
+        return new Overlay(spec, () -> where.known(spec), systems::simulation, proxies::names, eventLog);
+    }
+
+    private void changed(RobotSystem.Change change) {
+        if (closed) {
+            return;
+        }
+        switch (change) {
+            case RobotSystem.Change.Appeared(Robot robot) -> {
+                if (!dynamicRobots.isExpected(robot.id())) { // else that it was added is told
+                    eventLog.event("run", robot.id(), "is there");
+                }
+                faults.appeared(robot.id());
+                if (!team.has(robot.id())) {
+                    join(robot);
+                }
+            }
+            case RobotSystem.Change.Gone(String robot, String reason) -> {
+                if (!faults.isGone(robot)) { // else that was told
+                    eventLog.event("fault", robot, "is gone: " + reason);
+                }
+            }
+            case RobotSystem.Change.Removed(String robot) -> {
+                if (!world.isTakenOut(robot)) { // else that is told
+                    eventLog.event("run", robot, "was removed");
+                }
+                leave(robot);
+            }
+        }
+    }
+
+    /// Gives a robot that nobody planned what those like it have.
+    private void join(Robot robot) {
+        String id = robot.id();
+        PlannedRobot planned = dynamicRobots.plan(robot, world.truth(id));
+        observer.joined(id, robot.role());
+        equip(robot, planned);
+        bridges.forEach(bridge -> offer(bridge, id));
+        orders.joined(id);
+        if (agents.isGathered()) {
+            dynamicRobots.agents(id).forEach(agents::start);
+        }
+    }
+
+    /// Whether a program that robots are offered to has yet to look at what there is.
+    boolean isAwaited() {
+        return bridges.stream().anyMatch(Bridge::isBehind);
+    }
+
+    private void offer(Bridge bridge, String id) {
+        try {
+            bridge.join(team.robot(id).orElseThrow()).stream()
+                    .mapToInt(Bridge.Offer::port)
+                    .distinct()
+                    .forEach(port -> eventLog.event("bridge", id, "is offered at port " + port));
+        } catch (IOException e) {
+            eventLog.event("bridge", id, "is not offered: " + e.getMessage());
+        }
+    }
+
+    /// Lets go of all that a robot had.
+    private void leave(String id) {
+        bridges.forEach(bridge -> bridge.leave(id));
+        team.leave(id);
+        orders.left(id);
+        proxies.leave(id);
+        drawnPlans.leave(id);
+        where.leave(id);
+        agents.leave(id);
+        deviceFactory.leave(id);
+        breaker.leave(id);
+        faults.left(id);
+    }
+
+    /// Looks at everything after a step.
+    ///
+    /// @return how the run ends, if it is over
+    Optional<String> observe() {
+        agents.observe();
+        return observer.look(systems.simulation(), where, team.robots());
+    }
+
+    /// Whether robots and agents are there.
+    boolean isReady() {
+        return agents.isGathered();
+    }
+
+    /// The world, for people to see and change it.
+    SimulatedWorld world() {
+        return world;
+    }
+
+    /// By what people tell robots what to do.
+    OperatorCommands orders() {
+        return orders;
+    }
+
+    List<RobotView> robotViews() {
+        return robotViews.all();
+    }
+
+    /// @param time since the run's start
+    Answer readings(String robot, Duration time) {
+        return team.robot(robot)
+                .<Answer>map(known -> new Answer.Read(time, robotViews.readings(known)))
+                .orElseGet(() -> world.unknown(robot));
+    }
+
+    Answer costs(String robot) {
+        return team.robot(robot)
+                .<Answer>map(known -> new Answer.Costed(robotViews.costs(known)))
+                .orElseGet(() -> world.unknown(robot));
+    }
+
+    Answer bridge(BridgeProvider provider, InetSocketAddress at, CommandTimeout timeout) {
+        try {
+            var lent = new Lent(
+                    List.copyOf(team.robots().values()),
+                    plan.map(),
+                    systems.simulation(),
+                    plan.scene().services(),
+                    timeout);
+            Bridge bridge = provider.open(at, lent, scheduler);
+            bridges.add(bridge);
+            return new Answer.Bridged(bridge.offers());
+        } catch (IOException e) {
+            return new Answer.Refused(String.valueOf(e.getMessage()));
+        }
+    }
+
+    List<AgentView> agentViews() {
+        return agents.views();
+    }
+
+    Map<String, Mind.View> minds() {
+        return agents.minds();
+    }
+
+    /// What some agents believe and want.
+    Map<String, Mind.View> minds(List<String> some) {
+        return agents.minds(some);
+    }
+
+    /// @param now in real time [ns]
+    Answer inside(String agent, long now) {
+        return agents.inside(agent, now)
+                .<Answer>map(Answer.Seen::new)
+                .orElseGet(() -> new Answer.Refused("There is no agent (%s).".formatted(agent)));
+    }
+
+    /// @param now in real time [ns]
+    Answer.Linked links(String chosen, long now) {
+        return agents.links(chosen, now);
+    }
+
+    /// From now on it is noted who hears whom, as somebody will look.
+    ///
+    /// @param now in real time [ns]
+    void noteLinks(long now) {
+        agents.noteLinks(now);
+    }
+
+    /// @param time since the run's start
+    /// @param now in real time [ns]
+    FinalState lastLook(Duration time, long now) {
+        return FinalState.at(this, team.robots().values(), agents.names(), time, now);
+    }
+
+    /// Looks after what people began and did not end.
+    ///
+    /// @param now in real time [ns]
+    void beat(long now) {
+        orders.beat(now);
+        agents.beat(now);
+    }
+
+    /// Starts another agent like one.
+    ///
+    /// @param robot that it is to act for; empty for none
+    Answer addAgent(String like, String robot) {
+        Optional<PlannedAgent> example = agents.planned(like);
+        if (example.isEmpty()) {
+            return new Answer.Refused("There is no agent (%s).".formatted(like));
+        }
+        if (example.get().robot().isPresent() == robot.isEmpty()) {
+            return new Answer.Refused(
+                    robot.isEmpty()
+                            ? "Agent (%s) has a robot, and another one like it needs one.".formatted(like)
+                            : "Agent (%s) has no robot, and neither has another one like it.".formatted(like));
+        }
+        if (!robot.isEmpty() && !team.has(robot)) {
+            return world.unknown(robot);
+        }
+        PlannedAgent another =
+                dynamicRobots.another(example.get(), Optional.of(robot).filter(id -> !id.isEmpty()));
+        return start(another, "started, like " + like);
+    }
+
+    /// Starts an agent of a type.
+    ///
+    /// @param robot that it is to act for; empty for none
+    /// @param typed its arguments, as somebody typed them
+    Answer newAgent(String type, String robot, Map<String, String> typed) {
+        Optional<Robot> body = team.robot(robot);
+        if (!robot.isEmpty() && body.isEmpty()) {
+            return world.unknown(robot);
+        }
+        try {
+            List<Robot> all = List.copyOf(team.robots().values());
+            PlannedAgent wanted = TypedAgent.read(type, body, typed, all, plan.seed());
+            return start(dynamicRobots.another(wanted, wanted.robot()), "started, as " + type);
+        } catch (IllegalArgumentException e) {
+            return new Answer.Refused(String.valueOf(e.getMessage()));
+        }
+    }
+
+    private Answer start(PlannedAgent agent, String how) {
+        String words = how + agent.robot().map(robot -> ", for " + robot).orElse("");
+        Answer answer = agents.start(agent, words, new Answer.Added(agent.name()));
+        if (answer instanceof Answer.Added) {
+            dynamicRobots.took(agent);
+        }
+        return answer;
+    }
+
+    /// Starts an agent again that has ended.
+    Answer startAgent(String name) {
+        return agents.planned(name)
+                .map(agent -> agents.start(agent, "started again", new Answer.Done()))
+                .orElseGet(() -> new Answer.Refused("There is no agent (%s).".formatted(name)));
+    }
+
+    Answer stopAgent(String name) {
+        return agents.stop(name);
+    }
+
+    /// @param to name of an agent; empty for all
+    Answer say(String to, String topic, Map<String, String> typed) {
+        return agents.say(to, topic, typed);
+    }
+
+    /// Where robots are now, in the frame `map`, by name; without those of which nobody knows.
+    Map<String, Pose2d> poses() {
+        var poses = new LinkedHashMap<String, Pose2d>();
+        team.robots()
+                .keySet()
+                .forEach(robot -> where.mapFromBase(robot).ifPresent(mapFromBase -> poses.put(robot, mapFromBase)));
+        return poses;
+    }
+
+    /// What went wrong with those agents that have failed, by name.
+    Map<String, String> failedAgents() {
+        return agents.failed();
+    }
+
+    /// Goals for which agents had no plan at all, by their names.
+    Map<String, List<String>> unhandledGoals() {
+        return agents.unhandledGoals();
+    }
+
+    /// What agents say all the time.
+    ChattyTopics routine() {
+        return eventLog.routine();
+    }
+
+    List<TopicTraffic> topics() {
+        return traffic.topics();
+    }
+
+    /// Who heard what so far, where communication is limited.
+    List<Reception> hearings() {
+        return traffic.hearings();
+    }
+
+    /// All robots that are or were there.
+    List<Teammate> team() {
+        return team.mates();
+    }
+
+    @Override
+    public void close() {
+        closed = true;
+        bridges.forEach(Bridge::close);
+        deviceFactory.close();
+        try (systems) {
+            agents.close();
+        }
+    }
+}
