@@ -7,14 +7,14 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ExecutorService;
 import java.util.function.Consumer;
-import rsal.agent.Capability;
-import rsal.agent.Carrier;
 import rsal.agent.Message;
+import rsal.agent.MessageTransport;
+import rsal.agent.ServiceDescription;
 import rsal.agent.Topic;
 import rsal.time.Scheduler;
 
 /// One mailman, who brings one message after the other.
-final class Mail implements Carrier {
+final class Mail implements MessageTransport {
     private final Scheduler run;
     private final ExecutorService mailman;
     private final Map<String, ExecutorService> threads; // by agent, as the host knows them
@@ -53,10 +53,10 @@ final class Mail implements Carrier {
     }
 
     @Override
-    public void offers(String agent, Capability capability) {} // nobody looks for it here
+    public void offers(String agent, ServiceDescription capability) {} // nobody looks for it here
 
     @Override
-    public void withdraws(String agent, Capability capability) {}
+    public void withdraws(String agent, ServiceDescription capability) {}
 
     void close() {
         mailman.shutdown();

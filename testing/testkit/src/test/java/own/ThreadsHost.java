@@ -8,7 +8,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import rsal.agent.AgentHost;
-import rsal.agent.Carrier;
+import rsal.agent.MessageTransport;
 import rsal.agent.ThreadLane;
 import rsal.time.Scheduler;
 
@@ -43,8 +43,8 @@ final class ThreadsHost implements AgentHost {
     }
 
     @Override
-    public Optional<Carrier> carrier() {
-        return mail.map(Carrier.class::cast);
+    public Optional<MessageTransport> carrier() {
+        return mail.map(MessageTransport.class::cast);
     }
 
     @Override

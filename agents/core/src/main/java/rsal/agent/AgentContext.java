@@ -61,7 +61,7 @@ public interface AgentContext {
 
     /// Lets the others know what it can do for them, until it withdraws that or ends. Offering something under the same
     /// name again replaces it.
-    Subscription offer(Capability capability);
+    Subscription offer(ServiceDescription capability);
 
     /// This agent's own notes.
     Blackboard blackboard();

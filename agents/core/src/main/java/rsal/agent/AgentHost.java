@@ -19,7 +19,7 @@ public interface AgentHost extends AutoCloseable {
 
     /// How the multi-agent system carries what its agents say; empty when it leaves that to us, which is to say that
     /// all is heard at the instant when it is said.
-    default Optional<Carrier> carrier() {
+    default Optional<MessageTransport> carrier() {
         return Optional.empty();
     }
 

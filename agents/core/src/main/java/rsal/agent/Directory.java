@@ -20,7 +20,7 @@ public interface Directory {
     }
 
     /// What a running agent offers, by name; empty for one that does not run.
-    List<Capability> capabilities(String agent);
+    List<ServiceDescription> capabilities(String agent);
 
     /// Agents that offer something, in the order in which they started.
     default List<Entry> offering(String capability) {
@@ -45,9 +45,9 @@ public interface Directory {
         record Came(Entry agent) implements Change {}
 
         /// It offers something new, or something else under that name.
-        record Offered(Entry agent, Capability capability) implements Change {}
+        record Offered(Entry agent, ServiceDescription capability) implements Change {}
 
-        record Withdrew(Entry agent, Capability capability) implements Change {}
+        record Withdrew(Entry agent, ServiceDescription capability) implements Change {}
 
         /// @param reason empty when it ended as it should
         record Went(Entry agent, String reason) implements Change {}

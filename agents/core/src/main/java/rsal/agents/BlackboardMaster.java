@@ -7,7 +7,7 @@ import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
 /// Keeps a board of notes that a team shares. Needs no robot.
-public final class BlackboardMaster extends Kind {
+public final class BlackboardMaster extends AgentTypeBase {
     static final Parameter BOARD = Parameter.text("board", "team", "Name of the board, by which agents find it.");
     static final Parameter NOTES =
             Parameter.integer("notes", 250, 1, 10_000, "", "How many notes one agent may have on it.");

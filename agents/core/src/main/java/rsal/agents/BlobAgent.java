@@ -5,7 +5,7 @@ import java.util.List;
 import rsal.agent.AgentContext;
 import rsal.agent.message.CollectGoal;
 import rsal.agent.message.Collected;
-import rsal.agent.protocol.Ending;
+import rsal.agent.protocol.ConversationResult;
 import rsal.agent.protocol.Request;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
@@ -21,7 +21,7 @@ import rsal.settings.Parameter;
 /// Knows of colored things where they lie, as somebody does who has seen them, and has them fetched ([Orders]). In a
 /// simulated world it puts them there at its start; a simulated thing may so stand for one that a real robot
 /// fetches. Needs no robot.
-public final class BlobAgent extends Kind {
+public final class BlobAgent extends AgentTypeBase {
     static final Parameter PLACES = Parameter.places("places", "Where they lie.");
     static final Parameter COLOR =
             Parameter.text("color", "#2ca02c", "Their color, as cameras see it, #rrggbb or a name.");
@@ -91,7 +91,7 @@ public final class BlobAgent extends Kind {
             Orders.master(self)
                     .ifPresentOrElse(
                             master -> orders.ask(master, thing, ending -> {
-                                if (ending instanceof Ending.Informed) {
+                                if (ending instanceof ConversationResult.Informed) {
                                     forget(thing);
                                 } else { // others have asked for it, or nobody could
                                     later(thing);

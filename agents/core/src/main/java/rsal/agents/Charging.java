@@ -12,9 +12,9 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
 import rsal.agent.bdi.Belief;
-import rsal.agent.bdi.Doing;
 import rsal.agent.bdi.Goal;
 import rsal.agent.bdi.Mind;
+import rsal.agent.bdi.PlanContext;
 import rsal.agent.message.ChargerTaken;
 import rsal.data.BatteryState;
 import rsal.data.Point2d;
@@ -36,7 +36,7 @@ final class Charging {
 
     private final AgentContext self;
     private final String robot;
-    private final Driver driver;
+    private final NavigationClient driver;
     private final Optional<Battery> battery;
     private final Supplier<Optional<Pose2d>> mapFromBase;
     private final List<Pose2d> mapFromChargers;
@@ -55,7 +55,7 @@ final class Charging {
     Charging(
             AgentContext self,
             Robot robot,
-            Driver driver,
+            NavigationClient driver,
             Supplier<Optional<Pose2d>> mapFromBase,
             List<Point2d> mapFromChargers,
             double low,
@@ -93,7 +93,7 @@ final class Charging {
         return mind.goal("recharge").when(this::isNeeded).plan("stand at a charger", this::start);
     }
 
-    private void start(Doing doing) {
+    private void start(PlanContext doing) {
         doing.onSuspend(this::stop).onResume(this::start).onEnd(this::stop);
         start();
     }

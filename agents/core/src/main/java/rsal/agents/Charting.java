@@ -6,9 +6,9 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import rsal.agent.AgentContext;
 import rsal.agent.message.MapEnds;
-import rsal.agent.team.Course;
+import rsal.agent.team.PathCostEstimator;
 import rsal.agent.team.Skill;
-import rsal.agent.team.Ways;
+import rsal.agent.team.TaskRoute;
 import rsal.agent.team.Work;
 import rsal.device.Mapper;
 import rsal.device.Mapper.End;
@@ -27,10 +27,10 @@ final class Charting implements Skill<Chart> {
 
     private final AgentContext self;
     private final String robot;
-    private final Driver driver;
+    private final NavigationClient driver;
     private final Mapper mapper;
 
-    Charting(AgentContext self, String robot, Driver driver, Mapper mapper) {
+    Charting(AgentContext self, String robot, NavigationClient driver, Mapper mapper) {
         this.self = self;
         this.robot = robot;
         this.driver = driver;
@@ -58,7 +58,7 @@ final class Charting implements Skill<Chart> {
     }
 
     /// What ways cost: to where the map ends, as the mapper told last, without planning each; else by others.
-    Ways ways(Ways others) {
+    PathCostEstimator ways(PathCostEstimator others) {
         return (mapFromStart, mapFromGoal) -> mapper.ends().stream()
                 .filter(end -> end.mapFromStand().equals(mapFromGoal))
                 .findFirst()
@@ -77,8 +77,8 @@ final class Charting implements Skill<Chart> {
     }
 
     @Override
-    public Optional<Course> course(Chart job) {
-        return end(job).map(end -> Course.at(end.mapFromStand()));
+    public Optional<TaskRoute> course(Chart job) {
+        return end(job).map(end -> TaskRoute.at(end.mapFromStand()));
     }
 
     @Override

@@ -8,8 +8,8 @@ import java.util.function.Supplier;
 import rsal.agent.AgentContext;
 import rsal.agent.message.Chase;
 import rsal.agent.message.PoseReport;
-import rsal.agent.team.Course;
 import rsal.agent.team.Skill;
+import rsal.agent.team.TaskRoute;
 import rsal.agent.team.Work;
 import rsal.data.Pose2d;
 import rsal.device.Navigator.Tolerance;
@@ -27,8 +27,8 @@ final class Chasing implements Skill<Catch> {
 
     private final AgentContext self;
     private final Robot robot;
-    private final Driver driver;
-    private final Sightings sightings;
+    private final NavigationClient driver;
+    private final TargetTracks sightings;
     private final Supplier<Optional<Pose2d>> mapFromBase;
     private final Optional<Evasion> evasion;
     private final double catchDistance;
@@ -38,8 +38,8 @@ final class Chasing implements Skill<Catch> {
     Chasing(
             AgentContext self,
             Robot robot,
-            Driver driver,
-            Sightings sightings,
+            NavigationClient driver,
+            TargetTracks sightings,
             Supplier<Optional<Pose2d>> mapFromBase,
             double catchDistance,
             Duration updateInterval) {
@@ -57,8 +57,8 @@ final class Chasing implements Skill<Catch> {
     }
 
     @Override
-    public Optional<Course> course(Catch job) {
-        return sightings.of(job.prey()).map(Course::at);
+    public Optional<TaskRoute> course(Catch job) {
+        return sightings.of(job.prey()).map(TaskRoute::at);
     }
 
     @Override

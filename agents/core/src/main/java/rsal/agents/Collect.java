@@ -2,7 +2,7 @@ package rsal.agents;
 
 import java.util.List;
 import rsal.agent.AgentContext;
-import rsal.agent.Capability;
+import rsal.agent.ServiceDescription;
 import rsal.behavior.Pilot;
 import rsal.device.BlobFinder;
 import rsal.device.Gripper;
@@ -11,8 +11,8 @@ import rsal.robot.Robot;
 import rsal.settings.Arguments;
 
 /// Collects things that others have found.
-public final class Collect extends Kind {
-    private static final Capability GRIPPER = Capability.of("gripper");
+public final class Collect extends AgentTypeBase {
+    private static final ServiceDescription GRIPPER = ServiceDescription.of("gripper");
 
     public Collect() {
         super(

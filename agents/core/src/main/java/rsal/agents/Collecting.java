@@ -6,8 +6,8 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
 import rsal.agent.message.Collected;
-import rsal.agent.team.Course;
 import rsal.agent.team.Skill;
+import rsal.agent.team.TaskRoute;
 import rsal.agent.team.Work;
 import rsal.agent.team.Worker;
 import rsal.data.Point2d;
@@ -36,19 +36,19 @@ final class Collecting implements Skill<Fetch> {
     private final AgentContext self;
     private final Robot robot;
     private final Reporter reporter;
-    private final Driver driver;
+    private final NavigationClient driver;
     private final Recharging recharging;
     private final Worker worker;
     private final List<Point2d> given;
     private final double depotRadius;
     private final Depots depots;
-    private @Nullable Haul haul;
+    private @Nullable FetchTask haul;
 
     Collecting(AgentContext self, Robot robot, Reporter reporter, Arguments arguments) {
         this.self = self;
         this.robot = robot;
         this.reporter = reporter;
-        this.driver = new Driver(self, robot.require(Navigator.class));
+        this.driver = new NavigationClient(self, robot.require(Navigator.class));
         this.worker =
                 new Worker(self, new PlannedWays(robot.find(Planner.class), NEAR), reporter::mapFromBase, _ -> {});
         this.recharging = new Recharging(
@@ -104,9 +104,9 @@ final class Collecting implements Skill<Fetch> {
     }
 
     @Override
-    public Optional<Course> course(Fetch job) {
+    public Optional<TaskRoute> course(Fetch job) {
         Pose2d mapFromDepot = Words.pose(depotFor(job));
-        return Optional.of(new Course(
+        return Optional.of(new TaskRoute(
                 haul != null && haul.isBringing()
                         ? mapFromDepot
                         : Words.pose(job.goal().mapFromThing()),
@@ -121,7 +121,7 @@ final class Collecting implements Skill<Fetch> {
     @Override
     public void begin(Fetch job, Work work) {
         Point2d mapFromDepot = depotFor(job);
-        var begun = new Haul(
+        var begun = new FetchTask(
                 self,
                 robot,
                 reporter,
@@ -135,7 +135,7 @@ final class Collecting implements Skill<Fetch> {
     }
 
     /// What it holds it brings all the same, and does nothing else meanwhile.
-    private void drop(Haul dropped) {
+    private void drop(FetchTask dropped) {
         if (haul == dropped) {
             worker.unfit("bringing what nobody asks for any more");
             dropped.drop();

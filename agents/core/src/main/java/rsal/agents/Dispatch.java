@@ -8,7 +8,7 @@ import rsal.settings.Parameter;
 
 /// Stands by people who send robots: sees to it that each hears where it is sent, and tells when one does not answer.
 /// Needs no robot.
-public final class Dispatch extends Kind {
+public final class Dispatch extends AgentTypeBase {
     static final Parameter ROBOTS = Parameter.robots(
             "robots", NewGoal.ALL, List.of(NewGoal.ALL), "Role of the robots that people send, or all.");
     static final Parameter SILENT_AFTER = Parameter.number(

@@ -13,10 +13,10 @@ import rsal.agent.Directory;
 import rsal.agent.Message;
 import rsal.agent.message.GoalReached;
 import rsal.agent.message.NewGoal;
-import rsal.agent.presence.Roll;
-import rsal.agent.protocol.Ending;
-import rsal.agent.protocol.Patience;
+import rsal.agent.presence.FailureDetector;
+import rsal.agent.protocol.ConversationResult;
 import rsal.agent.protocol.Request;
+import rsal.agent.protocol.RetryPolicy;
 import rsal.settings.Arguments;
 
 /// Hears where people send robots, and asks each for the same by request, which is repeated until the robot has heard
@@ -28,8 +28,8 @@ final class Dispatching {
 
     private final AgentContext self;
     private final String robots;
-    private final Patience patience;
-    private final Roll roll;
+    private final RetryPolicy patience;
+    private final FailureDetector roll;
     private final Request<NewGoal, GoalReached> drives;
     private final Map<String, NewGoal> open =
             new TreeMap<>(); // newest of each robot that has not answered what came of it
@@ -42,9 +42,9 @@ final class Dispatching {
         this.self = self;
         this.robots = arguments.text(Dispatch.ROBOTS.name());
         Duration silence = arguments.seconds(Dispatch.SILENT_AFTER.name());
-        this.patience = new Patience(ROUND, silence);
-        this.roll = new Roll(self, ROUND, silence, this::note);
-        this.drives = Errands.service(self);
+        this.patience = new RetryPolicy(ROUND, silence);
+        this.roll = new FailureDetector(self, ROUND, silence, this::note);
+        this.drives = GoalService.service(self);
     }
 
     void begin() {
@@ -79,8 +79,8 @@ final class Dispatching {
                 }));
     }
 
-    private void ended(NewGoal order, Ending<GoalReached> ending) {
-        if (!(ending instanceof Ending.Silent<GoalReached>)) {
+    private void ended(NewGoal order, ConversationResult<GoalReached> ending) {
+        if (!(ending instanceof ConversationResult.Silent<GoalReached>)) {
             open.remove(order.robot()); // the robot has told itself what came of it
         } else if (answering.contains(order.robot())) {
             ask(order); // only what it answers got lost
@@ -98,10 +98,10 @@ final class Dispatching {
         }
     }
 
-    private void note(Roll.Change change) {
+    private void note(FailureDetector.Change change) {
         String agent = change.member().name();
         String robot = change.member().robot();
-        if (change instanceof Roll.Change.Appeared
+        if (change instanceof FailureDetector.Change.Appeared
                 && !robot.isEmpty()
                 && self.directory().find(agent).filter(this::isOurs).isPresent()) {
             ours.add(agent);
@@ -110,18 +110,18 @@ final class Dispatching {
             return;
         }
         switch (change) {
-            case Roll.Change.Appeared _ -> answering.add(robot);
-            case Roll.Change.CameBack _ -> {
+            case FailureDetector.Change.Appeared _ -> answering.add(robot);
+            case FailureDetector.Change.CameBack _ -> {
                 silent.remove(robot);
                 answering.add(robot);
                 Optional.ofNullable(open.get(robot)).ifPresent(this::ask);
             }
-            case Roll.Change.FellSilent _ -> {
+            case FailureDetector.Change.FellSilent _ -> {
                 answering.remove(robot);
                 silent.add(robot);
                 Optional.ofNullable(open.get(robot)).ifPresent(this::tellOf);
             }
-            case Roll.Change.Left _ -> {
+            case FailureDetector.Change.Left _ -> {
                 ours.remove(agent);
                 answering.remove(robot);
                 silent.remove(robot);

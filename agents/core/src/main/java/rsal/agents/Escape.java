@@ -9,7 +9,7 @@ import rsal.settings.Parameter;
 
 /// A prey: follows the wall on its left and says where it is, until a hunter comes too near. Then it gives up and
 /// spins on the spot.
-public final class Escape extends Kind {
+public final class Escape extends AgentTypeBase {
     static final Parameter HUNTER = Parameter.robots(
             "hunter",
             "",

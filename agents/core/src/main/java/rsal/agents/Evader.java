@@ -8,9 +8,9 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import rsal.agent.AgentContext;
 import rsal.agent.bdi.Belief;
-import rsal.agent.bdi.Doing;
 import rsal.agent.bdi.Goal;
 import rsal.agent.bdi.Mind;
+import rsal.agent.bdi.PlanContext;
 import rsal.agent.message.PoseReport;
 import rsal.agent.message.Sighting;
 import rsal.behavior.Pilot;
@@ -37,9 +37,9 @@ final class Evader {
     private final AgentContext self;
     private final Robot robot;
     private final Pilot pilot;
-    private final Driver driver;
+    private final NavigationClient driver;
     private final Reporter reporter;
-    private final Surrender surrender;
+    private final CaptureDetector surrender;
     private final Evasion evasion;
     private final Optional<Sight> eyes; // else it knows what they report
     private final double sight;
@@ -54,7 +54,7 @@ final class Evader {
         this.self = self;
         this.robot = robot;
         this.pilot = robot.require(Pilot.class);
-        this.driver = new Driver(self, robot.require(Navigator.class));
+        this.driver = new NavigationClient(self, robot.require(Navigator.class));
         String hunter = arguments.text(Escape.HUNTER.name());
         boolean byMarkers = Sight.byMarkers(arguments);
         this.reporter = new Reporter(self, robot, arguments, _ -> look(), !byMarkers);
@@ -68,7 +68,7 @@ final class Evader {
                 self, robot, driver, reporter::mapFromBase, arguments.places(Recharging.CHARGERS.name()), LOW, FULL);
         this.mind = new Mind(self);
         this.nearest = mind.belief("nearest hunter", Double.POSITIVE_INFINITY);
-        this.surrender = new Surrender(
+        this.surrender = new CaptureDetector(
                 self, robot, hunter, arguments.number(Escape.CATCH_DISTANCE.name()), byMarkers, this::letGo);
         this.self.atEnd(pilot::release);
     }
@@ -151,14 +151,14 @@ final class Evader {
         return Double.isInfinite(value) ? value : Math.round(value * 10) / 10.0;
     }
 
-    private void explore(Doing doing) {
+    private void explore(PlanContext doing) {
         pilot.engage(PioneerStack.followLeftWall(robot.model()));
         doing.onSuspend(pilot::release)
                 .onResume(() -> pilot.engage(PioneerStack.followLeftWall(robot.model())))
                 .onEnd(pilot::release);
     }
 
-    private void run(Doing doing) {
+    private void run(PlanContext doing) {
         running = true;
         var choices = self.scheduler().every(NEW_WAY, this::choose);
         doing.onEnd(() -> {

@@ -12,7 +12,7 @@ import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
 /// Looks for things of a color, and has others collect them.
-public final class Explore extends Kind {
+public final class Explore extends AgentTypeBase {
     private static final String LOOKOUTS = "lookouts";
     private static final double NARROW = 0; // rad, its view: it turns all around
 
@@ -32,7 +32,7 @@ public final class Explore extends Kind {
         super(
                 "explore",
                 "Looks for colored things, and has them collected by robots that can.",
-                List.of(Reporter.PERIOD, ROAM, Lookouts.COUNT, COLOR, RANGE),
+                List.of(Reporter.PERIOD, ROAM, Viewpoints.COUNT, COLOR, RANGE),
                 List.of(BlobFinder.class, Pilot.class));
     }
 
@@ -46,7 +46,7 @@ public final class Explore extends Kind {
         Robot robot = Body.of(self);
         var reporter = new Reporter(self, robot, arguments, _ -> {});
         reporter.begin();
-        var finds = new Finds(self);
+        var finds = new Detections(self);
         finds.begin();
         new Spotting(
                         self,
@@ -57,7 +57,7 @@ public final class Explore extends Kind {
                         finds::see)
                 .begin();
         if (arguments.text(ROAM.name()).equals(LOOKOUTS)) {
-            roam(self, robot, reporter, arguments.integer(Lookouts.COUNT.name()));
+            roam(self, robot, reporter, arguments.integer(Viewpoints.COUNT.name()));
         } else {
             Roaming.alongWalls(self, robot).begin();
         }
@@ -65,9 +65,9 @@ public final class Explore extends Kind {
 
     /// Between lookouts; errands come first.
     private static void roam(AgentContext self, Robot robot, Reporter reporter, int lookouts) {
-        var driver = new Driver(self, robot.require(Navigator.class));
-        var roaming = new Lookouts(self, robot, driver, reporter::mapFromBase, lookouts, () -> NARROW);
-        new Errands(self, robot.id(), driver, roaming::pause, roaming::goOn).begin();
+        var driver = new NavigationClient(self, robot.require(Navigator.class));
+        var roaming = new Viewpoints(self, robot, driver, reporter::mapFromBase, lookouts, () -> NARROW);
+        new GoalService(self, robot.id(), driver, roaming::pause, roaming::goOn).begin();
         roaming.begin();
     }
 }

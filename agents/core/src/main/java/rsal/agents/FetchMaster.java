@@ -6,7 +6,7 @@ import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
 /// Has a team fetch what others ask for. Needs no robot.
-public final class FetchMaster extends Kind {
+public final class FetchMaster extends AgentTypeBase {
     static final Parameter ALLOTMENT = Parameter.choice(
             "allotment",
             "bids",

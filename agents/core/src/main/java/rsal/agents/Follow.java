@@ -9,7 +9,7 @@ import rsal.settings.Parameter;
 
 /// A hunter: goes for the newest pose of a prey until that has been caught, then for the next. Driving where it is
 /// told comes first.
-public final class Follow extends Kind {
+public final class Follow extends AgentTypeBase {
     static final Parameter PREY =
             Parameter.robots("prey", "prey", List.of(), "Role of the robots to hunt, or id of the one.");
     static final Parameter CATCH_DISTANCE =
@@ -28,7 +28,14 @@ public final class Follow extends Kind {
         super(
                 "follow",
                 "Hunts: goes for the newest pose of a prey until it has been caught.",
-                List.of(PREY, CATCH_DISTANCE, UPDATE_INTERVAL, ASSIGNMENT, Sight.SEES, Lookouts.COUNT, Reporter.PERIOD),
+                List.of(
+                        PREY,
+                        CATCH_DISTANCE,
+                        UPDATE_INTERVAL,
+                        ASSIGNMENT,
+                        Sight.SEES,
+                        Viewpoints.COUNT,
+                        Reporter.PERIOD),
                 List.of(Navigator.class));
     }
 

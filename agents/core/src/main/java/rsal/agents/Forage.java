@@ -11,7 +11,7 @@ import rsal.settings.Arguments;
 
 /// A forager: looks for things, brings what it finds to its depot, and minds its battery, all by itself. What to
 /// compare a team with.
-public final class Forage extends Kind {
+public final class Forage extends AgentTypeBase {
     public Forage() {
         super(
                 "forage",
@@ -19,7 +19,7 @@ public final class Forage extends Kind {
                 List.of(
                         Explore.COLOR,
                         Explore.RANGE,
-                        Lookouts.COUNT,
+                        Viewpoints.COUNT,
                         Collecting.DEPOT,
                         Collecting.DEPOT_RADIUS,
                         Recharging.CHARGERS,

@@ -9,8 +9,8 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
 import rsal.agent.bdi.Belief;
-import rsal.agent.bdi.Doing;
 import rsal.agent.bdi.Mind;
+import rsal.agent.bdi.PlanContext;
 import rsal.agent.message.CollectGoal;
 import rsal.agent.message.Collected;
 import rsal.data.Point2d;
@@ -19,9 +19,9 @@ import rsal.device.Navigator;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
 
-/// What one forager wants: to look for things, more to bring what it knows of to its depot, more than that a full
-/// battery, and most of all to bring what it holds. Tells others only where its depot is, so that none takes things out
-/// of it, and where it is about to look ([Lookouts]).
+/// What one forager wants: to look for things, more to bring what it knows of to its depot, more than that a
+/// full battery, and most of all to bring what it holds. Tells others only where its depot is, so that none
+/// takes things out of it, and where it is about to look ([Viewpoints]).
 final class Forager {
     private static final Duration THINK = Duration.ofSeconds(1);
     private static final Duration REPEAT = Duration.ofSeconds(4);
@@ -35,9 +35,9 @@ final class Forager {
     private final AgentContext self;
     private final Robot robot;
     private final Reporter reporter;
-    private final Driver driver;
+    private final NavigationClient driver;
     private final Spotting spotting;
-    private final Lookouts lookouts;
+    private final Viewpoints lookouts;
     private final Charging charging;
     private final Mind mind;
     private final Belief<String> known;
@@ -46,7 +46,7 @@ final class Forager {
     private final Depots depots;
     private final List<CollectGoal> finds = new ArrayList<>();
     private final List<Barred> barred = new ArrayList<>();
-    private @Nullable Haul haul;
+    private @Nullable FetchTask haul;
     private boolean dropped; // for something more urgent
 
     /// What it could not fetch.
@@ -58,7 +58,7 @@ final class Forager {
         this.self = self;
         this.robot = robot;
         this.reporter = new Reporter(self, robot, arguments, _ -> {});
-        this.driver = new Driver(self, robot.require(Navigator.class));
+        this.driver = new NavigationClient(self, robot.require(Navigator.class));
         this.spotting = new Spotting(
                 self,
                 robot,
@@ -66,8 +66,8 @@ final class Forager {
                 Spotting.color(arguments, Explore.COLOR),
                 arguments.number(Explore.RANGE.name()),
                 this::see);
-        this.lookouts = new Lookouts(
-                self, robot, driver, reporter::mapFromBase, arguments.integer(Lookouts.COUNT.name()), () -> 0);
+        this.lookouts = new Viewpoints(
+                self, robot, driver, reporter::mapFromBase, arguments.integer(Viewpoints.COUNT.name()), () -> 0);
         this.charging = Recharging.charging(self, robot, driver, reporter::mapFromBase, arguments);
         this.given = arguments.places(Collecting.DEPOT.name());
         this.depotRadius = arguments.number(Collecting.DEPOT_RADIUS.name());
@@ -135,11 +135,11 @@ final class Forager {
         return finds.stream().min(Comparator.comparingDouble(thing -> distance(thing.mapFromThing())));
     }
 
-    private void fetch(Doing doing) {
+    private void fetch(PlanContext doing) {
         CollectGoal thing = nearest().orElseThrow(); // else it is not wanted
         Point2d mapFromDepot = depots.nearest(thing.mapFromThing()); // it settles before it thinks
         dropped = false;
-        var begun = new Haul(
+        var begun = new FetchTask(
                 self,
                 robot,
                 reporter,
@@ -153,12 +153,12 @@ final class Forager {
     }
 
     /// It goes for it again later.
-    private void drop(Haul begun) {
+    private void drop(FetchTask begun) {
         dropped = begun.canBeDropped();
         begun.drop();
     }
 
-    private void ended(Doing doing, CollectGoal thing, Point2d mapFromDepot, Optional<String> why) {
+    private void ended(PlanContext doing, CollectGoal thing, Point2d mapFromDepot, Optional<String> why) {
         haul = null;
         if (dropped) {
             doing.fail("There was something more urgent.");
@@ -175,7 +175,7 @@ final class Forager {
         }
     }
 
-    private void lookAround(Doing doing) {
+    private void lookAround(PlanContext doing) {
         doing.onSuspend(lookouts::pause).onResume(lookouts::goOn).onEnd(lookouts::pause);
         lookouts.goOn();
     }

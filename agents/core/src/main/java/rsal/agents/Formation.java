@@ -8,7 +8,7 @@ import rsal.settings.Parameter;
 
 /// Leads a team through the map in a formation, each robot at a place of its own in it. Where there is no room it goes
 /// in a column. Needs no robot.
-public final class Formation extends Kind {
+public final class Formation extends AgentTypeBase {
     static final Parameter ROBOTS =
             Parameter.robots("robots", NewGoal.ALL, List.of(NewGoal.ALL), "Role of the robots to lead, or all.");
     static final Parameter SHAPE =
@@ -37,6 +37,6 @@ public final class Formation extends Kind {
                     "Agent (%s) needs a route of at least two places. Maybe set its argument (route) to \"0 0; 10 0\"."
                             .formatted(self.name()));
         }
-        new March(self, arguments).begin();
+        new VirtualStructure(self, arguments).begin();
     }
 }

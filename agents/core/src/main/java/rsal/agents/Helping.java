@@ -6,8 +6,8 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
-import rsal.agent.team.Course;
 import rsal.agent.team.Skill;
+import rsal.agent.team.TaskRoute;
 import rsal.agent.team.Work;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
@@ -27,7 +27,7 @@ final class Helping implements Skill<Help> {
     private static final int TRIES = 4;
 
     private final AgentContext self;
-    private final Driver driver;
+    private final NavigationClient driver;
     private final Scouting scouting;
     private final Supplier<Optional<Pose2d>> mapFromBase;
     private final Exploring exploring;
@@ -51,9 +51,9 @@ final class Helping implements Skill<Help> {
     }
 
     @Override
-    public Optional<Course> course(Help job) {
+    public Optional<TaskRoute> course(Help job) {
         Pose2d mapFromVictim = at(mapFromVictim(job), 0);
-        return Optional.of(new Course(mapFromVictim, mapFromVictim, SPEED * stay.toMillis() / 1000.0));
+        return Optional.of(new TaskRoute(mapFromVictim, mapFromVictim, SPEED * stay.toMillis() / 1000.0));
     }
 
     @Override

@@ -17,14 +17,14 @@ final class Homing {
     private static final Tolerance THERE = Tolerance.position(0.5);
 
     private final AgentContext self;
-    private final Driver driver;
+    private final NavigationClient driver;
     private final Supplier<Optional<Pose2d>> mapFromBase;
     private final BooleanSupplier idle;
     private Optional<Pose2d> mapFromHome = Optional.empty();
     private Instant since = Instant.MIN; // it was wanted, or on its way
 
     /// @param idle whether nobody wants the robot
-    Homing(AgentContext self, Driver driver, Supplier<Optional<Pose2d>> mapFromBase, BooleanSupplier idle) {
+    Homing(AgentContext self, NavigationClient driver, Supplier<Optional<Pose2d>> mapFromBase, BooleanSupplier idle) {
         this.self = self;
         this.driver = driver;
         this.mapFromBase = mapFromBase;

@@ -38,9 +38,9 @@ final class Hunt {
     private final AgentContext self;
     private final Robot robot;
     private final Reporter reporter;
-    private final Driver driver;
-    private final Errands errands;
-    private final Sightings sightings;
+    private final NavigationClient driver;
+    private final GoalService errands;
+    private final TargetTracks sightings;
     private final Search search;
     private final String preyName;
     private final double catchDistance;
@@ -57,10 +57,10 @@ final class Hunt {
         this.self = self;
         this.robot = robot;
         this.reporter = new Reporter(self, robot, arguments, this::note);
-        this.driver = new Driver(self, robot.require(Navigator.class));
+        this.driver = new NavigationClient(self, robot.require(Navigator.class));
         this.search = new Search(self, robot, driver, reporter::mapFromBase, arguments, this::note);
-        this.errands = new Errands(self, robot.id(), driver, search::pause, this::decide);
-        this.sightings = new Sightings(self.blackboard());
+        this.errands = new GoalService(self, robot.id(), driver, search::pause, this::decide);
+        this.sightings = new TargetTracks(self.blackboard());
         this.preyName = arguments.text(Follow.PREY.name());
         this.catchDistance = arguments.number(Follow.CATCH_DISTANCE.name());
         this.tolerance = Tolerance.position(catchDistance / 2);

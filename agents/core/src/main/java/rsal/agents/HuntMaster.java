@@ -7,7 +7,7 @@ import rsal.settings.Parameter;
 
 /// Has a team catch prey: hunters that bid (`follow` with `assignment: bids`) each get a prey so that no way is long,
 /// more than one of them for a prey when there are more hunters; again and again while they move. Needs no robot.
-public final class HuntMaster extends Kind {
+public final class HuntMaster extends AgentTypeBase {
     static final Parameter PREY =
             Parameter.robots("prey", "prey", List.of(), "Role of the robots to hunt, or id of the one.");
     static final Parameter INTERVAL =
@@ -23,6 +23,6 @@ public final class HuntMaster extends Kind {
 
     @Override
     void begin(AgentContext self, Arguments arguments) {
-        new Pack(self, arguments).begin();
+        new PursuitCoordinator(self, arguments).begin();
     }
 }

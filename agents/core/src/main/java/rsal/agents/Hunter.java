@@ -21,18 +21,18 @@ final class Hunter {
 
     private final AgentContext self;
     private final Reporter reporter;
-    private final Sightings sightings;
+    private final TargetTracks sightings;
     private final Worker worker;
     private final Chasing chasing;
-    private final Errands errands;
+    private final GoalService errands;
     private final Search search;
     private int looks; // only the newest counts
 
     Hunter(AgentContext self, Robot robot, Arguments arguments) {
         this.self = self;
-        this.sightings = new Sightings(self.blackboard());
+        this.sightings = new TargetTracks(self.blackboard());
         this.reporter = new Reporter(self, robot, arguments, sightings::note);
-        var driver = new Driver(self, robot.require(Navigator.class));
+        var driver = new NavigationClient(self, robot.require(Navigator.class));
         this.chasing = new Chasing(
                 self,
                 robot,
@@ -44,7 +44,7 @@ final class Hunter {
         this.worker = new Worker(
                 self, new PlannedWays(robot.find(Planner.class), NEAR), reporter::mapFromBase, this::changed);
         this.worker.learn(Catch.class, chasing);
-        this.errands = new Errands(self, robot.id(), driver, this::leave, this::comeBack);
+        this.errands = new GoalService(self, robot.id(), driver, this::leave, this::comeBack);
         this.search = new Search(self, robot, driver, reporter::mapFromBase, arguments, this::learn);
     }
 

@@ -9,7 +9,7 @@ import rsal.settings.Arguments;
 
 /// An intruder: follows the wall on its left and tells nobody where it is. What it knows of those that watch are the
 /// poses they report; it gives up when one of them comes too near.
-public final class Intrude extends Kind {
+public final class Intrude extends AgentTypeBase {
     public Intrude() {
         super(
                 "intrude",
@@ -23,7 +23,7 @@ public final class Intrude extends Kind {
         Robot robot = Body.of(self);
         var mapFromBase = Reporter.belief(robot);
         var wallFollowing = Roaming.alongWalls(self, robot);
-        var surrender = new Surrender(
+        var surrender = new CaptureDetector(
                 self,
                 robot,
                 arguments.text(Escape.HUNTER.name()),

@@ -5,7 +5,7 @@ import rsal.agent.AgentContext;
 import rsal.settings.Arguments;
 
 /// Has a team map a place that nobody knows. Needs no robot.
-public final class Mapping extends Kind {
+public final class Mapping extends AgentTypeBase {
     public Mapping() {
         super(
                 "mapping",

@@ -3,8 +3,8 @@ package rsal.agents;
 import java.util.Map;
 import java.util.Optional;
 import rsal.agent.AgentContext;
-import rsal.agent.Capability;
 import rsal.agent.Directory;
+import rsal.agent.ServiceDescription;
 
 /// Who wears which marker, as their agents tell the directory.
 final class Markers {
@@ -17,12 +17,12 @@ final class Markers {
     static void tell(AgentContext self) {
         self.robot()
                 .ifPresent(robot -> robot.marker()
-                        .ifPresent(id -> self.offer(new Capability(NAME, Map.of(ID, Integer.toString(id))))));
+                        .ifPresent(id -> self.offer(new ServiceDescription(NAME, Map.of(ID, Integer.toString(id))))));
     }
 
     /// Whose robot wears a marker; empty when no agent that runs has told.
     static Optional<Directory.Entry> wearer(Directory directory, int marker) {
-        var worn = new Capability(NAME, Map.of(ID, Integer.toString(marker)));
+        var worn = new ServiceDescription(NAME, Map.of(ID, Integer.toString(marker)));
         return directory.agents().stream()
                 .filter(agent -> directory.capabilities(agent.name()).contains(worn))
                 .findFirst();

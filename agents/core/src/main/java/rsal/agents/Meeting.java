@@ -6,8 +6,8 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import rsal.agent.AgentContext;
 import rsal.agent.message.Alarm;
-import rsal.agent.team.Course;
 import rsal.agent.team.Skill;
+import rsal.agent.team.TaskRoute;
 import rsal.agent.team.Work;
 import rsal.agents.Intruders.Track;
 import rsal.data.Point2d;
@@ -30,12 +30,12 @@ final class Meeting implements Skill<Meet> {
     private static final Duration STAY = Duration.ofSeconds(5);
 
     private final AgentContext self;
-    private final Driver driver;
+    private final NavigationClient driver;
     private final Supplier<Optional<Pose2d>> mapFromBase;
     private final Intruders intruders = new Intruders();
     private Instant inSightUntil = Instant.MIN;
 
-    Meeting(AgentContext self, Driver driver, Supplier<Optional<Pose2d>> mapFromBase) {
+    Meeting(AgentContext self, NavigationClient driver, Supplier<Optional<Pose2d>> mapFromBase) {
         this.self = self;
         this.driver = driver;
         this.mapFromBase = mapFromBase;
@@ -60,8 +60,8 @@ final class Meeting implements Skill<Meet> {
     }
 
     @Override
-    public Optional<Course> course(Meet job) {
-        return Optional.of(Course.at(Words.pose(track(job).mapFromIntruder())));
+    public Optional<TaskRoute> course(Meet job) {
+        return Optional.of(TaskRoute.at(Words.pose(track(job).mapFromIntruder())));
     }
 
     @Override

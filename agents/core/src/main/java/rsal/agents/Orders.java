@@ -6,8 +6,8 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import rsal.agent.AgentContext;
-import rsal.agent.Capability;
 import rsal.agent.Directory;
+import rsal.agent.ServiceDescription;
 import rsal.agent.message.CollectGoal;
 import rsal.agent.protocol.Request;
 import rsal.agent.protocol.Request.Asked;
@@ -20,7 +20,7 @@ import rsal.settings.Arguments;
 /// nobody asks for it again.
 final class Orders {
     private static final String SERVICE = "fetch";
-    /// How often it says what is to be fetched: two of these may get lost within [Finds#MEMORY].
+    /// How often it says what is to be fetched: two of these may get lost within [Detections#MEMORY].
     static final Duration REPEAT = Duration.ofSeconds(4);
 
     private static final int TRIES = 3;
@@ -50,7 +50,7 @@ final class Orders {
 
     void begin() {
         service(self).answer(this::asked);
-        self.offer(Capability.of(SERVICE));
+        self.offer(ServiceDescription.of(SERVICE));
         self.scheduler()
                 .every(REPEAT, () -> open.values().forEach(asked -> self.publish(CollectGoal.TOPIC, asked.what())));
         team.begin();

@@ -6,7 +6,7 @@ import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
 /// Has a team watch places for ever, so that none is left alone for long. Needs no robot.
-public final class Patrol extends Kind {
+public final class Patrol extends AgentTypeBase {
     static final Parameter PLACES = Parameter.places(
             "places", "Which places to watch. None: they are found by a robot with a device of type (places).");
     static final Parameter COUNT = Parameter.integer("count", 12, 1, 1000, "", "How many places to find.");
@@ -35,6 +35,6 @@ public final class Patrol extends Kind {
 
     @Override
     void begin(AgentContext self, Arguments arguments) {
-        new Watching(self, arguments).begin();
+        new PatrolMonitor(self, arguments).begin();
     }
 }

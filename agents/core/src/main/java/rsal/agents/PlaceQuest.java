@@ -8,7 +8,7 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
 import rsal.agent.protocol.Conversation;
-import rsal.agent.protocol.Ending;
+import rsal.agent.protocol.ConversationResult;
 import rsal.agent.protocol.Request;
 import rsal.agents.PlaceSearch.Found;
 import rsal.agents.PlaceSearch.Wanted;
@@ -90,23 +90,23 @@ final class PlaceQuest {
         }
     }
 
-    private void ended(Wanted places, Ending<Found> ending, List<String> agents) {
+    private void ended(Wanted places, ConversationResult<Found> ending, List<String> agents) {
         conversation = null;
         switch (ending) {
-            case Ending.Informed<Found>(Found told)
+            case ConversationResult.Informed<Found>(Found told)
             when told.mapFromPlaces().size() == places.count() -> {
                 found = true;
                 onFound.accept(told.mapFromPlaces());
                 return;
             }
-            case Ending.Informed<Found>(Found told) ->
+            case ConversationResult.Informed<Found>(Found told) ->
                 failure = "%d instead of %d were told"
                         .formatted(told.mapFromPlaces().size(), places.count());
-            case Ending.Refused<Found>(String why) -> failure = why;
-            case Ending.Failed<Found>(String why) -> failure = why;
-            case Ending.NotUnderstood<Found>(String why) -> failure = why;
-            case Ending.Silent<Found>(String why) -> failure = why;
-            case Ending.Cancelled<Found> _ -> failure = "cancelled";
+            case ConversationResult.Refused<Found>(String why) -> failure = why;
+            case ConversationResult.Failed<Found>(String why) -> failure = why;
+            case ConversationResult.NotUnderstood<Found>(String why) -> failure = why;
+            case ConversationResult.Silent<Found>(String why) -> failure = why;
+            case ConversationResult.Cancelled<Found> _ -> failure = "cancelled";
         }
         askOneOf(agents, places);
     }

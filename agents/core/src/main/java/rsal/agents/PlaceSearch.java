@@ -3,7 +3,7 @@ package rsal.agents;
 import java.util.List;
 import java.util.Optional;
 import rsal.agent.AgentContext;
-import rsal.agent.Capability;
+import rsal.agent.ServiceDescription;
 import rsal.agent.protocol.Request;
 import rsal.agent.protocol.Request.Asked;
 import rsal.data.Point2d;
@@ -14,7 +14,7 @@ import rsal.robot.Robot;
 /// Finds places that a robot can get to, for others who ask, by the robot's place finder. Asking moves nothing.
 final class PlaceSearch {
     /// Of those who can.
-    static final Capability CAPABILITY = Capability.of("places");
+    static final ServiceDescription CAPABILITY = ServiceDescription.of("places");
 
     private final AgentContext self;
     private final PlaceFinder finder;
@@ -75,7 +75,7 @@ final class PlaceSearch {
 
         @Override
         public String toString() {
-            return new Travel.Places(Words.poses(mapFromPlaces)).toString();
+            return new PathCostService.Places(Words.poses(mapFromPlaces)).toString();
         }
     }
 }

@@ -5,13 +5,13 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
-import rsal.agent.team.Ways;
+import rsal.agent.team.PathCostEstimator;
 import rsal.data.Pose2d;
 import rsal.device.Planner;
 
 /// What ways cost by a robot's planner. A way that ends farther from a place than that, because the robot does not fit
 /// there, leads nowhere: it would not be driven either.
-final class PlannedWays implements Ways {
+final class PlannedWays implements PathCostEstimator {
     private final Optional<Planner> planner;
     private final double near;
 

@@ -12,7 +12,7 @@ final class Prey {
     private final AgentContext self;
     private final Roaming wallFollowing;
     private final Reporter reporter;
-    private final Surrender surrender;
+    private final CaptureDetector surrender;
     private final Optional<Sight> sight;
 
     Prey(AgentContext self, Robot robot, Arguments arguments) {
@@ -20,7 +20,7 @@ final class Prey {
         this.wallFollowing = Roaming.alongWalls(self, robot);
         String hunter = arguments.text(Escape.HUNTER.name());
         boolean byMarkers = Sight.byMarkers(arguments);
-        this.surrender = new Surrender(
+        this.surrender = new CaptureDetector(
                 self, robot, hunter, arguments.number(Escape.CATCH_DISTANCE.name()), byMarkers, wallFollowing::end);
         this.reporter = new Reporter(self, robot, arguments, _ -> lookAround(), !byMarkers);
         this.sight = byMarkers

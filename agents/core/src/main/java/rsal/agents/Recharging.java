@@ -40,7 +40,7 @@ final class Recharging {
     Recharging(
             AgentContext self,
             Robot robot,
-            Driver driver,
+            NavigationClient driver,
             Supplier<Optional<Pose2d>> mapFromBase,
             Arguments arguments,
             BooleanSupplier canLeave,
@@ -57,7 +57,7 @@ final class Recharging {
     static Charging charging(
             AgentContext self,
             Robot robot,
-            Driver driver,
+            NavigationClient driver,
             Supplier<Optional<Pose2d>> mapFromBase,
             Arguments arguments) {
         return new Charging(

@@ -12,7 +12,7 @@ import rsal.settings.Arguments;
 
 /// Brings a helper to each victim that somebody tells of: each is a job of a team, and is never given up. Needs no
 /// robot.
-public final class RescueMaster extends Kind {
+public final class RescueMaster extends AgentTypeBase {
     public RescueMaster() {
         super(
                 "rescue",

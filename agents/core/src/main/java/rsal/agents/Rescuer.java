@@ -15,7 +15,7 @@ import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
 /// Tells of victims that its robot sees while that explores or waits. Driving where it is told comes first.
-public abstract class Rescuer extends Kind {
+public abstract class Rescuer extends AgentTypeBase {
     static final Parameter RETURNS = Parameter.flag(
             "returns",
             true,
@@ -36,7 +36,7 @@ public abstract class Rescuer extends Kind {
         var parts = new Parts(
                 self,
                 robot,
-                new Driver(self, robot.require(Navigator.class)),
+                new NavigationClient(self, robot.require(Navigator.class)),
                 new Reporter(self, robot, arguments, _ -> {}),
                 new Scouting(self, robot),
                 Exploring.of(self, robot));
@@ -61,7 +61,12 @@ public abstract class Rescuer extends Kind {
 
     /// What all of them have.
     record Parts(
-            AgentContext self, Robot robot, Driver driver, Reporter reporter, Scouting scouting, Exploring exploring) {}
+            AgentContext self,
+            Robot robot,
+            NavigationClient driver,
+            Reporter reporter,
+            Scouting scouting,
+            Exploring exploring) {}
 
     /// Only looks for victims.
     public static final class Scout extends Rescuer {
@@ -71,7 +76,7 @@ public abstract class Rescuer extends Kind {
 
         @Override
         BooleanSupplier work(Parts parts, Arguments arguments) {
-            var errands = new Errands(
+            var errands = new GoalService(
                     parts.self, parts.robot.id(), parts.driver, parts.exploring::pause, parts.exploring::goOn);
             errands.begin();
             return () -> !errands.busy();
@@ -95,7 +100,7 @@ public abstract class Rescuer extends Kind {
         @Override
         BooleanSupplier work(Parts parts, Arguments arguments) {
             AgentContext self = parts.self;
-            Driver driver = parts.driver;
+            NavigationClient driver = parts.driver;
             Exploring exploring = parts.exploring;
             double reach = arguments.number(REACH.name());
             Duration stay = arguments.seconds(STAY.name());
@@ -106,7 +111,7 @@ public abstract class Rescuer extends Kind {
                 }
             });
             worker.learn(Help.class, new Helping(parts, reach, stay));
-            var errands = new Errands(
+            var errands = new GoalService(
                     self,
                     parts.robot.id(),
                     driver,

@@ -8,7 +8,7 @@ import rsal.robot.Robot;
 import rsal.settings.Arguments;
 
 /// Drives about by a behavior and says where it is. Driving where it is told comes first.
-public abstract class Roamer extends Kind {
+public abstract class Roamer extends AgentTypeBase {
     private final BiFunction<AgentContext, Robot, Roaming> roaming;
 
     Roamer(String key, String description, BiFunction<AgentContext, Robot, Roaming> roaming) {

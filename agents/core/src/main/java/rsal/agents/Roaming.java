@@ -17,7 +17,7 @@ final class Roaming {
     private final String state;
     private final Function<RobotModel, Subsumption> behavior;
     private final Pilot pilot;
-    private final Optional<Errands> errands;
+    private final Optional<GoalService> errands;
 
     static Roaming alongWalls(AgentContext self, Robot robot) {
         return new Roaming(self, robot, "following the wall", PioneerStack::followLeftWall);
@@ -34,19 +34,19 @@ final class Roaming {
         this.behavior = behavior;
         this.pilot = robot.require(Pilot.class);
         this.errands = robot.find(Navigator.class)
-                .map(navigator -> new Driver(self, navigator))
-                .map(driver -> new Errands(self, robot.id(), driver, pilot::release, this::roam));
+                .map(navigator -> new NavigationClient(self, navigator))
+                .map(driver -> new GoalService(self, robot.id(), driver, pilot::release, this::roam));
         self.atEnd(pilot::release);
     }
 
     void begin() {
-        errands.ifPresent(Errands::begin);
+        errands.ifPresent(GoalService::begin);
         roam();
     }
 
     /// Whether it drives where it was told.
     boolean isOnErrand() {
-        return errands.filter(Errands::busy).isPresent();
+        return errands.filter(GoalService::busy).isPresent();
     }
 
     /// Lets go of the robot until it is to go on.
@@ -60,7 +60,7 @@ final class Roaming {
 
     /// Lets go of the robot for good.
     void end() {
-        errands.ifPresent(Errands::end);
+        errands.ifPresent(GoalService::end);
         pilot.release();
     }
 

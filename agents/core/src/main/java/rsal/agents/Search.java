@@ -15,15 +15,15 @@ import rsal.device.PlaceFinder;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
 
-/// How a hunter learns where prey are. Prey that tell where they are it hears. Those that don't it sees, as other
-/// hunters do who tell it; and while there is none to hunt, it goes where it may see some ([Lookouts]).
+/// How a hunter learns where prey are. Prey that tell where they are it hears. Those that don't it sees, as
+/// other hunters do who tell it; and while there is none to hunt, it goes where it may see some ([Viewpoints]).
 final class Search {
     private final AgentContext self;
     private final String hunters;
     private final String prey;
     private final Consumer<PoseReport> onNews;
     private final Optional<Sight> sight; // empty: prey tell
-    private final Optional<Lookouts> lookouts;
+    private final Optional<Viewpoints> lookouts;
 
     /// @param driver the robot's, which is not used while this is paused
     /// @param onNews told where robots are, hunters and prey
@@ -31,7 +31,7 @@ final class Search {
     Search(
             AgentContext self,
             Robot robot,
-            Driver driver,
+            NavigationClient driver,
             Supplier<Optional<Pose2d>> mapFromBase,
             Arguments arguments,
             Consumer<PoseReport> onNews) {
@@ -42,8 +42,8 @@ final class Search {
         this.sight = Sight.byMarkers(arguments)
                 ? Optional.of(new Sight(self, robot, mapFromBase, prey, seen -> onNews.accept(seen.report())))
                 : Optional.empty();
-        int places = arguments.integer(Lookouts.COUNT.name());
-        this.lookouts = sight.map(eyes -> new Lookouts(self, robot, driver, mapFromBase, places, eyes::fieldOfView));
+        int places = arguments.integer(Viewpoints.COUNT.name());
+        this.lookouts = sight.map(eyes -> new Viewpoints(self, robot, driver, mapFromBase, places, eyes::fieldOfView));
     }
 
     /// Types of devices that it takes to look: to see prey, and to find places to look from and turn there.
@@ -57,7 +57,7 @@ final class Search {
             self.subscribe(Sighting.TOPIC, message -> hear(message.content()));
             sight.get().begin();
         }
-        lookouts.ifPresent(Lookouts::begin);
+        lookouts.ifPresent(Viewpoints::begin);
     }
 
     private void hear(PoseReport report) {
@@ -74,12 +74,12 @@ final class Search {
 
     /// Lets others drive the robot.
     void pause() {
-        lookouts.ifPresent(Lookouts::pause);
+        lookouts.ifPresent(Viewpoints::pause);
     }
 
     /// Drives the robot again, if it does at all.
     void goOn() {
-        lookouts.ifPresent(Lookouts::goOn);
+        lookouts.ifPresent(Viewpoints::goOn);
     }
 
     /// Whether it drives the robot when nobody else does.

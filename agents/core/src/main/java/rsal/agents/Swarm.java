@@ -13,7 +13,7 @@ import rsal.settings.Parameter;
 /// One of many: tells all where it is, hears where they are, follows the wall on its left, drives where it is told and
 /// keeps its place in formations. Its robot needs few devices, so that hundreds fit into a run; without a pilot it
 /// waits where others follow walls.
-public final class Swarm extends Kind {
+public final class Swarm extends AgentTypeBase {
     static final Parameter RADIUS = Parameter.number(
             "radius", 0, 0, 10_000, "m", "Robots farther away than this are not heard; 0 hears all of them.");
     static final Parameter NEAR =
@@ -40,20 +40,20 @@ public final class Swarm extends Kind {
         var reporter = new Reporter(self, robot, arguments, said -> neighbors.isAt(said.mapFromBase()));
         double radius = arguments.number(RADIUS.name());
         neighbors.begin(radius == 0 ? Interest.all() : PoseReport.within(radius, reporter::mapFromBase));
-        var driver = new Driver(self, robot.require(Navigator.class));
+        var driver = new NavigationClient(self, robot.require(Navigator.class));
         if (arguments.text(IDLE.name()).equals(ROAM) && robot.find(Pilot.class).isPresent()) {
             Roaming roaming = Roaming.alongWalls(self, robot);
             roaming.begin();
-            new RankKeeping(self, robot.id(), driver, roaming::isOnErrand, roaming::pause, roaming::goOn).begin();
+            new FormationFollower(self, robot.id(), driver, roaming::isOnErrand, roaming::pause, roaming::goOn).begin();
         } else {
-            var errands = new Errands(self, robot.id(), driver, () -> {}, () -> {});
+            var errands = new GoalService(self, robot.id(), driver, () -> {}, () -> {});
             errands.begin();
-            new RankKeeping(self, robot.id(), driver, errands::busy, () -> {}, () -> self.state(WAITING)).begin();
+            new FormationFollower(self, robot.id(), driver, errands::busy, () -> {}, () -> self.state(WAITING)).begin();
             self.state(WAITING);
         }
         reporter.begin();
-        Travel.begin(self, robot, reporter);
+        PathCostService.begin(self, robot, reporter);
         PlaceSearch.begin(self, robot, reporter);
-        Survey.begin(self, robot);
+        SurveyService.begin(self, robot);
     }
 }

@@ -11,7 +11,7 @@ import rsal.settings.Parameter;
 
 /// Moves stand-ins of robots in a simulated world to where the robots say they are: mixed reality with robots
 /// that are not of this run; those that are can have a `proxy`. Needs no robot.
-public final class View extends Kind {
+public final class View extends AgentTypeBase {
     private static final Parameter ROBOT = Parameter.robots(
             "robot", NewGoal.ALL, List.of(NewGoal.ALL), "Role of the robots to show, id of the one, or all.");
     private static final Parameter PROXY = Parameter.text(

@@ -2,8 +2,8 @@ package rsal.agents;
 
 import java.util.Optional;
 import rsal.agent.AgentContext;
-import rsal.agent.team.Course;
 import rsal.agent.team.Skill;
+import rsal.agent.team.TaskRoute;
 import rsal.agent.team.Work;
 import rsal.device.Navigator.Result;
 import rsal.device.Navigator.Tolerance;
@@ -15,19 +15,19 @@ final class Visiting implements Skill<Visit> {
 
     private final AgentContext self;
     private final String robot;
-    private final Driver driver;
+    private final NavigationClient driver;
 
-    Visiting(AgentContext self, String robot, Driver driver) {
+    Visiting(AgentContext self, String robot, NavigationClient driver) {
         this.self = self;
         this.robot = robot;
         this.driver = driver;
     }
 
     @Override
-    public Optional<Course> course(Visit job) {
+    public Optional<TaskRoute> course(Visit job) {
         return job.robot().filter(only -> !only.equals(robot)).isPresent()
                 ? Optional.empty()
-                : Optional.of(new Course(
+                : Optional.of(new TaskRoute(
                         job.mapFromPlace(),
                         job.mapFromPlace(),
                         SPEED * job.stay().toMillis() / 1000.0));

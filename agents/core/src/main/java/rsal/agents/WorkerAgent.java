@@ -3,7 +3,7 @@ package rsal.agents;
 import java.util.List;
 import java.util.Optional;
 import rsal.agent.AgentContext;
-import rsal.agent.team.Ways;
+import rsal.agent.team.PathCostEstimator;
 import rsal.agent.team.Worker;
 import rsal.device.BlobFinder;
 import rsal.device.Device;
@@ -15,31 +15,36 @@ import rsal.settings.Arguments;
 
 /// A member of a team: bids for what the team has to do and does what it gets. Its battery comes first, then driving
 /// where it is told.
-public final class WorkerAgent extends Kind {
+public final class WorkerAgent extends AgentTypeBase {
     private static final double NEAR = 0.5; // m, of a place
 
     public WorkerAgent() {
         super(
                 "worker",
                 "Bids for what its team has to do, does what it gets, and minds its battery.",
-                List.of(Recharging.CHARGERS, Recharging.LOW, Recharging.FULL, Sentry.INTRUDER, Reporter.PERIOD),
+                List.of(
+                        Recharging.CHARGERS,
+                        Recharging.LOW,
+                        Recharging.FULL,
+                        IntruderDetector.INTRUDER,
+                        Reporter.PERIOD),
                 List.of(Navigator.class));
     }
 
     @Override
     List<Class<? extends Device>> needsBesides(Arguments arguments) {
-        return arguments.text(Sentry.INTRUDER.name()).isEmpty() ? List.of() : List.of(BlobFinder.class);
+        return arguments.text(IntruderDetector.INTRUDER.name()).isEmpty() ? List.of() : List.of(BlobFinder.class);
     }
 
     @Override
     void begin(AgentContext self, Arguments arguments) {
         Robot robot = Body.of(self);
-        var driver = new Driver(self, robot.require(Navigator.class));
+        var driver = new NavigationClient(self, robot.require(Navigator.class));
         var reporter = new Reporter(self, robot, arguments, _ -> {});
         Optional<Charting> charting =
                 robot.find(Mapper.class).map(mapper -> new Charting(self, robot.id(), driver, mapper));
-        Ways planned = new PlannedWays(robot.find(Planner.class), NEAR);
-        Ways ways = charting.map(skill -> skill.ways(planned)).orElse(planned);
+        PathCostEstimator planned = new PlannedWays(robot.find(Planner.class), NEAR);
+        PathCostEstimator ways = charting.map(skill -> skill.ways(planned)).orElse(planned);
         var worker = new Worker(self, ways, reporter::mapFromBase, now -> {
             if (now.job().isEmpty()) {
                 self.state("waiting for a job");
@@ -61,7 +66,7 @@ public final class WorkerAgent extends Kind {
                 () -> true,
                 () -> worker.unfit("charging"),
                 worker::fit);
-        var errands = new Errands(self, robot.id(), driver, () -> worker.unfit("on an errand"), () -> {
+        var errands = new GoalService(self, robot.id(), driver, () -> worker.unfit("on an errand"), () -> {
             if (recharging.isCharging()) {
                 worker.unfit("charging");
             } else {
@@ -71,10 +76,10 @@ public final class WorkerAgent extends Kind {
         recharging.begin();
         errands.begin();
         reporter.begin();
-        Travel.begin(self, robot, reporter);
+        PathCostService.begin(self, robot, reporter);
         PlaceSearch.begin(self, robot, reporter);
-        Spotting.color(arguments, Sentry.INTRUDER)
-                .ifPresent(color -> new Sentry(self, robot, reporter, color, meeting::see).begin());
+        Spotting.color(arguments, IntruderDetector.INTRUDER)
+                .ifPresent(color -> new IntruderDetector(self, robot, reporter, color, meeting::see).begin());
         worker.begin();
         self.state("waiting for a job");
     }

@@ -15,7 +15,7 @@ public final class Run {
     static final Topic<String> WORDS = new Topic<>("words", String.class);
 
     public final LockstepScheduler scheduler = new LockstepScheduler();
-    final Society society = new Society(
+    final AgentPlatform society = new AgentPlatform(
             scheduler, new PlainHostProvider().create(Arguments.defaults(List.of()), scheduler), Optional.empty());
 
     /// All that was said, as `zoe -> amy: request: ...`, in order.
@@ -26,7 +26,7 @@ public final class Run {
         return lines;
     }
 
-    public void deliverBy(Delivery delivery) {
+    public void deliverBy(ChannelModel delivery) {
         society.deliverBy(delivery);
     }
 
@@ -59,7 +59,7 @@ public final class Run {
         scheduler.advance(Duration.ofMillis(Math.round(seconds * 1000)));
     }
 
-    public Society.View view(String name) {
+    public AgentPlatform.View view(String name) {
         return society.views().stream()
                 .filter(view -> view.agent().name().equals(name))
                 .findFirst()

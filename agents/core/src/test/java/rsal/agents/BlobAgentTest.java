@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import rsal.agent.Society.Status;
+import rsal.agent.AgentPlatform.Status;
 import rsal.data.Pose2d;
 import rsal.data.Rgb;
 import rsal.settings.Arguments;

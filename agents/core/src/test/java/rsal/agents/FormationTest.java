@@ -10,9 +10,9 @@ import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import org.junit.jupiter.api.Test;
-import rsal.agent.Society.Status;
+import rsal.agent.AgentPlatform.Status;
 import rsal.agent.Topic;
-import rsal.agent.message.Ranks;
+import rsal.agent.message.FormationSlots;
 import rsal.agent.protocol.Act;
 import rsal.data.Path2d;
 import rsal.data.Pose2d;
@@ -60,8 +60,8 @@ class FormationTest {
                 Map.of("shape", shape, "route", route, "spacing", 2, "speed", 0.5));
     }
 
-    private Ranks ranks() {
-        return scene.said("formation", Ranks.TOPIC).getLast();
+    private FormationSlots ranks() {
+        return scene.said("formation", FormationSlots.TOPIC).getLast();
     }
 
     /// All are where they should be, for a while.
@@ -115,7 +115,7 @@ class FormationTest {
         scene.advance(3);
         assertThat(ranks().shape()).isEqualTo("line");
         march(30);
-        Ranks narrow = ranks();
+        FormationSlots narrow = ranks();
         assertThat(narrow.shape()).isEqualTo("column");
         assertThat(narrow.slots().values())
                 .extracting(slot -> slot.mapFromSlot().y())

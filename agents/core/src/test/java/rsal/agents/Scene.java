@@ -6,10 +6,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.ServiceLoader;
+import rsal.agent.AgentPlatform;
 import rsal.agent.AgentSpec;
 import rsal.agent.AgentType;
 import rsal.agent.Message;
-import rsal.agent.Society;
 import rsal.agent.Topic;
 import rsal.agent.message.NewGoal;
 import rsal.agent.message.PoseReport;
@@ -24,11 +24,11 @@ import rsal.time.LockstepScheduler;
 final class Scene {
     final LockstepScheduler scheduler = new LockstepScheduler();
     final List<Message<?>> said = new ArrayList<>();
-    final Society society;
+    final AgentPlatform society;
 
     Scene(Optional<SimulationControl> simulation) {
         var host = new PlainHostProvider().create(Arguments.defaults(List.of()), scheduler);
-        society = new Society(scheduler, host, simulation);
+        society = new AgentPlatform(scheduler, host, simulation);
         society.onMessage(said::add);
     }
 
@@ -82,7 +82,7 @@ final class Scene {
                 .toList();
     }
 
-    Society.View view(String agent) {
+    AgentPlatform.View view(String agent) {
         return society.views().stream()
                 .filter(view -> view.agent().name().equals(agent))
                 .findFirst()

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import rsal.agent.Society.Status;
+import rsal.agent.AgentPlatform.Status;
 import rsal.agent.message.GoalReached;
 import rsal.agent.message.Hello;
 import rsal.agent.message.Hello.Kind;

@@ -9,7 +9,6 @@ import jade.domain.DFService;
 import jade.domain.FIPAAgentManagement.DFAgentDescription;
 import jade.domain.FIPAAgentManagement.FIPAManagementVocabulary;
 import jade.domain.FIPAAgentManagement.Property;
-import jade.domain.FIPAAgentManagement.ServiceDescription;
 import jade.lang.acl.ACLMessage;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
@@ -22,7 +21,7 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
-import rsal.agent.Capability;
+import rsal.agent.ServiceDescription;
 import rsal.time.Scheduler;
 
 /// The JADE agent of one of ours: lends it its thread and speaks for it. What our agents do they do in turn, so that
@@ -39,7 +38,7 @@ final class JadeAgent extends Agent implements Executor {
     private final transient Scheduler run;
     private final transient Consumer<JadeAgent> gone;
     private final transient Queue<Runnable> tasks = new ConcurrentLinkedQueue<>();
-    private final transient SortedMap<String, Capability> offers = new TreeMap<>(); // by name
+    private final transient SortedMap<String, ServiceDescription> offers = new TreeMap<>(); // by name
     private final transient Queue<ACLMessage> said = new ArrayDeque<>(); // of its thread
     private final Work work = new Work();
     private volatile @Nullable Thread thread; // its own, once it has begun
@@ -110,13 +109,13 @@ final class JadeAgent extends Agent implements Executor {
         return (TopicManagementHelper) getHelper(TopicManagementHelper.SERVICE_NAME);
     }
 
-    void offer(Capability capability) {
+    void offer(ServiceDescription capability) {
         boolean first = offers.isEmpty();
         offers.put(capability.name(), capability);
         ask(first ? FIPAManagementVocabulary.REGISTER : FIPAManagementVocabulary.MODIFY);
     }
 
-    void withdraw(Capability capability) {
+    void withdraw(ServiceDescription capability) {
         offers.remove(capability.name());
         ask(offers.isEmpty() ? FIPAManagementVocabulary.DEREGISTER : FIPAManagementVocabulary.MODIFY);
     }
@@ -129,8 +128,8 @@ final class JadeAgent extends Agent implements Executor {
         send(DFService.createRequestMessage(this, getDefaultDF(), action, entry, null));
     }
 
-    private static ServiceDescription service(Capability capability) {
-        var service = new ServiceDescription();
+    private static jade.domain.FIPAAgentManagement.ServiceDescription service(ServiceDescription capability) {
+        var service = new jade.domain.FIPAAgentManagement.ServiceDescription();
         service.setName(capability.name());
         service.setType(capability.name());
         service.addOntologies(Utterance.ONTOLOGY);

@@ -12,15 +12,15 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import rsal.agent.AgentHost;
-import rsal.agent.Capability;
-import rsal.agent.Carrier;
 import rsal.agent.Message;
+import rsal.agent.MessageTransport;
+import rsal.agent.ServiceDescription;
 import rsal.agent.ThreadLane;
 import rsal.agent.Topic;
 import rsal.time.Scheduler;
 
 /// Agents on a JADE platform of their own. All calls in turn.
-final class JadeHost implements AgentHost, Carrier {
+final class JadeHost implements AgentHost, MessageTransport {
     private static final String PEOPLE = "operator"; // in whose name our people speak
 
     private final Scheduler run;
@@ -93,7 +93,7 @@ final class JadeHost implements AgentHost, Carrier {
     }
 
     @Override
-    public Optional<Carrier> carrier() {
+    public Optional<MessageTransport> carrier() {
         return Optional.of(this);
     }
 
@@ -140,12 +140,12 @@ final class JadeHost implements AgentHost, Carrier {
     }
 
     @Override
-    public void offers(String agent, Capability capability) {
+    public void offers(String agent, ServiceDescription capability) {
         find(agent).ifPresent(one -> one.offer(capability));
     }
 
     @Override
-    public void withdraws(String agent, Capability capability) {
+    public void withdraws(String agent, ServiceDescription capability) {
         find(agent).ifPresent(one -> one.withdraw(capability));
     }
 

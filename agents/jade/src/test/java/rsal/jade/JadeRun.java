@@ -4,7 +4,7 @@ import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import rsal.agent.Agent;
-import rsal.agent.Society;
+import rsal.agent.AgentPlatform;
 import rsal.testkit.contract.HostRun;
 
 /// Agents of ours on JADE, and JADE agents of the test among them.
@@ -12,7 +12,7 @@ final class JadeRun implements AutoCloseable {
     private JadeHost host; // of the run
     private final HostRun run = HostRun.inRealTime(time -> host = JadeHost.start(time, Set.of()));
 
-    Society society() {
+    AgentPlatform society() {
         return run.society();
     }
 

@@ -27,16 +27,16 @@ import rsal.agent.protocol.ContractNet.Manager;
 import rsal.agent.protocol.ContractNet.Proposal;
 import rsal.agent.protocol.ContractNet.Round;
 import rsal.agent.protocol.ContractNet.Verdict;
-import rsal.agent.protocol.Ending;
-import rsal.agent.protocol.Patience;
-import rsal.agent.protocol.Tender;
+import rsal.agent.protocol.ContractNetInitiator;
+import rsal.agent.protocol.ConversationResult;
+import rsal.agent.protocol.RetryPolicy;
 
 /// What JADE's window of who says what is told of a contract net: FIPA's (SC00029H), with all that may be said in it.
 @Timeout(60)
 class JadeSnifferTest {
     private static final Topic<String> WORDS = new Topic<>("words", String.class);
     private static final Duration EVER = Duration.ofMinutes(10);
-    private static final Patience ENDLESS = new Patience(EVER, EVER); // so that nothing is said twice
+    private static final RetryPolicy ENDLESS = new RetryPolicy(EVER, EVER); // so that nothing is said twice
 
     private final Map<String, Instant> deadlines = new TreeMap<>(); // that were heard, by agent
     private final List<String> begun = new ArrayList<>();
@@ -141,7 +141,7 @@ class JadeSnifferTest {
 
     /// Wants the task of the three cheapest, and when two have ended no more of the third.
     private static final class Boss implements Manager<String, Double, String> {
-        private Tender<String, Double, String> net; // once it has called
+        private ContractNetInitiator<String, Double, String> net; // once it has called
         private int ended;
 
         void begin(AgentContext self) {
@@ -154,7 +154,7 @@ class JadeSnifferTest {
         }
 
         @Override
-        public void ended(Proposal<Double> accepted, Ending<String> how) {
+        public void ended(Proposal<Double> accepted, ConversationResult<String> how) {
             ended++;
             if (ended == 2) {
                 net.cancel("cid");

@@ -8,7 +8,6 @@ import jade.core.AID;
 import jade.domain.DFService;
 import jade.domain.FIPAAgentManagement.DFAgentDescription;
 import jade.domain.FIPAAgentManagement.Property;
-import jade.domain.FIPAAgentManagement.ServiceDescription;
 import jade.domain.JADEAgentManagement.KillAgent;
 import jade.domain.JADEAgentManagement.ShutdownPlatform;
 import jade.lang.acl.ACLMessage;
@@ -30,8 +29,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import rsal.agent.Agent;
 import rsal.agent.AgentContext;
-import rsal.agent.Capability;
-import rsal.agent.Society.Status;
+import rsal.agent.AgentPlatform.Status;
+import rsal.agent.ServiceDescription;
 import rsal.agent.Topic;
 import rsal.agent.protocol.Request;
 import rsal.time.WallScheduler;
@@ -120,8 +119,8 @@ class JadeTalkTest {
         try (var run = new JadeRun()) {
             Witness witness = run.witness("witness").ready();
             run.start("amy", self -> {
-                var gripper = self.offer(new Capability("gripper", Map.of("reach", "0.3 m")));
-                self.offer(Capability.of("lift"));
+                var gripper = self.offer(new ServiceDescription("gripper", Map.of("reach", "0.3 m")));
+                self.offer(ServiceDescription.of("lift"));
                 self.subscribe(WORDS, _ -> gripper.cancel());
                 log.add("offered");
             });
@@ -137,7 +136,7 @@ class JadeTalkTest {
 
     /// Asks the facilitator again until so many offer that.
     private static List<String> find(Witness witness, String service, int wanted) {
-        var description = new ServiceDescription();
+        var description = new jade.domain.FIPAAgentManagement.ServiceDescription();
         description.setType(service);
         var template = new DFAgentDescription();
         template.addServices(description);
@@ -149,7 +148,8 @@ class JadeTalkTest {
                     var words = new StringBuilder(entry.getName().getLocalName());
                     var services = entry.getAllServices();
                     while (services.hasNext()) {
-                        var properties = ((ServiceDescription) services.next()).getAllProperties();
+                        var properties = ((jade.domain.FIPAAgentManagement.ServiceDescription) services.next())
+                                .getAllProperties();
                         while (properties.hasNext()) {
                             var property = (Property) properties.next();
                             if (service.equals("gripper")) {
@@ -287,7 +287,7 @@ class JadeTalkTest {
             try (var run = new JadeRun()) {
                 run.start("amy", self -> self.subscribe(WORDS, m -> log.add(m.content())));
                 run.start("bob", self -> {
-                    self.offer(Capability.of("lift"));
+                    self.offer(ServiceDescription.of("lift"));
                     self.scheduler().every(Duration.ofMillis(10), () -> self.publish(WORDS, "hi"));
                     self.send("nobody", WORDS, "hello?");
                 });

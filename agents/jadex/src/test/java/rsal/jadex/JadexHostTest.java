@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Test;
 import rsal.agent.Agent;
 import rsal.agent.AgentContext;
 import rsal.agent.AgentHostProvider;
-import rsal.agent.Society.Status;
+import rsal.agent.AgentPlatform.Status;
 import rsal.agent.Topic;
 import rsal.testkit.contract.AgentHostContract;
 import rsal.testkit.contract.HostRun;

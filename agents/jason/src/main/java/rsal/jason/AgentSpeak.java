@@ -24,6 +24,6 @@ final class AgentSpeak implements AgentLanguage {
 
     @Override
     public AgentType read(String path, FileSource files, Location askedAt) {
-        return new WrittenType(Program.read(path, files, askedAt));
+        return new AgentSpeakType(Program.read(path, files, askedAt));
     }
 }

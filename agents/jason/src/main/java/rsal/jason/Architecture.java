@@ -11,10 +11,10 @@ import rsal.time.Task;
 final class Architecture extends AgArch {
     private static final long serialVersionUID = 1;
 
-    private final transient WrittenAgent agent;
+    private final transient AgentSpeakAgent agent;
     private final String name; // as AgentSpeak writes it
 
-    Architecture(WrittenAgent agent, String name) {
+    Architecture(AgentSpeakAgent agent, String name) {
         this.agent = agent;
         this.name = Terms.quoted(name);
     }

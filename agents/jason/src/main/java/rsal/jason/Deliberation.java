@@ -32,7 +32,7 @@ final class Deliberation extends TransitionSystem {
 
     private final AgArch architecture;
     private final transient List<Deadline> deadlines = new ArrayList<>();
-    private transient @Nullable Complaints complaints;
+    private transient @Nullable Diagnostics complaints;
 
     /// @param size of the intention without the goal
     private record Deadline(Task task, Intention intention, int size) {
@@ -47,7 +47,7 @@ final class Deliberation extends TransitionSystem {
     }
 
     /// To be told before the first cycle.
-    void complainTo(Complaints whom) {
+    void complainTo(Diagnostics whom) {
         complaints = whom;
         setLogger(whom.logger());
     }

@@ -27,7 +27,7 @@ final class Intentions {
     ///
     /// @param at which of its terms that is
     InternalAction numbered(DefaultInternalAction jasons, int at) {
-        return new Replaced.Simple(jasons.getMinArgs(), jasons.getMaxArgs(), (ts, un, terms) -> {
+        return new InternalActionOverrides.Simple(jasons.getMinArgs(), jasons.getMaxArgs(), (ts, un, terms) -> {
             if (terms.length <= at) {
                 return jasons.execute(ts, un, terms);
             }

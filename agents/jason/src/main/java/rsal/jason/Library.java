@@ -6,8 +6,8 @@ import java.util.Set;
 import java.util.TreeSet;
 import rsal.settings.Suggestion;
 
-/// Which of Jason's internal actions agents may use: those without effects outside of the agent as they are, some in
-/// another way ([Replaced]), and no others.
+/// Which of Jason's internal actions agents may use: those without effects outside of the agent as they are,
+/// some in another way ([InternalActionOverrides]), and no others.
 final class Library {
     /// Those of Jason that read and change nothing but the agent's own mind.
     private static final Set<String> AS_THEY_ARE =
@@ -61,12 +61,12 @@ final class Library {
     }
 
     static boolean isKnown(String name) {
-        return isAsItIs(name) || Replaced.NAMES.contains(name);
+        return isAsItIs(name) || InternalActionOverrides.NAMES.contains(name);
     }
 
     private static Set<String> names() {
         var names = new TreeSet<>(AS_THEY_ARE);
-        names.addAll(Replaced.NAMES);
+        names.addAll(InternalActionOverrides.NAMES);
         return names;
     }
 

@@ -66,7 +66,7 @@ final class Reasoner extends Agent {
     }
 
     /// To be told before the first cycle.
-    void complainTo(Complaints complaints) {
+    void complainTo(Diagnostics complaints) {
         deliberation.complainTo(complaints);
     }
 
@@ -94,7 +94,7 @@ final class Reasoner extends Agent {
             return own;
         }
         if (replaced == null) {
-            return Replaced.UNBOUND; // whether there is one of that name, the review tells
+            return InternalActionOverrides.UNBOUND; // whether there is one of that name, the review tells
         }
         throw new ClassNotFoundException(
                 "Internal action (%s) can't be used here. %s".formatted(name, Library.instead(name)));

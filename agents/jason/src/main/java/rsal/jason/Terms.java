@@ -250,7 +250,7 @@ final class Terms {
     /// A term as it can be read again: variables are numbered as they come, as Jason's own names of them differ
     /// from run to run.
     static String written(Term term) {
-        return Written.of(term);
+        return TermText.of(term);
     }
 
     /// What Jason says of terms, without its numbers of variables: they differ from run to run.
@@ -286,7 +286,7 @@ final class Terms {
     /// Jason adds who said it to a plan's label, so it must have one.
     private static Term labelled(Term term) {
         if (term instanceof Plan plan && plan.getLabel() == null) {
-            plan.setLabel(new Pred(Written.UNNAMED));
+            plan.setLabel(new Pred(TermText.UNNAMED));
         }
         list(term).orElse(List.of()).forEach(Terms::labelled);
         return term;

@@ -65,13 +65,13 @@ final class Thoughts {
         var rules = new ArrayList<String>();
         for (Literal belief : reasoner.getBB()) {
             if (belief instanceof Rule rule && belief.getNS().equals(Literal.DefaultNS)) {
-                rules.add(Written.typed(rule));
+                rules.add(TermText.typed(rule));
             }
         }
         var plans = new LinkedHashMap<String, String>();
         for (Plan plan : reasoner.getPL().getPlans()) {
             if (!isJasons(plan)) {
-                plans.merge(name(plan), Written.typed(plan), "%s\n%s"::formatted); // several may begin in one line
+                plans.merge(name(plan), TermText.typed(plan), "%s\n%s"::formatted); // several may begin in one line
             }
         }
         return new Mind.Program(rules, plans);
@@ -160,7 +160,7 @@ final class Thoughts {
 
     /// A term with what its variables stand for. Where something is computed, it is left to be.
     private static String bound(Term term, Unifier unifier) {
-        return isComputed(term) ? Written.of(term, unifier) : Terms.written(term.capply(unifier));
+        return isComputed(term) ? TermText.of(term, unifier) : Terms.written(term.capply(unifier));
     }
 
     private static boolean isComputed(Term term) {

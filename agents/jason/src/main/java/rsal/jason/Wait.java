@@ -13,9 +13,9 @@ import java.util.Optional;
 final class Wait extends OwnAction {
     private static final long serialVersionUID = 1;
 
-    private final transient Waits waits;
+    private final transient SuspendedIntentions waits;
 
-    Wait(Waits waits) {
+    Wait(SuspendedIntentions waits) {
         super(1, 3, false);
         this.waits = waits;
     }

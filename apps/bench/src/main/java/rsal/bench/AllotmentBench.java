@@ -23,7 +23,7 @@ import rsal.data.Point2d;
 import rsal.engine.RunResult;
 import rsal.engine.TopicTraffic;
 import rsal.navigation.grid.DistanceField;
-import rsal.navigation.spread.Ground;
+import rsal.navigation.spread.ReachableSpace;
 import rsal.navigation.spread.Spreader;
 import rsal.navigation.wavefront.CostMap;
 import rsal.navigation.wavefront.Wavefront;
@@ -127,7 +127,7 @@ final class AllotmentBench implements Bench {
 
     /// What ways to places spread over the office floor cost robots anywhere on it, by draw.
     private static List<NavigableMap<String, double[]>> floors() {
-        var ground = Ground.largest(Office.MAP, CLEARANCE);
+        var ground = ReachableSpace.largest(Office.MAP, CLEARANCE);
         var ways = new Wavefront(CostMap.of(
                 Office.MAP, DistanceField.toNotFree(Office.MAP), new CostMap.Clearance(CLEARANCE, 2 * CLEARANCE, 3)));
         return LongStream.rangeClosed(1, DRAWS)
@@ -135,7 +135,8 @@ final class AllotmentBench implements Bench {
                 .toList();
     }
 
-    private static NavigableMap<String, double[]> floor(SplittableRandom random, Ground ground, Wavefront ways) {
+    private static NavigableMap<String, double[]> floor(
+            SplittableRandom random, ReachableSpace ground, Wavefront ways) {
         int size = random.nextInt(2, 9);
         List<Point2d> places =
                 new Spreader(ground, size).spread(random, _ -> {}).places();

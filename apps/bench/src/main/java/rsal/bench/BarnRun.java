@@ -21,11 +21,11 @@ import rsal.data.Twist2d;
 import rsal.device.DriveBase;
 import rsal.device.LaserScanner;
 import rsal.device.SimulationControl;
-import rsal.navigation.avoid.BlindSpot;
 import rsal.navigation.avoid.DriveLimits;
 import rsal.navigation.avoid.LocalPlanner;
 import rsal.navigation.avoid.LocalPlanner.Motion;
 import rsal.navigation.avoid.LocalPlanner.Target;
+import rsal.navigation.avoid.ObstacleMemory;
 import rsal.navigation.avoid.Obstacles;
 import rsal.robot.Robot;
 import rsal.robot.RobotModel;
@@ -63,7 +63,7 @@ final class BarnRun {
     private final LaserScanner laser;
     private final LocalPlanner planner;
     private final Obstacles obstacles = new Obstacles(VIEW);
-    private final BlindSpot blindSpot = new BlindSpot(1.5, Duration.ofSeconds(5));
+    private final ObstacleMemory blindSpot = new ObstacleMemory(1.5, Duration.ofSeconds(5));
     private double turnRate;
     private double turned; // changes of the turn rate, summed up [rad/s]
     private double way;

@@ -10,9 +10,9 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import rsal.agent.Agent;
 import rsal.agent.AgentHostProvider;
+import rsal.agent.AgentPlatform;
 import rsal.agent.AgentSpec;
 import rsal.agent.AgentType;
-import rsal.agent.Society;
 import rsal.settings.Arguments;
 import rsal.time.AllowedToReadWallClock;
 import rsal.time.LockstepScheduler;
@@ -25,14 +25,14 @@ final class BenchedSociety implements AutoCloseable {
     private static final Duration STEP = Duration.ofMillis(1);
 
     private final Scheduler time;
-    private final Society society;
+    private final AgentPlatform society;
     private final List<String> names = new ArrayList<>();
 
     private BenchedSociety(AgentHostProvider host, Scheduler time) {
         this.time = time;
-        var made = new Society[1];
+        var made = new AgentPlatform[1];
         act(() -> made[0] =
-                new Society(time, host.create(Arguments.defaults(host.parameters()), time), Optional.empty()));
+                new AgentPlatform(time, host.create(Arguments.defaults(host.parameters()), time), Optional.empty()));
         this.society = made[0];
     }
 

@@ -11,7 +11,7 @@ import rsal.agent.AgentContext;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.Topic;
 import rsal.agent.protocol.ContractNet;
-import rsal.agent.protocol.Ending;
+import rsal.agent.protocol.ConversationResult;
 import rsal.data.Pose2d;
 import rsal.scenario.Providers;
 import rsal.time.Scheduler;
@@ -231,7 +231,7 @@ final class HostBench implements Bench {
         }
 
         @Override
-        public void ended(ContractNet.Proposal<Double> accepted, Ending<String> how) {
+        public void ended(ContractNet.Proposal<Double> accepted, ConversationResult<String> how) {
             done.increment();
             time.after(pause, this::call);
         }

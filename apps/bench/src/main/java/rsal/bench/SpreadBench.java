@@ -10,7 +10,7 @@ import rsal.bench.Plot.Bars.Bar;
 import rsal.data.OccupancyGrid;
 import rsal.map.Maps;
 import rsal.navigation.spread.Evenness;
-import rsal.navigation.spread.Ground;
+import rsal.navigation.spread.ReachableSpace;
 import rsal.navigation.spread.Spread;
 import rsal.navigation.spread.Spreader;
 import rsal.settings.FileSource;
@@ -99,7 +99,7 @@ final class SpreadBench implements Bench {
                     Result.less(site.name(number, "ms"), "ms", times(site, map, number, assignment.repeats(), found)));
             if (compared) {
                 Evenness best = best(
-                        new Spreader(Ground.largest(map, site.clearance), number),
+                        new Spreader(ReachableSpace.largest(map, site.clearance), number),
                         done -> assignment.reach(site.name(number, "lloyd"), done, RUNS));
                 var ratio = Result.less(
                         site.name(number, "ratio"),
@@ -127,7 +127,7 @@ final class SpreadBench implements Bench {
         for (int i = -WARM; i < repeats; i++) {
             var watch = new Stopwatch();
             var random = new SplittableRandom(Math.max(0, i) + 1L);
-            Spread spread = new Spreader(Ground.largest(map, site.clearance), number).spread(random, _ -> {});
+            Spread spread = new Spreader(ReachableSpace.largest(map, site.clearance), number).spread(random, _ -> {});
             if (i >= 0) {
                 times[i] = watch.thread() * 1e3;
                 found.add(spread.evenness());

@@ -25,13 +25,13 @@ import rsal.navigation.amcl.OdometryModel;
 import rsal.navigation.carmen.CarmenLog;
 import rsal.navigation.grid.ScanMapper;
 import rsal.navigation.replay.Course;
-import rsal.navigation.slam.Contradiction;
+import rsal.navigation.slam.FreeSpaceViolation;
+import rsal.navigation.slam.GraphResidual;
 import rsal.navigation.slam.Merge;
 import rsal.navigation.slam.Relation;
 import rsal.navigation.slam.RelationError;
 import rsal.navigation.slam.Shared;
 import rsal.navigation.slam.Slam;
-import rsal.navigation.slam.Strain;
 import rsal.navigation.slam.Turns;
 import rsal.scenario.Counted;
 import rsal.settings.InvalidSettings;
@@ -157,7 +157,7 @@ final class MapCommand extends Subcommand {
     ///
     /// @param deviations as whoever told it errs
     record Bent(int from, int to, double meters, double degrees, double deviations) {
-        static @Nullable Bent of(Optional<Strain.Step> step) {
+        static @Nullable Bent of(Optional<GraphResidual.Step> step) {
             return step.map(s -> new Bent(s.from(), s.to(), s.meters(), Math.toDegrees(s.radians()), s.deviations()))
                     .orElse(null);
         }
@@ -178,7 +178,7 @@ final class MapCommand extends Subcommand {
             boolean tooMuch,
             int steps,
             int blind) {
-        static Strained of(Strain strain) {
+        static Strained of(GraphResidual strain) {
             return new Strained(
                     Bent.of(strain.wheels()),
                     Bent.of(strain.scans()),
@@ -196,7 +196,7 @@ final class MapCommand extends Subcommand {
     /// @param to number of the last
     /// @param tooMuch whether that is so much that the map is probably wrong there
     record ThroughWalls(double share, int from, int to, boolean tooMuch) {
-        static @Nullable ThroughWalls of(Optional<Contradiction> most) {
+        static @Nullable ThroughWalls of(Optional<FreeSpaceViolation> most) {
             return most.map(c -> new ThroughWalls(c.share(), c.from(), c.to(), c.isTooMuch()))
                     .orElse(null);
         }
@@ -344,8 +344,8 @@ final class MapCommand extends Subcommand {
         contents.put("map.yaml", text(RosMap.yaml(grid, "map.pgm")));
         contents.put("picture.png", MapPicture.png(grid, slam));
         folder.write(contents);
-        Strain strain = slam.strain();
-        Optional<Contradiction> contradiction = slam.contradiction();
+        GraphResidual strain = slam.strain();
+        Optional<FreeSpaceViolation> contradiction = slam.contradiction();
         double seconds = Duration.ofNanos(System.nanoTime() - start).toMillis() / 1e3;
         var result = new Result(
                 drawn,
@@ -364,7 +364,7 @@ final class MapCommand extends Subcommand {
         robots.forEach(robot -> LogOptions.tellOddities(err(), robot.file(), robot.log()));
         drawn.forEach(this::warn);
         merged.stream().filter(Merged::tooMuch).forEach(this::warn);
-        contradiction.filter(Contradiction::isTooMuch).ifPresent(most -> warn(most, slam));
+        contradiction.filter(FreeSpaceViolation::isTooMuch).ifPresent(most -> warn(most, slam));
         strain.tooMuch().ifPresent(step -> warn(step, slam));
         if (json) {
             printJson(result);
@@ -635,7 +635,7 @@ final class MapCommand extends Subcommand {
         out().flush();
     }
 
-    private void warn(Strain.Step step, Slam slam) {
+    private void warn(GraphResidual.Step step, Slam slam) {
         Pose2d place = slam.poses().get(step.to());
         err().println(("The map is probably wrong: at (%.1f, %.1f), from scan (%d) to (%d) of those kept, it is off"
                         + " all that was told of the robot's way, by (%.2f m) and (%.0f°) at least, %.0f times as much"
@@ -666,7 +666,7 @@ final class MapCommand extends Subcommand {
         }
     }
 
-    private void warn(Contradiction most, Slam slam) {
+    private void warn(FreeSpaceViolation most, Slam slam) {
         Pose2d from = slam.poses().get(most.from());
         Pose2d to = slam.poses().get(most.to());
         err().println(("The map is probably wrong: from (%.1f, %.1f) to (%.1f, %.1f), scans (%d) to (%d) of those kept,"

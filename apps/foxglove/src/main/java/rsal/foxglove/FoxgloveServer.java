@@ -60,7 +60,7 @@ public final class FoxgloveServer implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(FoxgloveServer.class);
 
     private final Server server;
-    private final Door door;
+    private final FoxgloveAccess door;
     private final URI url;
     private final Thread shower;
     private final Set<Connection> connections = ConcurrentHashMap.newKeySet();
@@ -135,7 +135,7 @@ public final class FoxgloveServer implements AutoCloseable {
     private FoxgloveServer(ServerSocketChannel channel, String token) throws IOException {
         int port = ((InetSocketAddress) channel.getLocalAddress()).getPort();
         url = URI.create("ws://localhost:%d/?token=%s".formatted(port, token));
-        door = new Door(port, token);
+        door = new FoxgloveAccess(port, token);
         var threads = new QueuedThreadPool(8, 2);
         threads.setName("foxglove-server");
         threads.setDaemon(true);

@@ -72,16 +72,16 @@ final class Api {
     private static final int GRID_HEADER = 2 * Integer.BYTES + 3 * Double.BYTES;
     private static final double FARTHEST = 1e6; // [m], from the map's origin
 
-    private final Seats seats;
-    private final Shelf shelf;
-    private final Gate gate;
+    private final RunSlots seats;
+    private final ScenarioCatalog shelf;
+    private final AccessControl gate;
     private final Page page;
     private final Exposition exposition;
     private final SweepApi sweeps;
     private final TextApi texts;
 
     /// @param exposition what monitors are shown
-    Api(Seats seats, Shelf shelf, Gate gate, Page page, Exposition exposition, SweepApi sweeps) {
+    Api(RunSlots seats, ScenarioCatalog shelf, AccessControl gate, Page page, Exposition exposition, SweepApi sweeps) {
         this.seats = seats;
         this.shelf = shelf;
         this.gate = gate;
@@ -93,11 +93,11 @@ final class Api {
 
     /// All is there for each of the runs side by side, below its address.
     void configure(RoutesConfig routes) {
-        routes.before(Seats.BESIDE + "/*", seats::find); // also where the answer is the same for all
+        routes.before(RunSlots.BESIDE + "/*", seats::find); // also where the answer is the same for all
         configure(new Routes(routes, ""));
-        configure(new Routes(routes, Seats.BESIDE));
+        configure(new Routes(routes, RunSlots.BESIDE));
         routes.get("/metrics", exposition::answer);
-        routes.get(Seats.BESIDE + "/*", request -> asset(request, page, pathIn(seats.find(request), request)));
+        routes.get(RunSlots.BESIDE + "/*", request -> asset(request, page, pathIn(seats.find(request), request)));
         serve(routes, page, this::isLate);
     }
 
@@ -140,7 +140,7 @@ final class Api {
             answerWhenDone(request, readings(request), told -> CameraViews.of(told.readings()));
         });
         routes.get("/api/mounts", request -> {
-            answerWhenDone(request, readings(request), told -> Mountings.of(told.readings()));
+            answerWhenDone(request, readings(request), told -> DeviceMountings.of(told.readings()));
         });
         routes.get("/api/costs", request -> {
             answerWhenDone(request, running(request).costs(asked(request, "robot")));
@@ -298,9 +298,9 @@ final class Api {
         return asked == null ? "" : asked;
     }
 
-    /// As [Gate#OPERATOR] says; empty when it doesn't.
+    /// As [AccessControl#OPERATOR] says; empty when it doesn't.
     static String operator(Context request) {
-        String operator = request.header(Gate.OPERATOR);
+        String operator = request.header(AccessControl.OPERATOR);
         return operator == null ? "" : operator;
     }
 
@@ -374,8 +374,8 @@ final class Api {
         });
     }
 
-    /// Lets through who may change something now; see [Gate#authorize(String, String)].
-    static void authorize(Context request, Gate gate) {
+    /// Lets through who may change something now; see [AccessControl#authorize(String, String)].
+    static void authorize(Context request, AccessControl gate) {
         gate.authorize(request.header(Header.AUTHORIZATION), operator(request));
     }
 
@@ -401,7 +401,7 @@ final class Api {
         String run = lookedAt(request);
         return !run.isEmpty()
                 && seats.look(request)
-                        .map(Seat::now)
+                        .map(RunSlot::now)
                         .filter(now -> now.isOver() || !isPresent(run, now))
                         .isPresent();
     }
@@ -416,9 +416,9 @@ final class Api {
     }
 
     /// What of a seat's page is asked for.
-    private static String pathIn(Seat seat, Context request) {
+    private static String pathIn(RunSlot seat, Context request) {
         return request.path()
-                .substring(Seats.BESIDE
+                .substring(RunSlots.BESIDE
                         .replace("{seat}", Integer.toString(seat.number()))
                         .length());
     }
@@ -513,7 +513,7 @@ final class Api {
     }
 
     private void map(Context request) {
-        Seat seat = seats.find(request);
+        RunSlot seat = seats.find(request);
         Numbered now = seat.now();
         String run = request.pathParam("run");
         if (wasBefore(run, now)) {
@@ -577,7 +577,7 @@ final class Api {
     }
 
     private OccupancyGrid drawn(Context request, String robot) {
-        Seat seat = seats.find(request);
+        RunSlot seat = seats.find(request);
         Numbered now = seat.now();
         Optional<Duration> time = Past.askedBack(request);
         Optional<OccupancyGrid> drawn = time.isPresent()

@@ -11,8 +11,8 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
+import rsal.agent.AgentPlatform;
 import rsal.agent.AgentType;
-import rsal.agent.Society;
 import rsal.agent.bdi.Mind;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
@@ -130,7 +130,7 @@ final class Descriptions {
                 Long.toString(plan.seed()),
                 plan.step().toNanos() / 1e9,
                 map(plan.mapName(), plan.scene()),
-                team.stream().map(Looks::robot).toList(),
+                team.stream().map(AppearanceEncoder::robot).toList(),
                 plan.measures().stream().map(Descriptions::measure).toList(),
                 plan.options().mas().orElse(""),
                 scenario.isEdited(),
@@ -282,8 +282,8 @@ final class Descriptions {
                 agent.name(),
                 agent.planned().map(Descriptions::settings).orElse(List.of()),
                 agent.shown().map(Descriptions::status),
-                agent.shown().map(Society.View::state).orElse(""),
-                beliefs(agent.shown().map(Society.View::beliefs).orElse(Map.of())),
+                agent.shown().map(AgentPlatform.View::state).orElse(""),
+                beliefs(agent.shown().map(AgentPlatform.View::beliefs).orElse(Map.of())),
                 agent.mind().map(Descriptions::mind),
                 agent.program().map(Descriptions::program),
                 agent.history().stream().map(Descriptions::change).toList(),
@@ -314,7 +314,7 @@ final class Descriptions {
         return new MailInfo(mail.time().toNanos() / 1e9, mail.from(), mail.forAll(), mail.topic(), mail.words());
     }
 
-    private static AgentDetails.Status status(Society.View view) {
+    private static AgentDetails.Status status(AgentPlatform.View view) {
         return AgentDetails.Status.valueOf(view.status().name());
     }
 
@@ -453,7 +453,7 @@ final class Descriptions {
                 robot.estimate()
                         .map(estimate -> estimate.value().quality().name().toLowerCase(Locale.ROOT))
                         .orElse(""),
-                robot.carried().stream().map(Looks::carried).toList(),
+                robot.carried().stream().map(AppearanceEncoder::carried).toList(),
                 robot.real().map(Descriptions::real),
                 robot.devices().stream().map(Descriptions::device).toList(),
                 robot.maps().stream().map(Descriptions::drawn).toList());
@@ -484,7 +484,7 @@ final class Descriptions {
     }
 
     private static AgentDetails agent(AgentView agent) {
-        Society.View view = agent.view();
+        AgentPlatform.View view = agent.view();
         return new AgentDetails(
                 view.agent().name(),
                 view.agent().role(),
@@ -526,11 +526,12 @@ final class Descriptions {
                 goal.ended().map(ended -> ended.toNanos() / 1e9));
     }
 
-    static SideBySide sideBySide(List<Seat> seats) {
-        return new SideBySide(Seats.MOST, seats.stream().map(Descriptions::seat).toList());
+    static SideBySide sideBySide(List<RunSlot> seats) {
+        return new SideBySide(
+                RunSlots.MOST, seats.stream().map(Descriptions::seat).toList());
     }
 
-    static SeatInfo seat(Seat seat) {
+    static SeatInfo seat(RunSlot seat) {
         LiveRun run = seat.now().run();
         RunPlan plan = run.plan();
         Snapshot snapshot = run.snapshot();

@@ -23,7 +23,7 @@ import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import java.util.function.ToLongFunction;
 import java.util.stream.Stream;
-import rsal.agent.Society;
+import rsal.agent.AgentPlatform;
 import rsal.engine.Histogram;
 import rsal.engine.LossReason;
 import rsal.engine.Metrics;
@@ -101,7 +101,7 @@ final class Exposition {
                 Family.gauge(
                         "rsal_agents",
                         "Agents of the run.",
-                        each(Society.Status.class, "status", status -> agents(snapshot, status))));
+                        each(AgentPlatform.Status.class, "status", status -> agents(snapshot, status))));
     }
 
     private static MetricSnapshot info(Numbered now) {
@@ -124,7 +124,7 @@ final class Exposition {
                 .build();
     }
 
-    private static long agents(Snapshot snapshot, Society.Status status) {
+    private static long agents(Snapshot snapshot, AgentPlatform.Status status) {
         return snapshot.agents().stream()
                 .filter(agent -> agent.view().status() == status)
                 .count();

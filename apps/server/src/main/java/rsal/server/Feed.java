@@ -21,7 +21,7 @@ interface Feed {
     String newcomers(int known);
 
     /// What of the world is no robot; the same until something comes or goes.
-    Roster things();
+    ObjectRegistry things();
 
     /// Of the details, from 1; 0 while there are none.
     long detailsVersion();

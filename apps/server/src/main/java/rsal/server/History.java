@@ -6,15 +6,16 @@ import org.jspecify.annotations.Nullable;
 import rsal.engine.RunEvent;
 import rsal.server.Messages.Trails;
 
-/// The moments of a live run that viewers were or could have been shown, to look back on. At most [#MOST_BYTES] are
-/// kept, [thinned][Thinned] so that it reaches back to the beginning. For one thread, but for [#trails].
+/// The moments of a live run that viewers were or could have been shown, to look back on. At most [#MOST_BYTES]
+/// are kept, [thinned][DownsampledSeries] so that it reaches back to the beginning. For one thread, but for
+/// [#trails].
 final class History implements Past {
     static final long MOST_BYTES = 64L << 20;
 
     private static final Duration FIRST_SPACING = Duration.ofMillis(100); // of the run
 
     private final Feed feed;
-    private final Thinned<Moment> moments;
+    private final DownsampledSeries<Moment> moments;
 
     /// @param feed of the run
     History(Feed feed) {
@@ -24,7 +25,7 @@ final class History implements Past {
     /// @param most bytes that it keeps
     History(Feed feed, long most) {
         this.feed = feed;
-        this.moments = new Thinned<>(most, FIRST_SPACING, History::bytes);
+        this.moments = new DownsampledSeries<>(most, FIRST_SPACING, History::bytes);
     }
 
     /// Keeps what the feed shows now, unless that is hardly newer than the last, or as old.
@@ -83,7 +84,7 @@ final class History implements Past {
             first--;
         }
         return moments.all().subList(first, last + 1).stream()
-                .map(Thinned.Entry::value)
+                .map(DownsampledSeries.Entry::value)
                 .toList();
     }
 

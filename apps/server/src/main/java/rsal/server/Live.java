@@ -43,8 +43,8 @@ final class Live implements Viewing {
             "This takes receipts: {\"frame\": 7} or {\"events\": 7}; and {\"look\": {\"time\": 7}}.";
     private static final Logger LOG = LoggerFactory.getLogger(Live.class);
 
-    private final Showing showing;
-    private final Gate gate;
+    private final ViewSource showing;
+    private final AccessControl gate;
     private final Set<Connection> connections = ConcurrentHashMap.newKeySet();
     private final Set<Connection> waiting = ConcurrentHashMap.newKeySet(); // while all seats are taken, for the token
     private final AtomicLong newest = new AtomicLong();
@@ -53,7 +53,7 @@ final class Live implements Viewing {
     private volatile boolean ended;
     private long periods; // the clock's thread only
 
-    Live(Showing showing, Gate gate) {
+    Live(ViewSource showing, AccessControl gate) {
         this.showing = showing;
         this.gate = gate;
         clock = Executors.newSingleThreadScheduledExecutor(

@@ -7,4 +7,4 @@ import java.time.Duration;
 /// @param time since the run's start
 /// @param details [Messages.Details] as JSON
 /// @param frame as [FrameEncoder] writes it
-record Moment(Duration time, Roster things, String details, byte[] frame) {}
+record Moment(Duration time, ObjectRegistry things, String details, byte[] frame) {}

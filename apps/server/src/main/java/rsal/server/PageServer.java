@@ -33,13 +33,14 @@ final class PageServer implements AutoCloseable {
     private final Javalin http;
     private final Viewing viewing;
     private final URI url;
-    private final Rehearsal rehearsal;
+    private final WarmUp rehearsal;
 
     /// @param door from [#open]
     /// @param gate that all requests pass
     /// @param viewing where viewers come in; this closes it
     /// @param routes what can be asked and told
-    PageServer(ServerSocketChannel door, String token, Gate gate, Viewing viewing, Consumer<RoutesConfig> routes)
+    PageServer(
+            ServerSocketChannel door, String token, AccessControl gate, Viewing viewing, Consumer<RoutesConfig> routes)
             throws IOException {
         this.viewing = viewing;
         url = URI.create("http://%s:%d/#token=%s".formatted(LOOPBACK, port(door), token));
@@ -53,7 +54,7 @@ final class PageServer implements AutoCloseable {
             stop();
             throw e;
         }
-        rehearsal = Rehearsal.begin((InetSocketAddress) door.getLocalAddress(), FIRST);
+        rehearsal = WarmUp.begin((InetSocketAddress) door.getLocalAddress(), FIRST);
     }
 
     /// @param port 0 for any that is free
@@ -74,7 +75,7 @@ final class PageServer implements AutoCloseable {
         return ((InetSocketAddress) door.getLocalAddress()).getPort();
     }
 
-    private void configure(JavalinConfig config, ServerSocketChannel door, Gate gate) {
+    private void configure(JavalinConfig config, ServerSocketChannel door, AccessControl gate) {
         var connections = new Connections();
         config.startup.showJavalinBanner = false;
         config.startup.showOldJavalinVersionWarning = false;
@@ -94,7 +95,7 @@ final class PageServer implements AutoCloseable {
         });
         // not Javalin's own sockets, which give every viewer a session and a cookie
         config.jetty.modifyServletContextHandler(context -> {
-            context.insertHandler(new Entrance(gate, connections));
+            context.insertHandler(new RequestFilter(gate, connections));
             JettyWebSocketServletContainerInitializer.configure(context, (_, sockets) -> viewing.configure(sockets));
         });
     }

@@ -11,7 +11,7 @@ import java.util.SequencedSet;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
-import rsal.agent.Society;
+import rsal.agent.AgentPlatform;
 import rsal.agent.bdi.Mind;
 import rsal.data.OccupancyGrid;
 import rsal.data.Stamped;
@@ -25,11 +25,11 @@ import rsal.engine.RobotView;
 import rsal.engine.RunEvent;
 import rsal.engine.Snapshot;
 
-/// What can be asked about a live run's past, beside the frames of its [History]: what devices had told, twice a
-/// second of the run and where it was paused, as whoever goes on by steps looks closely, and who heard whom; and
-/// what agents showed and had in mind, once a second. Minds are those of [#MOST_MINDS] agents: of more, of those
-/// that somebody asked about last. Within [#MOST_BYTES] it reaches back to the beginning, ever more coarsely
-/// ([Thinned]). All methods may be called from any thread, [#look] from one at a time.
+/// What can be asked about a live run's past, beside the frames of its [History]: what devices had told, twice
+/// a second of the run and where it was paused, as whoever goes on by steps looks closely, and who heard whom;
+/// and what agents showed and had in mind, once a second. Minds are those of [#MOST_MINDS] agents: of more, of
+/// those that somebody asked about last. Within [#MOST_BYTES] it reaches back to the beginning, ever more
+/// coarsely ([DownsampledSeries]). All methods may be called from any thread, [#look] from one at a time.
 final class Recollection {
     static final long MOST_BYTES = 32L << 20;
     static final int MOST_MINDS = 20;
@@ -39,8 +39,10 @@ final class Recollection {
     private static final Duration SPACING_OF_MINDS = Duration.ofSeconds(1);
     private static final Mind.View NOTHING = new Mind.View(Map.of(), List.of());
 
-    private final Thinned<Moment> moments = new Thinned<>(MOST_BYTES - MOST_OF_MINDS, SPACING, Bytes::beyond);
-    private final Thinned<Map<String, Mind.View>> minds = new Thinned<>(MOST_OF_MINDS, SPACING_OF_MINDS, Bytes::beyond);
+    private final DownsampledSeries<Moment> moments =
+            new DownsampledSeries<>(MOST_BYTES - MOST_OF_MINDS, SPACING, Bytes::beyond);
+    private final DownsampledSeries<Map<String, Mind.View>> minds =
+            new DownsampledSeries<>(MOST_OF_MINDS, SPACING_OF_MINDS, Bytes::beyond);
     private final SequencedSet<String> wanted = new LinkedHashSet<>(); // agents
     private final AtomicBoolean asking = new AtomicBoolean();
     private @Nullable Snapshot seen;
@@ -48,7 +50,8 @@ final class Recollection {
     /// @param robots what their devices had told last, by robot; of maps a [PackedMap]
     /// @param agents what they showed, by name
     /// @param links which robots' agents heard each other
-    private record Moment(Map<String, List<Reading>> robots, Map<String, Society.View> agents, Answer.Linked links) {
+    private record Moment(
+            Map<String, List<Reading>> robots, Map<String, AgentPlatform.View> agents, Answer.Linked links) {
         static final Moment NONE = new Moment(Map.of(), Map.of(), Answer.Linked.NONE);
     }
 
@@ -85,7 +88,8 @@ final class Recollection {
 
     /// What is as it was before is the same object.
     private Moment moment(Snapshot now) {
-        Moment before = moments.at(now.time()).map(Thinned.Entry::value).orElse(Moment.NONE);
+        Moment before =
+                moments.at(now.time()).map(DownsampledSeries.Entry::value).orElse(Moment.NONE);
         var robots = new HashMap<String, List<Reading>>();
         for (RobotView robot : now.robots()) {
             List<Reading> known = before.robots.getOrDefault(robot.id(), List.of());
@@ -95,9 +99,9 @@ final class Recollection {
                             .map(reading -> packed(reading, known))
                             .toList());
         }
-        var agents = new HashMap<String, Society.View>();
+        var agents = new HashMap<String, AgentPlatform.View>();
         for (AgentView agent : now.agents()) {
-            Society.View known = before.agents.get(agent.view().agent().name());
+            AgentPlatform.View known = before.agents.get(agent.view().agent().name());
             agents.put(agent.view().agent().name(), agent.view().equals(known) ? known : agent.view());
         }
         return new Moment(robots, agents, now.links());
@@ -121,7 +125,8 @@ final class Recollection {
         if (!minds.isDue(time)) {
             return;
         }
-        Map<String, Mind.View> before = minds.at(time).map(Thinned.Entry::value).orElse(Map.of());
+        Map<String, Mind.View> before =
+                minds.at(time).map(DownsampledSeries.Entry::value).orElse(Map.of());
         var all = new HashMap<String, Mind.View>();
         told.forEach((name, mind) -> {
             Mind.View known = before.get(name);
@@ -152,10 +157,10 @@ final class Recollection {
     /// What devices of a robot had told last; nothing of one that was not there. Of what they have told since the
     /// moment that is kept, nothing: it is so much older.
     Answer.Read readings(String robot, Duration time) {
-        Thinned.Entry<Moment> then;
+        DownsampledSeries.Entry<Moment> then;
         Duration asked;
         synchronized (this) {
-            then = moments.at(time).orElseGet(() -> new Thinned.Entry<>(Duration.ZERO, Moment.NONE));
+            then = moments.at(time).orElseGet(() -> new DownsampledSeries.Entry<>(Duration.ZERO, Moment.NONE));
             asked = seen == null || seen.time().compareTo(time) > 0 ? time : seen.time();
         }
         Duration since = asked.minus(then.time());
@@ -196,20 +201,21 @@ final class Recollection {
     AgentInspection inside(AgentInspection now, Duration time, List<RunEvent> events) {
         String name = now.name();
         var past = new AgentPast(name, time, events);
-        Optional<Society.View> shown;
+        Optional<AgentPlatform.View> shown;
         Optional<Mind.View> mind;
         var changes = new ArrayList<MindChange>();
         synchronized (this) {
             shown = moments.at(time).flatMap(then -> shown(then.value(), name));
             mind = minds.at(time)
                     .flatMap(then -> Optional.ofNullable(then.value().get(name)));
-            List<Thinned.Entry<Mind.View>> views = minds.until(time, then -> Optional.ofNullable(then.get(name)));
+            List<DownsampledSeries.Entry<Mind.View>> views =
+                    minds.until(time, then -> Optional.ofNullable(then.get(name)));
             if (views.isEmpty()) { // it has none
                 views = moments.until(
                         time, then -> shown(then, name).map(view -> new Mind.View(view.beliefs(), List.of())));
             }
             Mind.View before = NOTHING;
-            for (Thinned.Entry<Mind.View> view : views) {
+            for (DownsampledSeries.Entry<Mind.View> view : views) {
                 changes.addAll(MindChange.between(before, view.value(), view.time()));
                 before = view.value();
             }
@@ -226,7 +232,7 @@ final class Recollection {
                 List.of());
     }
 
-    private static Optional<Society.View> shown(Moment then, String agent) {
+    private static Optional<AgentPlatform.View> shown(Moment then, String agent) {
         return Optional.ofNullable(then.agents.get(agent));
     }
 

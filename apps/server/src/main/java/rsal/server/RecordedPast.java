@@ -36,7 +36,7 @@ final class RecordedPast implements Past {
     private final FrameEncoder encoder = new FrameEncoder();
     private final Map<Integer, Standing> told = new HashMap<>(); // things as viewers are told of them
     private Map<Integer, ThingInfo> infos = Map.of(); // of those that are there
-    private Roster roster = new Roster(RUN, Map.of(), 0);
+    private ObjectRegistry roster = new ObjectRegistry(RUN, Map.of(), 0);
 
     /// @param name of the file, for people
     RecordedPast(Playback playback, String name) {
@@ -81,7 +81,9 @@ final class RecordedPast implements Past {
 
     @Override
     public String newcomers(int known) {
-        var some = team.subList(known, team.size()).stream().map(Looks::robot).toList();
+        var some = team.subList(known, team.size()).stream()
+                .map(AppearanceEncoder::robot)
+                .toList();
         return Json.write(ServerMessage.of(new Newcomers(RUN, some)));
     }
 
@@ -117,14 +119,14 @@ final class RecordedPast implements Past {
         var moved = new ArrayList<Standing>();
         int corners = 0;
         for (Standing thing : things) {
-            if (all.size() == Surveyor.MOST_THINGS || corners >= Surveyor.MOST_CORNERS) {
+            if (all.size() == ObjectTracker.MOST_THINGS || corners >= ObjectTracker.MOST_CORNERS) {
                 break;
             }
             Standing first = told.computeIfAbsent(thing.number(), _ -> thing);
             ThingInfo info = infos.get(thing.number());
-            ThingInfo own = info == null ? Looks.thing(first) : info;
+            ThingInfo own = info == null ? AppearanceEncoder.thing(first) : info;
             all.put(thing.number(), own);
-            corners += Roster.corners(own);
+            corners += ObjectRegistry.corners(own);
             if (!thing.mapFromThing().equals(first.mapFromThing()) || thing.height() != first.height()) {
                 moved.add(thing);
             }
@@ -132,7 +134,7 @@ final class RecordedPast implements Past {
         int left = things.size() - all.size();
         if (!all.keySet().equals(infos.keySet()) || left != roster.left()) {
             infos = all;
-            roster = new Roster(RUN, all, left);
+            roster = new ObjectRegistry(RUN, all, left);
         }
         return moved;
     }

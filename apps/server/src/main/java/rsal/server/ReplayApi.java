@@ -11,7 +11,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import rsal.agent.Society;
+import rsal.agent.AgentPlatform;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.engine.AgentInspection;
@@ -36,10 +36,10 @@ final class ReplayApi {
     private final Playback playback;
     private final RunInfo run;
     private final RecordedNumbers numbers;
-    private final Gate gate;
+    private final AccessControl gate;
     private final Page page;
 
-    ReplayApi(Playback playback, RunInfo run, Gate gate, Page page) {
+    ReplayApi(Playback playback, RunInfo run, AccessControl gate, Page page) {
         this.playback = playback;
         this.run = run;
         this.numbers = new RecordedNumbers(
@@ -80,7 +80,8 @@ final class ReplayApi {
                 request -> Api.answer(request, CameraViews.of(readings(request).readings())));
         routes.get(
                 "/api/mounts",
-                request -> Api.answer(request, Mountings.of(readings(request).readings())));
+                request ->
+                        Api.answer(request, DeviceMountings.of(readings(request).readings())));
         routes.get("/api/*", _ -> {
             throw new Refusal(409, "This was not recorded.");
         });
@@ -161,7 +162,7 @@ final class ReplayApi {
                 .filter(agent -> agent.name().equals(name))
                 .findFirst();
         Duration time = Past.asked(request);
-        Optional<Society.View> shown = playback.at(time).agents().stream()
+        Optional<AgentPlatform.View> shown = playback.at(time).agents().stream()
                 .map(AgentView::view)
                 .filter(view -> view.agent().name().equals(name))
                 .findFirst();

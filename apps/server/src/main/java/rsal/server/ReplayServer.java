@@ -38,8 +38,8 @@ public final class ReplayServer implements AutoCloseable {
             throws IOException {
         this.playback = playback;
         var past = new RecordedPast(playback, name);
-        var gate = new Gate(PageServer.port(door), token);
-        var live = new Live(new RecordingShowing(past), gate);
+        var gate = new AccessControl(PageServer.port(door), token);
+        var live = new Live(new RecordingViewSource(past), gate);
         server = new PageServer(door, token, gate, live, new ReplayApi(playback, past.run(), gate, page)::configure);
     }
 

@@ -14,7 +14,7 @@ import rsal.settings.Problem;
 /// Plans another run, of the same scenario or another one, as somebody wishes. Goes on after a mistake, so that all are
 /// reported together, each with the field that it was typed into.
 final class RestartReader {
-    private final Shelf shelf;
+    private final ScenarioCatalog shelf;
     private final RunPlan present;
     private final double speed;
     private final List<Mistake> mistakes = new ArrayList<>();
@@ -22,7 +22,7 @@ final class RestartReader {
     /// @param shelf where other scenarios are
     /// @param present the plan that what is left out is taken from, when its scenario stays
     /// @param speed likewise
-    RestartReader(Shelf shelf, RunPlan present, double speed) {
+    RestartReader(ScenarioCatalog shelf, RunPlan present, double speed) {
         this.shelf = shelf;
         this.present = present;
         this.speed = speed;
@@ -71,10 +71,11 @@ final class RestartReader {
         if (key.isEmpty()) {
             return options.onItsHost();
         }
-        if (Shelf.livesInRealTime(key)) {
+        if (ScenarioCatalog.livesInRealTime(key)) {
             return options.inRealTimeOn(key);
         }
-        boolean leavesRealTime = options.mas().filter(Shelf::livesInRealTime).isPresent();
+        boolean leavesRealTime =
+                options.mas().filter(ScenarioCatalog::livesInRealTime).isPresent();
         return (leavesRealTime ? options.onItsHost() : options).withHost(key);
     }
 

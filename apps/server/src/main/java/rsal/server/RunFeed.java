@@ -16,7 +16,7 @@ final class RunFeed implements Feed {
     private static final int FRAMES_PER_DETAILS = 4;
 
     private final Numbered run;
-    private final Surveyor surveyor;
+    private final ObjectTracker surveyor;
     private String info = "";
     private List<Teammate> team = List.of();
     private List<String> robots = List.of();
@@ -30,7 +30,7 @@ final class RunFeed implements Feed {
 
     RunFeed(Numbered run) {
         this.run = run;
-        surveyor = new Surveyor(run.number());
+        surveyor = new ObjectTracker(run.number());
         seen = run.run().snapshot();
         tell(run.team(seen));
     }
@@ -46,10 +46,10 @@ final class RunFeed implements Feed {
         return run;
     }
 
-    /// Takes the newest snapshot and asks for a newer one. Details are looked at less often than frames, where these
-    /// come often: else what is looked back on would have words of seconds before.
+    /// Takes the newest snapshot and asks for a newer one. Details are looked at less often than frames, where
+    /// these come often: else what is looked back on would have words of seconds before.
     ///
-    /// @param pause until the next look, as [Showing#look] has it
+    /// @param pause until the next look, as [ViewSource#look] has it
     void look(int pause) {
         Snapshot snapshot = run.run().snapshot();
         boolean changed = snapshot.sequence() != shown;
@@ -117,12 +117,14 @@ final class RunFeed implements Feed {
 
     @Override
     public String newcomers(int known) {
-        var some = team.subList(known, team.size()).stream().map(Looks::robot).toList();
+        var some = team.subList(known, team.size()).stream()
+                .map(AppearanceEncoder::robot)
+                .toList();
         return Json.write(ServerMessage.of(new Newcomers(run.number(), some)));
     }
 
     @Override
-    public Roster things() {
+    public ObjectRegistry things() {
         return surveyor.roster();
     }
 

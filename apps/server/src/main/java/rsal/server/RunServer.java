@@ -26,11 +26,11 @@ public final class RunServer implements AutoCloseable {
     /// Of a request's body that has the text of a scenario [B], or two of them; the longest built in has 8 kB.
     static final int MAX_TEXT = 512 * 1024;
 
-    private final Seats seats;
+    private final RunSlots seats;
     private final Sweeps sweeps;
     private final PageServer server;
     private final String token;
-    private final Gate gate;
+    private final AccessControl gate;
 
     /// @param port 0 for any that is free
     /// @param token what a browser must know to change anything, as from [#newToken]
@@ -83,11 +83,11 @@ public final class RunServer implements AutoCloseable {
 
     private RunServer(RunPlan plan, Options options, Page page, ServerSocketChannel door) throws IOException {
         token = options.token();
-        var shelf = new Shelf(options.scenarios());
+        var shelf = new ScenarioCatalog(options.scenarios());
         sweeps = new Sweeps(options.sweeping(), shelf, Sweeps.coresBesideARun());
-        gate = new Gate(PageServer.port(door), token);
+        gate = new AccessControl(PageServer.port(door), token);
         var first = new CurrentRun(plan, options.onStart(), options.starter());
-        seats = new Seats(first, gate);
+        seats = new RunSlots(first, gate);
         try {
             var exposition = new Exposition(first, seats.first().live(), seats.first()::bytesKept, options.recorded());
             var sweepApi = new SweepApi(first, sweeps, gate);
@@ -128,7 +128,7 @@ public final class RunServer implements AutoCloseable {
     }
 
     /// All that are side by side.
-    Seats seats() {
+    RunSlots seats() {
         return seats;
     }
 

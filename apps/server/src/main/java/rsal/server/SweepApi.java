@@ -15,10 +15,10 @@ final class SweepApi {
 
     private final CurrentRun current;
     private final Sweeps sweeps;
-    private final Gate gate;
+    private final AccessControl gate;
 
     /// @param current the run that sweeps may not disturb
-    SweepApi(CurrentRun current, Sweeps sweeps, Gate gate) {
+    SweepApi(CurrentRun current, Sweeps sweeps, AccessControl gate) {
         this.current = current;
         this.sweeps = sweeps;
         this.gate = gate;

@@ -38,7 +38,7 @@ final class SweepReader {
 
     /// @param shelf where scenarios are
     /// @throws Refusal when the scenario is not there, or can't be read
-    SweepReader(Shelf shelf, SweepWish wish) {
+    SweepReader(ScenarioCatalog shelf, SweepWish wish) {
         this.wish = wish;
         try {
             scenario = shelf.load(wish.scenario());

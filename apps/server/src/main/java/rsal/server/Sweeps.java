@@ -37,7 +37,7 @@ final class Sweeps implements AutoCloseable {
 
     private final Optional<RunServer.Sweeping> sweeping;
     private final Optional<EarlierSweeps> earlier;
-    private final Shelf shelf;
+    private final ScenarioCatalog shelf;
     private final FewAtOnce fewReports = new FewAtOnce("the sweep's report");
     private final int cores;
     private @Nullable BackgroundSweep newest;
@@ -46,7 +46,7 @@ final class Sweeps implements AutoCloseable {
     /// @param sweeping empty where none can be begun
     /// @param shelf where scenarios are
     /// @param cores how many of them sweeps may keep busy
-    Sweeps(Optional<RunServer.Sweeping> sweeping, Shelf shelf, int cores) {
+    Sweeps(Optional<RunServer.Sweeping> sweeping, ScenarioCatalog shelf, int cores) {
         this.sweeping = sweeping;
         this.earlier = sweeping.map(here -> new EarlierSweeps(here.folder()));
         this.shelf = shelf;

@@ -21,12 +21,12 @@ final class TextApi {
     private static final int MOST_MISTAKES = 100; // nobody mends more at once
     private static final int MOST_CHECKS = 2; // one under way, and one that waits
 
-    private final Seats seats;
-    private final Shelf shelf;
-    private final Gate gate;
+    private final RunSlots seats;
+    private final ScenarioCatalog shelf;
+    private final AccessControl gate;
     private final Semaphore checks = new Semaphore(MOST_CHECKS);
 
-    TextApi(Seats seats, Shelf shelf, Gate gate) {
+    TextApi(RunSlots seats, ScenarioCatalog shelf, AccessControl gate) {
         this.seats = seats;
         this.shelf = shelf;
         this.gate = gate;

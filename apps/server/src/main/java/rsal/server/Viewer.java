@@ -55,7 +55,7 @@ final class Viewer {
     private long details; // their version; 0 is none
     private int robots;
     private final Set<Integer> things = new HashSet<>(); // their numbers
-    private @Nullable Roster told; // all of it
+    private @Nullable ObjectRegistry told; // all of it
     private long eventsSent;
     private long eventsTaken;
     private int offersWaited; // since it last took something
@@ -63,7 +63,7 @@ final class Viewer {
 
     // where it looks
     private @Nullable LookBack wish;
-    private @Nullable Looking looking; // null is the present
+    private @Nullable PlaybackCursor looking; // null is the present
     private int looks = 1; // elsewhere than where it was going
     private @Nullable Reach reach; // as it was told
     private int offersSinceReach;
@@ -97,12 +97,12 @@ final class Viewer {
     }
 
     private void look(@Nullable Feed live, Past past, Duration passed) {
-        Looking before = looking;
-        Looking here = before != null && before.past().equals(past) ? before : null; // else of a run before
+        PlaybackCursor before = looking;
+        PlaybackCursor here = before != null && before.past().equals(past) ? before : null; // else of a run before
         LookBack wanted = wish;
         wish = null;
         if (wanted != null && (!wanted.live().orElse(false) || live == null)) {
-            looking = Looking.at(past, wanted, here == null ? past.until() : here.time(), looks);
+            looking = PlaybackCursor.at(past, wanted, here == null ? past.until() : here.time(), looks);
             looks = looking.looks();
         } else if (wanted != null) {
             looking = null;
@@ -110,7 +110,7 @@ final class Viewer {
             here.pass(shows ? passed : Duration.ZERO); // its page may still be loading
             looking = live != null && here.isPlaying() && here.hasArrived() ? null : here;
         } else {
-            looking = live == null ? new Looking(past) : null;
+            looking = live == null ? new PlaybackCursor(past) : null;
         }
         if (looking != before) {
             newestFrame = 0; // frames and details are counted anew
@@ -146,7 +146,7 @@ final class Viewer {
             send(Kind.NEWCOMERS, feed.newcomers(robots));
             robots = feed.robots();
         }
-        Roster roster = feed.things();
+        ObjectRegistry roster = feed.things();
         if (!roster.equals(told)) {
             Optional<Things> news = roster.news(things);
             news.ifPresent(some -> send(Kind.THINGS, Json.write(ServerMessage.of(some))));

@@ -47,7 +47,7 @@ class ControlApiTest {
     }
 
     private static String as(String operator) {
-        return Gate.OPERATOR + ": " + operator;
+        return AccessControl.OPERATOR + ": " + operator;
     }
 
     private Response post(String path, String body, String... more) throws IOException {

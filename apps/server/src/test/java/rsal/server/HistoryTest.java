@@ -83,11 +83,14 @@ class HistoryTest {
         }
         for (int tenth = 1; tenth < 600; tenth++) {
             double seconds = Duration.ofMillis(100L * tenth).toNanos() / 1e9;
-            assertThat(Looking.at(history, wish(seconds, 0), Duration.ZERO, 1).time())
+            assertThat(PlaybackCursor.at(history, wish(seconds, 0), Duration.ZERO, 1)
+                            .time())
                     .isEqualTo(Duration.ofMillis(100L * tenth));
-            assertThat(Looking.at(history, wish(seconds, 1), Duration.ZERO, 1).time())
+            assertThat(PlaybackCursor.at(history, wish(seconds, 1), Duration.ZERO, 1)
+                            .time())
                     .isEqualTo(Duration.ofMillis(100L * (tenth + 1)));
-            assertThat(Looking.at(history, wish(seconds, -1), Duration.ZERO, 1).time())
+            assertThat(PlaybackCursor.at(history, wish(seconds, -1), Duration.ZERO, 1)
+                            .time())
                     .isEqualTo(Duration.ofMillis(100L * (tenth - 1)));
         }
     }
@@ -265,8 +268,8 @@ class HistoryTest {
         }
 
         @Override
-        public Roster things() {
-            return new Roster(number, Map.of(), 0);
+        public ObjectRegistry things() {
+            return new ObjectRegistry(number, Map.of(), 0);
         }
 
         @Override

@@ -50,7 +50,7 @@ class RecordedPastTest {
         Path file = folder.resolve("run.mcap");
         List<Snapshot> seen = record(plan(scenario, 15), file);
         var encoder = new FrameEncoder();
-        var surveyor = new Surveyor(RecordedPast.RUN);
+        var surveyor = new ObjectTracker(RecordedPast.RUN);
         List<String> robots =
                 seen.getLast().team().stream().map(mate -> mate.spec().id()).toList();
         try (Playback playback = open(file)) {
@@ -83,7 +83,7 @@ class RecordedPastTest {
         record(plan("find-and-collect", 20), file);
         try (Playback first = open(file);
                 Playback second = open(file)) {
-            var played = new Looking(new RecordedPast(first, "run.mcap"));
+            var played = new PlaybackCursor(new RecordedPast(first, "run.mcap"));
             var past = new RecordedPast(second, "run.mcap");
             past.at(Duration.ofDays(1));
             var random = new Random(4);
@@ -104,7 +104,7 @@ class RecordedPastTest {
         record(plan("hunt-and-prey", 5), file);
         try (Playback playback = open(file)) {
             var past = new RecordedPast(playback, "run.mcap");
-            var looking = new Looking(past);
+            var looking = new PlaybackCursor(past);
             assertThat(looking.time()).isEqualTo(past.from());
             looking.pass(Duration.ofMillis(500));
             assertThat(time(looking)).isEqualTo(0.6); // the first state is of the first step
@@ -112,22 +112,22 @@ class RecordedPastTest {
             assertThat(flags(looking) & FrameEncoder.PAUSED).isZero();
 
             assertThat(looks(looking)).isEqualTo(1);
-            Looking stepped = Looking.at(past, wish(1.0, 1, false, "1"), looking.time(), 1);
+            PlaybackCursor stepped = PlaybackCursor.at(past, wish(1.0, 1, false, "1"), looking.time(), 1);
             assertThat(time(stepped)).isEqualTo(1.1);
             assertThat(flags(stepped) & FrameEncoder.PAUSED).isNotZero();
             stepped.pass(Duration.ofSeconds(1));
             assertThat(time(stepped)).isEqualTo(1.1);
-            assertThat(time(Looking.at(past, wish(1.0, -1, false, "1"), Duration.ZERO, 1)))
+            assertThat(time(PlaybackCursor.at(past, wish(1.0, -1, false, "1"), Duration.ZERO, 1)))
                     .isEqualTo(0.9);
 
-            Looking fast = Looking.at(past, wish(1.0, 0, true, "max"), Duration.ZERO, 1);
+            PlaybackCursor fast = PlaybackCursor.at(past, wish(1.0, 0, true, "max"), Duration.ZERO, 1);
             fast.pass(Duration.ofMillis(50));
             assertThat(time(fast)).isEqualTo(5);
             assertThat(flags(fast) & FrameEncoder.PAUSED).isNotZero();
             assertThat(flags(fast) & FrameEncoder.ENDED).isNotZero();
             assertThat(fast.details(0)).contains("\"ending\":{\"outcome\":\"limit\"");
             for (double nowhere : new double[] {-7, 1e300, Double.NaN, Double.NEGATIVE_INFINITY}) {
-                assertThat(time(Looking.at(past, wish(nowhere, 0, true, "1"), Duration.ZERO, 1)))
+                assertThat(time(PlaybackCursor.at(past, wish(nowhere, 0, true, "1"), Duration.ZERO, 1)))
                         .isBetween(0.0, 5.0);
             }
         }
@@ -148,14 +148,17 @@ class RecordedPastTest {
         record(plan("hunt-and-prey", 5), file);
         try (Playback playback = open(file)) {
             var past = new RecordedPast(playback, "run.mcap");
-            Looking there = Looking.at(past, wish(2.0, 0, true, "1"), Duration.ZERO, 7);
+            PlaybackCursor there = PlaybackCursor.at(past, wish(2.0, 0, true, "1"), Duration.ZERO, 7);
             assertThat(looks(there)).isEqualTo(8);
             there.pass(Duration.ofSeconds(1));
             assertThat(looks(there)).isEqualTo(8);
-            assertThat(looks(Looking.at(past, onFrom(0), there.time(), 8))).isEqualTo(8);
-            assertThat(looks(Looking.at(past, onFrom(1), there.time(), 8))).isEqualTo(8);
-            assertThat(looks(Looking.at(past, onFrom(-1), there.time(), 8))).isEqualTo(9);
-            assertThat(looks(Looking.at(past, wish(2.1, 0, false, "8"), there.time(), 0xffff)))
+            assertThat(looks(PlaybackCursor.at(past, onFrom(0), there.time(), 8)))
+                    .isEqualTo(8);
+            assertThat(looks(PlaybackCursor.at(past, onFrom(1), there.time(), 8)))
+                    .isEqualTo(8);
+            assertThat(looks(PlaybackCursor.at(past, onFrom(-1), there.time(), 8)))
+                    .isEqualTo(9);
+            assertThat(looks(PlaybackCursor.at(past, wish(2.1, 0, false, "8"), there.time(), 0xffff)))
                     .isZero();
         }
     }
@@ -166,7 +169,7 @@ class RecordedPastTest {
                 Optional.of(false), Optional.empty(), Optional.of(step), Optional.of(true), Optional.empty());
     }
 
-    private static int looks(Looking looking) {
+    private static int looks(PlaybackCursor looking) {
         return flags(looking) >>> FrameEncoder.LOOKS_AT;
     }
 

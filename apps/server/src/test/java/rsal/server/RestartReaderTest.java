@@ -20,7 +20,7 @@ class RestartReaderTest {
     private static RunPlan on(RunPlan present, Optional<String> host) {
         var none = Optional.<String>empty();
         var wish = new Restart(none, none, Optional.empty(), none, none, host, none);
-        return new RestartReader(new Shelf(List.of()), present, 1).read(wish);
+        return new RestartReader(new ScenarioCatalog(List.of()), present, 1).read(wish);
     }
 
     private static RunPlan on(RunPlan present, String host) {

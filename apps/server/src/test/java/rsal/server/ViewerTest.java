@@ -22,7 +22,7 @@ class ViewerTest {
     private final ViewerCounts counts = new ViewerCounts();
     private final Viewer viewer = new Viewer(line, counts);
     private int robots = 2;
-    private Roster roster = new Roster(1, Map.of(), 0);
+    private ObjectRegistry roster = new ObjectRegistry(1, Map.of(), 0);
 
     @Test
     void isToldEverythingWhenItComes() {
@@ -177,7 +177,7 @@ class ViewerTest {
 
     @Test
     void isToldOfManyThingsLittleByLittle() {
-        roster = things(IntStream.rangeClosed(1, 2 * Roster.BATCH + 1).toArray());
+        roster = things(IntStream.rangeClosed(1, 2 * ObjectRegistry.BATCH + 1).toArray());
         for (int offers = 0; offers < 5; offers++) {
             offer(feed(1, 1, 0));
         }
@@ -272,12 +272,12 @@ class ViewerTest {
         };
     }
 
-    private static Roster things(int... numbers) {
+    private static ObjectRegistry things(int... numbers) {
         var all = new LinkedHashMap<Integer, ThingInfo>();
         for (int number : numbers) {
             all.put(number, new ThingInfo(number, "thing", 0, 0, 0, 0, List.of()));
         }
-        return new Roster(1, all, 0);
+        return new ObjectRegistry(1, all, 0);
     }
 
     private static Receipt frame(long sequence) {
@@ -311,7 +311,7 @@ class ViewerTest {
             }
 
             @Override
-            public Roster things() {
+            public ObjectRegistry things() {
                 return roster;
             }
 

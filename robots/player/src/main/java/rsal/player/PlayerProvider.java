@@ -102,7 +102,8 @@ public final class PlayerProvider implements RobotSystemProvider {
                 }
             }
         }
-        Optional<Map<RobotSpec, Berth>> berths = read(() -> berths(settings, config.robots()), config, problems);
+        Optional<Map<RobotSpec, ServerAddress>> berths =
+                read(() -> berths(settings, config.robots()), config, problems);
         Optional<Optional<Overseer>> overseer = read(() -> overseer(settings, config.robots()), config, problems);
         if (!problems.isEmpty()) {
             throw new InvalidRobots(problems);
@@ -149,7 +150,7 @@ public final class PlayerProvider implements RobotSystemProvider {
         if (who.equals(OWN)) {
             return Optional.of(new Overseer(Optional.empty(), byId));
         }
-        List<Berth> there = Berth.read(who);
+        List<ServerAddress> there = ServerAddress.read(who);
         boolean one = there.size() == 1 && there.getFirst().servers().size() == 1;
         if (!one) {
             throw new IllegalArgumentException("(simulation) must be (own) or HOST:PORT, not (%s).".formatted(who));
@@ -157,25 +158,25 @@ public final class PlayerProvider implements RobotSystemProvider {
         return Optional.of(new Overseer(Optional.of(there.getFirst().servers().getFirst()), byId));
     }
 
-    private static Map<RobotSpec, Berth> berths(Arguments settings, List<RobotSpec> robots) {
+    private static Map<RobotSpec, ServerAddress> berths(Arguments settings, List<RobotSpec> robots) {
         if (robots.isEmpty()) {
             return Map.of(); // all of them are elsewhere
         }
-        List<Berth> all = Berth.read(settings.text(SERVERS.name()));
+        List<ServerAddress> all = ServerAddress.read(settings.text(SERVERS.name()));
         if (all.isEmpty()) {
             int port = settings.integer(PORT.name());
             if (port + robots.size() - 1 > Session.LAST_PORT) {
                 throw new IllegalArgumentException(
                         "There are no (%d) ports from (%d) on.".formatted(robots.size(), port));
             }
-            all = Berth.from(settings.text(HOST.name()), port, settings.integer(INDEX.name()), robots.size());
+            all = ServerAddress.from(settings.text(HOST.name()), port, settings.integer(INDEX.name()), robots.size());
         }
         if (all.size() < robots.size()) {
             throw new IllegalArgumentException(
                     "As many (servers) as robots are needed: %d, not %d.".formatted(robots.size(), all.size()));
         }
-        var berths = new LinkedHashMap<RobotSpec, Berth>();
-        var taken = new HashMap<Berth, String>();
+        var berths = new LinkedHashMap<RobotSpec, ServerAddress>();
+        var taken = new HashMap<ServerAddress, String>();
         for (int i = 0; i < robots.size(); i++) {
             String other = taken.put(all.get(i), robots.get(i).id());
             if (other != null) {

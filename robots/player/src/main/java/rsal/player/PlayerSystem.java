@@ -15,7 +15,7 @@ import java.util.stream.IntStream;
 import rsal.device.Listeners;
 import rsal.device.SimulationControl;
 import rsal.device.Subscription;
-import rsal.player.Berth.Server;
+import rsal.player.ServerAddress.Server;
 import rsal.player.client.Delivery;
 import rsal.player.device.RemoteRobot;
 import rsal.player.device.RemoteServer;
@@ -31,7 +31,7 @@ import rsal.time.Task;
 final class PlayerSystem implements RobotSystem {
     private static final Duration PATIENCE = Duration.ofSeconds(8);
 
-    private final Map<RobotSpec, Berth> berths;
+    private final Map<RobotSpec, ServerAddress> berths;
     private final Optional<Overseer> overseer;
     private final Delivery delivery;
     private final Duration watchdog;
@@ -53,7 +53,7 @@ final class PlayerSystem implements RobotSystem {
     record Overseer(Optional<Server> server, Map<String, String> names) {}
 
     PlayerSystem(
-            Map<RobotSpec, Berth> berths,
+            Map<RobotSpec, ServerAddress> berths,
             Optional<Overseer> overseer,
             Delivery delivery,
             Duration watchdog,
@@ -110,7 +110,7 @@ final class PlayerSystem implements RobotSystem {
                 stages.stream().map(CompletionStage::toCompletableFuture).toArray(CompletableFuture[]::new));
     }
 
-    private CompletionStage<Robot> find(RobotSpec spec, Berth berth) {
+    private CompletionStage<Robot> find(RobotSpec spec, ServerAddress berth) {
         List<RemoteServer> its = berth.servers().stream().map(servers::get).toList();
         CompletionStage<Void> known =
                 all(its.stream().map(server -> server.known(PATIENCE)).toList());
@@ -132,10 +132,10 @@ final class PlayerSystem implements RobotSystem {
 
     /// Models of the robots that its servers have before it; those that are not ours are believed to be like
     /// it.
-    private List<RobotModel> before(RobotSpec spec, Berth berth) {
+    private List<RobotModel> before(RobotSpec spec, ServerAddress berth) {
         return IntStream.range(0, berth.index())
                 .mapToObj(index -> berths.entrySet().stream()
-                        .filter(other -> other.getValue().equals(new Berth(berth.servers(), index)))
+                        .filter(other -> other.getValue().equals(new ServerAddress(berth.servers(), index)))
                         .map(other -> other.getKey().model())
                         .findFirst()
                         .orElse(spec.model()))

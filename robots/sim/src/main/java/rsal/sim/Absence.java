@@ -11,12 +11,12 @@ import rsal.system.RobotSystem.Change;
 final class Absence {
     private final World world;
     private final Team team;
-    private final Touches touches;
+    private final ContactTracker touches;
     private final Consumer<Change> changes;
     private final List<SimRobot> returning = new ArrayList<>(); // as soon as there is room
 
     /// @param changes told who is gone and who is back
-    Absence(World world, Team team, Touches touches, Consumer<Change> changes) {
+    Absence(World world, Team team, ContactTracker touches, Consumer<Change> changes) {
         this.world = world;
         this.team = team;
         this.touches = touches;

@@ -6,7 +6,7 @@ import rsal.device.DeviceInfo;
 import rsal.robot.RobotModel.RangeNoise;
 
 /// What laser scanners and sonars have in common: what they measure is noisy.
-abstract class RangeSensor<T> extends SimEye<T> {
+abstract class RangeSensor<T> extends SimRangeSensor<T> {
     private final Noise noise;
 
     RangeSensor(DeviceInfo info, String frame, Duration period, Mount mount, Noise noise) {

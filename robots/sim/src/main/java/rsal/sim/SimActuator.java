@@ -24,7 +24,7 @@ import rsal.sim.world.World;
 /// A simulated joint, at its speed at once. (In Stage 4.3 joints don't move.) What stands on it moves with it.
 /// Only pieces of the robot's body can run into something: then it stops and is stuck. It is one of the robot's
 /// motors, and off when these are.
-final class SimActuator extends SimPart<ActuatorState> implements Actuator {
+final class SimActuator extends SimActuatedDevice<ActuatorState> implements Actuator {
     private final Part.Actuator part;
     private final SimDrive drive;
     private final InstantSource clock;
@@ -36,7 +36,7 @@ final class SimActuator extends SimPart<ActuatorState> implements Actuator {
     private Instant commanded = Instant.MIN;
     private boolean arrived; // and not told yet
     private @Nullable Stop stop; // what stopped it in the last step
-    private @Nullable Bending bending; // of the body; null when it carries nothing of that
+    private @Nullable ArticulatedMotion bending; // of the body; null when it carries nothing of that
     private Mount standsOn = Mount.BASE;
     private @Nullable GoalSource<ActuatorState, Result> goal;
     private @Nullable GoalSource<ActuatorState, Result> underWay; // in the last step
@@ -81,7 +81,7 @@ final class SimActuator extends SimPart<ActuatorState> implements Actuator {
     /// Lets it carry pieces of the robot's body.
     ///
     /// @param mount what it stands on itself
-    void bend(Bending body, Mount mount) {
+    void bend(ArticulatedMotion body, Mount mount) {
         bending = body;
         standsOn = mount;
     }
@@ -150,7 +150,7 @@ final class SimActuator extends SimPart<ActuatorState> implements Actuator {
     }
 
     /// That a point on it makes, at most [m].
-    private double longestWay(Bending body, double next) {
+    private double longestWay(ArticulatedMotion body, double next) {
         double way = Math.abs(next - position);
         if (part.joint() == Joint.LINEAR) {
             return way;

@@ -10,7 +10,7 @@ import rsal.sim.world.Body;
 
 /// A simulated store of energy. What its robot takes follows from the way that it really made. A robot whose store is
 /// empty drives on, as in Stage; who wants it to stop looks at the reading.
-final class SimBattery extends SimPart<BatteryState> implements Battery {
+final class SimBattery extends SimActuatedDevice<BatteryState> implements Battery {
     private final Part.Battery part;
     private final Body robot;
     private final SimDrive drive;

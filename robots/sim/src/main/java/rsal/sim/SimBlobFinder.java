@@ -8,13 +8,14 @@ import rsal.device.DeviceInfo;
 import rsal.robot.RobotModel.Part;
 import rsal.scene.Surface;
 import rsal.sim.world.Body;
-import rsal.sim.world.Sight;
+import rsal.sim.world.ColumnRenderer;
 import rsal.sim.world.View;
 import rsal.sim.world.World;
 
-/// A simulated camera that finds patches of color: each pixel has the color of what its ray meets first ([View]), and
-/// [Patchwork] joins them. (Stage has one level ray a column, and takes everything for 0.6 m high.)
-final class SimBlobFinder extends SimEye<Blobs> implements BlobFinder {
+/// A simulated camera that finds patches of color: each pixel has the color of what its ray meets first
+/// ([View]), and [BlobExtractor] joins them. (Stage has one level ray a column, and takes everything for 0.6 m
+/// high.)
+final class SimBlobFinder extends SimRangeSensor<Blobs> implements BlobFinder {
     private final Part.BlobFinder part;
     private final View view;
 
@@ -37,8 +38,8 @@ final class SimBlobFinder extends SimEye<Blobs> implements BlobFinder {
 
     @Override
     Blobs measure(World world, Body robot) {
-        Sight sight = view.look(world, robot, shift(), part.rangeMax());
-        Patchwork patches = Patchwork.ofThisThread();
+        ColumnRenderer sight = view.look(world, robot, shift(), part.rangeMax());
+        BlobExtractor patches = BlobExtractor.ofThisThread();
         for (int i = 0; i < sight.count(); i++) {
             Rgb color = color(sight.surface(i));
             if (color != null) {

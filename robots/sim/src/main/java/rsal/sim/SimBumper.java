@@ -9,15 +9,15 @@ import rsal.device.DeviceInfo;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.Shift;
 import rsal.sim.world.Body;
-import rsal.sim.world.Feeler;
+import rsal.sim.world.BumperGeometry;
 import rsal.sim.world.World;
 
 /// Simulated bumpers. Each feels what is in the robot's way up to 1 cm outside of it, at its own height.
-final class SimBumper extends SimPart<BumperState> implements Bumper {
+final class SimBumper extends SimActuatedDevice<BumperState> implements Bumper {
     private final World world;
     private final Body robot;
     private final List<Pose2d> baseFromPads;
-    private final List<Feeler> feelers;
+    private final List<BumperGeometry> feelers;
     private final Mount mount;
 
     /// @param height above the base [m]
@@ -29,7 +29,7 @@ final class SimBumper extends SimPart<BumperState> implements Bumper {
         this.baseFromPads =
                 part.pads().stream().map(Part.Bumper.Pad::baseFromPad).toList();
         this.feelers = part.pads().stream()
-                .map(pad -> new Feeler(pad.baseFromPad(), pad.length(), height))
+                .map(pad -> new BumperGeometry(pad.baseFromPad(), pad.length(), height))
                 .toList();
     }
 

@@ -24,7 +24,7 @@ import rsal.scene.Surface;
 import rsal.settings.Suggestion;
 import rsal.sim.world.Beams;
 import rsal.sim.world.Body;
-import rsal.sim.world.Chunk;
+import rsal.sim.world.CollisionShape;
 import rsal.sim.world.Extent;
 import rsal.sim.world.World;
 import rsal.system.RobotSystem;
@@ -36,8 +36,8 @@ final class SimControl extends DeviceCore implements SimulationControl {
     private final World world;
     private final Things things;
     private final Team team;
-    private final Recruiting recruiting;
-    private final Touches touches;
+    private final RobotSpawner recruiting;
+    private final ContactTracker touches;
     private final Consumer<RobotSystem.Change> changes;
     private final Map<String, List<Load>> loads = new HashMap<>(); // by robot, of those that were asked for
     private boolean closed;
@@ -47,8 +47,8 @@ final class SimControl extends DeviceCore implements SimulationControl {
             World world,
             Things things,
             Team team,
-            Recruiting recruiting,
-            Touches touches,
+            RobotSpawner recruiting,
+            ContactTracker touches,
             Consumer<RobotSystem.Change> changes) {
         super(new DeviceInfo("", "simulation", SimProvider.KEY));
         this.world = world;
@@ -77,7 +77,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
         return team.find(entity)
                 .filter(robot -> robot.body().isThere())
                 .flatMap(robot -> recruiting.kind(robot.id()))
-                .map(Recruiting.Kind::blocks)
+                .map(RobotSpawner.Kind::blocks)
                 .or(() -> things.find(entity).map(Things.Item::blocks))
                 .flatMap(Entity::look);
     }
@@ -92,7 +92,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
 
     private List<Load> load(SimRobot robot) {
         List<Block> blocks =
-                recruiting.kind(robot.id()).map(Recruiting.Kind::blocks).orElse(List.of());
+                recruiting.kind(robot.id()).map(RobotSpawner.Kind::blocks).orElse(List.of());
         return Load.of(robot, Entity.lowestFirst(blocks));
     }
 
@@ -193,16 +193,16 @@ final class SimControl extends DeviceCore implements SimulationControl {
                 ? Optional.empty()
                 : Optional.of(new Placement.Refused("%s is outside of the world, which reaches from %s to %s."
                         .formatted(
-                                Lineup.at(pose.x(), pose.y()),
-                                Lineup.at(bounds.left(), bounds.bottom()),
-                                Lineup.at(bounds.right(), bounds.top()))));
+                                SpawnPlacement.at(pose.x(), pose.y()),
+                                SpawnPlacement.at(bounds.left(), bounds.bottom()),
+                                SpawnPlacement.at(bounds.right(), bounds.top()))));
     }
 
     private Placement inTheWay(String entity, Pose2d pose) {
         return new Placement.Refused("(%s) does not fit at %s: (%s) is in the way."
                 .formatted(
                         entity,
-                        Lineup.at(pose.x(), pose.y()),
+                        SpawnPlacement.at(pose.x(), pose.y()),
                         world.obstacle().map(Body::name).orElse(World.WALL)));
     }
 
@@ -217,7 +217,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
     }
 
     /// @param room whether there is any for it
-    private Placement add(Thing thing, Predicate<List<Chunk>> room) {
+    private Placement add(Thing thing, Predicate<List<CollisionShape>> room) {
         String name = thing.name();
         Optional<Placement> misnamed = misnamed(name);
         if (misnamed.isPresent()) {
@@ -232,7 +232,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
             return outside.get();
         }
         List<Block> blocks = blocks(thing);
-        List<Chunk> chunks = Chunk.of(blocks);
+        List<CollisionShape> chunks = CollisionShape.of(blocks);
         if (!room.test(chunks)) {
             return inTheWay(name, thing.mapFromThing());
         }
@@ -287,13 +287,13 @@ final class SimControl extends DeviceCore implements SimulationControl {
 
     @Override
     public Placement addRobot(String id, String like, Pose2d mapFromBase) {
-        Optional<Recruiting.Kind> kind = recruiting.kind(like);
+        Optional<RobotSpawner.Kind> kind = recruiting.kind(like);
         if (kind.isEmpty()) {
             return refusal(id)
                     .orElseGet(() -> new Placement.Refused("There never was a robot (%s) to add one like. %s"
                             .formatted(like, Suggestion.among(like, recruiting.known()))));
         }
-        return recruit(Recruiting.like(kind.get(), id, mapFromBase), mapFromBase);
+        return recruit(RobotSpawner.like(kind.get(), id, mapFromBase), mapFromBase);
     }
 
     /// As [RobotSystem#addRobot].
@@ -303,7 +303,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
             return new Placement.Refused(String.join(" ", problems));
         }
         return robot.mapFromBase()
-                .map(there -> recruit(Recruiting.Kind.of(robot), there))
+                .map(there -> recruit(RobotSpawner.Kind.of(robot), there))
                 .orElseGet(() -> new Placement.Refused("Robot (%s) has no pose.".formatted(robot.id())));
     }
 
@@ -326,7 +326,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
                         "A slash sets devices off from robots; no robot can be called (%s).".formatted(id)));
     }
 
-    private Placement recruit(Recruiting.Kind kind, Pose2d mapFromBase) {
+    private Placement recruit(RobotSpawner.Kind kind, Pose2d mapFromBase) {
         String id = kind.spec().id();
         Optional<Placement> refusal = refusal(id).or(() -> outside(mapFromBase));
         if (refusal.isPresent()) {

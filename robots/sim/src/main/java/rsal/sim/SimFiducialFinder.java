@@ -15,7 +15,7 @@ import rsal.sim.world.World;
 /// A simulated finder of markers, exact. It sees a marker when the level ray towards the origin of its body meets that
 /// body first, as in Stage: those behind others it does not see, and those that are higher or lower than it only if
 /// it is made for all heights. Then nothing at its own height may be in between.
-final class SimFiducialFinder extends SimEye<Fiducials> implements FiducialFinder {
+final class SimFiducialFinder extends SimRangeSensor<Fiducials> implements FiducialFinder {
     private static final int RAYS = 10; // as many as a reading is worth, roughly
 
     private final Part.FiducialFinder part;

@@ -14,7 +14,7 @@ import rsal.device.Gripper;
 import rsal.device.Health;
 import rsal.robot.RobotModel.Part;
 import rsal.sim.world.Body;
-import rsal.sim.world.Jaws;
+import rsal.sim.world.GripperGeometry;
 import rsal.sim.world.World;
 
 /// A simulated gripper. Closing, its paddles take the first thing that can be gripped and that they are down to
@@ -26,7 +26,7 @@ import rsal.sim.world.World;
 /// The beams cross from paddle to paddle at 1/4 (outer) and 3/4 (inner) of their length from the tips and, as
 /// contacts do, notice only what can be gripped, as in Stage. Stage takes things at the first touch of either
 /// paddle and puts them into the middle of the gripper's body.
-final class SimGripper extends SimPart<GripperState> implements Gripper {
+final class SimGripper extends SimActuatedDevice<GripperState> implements Gripper {
     private static final double OUTER = 0.75; // of the paddles, from their root
     private static final double INNER = 0.25;
 
@@ -36,9 +36,9 @@ final class SimGripper extends SimPart<GripperState> implements Gripper {
     private final Body robot;
     private final SimDrive drive;
     private final Mount mount;
-    private final Jaws jaws;
-    private final Stroke paddles;
-    private final Stroke lift;
+    private final GripperGeometry jaws;
+    private final GripperMotion paddles;
+    private final GripperMotion lift;
     private @Nullable Held held;
     private GripperState state;
     private boolean ready = true; // to snatch what comes: when nothing was between the open paddles before
@@ -64,7 +64,7 @@ final class SimGripper extends SimPart<GripperState> implements Gripper {
         this.robot = robot;
         this.drive = drive;
         this.mount = mount;
-        this.jaws = new Jaws(
+        this.jaws = new GripperGeometry(
                 world,
                 robot,
                 part.baseFromGripper(),
@@ -73,8 +73,8 @@ final class SimGripper extends SimPart<GripperState> implements Gripper {
                 part.opening(),
                 height,
                 part.height());
-        this.paddles = new Stroke(part.closingTime(), part.closed() ? 1 : 0);
-        this.lift = new Stroke(part.liftingTime(), part.raised() ? 1 : 0);
+        this.paddles = new GripperMotion(part.closingTime(), part.closed() ? 1 : 0);
+        this.lift = new GripperMotion(part.liftingTime(), part.raised() ? 1 : 0);
         this.state = sense();
     }
 
@@ -118,7 +118,7 @@ final class SimGripper extends SimPart<GripperState> implements Gripper {
             return Optional.of("There is no room for (%s) at %s: (%s) is in the way."
                     .formatted(
                             now.thing.name(),
-                            Lineup.at(there.x(), there.y()),
+                            SpawnPlacement.at(there.x(), there.y()),
                             world.obstacle().map(Body::name).orElse(World.WALL)));
         }
         held = null;
@@ -155,7 +155,7 @@ final class SimGripper extends SimPart<GripperState> implements Gripper {
             snatch();
         }
         double next = paddles.next(driven);
-        Optional<Jaws.Grip> grip = held == null && paddles.direction() > 0
+        Optional<GripperGeometry.Grip> grip = held == null && paddles.direction() > 0
                 ? jaws.widest(gap(paddles.position()), things::contains).filter(g -> g.width() >= gap(next))
                 : Optional.empty();
         paddles.moveTo(grip.map(this::closedAt).orElse(next));
@@ -180,11 +180,11 @@ final class SimGripper extends SimPart<GripperState> implements Gripper {
     }
 
     /// How far the paddles close around a thing, if they are not closer already.
-    private double closedAt(Jaws.Grip grip) {
+    private double closedAt(GripperGeometry.Grip grip) {
         return Math.max(paddles.position(), 1 - grip.width() / part.opening());
     }
 
-    private void hold(Jaws.Grip grip) {
+    private void hold(GripperGeometry.Grip grip) {
         Pose2d gripperFromThing = robot.pose()
                 .compose(mount.now().moved(part.baseFromGripper()))
                 .inverse()
@@ -241,7 +241,7 @@ final class SimGripper extends SimPart<GripperState> implements Gripper {
                 held != null);
     }
 
-    private <M> Optional<M> moving(Stroke stroke, M up, M down) {
+    private <M> Optional<M> moving(GripperMotion stroke, M up, M down) {
         return drive.enabled() ? stroke.moving(up, down) : Optional.empty();
     }
 

@@ -11,7 +11,7 @@ import rsal.device.Light;
 import rsal.robot.RobotModel.Part;
 
 /// A simulated light. No other device sees whether it shines.
-final class SimLight extends SimPart<LightState> implements Light {
+final class SimLight extends SimActuatedDevice<LightState> implements Light {
     private final InstantSource clock;
     private final Rgb color;
     private Signal signal;

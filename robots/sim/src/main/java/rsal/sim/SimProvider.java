@@ -63,9 +63,9 @@ public final class SimProvider implements RobotSystemProvider {
         specs.sort(Comparator.comparing(RobotSpec::id));
         refuse(problems(specs));
         var seeds = new Seeds(config.seed());
-        var lineup = new Lineup(config.scene(), walls(config.scene().walls()), specs, seeds);
+        var lineup = new SpawnPlacement(config.scene(), walls(config.scene().walls()), specs, seeds);
         refuse(lineup.problems());
-        var assembly = new Assembly(config.settings(), scheduler, seeds, lineup.world(), lineup.things());
+        var assembly = new RobotFactory(config.settings(), scheduler, seeds, lineup.world(), lineup.things());
         var robots = specs.stream()
                 .map(spec -> assembly.robot(spec, lineup.body(spec.id())))
                 .toList();
@@ -80,13 +80,13 @@ public final class SimProvider implements RobotSystemProvider {
                 config.scene().touch(),
                 lineup.things(),
                 robots,
-                new Recruiting(lineup.world(), assembly, kinds));
+                new RobotSpawner(lineup.world(), assembly, kinds));
     }
 
-    private static Recruiting.Kind kind(SimRobot robot, Scene scene) {
-        return new Recruiting.Kind(
+    private static RobotSpawner.Kind kind(SimRobot robot, Scene scene) {
+        return new RobotSpawner.Kind(
                 robot.spec(),
-                Lineup.blocks(scene, robot.spec()),
+                SpawnPlacement.blocks(scene, robot.spec()),
                 robot.body().height(),
                 scene.odomFromBase().containsKey(robot.id()));
     }

@@ -26,17 +26,17 @@ record SimRobot(
         Body body,
         SimDrive drive,
         List<SimSensor<?>> devices,
-        List<SimEye<?>> eyes,
-        List<SimPart<?>> parts,
+        List<SimRangeSensor<?>> eyes,
+        List<SimActuatedDevice<?>> parts,
         List<Mount> mounts) {
 
     static SimRobot of(RobotSpec spec, Body body, SimDrive drive, List<SimSensor<?>> devices, List<Mount> mounts) {
-        var eyes = new ArrayList<SimEye<?>>();
-        var parts = new ArrayList<SimPart<?>>();
+        var eyes = new ArrayList<SimRangeSensor<?>>();
+        var parts = new ArrayList<SimActuatedDevice<?>>();
         for (SimSensor<?> device : devices) {
-            if (device instanceof SimEye<?> eye) {
+            if (device instanceof SimRangeSensor<?> eye) {
                 eyes.add(eye);
-            } else if (device instanceof SimPart<?> part) {
+            } else if (device instanceof SimActuatedDevice<?> part) {
                 parts.add(part);
             }
         }
@@ -75,7 +75,7 @@ record SimRobot(
     /// @param dt [s]
     /// @param ranInto told what its arms touched; empty for a wall
     void work(Instant now, double dt, Consumer<Optional<Body>> ranInto) {
-        for (SimPart<?> part : parts) {
+        for (SimActuatedDevice<?> part : parts) {
             part.work(now, dt);
             if (part instanceof SimActuator actuator) {
                 actuator.stopped().map(SimActuator.Stop::by).ifPresent(ranInto);
@@ -93,7 +93,7 @@ record SimRobot(
     /// How many rays its sensors cast when they look now.
     int raysDue(Instant now) {
         int rays = 0;
-        for (SimEye<?> eye : eyes) {
+        for (SimRangeSensor<?> eye : eyes) {
             rays += eye.isDue(now) ? eye.rays() : 0;
         }
         return rays;
@@ -101,7 +101,7 @@ record SimRobot(
 
     /// Takes those readings that are due.
     void look(World world, Instant now) {
-        for (SimEye<?> eye : eyes) {
+        for (SimRangeSensor<?> eye : eyes) {
             if (eye.isDue(now)) {
                 eye.look(world, body, now);
             }
@@ -115,7 +115,7 @@ record SimRobot(
 
     /// What it holds stays where it is.
     void leaveBehind() {
-        for (SimPart<?> part : parts) {
+        for (SimActuatedDevice<?> part : parts) {
             if (part instanceof SimGripper gripper) {
                 gripper.leaveBehind();
             }

@@ -37,7 +37,7 @@ final class SimSystem implements RobotSystem {
     private final World world;
     private final Touch touch;
     private final Team team;
-    private final Touches touches = new Touches();
+    private final ContactTracker touches = new ContactTracker();
     private final Listeners<Change> changes = new Listeners<>(e -> {
         throw e;
     });
@@ -56,7 +56,7 @@ final class SimSystem implements RobotSystem {
             Touch touch,
             Things things,
             List<SimRobot> robots,
-            Recruiting recruiting) {
+            RobotSpawner recruiting) {
         this.scheduler = scheduler;
         this.step = step;
         this.world = world;

@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 import rsal.data.Pose2d;
 import rsal.scene.Entity;
 import rsal.scene.Surface;
-import rsal.sim.world.Chunk;
+import rsal.sim.world.CollisionShape;
 import rsal.sim.world.Extent;
 import rsal.sim.world.World;
 
@@ -44,6 +44,6 @@ class ThingsTest {
 
     private void add(String name, double givingPower) {
         var blocks = Entity.blocks(Models.box(Models.DRIVE).body(), Surface.PLAIN.color());
-        things.add(world.add(name, Chunk.of(blocks), new Pose2d(1, 1, 0), 0), blocks, givingPower);
+        things.add(world.add(name, CollisionShape.of(blocks), new Pose2d(1, 1, 0), 0), blocks, givingPower);
     }
 }

@@ -2,7 +2,7 @@ package rsal.engine;
 
 import java.util.List;
 import java.util.Optional;
-import rsal.agent.Society;
+import rsal.agent.AgentPlatform;
 import rsal.agent.bdi.Mind;
 import rsal.scenario.RunPlan.PlannedAgent;
 
@@ -21,7 +21,7 @@ import rsal.scenario.RunPlan.PlannedAgent;
 public record AgentInspection(
         String name,
         Optional<PlannedAgent> planned,
-        Optional<Society.View> shown,
+        Optional<AgentPlatform.View> shown,
         Optional<Mind.View> mind,
         Optional<Mind.Program> program,
         List<MindChange> history,

@@ -15,22 +15,22 @@ import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import rsal.agent.AgentHost;
 import rsal.agent.AgentHostProvider;
+import rsal.agent.AgentPlatform;
 import rsal.agent.AgentSpec;
 import rsal.agent.Directory;
 import rsal.agent.Message;
-import rsal.agent.Society;
 import rsal.agent.Turns;
 import rsal.agent.bdi.Mind;
 import rsal.agent.message.Alarm;
 import rsal.agent.message.Caught;
 import rsal.agent.message.ChargerTaken;
+import rsal.agent.message.FormationSlots;
 import rsal.agent.message.GoalReached;
 import rsal.agent.message.Hello;
 import rsal.agent.message.MapEnds;
 import rsal.agent.message.NewGoal;
 import rsal.agent.message.PoseReport;
 import rsal.agent.message.PoseRequest;
-import rsal.agent.message.Ranks;
 import rsal.agent.message.Topics;
 import rsal.agent.message.VictimFound;
 import rsal.agent.message.Visited;
@@ -75,7 +75,7 @@ final class Agents implements AutoCloseable {
     private final Links links;
     private Optional<Radio> radio = Optional.empty();
     private int byHand;
-    private Optional<Society> society = Optional.empty();
+    private Optional<AgentPlatform> society = Optional.empty();
     private boolean closed;
 
     Agents(
@@ -110,7 +110,7 @@ final class Agents implements AutoCloseable {
         AgentHost host = RunBroken.blaming(
                 "Multi-agent system (%s)".formatted(provider.key()),
                 () -> provider.create(plan.mas().settings(), scheduler));
-        var agents = new Society(scheduler, host, simulation, turns);
+        var agents = new AgentPlatform(scheduler, host, simulation, turns);
         society = Optional.of(agents);
         agents.reserve(Topics.ALL);
         agents.onMessage(this::heard);
@@ -223,7 +223,7 @@ final class Agents implements AutoCloseable {
 
     private boolean isRunning(String name) {
         return society.flatMap(agents -> agents.view(name))
-                .filter(view -> view.status() == Society.Status.RUNNING)
+                .filter(view -> view.status() == AgentPlatform.Status.RUNNING)
                 .isPresent();
     }
 
@@ -245,7 +245,7 @@ final class Agents implements AutoCloseable {
     /// Whether somebody hears where a robot is to drive: an agent of it, or one without a robot, as those who send
     /// teams.
     boolean takeOrdersFor(String robot) {
-        Society all = society.orElseThrow();
+        AgentPlatform all = society.orElseThrow();
         return all.directory().agents().stream()
                 .filter(agent -> agent.robot().equals(robot) || agent.robot().isEmpty())
                 .anyMatch(agent -> all.listens(agent.name(), NewGoal.TOPIC));
@@ -286,7 +286,7 @@ final class Agents implements AutoCloseable {
         switch (message.content()) {
             case Hello hello
             when hello.kind() == Hello.Kind.PING || hello.kind() == Hello.Kind.PONG -> eventLog.routine(message, words);
-            case Ranks ranks -> {
+            case FormationSlots ranks -> {
                 eventLog.routine(message, words);
                 observer.heard(message.sender(), ranks);
             }
@@ -347,7 +347,7 @@ final class Agents implements AutoCloseable {
         if (agent == null) {
             return Optional.empty();
         }
-        Optional<Society.View> shown = society.orElseThrow().view(name);
+        Optional<AgentPlatform.View> shown = society.orElseThrow().view(name);
         Optional<Mind.View> mind = society.orElseThrow().look(name, Mind.View.class);
         beliefHistory.look(name, held(shown, mind), now);
         return Optional.of(new AgentInspection(
@@ -367,10 +367,10 @@ final class Agents implements AutoCloseable {
         return List.copyOf(started.keySet());
     }
 
-    private static BeliefHistory.Held held(Optional<Society.View> shown, Optional<Mind.View> mind) {
+    private static BeliefHistory.Held held(Optional<AgentPlatform.View> shown, Optional<Mind.View> mind) {
         return BeliefHistory.Held.of(
                 mind.map(Mind.View::beliefs)
-                        .or(() -> shown.map(Society.View::beliefs))
+                        .or(() -> shown.map(AgentPlatform.View::beliefs))
                         .orElse(Map.of()),
                 mind.map(Mind.View::goals).orElse(List.of()));
     }
@@ -443,10 +443,10 @@ final class Agents implements AutoCloseable {
                 .orElse(Map.of());
     }
 
-    private Map<String, Mind.View> lookInto(List<Society.View> views) {
+    private Map<String, Mind.View> lookInto(List<AgentPlatform.View> views) {
         var minds = new TreeMap<String, Mind.View>();
         views.stream()
-                .filter(view -> view.status() == Society.Status.RUNNING)
+                .filter(view -> view.status() == AgentPlatform.Status.RUNNING)
                 .map(view -> view.agent().name())
                 .forEach(name ->
                         society.orElseThrow().look(name, Mind.View.class).ifPresent(mind -> minds.put(name, mind)));
@@ -476,7 +476,7 @@ final class Agents implements AutoCloseable {
         }
     }
 
-    private void changed(Society.View view) {
+    private void changed(AgentPlatform.View view) {
         String words = switch (view.status()) {
             case RUNNING -> view.state().isEmpty() ? "has started" : view.state();
             case ENDED -> "has ended";
@@ -484,13 +484,13 @@ final class Agents implements AutoCloseable {
         };
         String name = view.agent().name();
         if (!closed && !words.equals(lastWords.put(name, words))) {
-            eventLog.event(view.status() == Society.Status.FAILED ? "fault" : "agent", name, words);
+            eventLog.event(view.status() == AgentPlatform.Status.FAILED ? "fault" : "agent", name, words);
             beliefHistory.does(name, words);
         }
     }
 
     /// Each line counts, also one that is equal to the last.
-    private void printed(Society.Print print) {
+    private void printed(AgentPlatform.Print print) {
         if (!closed) {
             lastWords.put(print.agent(), print.line());
             eventLog.event("print", print.agent(), print.line());
@@ -498,14 +498,14 @@ final class Agents implements AutoCloseable {
         }
     }
 
-    private void measured(Society.Metric metric) {
+    private void measured(AgentPlatform.Metric metric) {
         if (!closed) {
             eventLog.hash("metric", metric.agent(), metric.name(), Double.toString(metric.value()));
             observer.published(metric.agent(), robot(metric.agent()), metric.name(), metric.value());
         }
     }
 
-    private void unhandled(Society.Unhandled goal) {
+    private void unhandled(AgentPlatform.Unhandled goal) {
         List<String> all = unhandledGoals.computeIfAbsent(goal.agent(), _ -> new ArrayList<>());
         if (closed || all.contains(goal.goal())) {
             return;
@@ -526,8 +526,8 @@ final class Agents implements AutoCloseable {
     Map<String, String> failed() {
         return society.stream()
                 .flatMap(agents -> agents.views().stream())
-                .filter(view -> view.status() == Society.Status.FAILED)
-                .collect(Collectors.toMap(view -> view.agent().name(), Society.View::state));
+                .filter(view -> view.status() == AgentPlatform.Status.FAILED)
+                .collect(Collectors.toMap(view -> view.agent().name(), AgentPlatform.View::state));
     }
 
     List<AgentView> views() {
@@ -537,7 +537,7 @@ final class Agents implements AutoCloseable {
                 .toList();
     }
 
-    private AgentView view(Society.View view) {
+    private AgentView view(AgentPlatform.View view) {
         String name = view.agent().name();
         return new AgentView(
                 view,
@@ -549,6 +549,6 @@ final class Agents implements AutoCloseable {
     @Override
     public void close() {
         closed = true;
-        society.ifPresent(Society::close);
+        society.ifPresent(AgentPlatform::close);
     }
 }

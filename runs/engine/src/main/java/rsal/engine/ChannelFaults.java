@@ -5,14 +5,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.random.RandomGenerator;
-import rsal.agent.Delivery;
+import rsal.agent.ChannelModel;
 import rsal.agent.Message;
 import rsal.device.Subscription;
 import rsal.scenario.PlannedFault.Mishap;
 import rsal.scenario.PlannedFault.OfMessages;
 
 /// What happens to messages now. Several mishaps come one after the other, in the order in which they began.
-final class ChannelFaults implements Delivery {
+final class ChannelFaults implements ChannelModel {
     private static final int MOST_COPIES = 64; // of a message for a listener
 
     private final Lost lost;

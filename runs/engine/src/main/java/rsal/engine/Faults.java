@@ -11,7 +11,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
-import rsal.agent.Delivery;
+import rsal.agent.ChannelModel;
 import rsal.device.Subscription;
 import rsal.fault.Fault;
 import rsal.scenario.PlannedFault;
@@ -63,7 +63,7 @@ final class Faults {
     }
 
     /// What becomes of messages.
-    Delivery delivery() {
+    ChannelModel delivery() {
         return channelFaults;
     }
 

@@ -6,8 +6,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
-import rsal.agent.message.Ranks;
-import rsal.agent.message.Ranks.Slot;
+import rsal.agent.message.FormationSlots;
+import rsal.agent.message.FormationSlots.Slot;
 import rsal.data.Pose2d;
 
 /// Watches formations: where robots should be now, as who leads them said last, and for how long they were not yet in
@@ -19,13 +19,13 @@ final class FormationMetrics {
     private @Nullable Instant looked;
     private Duration forming = Duration.ZERO;
 
-    private record Said(Instant time, Ranks ranks) {
+    private record Said(Instant time, FormationSlots ranks) {
         boolean isFresh(Instant now) {
             return !time.plus(FRESH).isBefore(now);
         }
     }
 
-    void heard(String leader, Ranks ranks, Instant now) {
+    void heard(String leader, FormationSlots ranks, Instant now) {
         newest.put(leader, new Said(now, ranks));
     }
 
@@ -46,7 +46,7 @@ final class FormationMetrics {
         for (Said said : newest.values()) {
             Slot slot = said.ranks.slots().get(robot);
             if (slot != null && said.isFresh(now) && said.ranks.formed()) {
-                return Optional.of(Ranks.at(slot, Duration.between(said.time, now), said.ranks.ahead()));
+                return Optional.of(FormationSlots.at(slot, Duration.between(said.time, now), said.ranks.ahead()));
             }
         }
         return Optional.empty();

@@ -3,12 +3,12 @@ package rsal.engine;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
-import rsal.agent.Delivery;
+import rsal.agent.ChannelModel;
 import rsal.agent.Message;
 
 /// Carries messages: by radio first, then through what goes wrong besides. Counts what arrives and what does
 /// not, and keeps the newest.
-final class MessageRouter implements Delivery {
+final class MessageRouter implements ChannelModel {
     private final Optional<Radio> radio;
     private final Faults faults;
     private final Traffic traffic;

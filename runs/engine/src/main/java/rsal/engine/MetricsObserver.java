@@ -18,9 +18,9 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.message.Caught;
+import rsal.agent.message.FormationSlots;
 import rsal.agent.message.GoalReached;
 import rsal.agent.message.NewGoal;
-import rsal.agent.message.Ranks;
 import rsal.agent.message.VictimFound;
 import rsal.agent.message.Visited;
 import rsal.agent.message.Watch;
@@ -332,7 +332,7 @@ final class MetricsObserver implements Facts {
     }
 
     /// Somebody tells robots of a formation where they should be.
-    void heard(String leader, Ranks ranks) {
+    void heard(String leader, FormationSlots ranks) {
         formationMetrics.heard(leader, ranks, clock.instant());
     }
 

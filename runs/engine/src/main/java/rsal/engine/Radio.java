@@ -11,7 +11,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
-import rsal.agent.Delivery;
+import rsal.agent.ChannelModel;
 import rsal.agent.Message;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
@@ -25,7 +25,7 @@ import rsal.scenario.Span;
 /// An agent without a robot is in range of all, like a base station with antennas everywhere; so is a robot of which
 /// nobody knows where it is. Who is in range is decided when a message is said. What an agent says faster than the
 /// bandwidth allows waits for its turn. All calls on the run's thread.
-final class Radio implements Delivery {
+final class Radio implements ChannelModel {
     /// How long a message waits for its turn before it is dropped.
     static final Duration PATIENCE = Duration.ofSeconds(1);
 

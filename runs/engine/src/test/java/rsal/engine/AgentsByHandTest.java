@@ -13,8 +13,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.Timeout.ThreadMode;
 import org.junit.jupiter.api.io.TempDir;
+import rsal.agent.AgentPlatform;
 import rsal.agent.AgentType;
-import rsal.agent.Society;
 import rsal.scenario.RunOptions;
 
 /// People start and stop agents, and say something to them.
@@ -74,7 +74,7 @@ class AgentsByHandTest {
         return ((Answer.Seen) answer(run.inside(agent))).agent();
     }
 
-    private Society.Status status(String agent) throws Exception {
+    private AgentPlatform.Status status(String agent) throws Exception {
         return inside(agent).shown().orElseThrow().status();
     }
 
@@ -106,7 +106,7 @@ class AgentsByHandTest {
         assertThat(answer(run.addAgent("amy", "west"))).isEqualTo(new Answer.Added("amy-2"));
         assertThat(answer(run.addAgent("base", ""))).isEqualTo(new Answer.Added("base-1"));
         assertThat(inside("amy-1").planned().orElseThrow().robot()).contains("east");
-        assertThat(status("amy-1")).isEqualTo(Society.Status.RUNNING);
+        assertThat(status("amy-1")).isEqualTo(AgentPlatform.Status.RUNNING);
         assertThat(byHand())
                 .containsExactly(
                         "amy-1 started, like amy, for east",
@@ -131,7 +131,7 @@ class AgentsByHandTest {
         assertThat(answer(run.newAgent("chatter", "", Map.of()))).isEqualTo(new Answer.Added("chatter-1"));
         assertThat(answer(run.newAgent("chatter", "east", Map.of()))).isEqualTo(new Answer.Added("chatter-2"));
         assertThat(inside("chatter-2").planned().orElseThrow().robot()).contains("east");
-        assertThat(status("chatter-1")).isEqualTo(Society.Status.RUNNING);
+        assertThat(status("chatter-1")).isEqualTo(AgentPlatform.Status.RUNNING);
         assertThat(byHand())
                 .containsExactly("chatter-1 started, as chatter", "chatter-2 started, as chatter, for east");
     }
@@ -156,11 +156,11 @@ class AgentsByHandTest {
     void oneThatWasStoppedStartsAgain() throws Exception {
         assertThat(answer(run.startAgent("amy"))).isEqualTo(new Answer.Refused("Agent (amy) runs already."));
         assertThat(answer(run.stopAgent("amy"))).isEqualTo(new Answer.Done());
-        assertThat(status("amy")).isEqualTo(Society.Status.ENDED);
+        assertThat(status("amy")).isEqualTo(AgentPlatform.Status.ENDED);
         assertThat(answer(run.stopAgent("amy")))
                 .isEqualTo(new Answer.Refused("Agent (amy) does not run. Maybe start it again."));
         assertThat(answer(run.startAgent("amy"))).isEqualTo(new Answer.Done());
-        assertThat(status("amy")).isEqualTo(Society.Status.RUNNING);
+        assertThat(status("amy")).isEqualTo(AgentPlatform.Status.RUNNING);
         assertThat(answer(run.startAgent("zoe"))).isEqualTo(new Answer.Refused("There is no agent (zoe)."));
         assertThat(byHand()).containsExactly("amy stopped", "amy started again");
     }

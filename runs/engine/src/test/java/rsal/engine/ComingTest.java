@@ -17,7 +17,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import rsal.agent.Society;
+import rsal.agent.AgentPlatform;
 import rsal.data.Pose2d;
 import rsal.device.SimulationControl.Standing;
 import rsal.robot.Robot;
@@ -104,7 +104,7 @@ class ComingTest {
         assertThat(snapshot.team()).hasSize(2);
         assertThat(snapshot.agents())
                 .extracting(agent -> agent.view().status())
-                .containsExactly(Society.Status.ENDED, Society.Status.RUNNING);
+                .containsExactly(AgentPlatform.Status.ENDED, AgentPlatform.Status.RUNNING);
         assertThat(run.events(0))
                 .filteredOn(event -> event.subject().startsWith("prey"))
                 .extracting(RunEvent::kind)

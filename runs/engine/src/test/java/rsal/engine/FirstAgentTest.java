@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import rsal.agent.Society;
+import rsal.agent.AgentPlatform;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.testkit.example.Witness;
@@ -51,7 +51,7 @@ class FirstAgentTest {
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3})
     void bothPostsAreVisitedAndWrittenDown(long seed) throws IOException {
-        Map<String, Society.View> agents = agentsAfter(watch(), seed);
+        Map<String, AgentPlatform.View> agents = agentsAfter(watch(), seed);
         assertThat(nearest(agents, "first")).isLessThan(0.6);
         assertThat(nearest(agents, "second")).isLessThan(0.6);
         assertThat(agents.get("logbook").beliefs()).containsOnlyKeys("post 1", "post 2");
@@ -61,7 +61,7 @@ class FirstAgentTest {
     @Test
     void aPostThatCanNotBeReachedDoesNotKeepItFromTheOther() throws IOException {
         String text = watch().replace("x1: -8, y1: -1.2", "x1: -31.4, y1: -7.7"); // in the outer wall
-        Map<String, Society.View> agents = agentsAfter(text, 1);
+        Map<String, AgentPlatform.View> agents = agentsAfter(text, 1);
         assertThat(nearest(agents, "second")).isLessThan(0.6);
         assertThat(agents.get("logbook").beliefs()).containsOnlyKeys("post 2");
     }
@@ -90,7 +90,7 @@ class FirstAgentTest {
                 """;
     }
 
-    private Map<String, Society.View> agentsAfter(String text, long seed) {
+    private Map<String, AgentPlatform.View> agentsAfter(String text, long seed) {
         try (var run = LiveRun.start(plan(text, seed))) {
             assertThat(Runs.result(run).outcome()).isEqualTo("success");
             return run.snapshot().agents().stream()
@@ -103,7 +103,7 @@ class FirstAgentTest {
         return Runs.plan(folder, text, RunOptions.NONE.withSeed(seed).withSpeed(Double.POSITIVE_INFINITY));
     }
 
-    private static double nearest(Map<String, Society.View> agents, String witness) {
+    private static double nearest(Map<String, AgentPlatform.View> agents, String witness) {
         return Double.parseDouble(agents.get(witness).beliefs().get(Witness.NEAREST));
     }
 

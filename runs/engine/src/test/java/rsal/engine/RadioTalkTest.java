@@ -16,17 +16,17 @@ import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import rsal.agent.Agent;
 import rsal.agent.AgentContext;
+import rsal.agent.AgentPlatform;
 import rsal.agent.AgentSpec;
 import rsal.agent.Message;
-import rsal.agent.Society;
 import rsal.agent.plain.PlainHostProvider;
 import rsal.agent.presence.Presence;
-import rsal.agent.protocol.Ending;
+import rsal.agent.protocol.ConversationResult;
 import rsal.agent.protocol.Request;
-import rsal.agent.team.Course;
 import rsal.agent.team.Job;
 import rsal.agent.team.Rules;
 import rsal.agent.team.Skill;
+import rsal.agent.team.TaskRoute;
 import rsal.agent.team.Team;
 import rsal.agent.team.Work;
 import rsal.agent.team.Worker;
@@ -63,7 +63,7 @@ class RadioTalkTest {
     private static final double HIDDEN = 12; // m, somewhere behind the wall
 
     private final LockstepScheduler scheduler = new LockstepScheduler();
-    private final Society society = new Society(
+    private final AgentPlatform society = new AgentPlatform(
             scheduler, new PlainHostProvider().create(Arguments.defaults(List.of()), scheduler), Optional.empty());
     private final Map<String, Point2d> places = new HashMap<>(); // of robots, which are called like their agents
     private final Map<LossReason, Integer> lost = new EnumMap<>(LossReason.class);
@@ -142,8 +142,8 @@ class RadioTalkTest {
         }
 
         @Override
-        public Optional<Course> course(Visit job) {
-            return Optional.of(Course.at(pose(job.place)));
+        public Optional<TaskRoute> course(Visit job) {
+            return Optional.of(TaskRoute.at(pose(job.place)));
         }
 
         @Override
@@ -237,7 +237,7 @@ class RadioTalkTest {
         radio(seed);
         var random = new SplittableRandom(seed);
         var heard = new ArrayList<Integer>();
-        var endings = new HashMap<Integer, List<Ending<Integer>>>();
+        var endings = new HashMap<Integer, List<ConversationResult<Integer>>>();
         start(
                 "amy",
                 new Point2d(3.5, NORTH),
@@ -267,15 +267,15 @@ class RadioTalkTest {
                 .as("seed %d, question %d", seed, question)
                 .singleElement()
                 .satisfies(end -> {
-                    if (end instanceof Ending.Informed<Integer>(Integer answer)) {
+                    if (end instanceof ConversationResult.Informed<Integer>(Integer answer)) {
                         assertThat(answer).isEqualTo(2 * question);
                         assertThat(heard).contains(question);
                     } else {
-                        assertThat(end).isInstanceOf(Ending.Silent.class);
+                        assertThat(end).isInstanceOf(ConversationResult.Silent.class);
                     }
                 }));
         return (int) endings.values().stream()
-                .filter(ends -> ends.getFirst() instanceof Ending.Informed)
+                .filter(ends -> ends.getFirst() instanceof ConversationResult.Informed)
                 .count();
     }
 

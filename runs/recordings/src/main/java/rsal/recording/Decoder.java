@@ -15,8 +15,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.regex.Pattern;
+import rsal.agent.AgentPlatform;
 import rsal.agent.Directory;
-import rsal.agent.Society;
 import rsal.agent.bdi.Mind;
 import rsal.data.GripperState;
 import rsal.data.LaserScan;
@@ -519,9 +519,9 @@ final class Decoder {
         var entry = new Directory.Entry(
                 fields.text("name"), fields.text("role"), fields.text("type"), fields.text("robot"), "");
         return new AgentView(
-                new Society.View(
+                new AgentPlatform.View(
                         entry,
-                        fields.word(Society.Status.class, "status", Society.Status.ENDED),
+                        fields.word(AgentPlatform.Status.class, "status", AgentPlatform.Status.ENDED),
                         fields.text("state"),
                         pairs(fields.all("beliefs")),
                         speech.sent()),

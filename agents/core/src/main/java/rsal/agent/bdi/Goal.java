@@ -68,12 +68,12 @@ public final class Goal {
     /// A way to reach it. Plans are tried in the order in which they are given.
     ///
     /// @param body begins it, and says how it ended
-    public Goal plan(String planName, Consumer<Doing> body) {
+    public Goal plan(String planName, Consumer<PlanContext> body) {
         return plan(planName, () -> true, body);
     }
 
     /// @param applicable whether it can be tried now
-    public Goal plan(String planName, BooleanSupplier applicable, Consumer<Doing> body) {
+    public Goal plan(String planName, BooleanSupplier applicable, Consumer<PlanContext> body) {
         plans.add(new Plan(planName, applicable, body));
         return this;
     }
@@ -111,5 +111,5 @@ public final class Goal {
         return plans;
     }
 
-    record Plan(String name, BooleanSupplier applicable, Consumer<Doing> body) {}
+    record Plan(String name, BooleanSupplier applicable, Consumer<PlanContext> body) {}
 }

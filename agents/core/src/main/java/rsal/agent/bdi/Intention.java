@@ -63,13 +63,13 @@ final class Intention {
         }
         Goal.Plan plan = next.get();
         level.tried.add(plan);
-        var doing = new Doing(this, level.goal, plan.name());
+        var doing = new PlanContext(this, level.goal, plan.name());
         level.doing = Optional.of(doing);
         mind.changed();
         plan.body().accept(doing);
     }
 
-    void succeeded(Doing doing) {
+    void succeeded(PlanContext doing) {
         if (isInnermost(doing)) {
             if (!doing.goal().hasTarget() || doing.goal().isReached()) {
                 leave(true);
@@ -79,7 +79,7 @@ final class Intention {
         }
     }
 
-    void failed(Doing doing, String why) {
+    void failed(PlanContext doing, String why) {
         mind.note(doing.goal(), doing.plan(), why);
         if (isInnermost(doing)) {
             tryNext();
@@ -89,14 +89,14 @@ final class Intention {
         }
     }
 
-    private boolean isInnermost(Doing doing) {
+    private boolean isInnermost(PlanContext doing) {
         return !over && levels.element().doing.filter(doing::equals).isPresent();
     }
 
     /// A plan that waits for a step has failed: the step is not wanted any more.
-    private void abortDownTo(Doing doing) {
+    private void abortDownTo(PlanContext doing) {
         while (levels.element().doing.filter(doing::equals).isEmpty()) {
-            levels.pop().doing.ifPresent(Doing::abort);
+            levels.pop().doing.ifPresent(PlanContext::abort);
         }
     }
 
@@ -108,7 +108,7 @@ final class Intention {
 
     void suspend() {
         running = false;
-        innermost().ifPresent(Doing::suspend);
+        innermost().ifPresent(PlanContext::suspend);
     }
 
     void resume() {
@@ -117,11 +117,11 @@ final class Intention {
             deferred = false;
             tryNext();
         } else {
-            innermost().ifPresent(Doing::resume);
+            innermost().ifPresent(PlanContext::resume);
         }
     }
 
-    private Optional<Doing> innermost() {
+    private Optional<PlanContext> innermost() {
         return over ? Optional.empty() : levels.element().doing.filter(doing -> !doing.isOver());
     }
 
@@ -129,7 +129,7 @@ final class Intention {
     void abort() {
         over = true;
         while (!levels.isEmpty()) {
-            levels.pop().doing.ifPresent(Doing::abort);
+            levels.pop().doing.ifPresent(PlanContext::abort);
         }
     }
 
@@ -137,7 +137,7 @@ final class Intention {
         private final Goal goal;
         private final Consumer<Boolean> then;
         private final Set<Goal.Plan> tried = new HashSet<>();
-        private Optional<Doing> doing = Optional.empty();
+        private Optional<PlanContext> doing = Optional.empty();
 
         Level(Goal goal, Consumer<Boolean> then) {
             this.goal = goal;

@@ -13,12 +13,12 @@ import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
 import rsal.time.Scheduler;
 
-/// An agent's beliefs, goals and intentions, and the cycle that chooses among them: whenever a belief changes, a plan
-/// ends, or time is up, the most urgent goal that is wanted is pursued. One that is pursued and no more wanted is
-/// given up; one that is still wanted, but less urgent, waits with its plan and goes on later.
+/// An agent's beliefs, goals and intentions, and the cycle that chooses among them: whenever a belief changes,
+/// a plan ends, or time is up, the most urgent goal that is wanted is pursued. One that is pursued and no more
+/// wanted is given up; one that is still wanted, but less urgent, waits with its plan and goes on later.
 ///
-/// All on the agent's lane. What it believes, wants and does is shown to people, and to those who look into the agent
-/// ([rsal.agent.Society#look]).
+/// All on the agent's lane. What it believes, wants and does is shown to people, and to those who look into the
+/// agent ([rsal.agent.AgentPlatform#look]).
 public final class Mind {
     private final AgentContext self;
     private final Scheduler scheduler;
@@ -59,7 +59,7 @@ public final class Mind {
         return goal;
     }
 
-    /// A goal that is pursued only as a step of a plan ([Doing#achieve]).
+    /// A goal that is pursued only as a step of a plan ([PlanContext#achieve]).
     public Goal step(String name) {
         return new Goal(this, name);
     }

@@ -4,8 +4,8 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import rsal.agent.AgentContext;
-import rsal.agent.Capability;
 import rsal.agent.Directory;
+import rsal.agent.ServiceDescription;
 import rsal.agent.protocol.Request;
 import rsal.agent.protocol.Subscribe;
 
@@ -19,8 +19,8 @@ final class Service {
 
     private Service() {}
 
-    static Capability capability(String board) {
-        return new Capability(CAPABILITY, Map.of(BOARD, board));
+    static ServiceDescription capability(String board) {
+        return new ServiceDescription(CAPABILITY, Map.of(BOARD, board));
     }
 
     /// Those that keep a board, in the order in which they started; all but the first stand by.

@@ -12,11 +12,11 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import rsal.agent.AgentContext;
-import rsal.agent.Capability;
 import rsal.agent.Directory;
+import rsal.agent.ServiceDescription;
 import rsal.agent.Topic;
 import rsal.agent.protocol.Conversation;
-import rsal.agent.protocol.Ending;
+import rsal.agent.protocol.ConversationResult;
 import rsal.agent.protocol.Request;
 import rsal.agent.protocol.Subscribe;
 import rsal.data.Point2d;
@@ -116,7 +116,7 @@ public final class TeamBoard {
     /// Asks the master.
     ///
     /// @param onEnd told once: what was found, or why it is not known
-    public <M> void ask(Query<M> query, Consumer<? super Ending<Found<M>>> onEnd) {
+    public <M> void ask(Query<M> query, Consumer<? super ConversationResult<Found<M>>> onEnd) {
         if (keeper.isEmpty()) {
             look();
         }
@@ -131,7 +131,8 @@ public final class TeamBoard {
                                         .toList(),
                                 answer.left())))),
                 () -> self.scheduler()
-                        .execute(() -> onEnd.accept(new Ending.Silent<>("Nobody keeps board (%s).".formatted(board)))));
+                        .execute(() -> onEnd.accept(
+                                new ConversationResult.Silent<>("Nobody keeps board (%s).".formatted(board)))));
     }
 
     /// Keeps what the master tells of these notes, and goes on when another takes over.
@@ -171,14 +172,14 @@ public final class TeamBoard {
         });
     }
 
-    private void unfollow(Watch<?> watch, String name, Ending<Service.Changes> ending) {
+    private void unfollow(Watch<?> watch, String name, ConversationResult<Service.Changes> ending) {
         watch.lost();
         switch (ending) {
-            case Ending.Refused<Service.Changes>(String why) -> refuse("watch " + watch.query(), why);
-            case Ending.NotUnderstood<Service.Changes>(String why) -> refuse("watch " + watch.query(), why);
-            case Ending.Silent<Service.Changes>(String why) -> followAgain(watch, name, why);
-            case Ending.Failed<Service.Changes>(String why) -> followAgain(watch, name, why);
-            case Ending.Cancelled<Service.Changes> _, Ending.Informed<Service.Changes> _ -> {}
+            case ConversationResult.Refused<Service.Changes>(String why) -> refuse("watch " + watch.query(), why);
+            case ConversationResult.NotUnderstood<Service.Changes>(String why) -> refuse("watch " + watch.query(), why);
+            case ConversationResult.Silent<Service.Changes>(String why) -> followAgain(watch, name, why);
+            case ConversationResult.Failed<Service.Changes>(String why) -> followAgain(watch, name, why);
+            case ConversationResult.Cancelled<Service.Changes> _, ConversationResult.Informed<Service.Changes> _ -> {}
         }
     }
 
@@ -188,7 +189,7 @@ public final class TeamBoard {
     }
 
     private void note(Directory.Change change) {
-        if (change instanceof Directory.Change.Offered(Directory.Entry _, Capability offered)
+        if (change instanceof Directory.Change.Offered(Directory.Entry _, ServiceDescription offered)
                 && offered.equals(Service.capability(board))) {
             look();
         }
@@ -240,27 +241,28 @@ public final class TeamBoard {
     }
 
     @SuppressWarnings("ReferenceEquality") // two may be of the same notes
-    private void sent(String to, Set<Note.Name> what, Ending<Service.Written> ending) {
+    private void sent(String to, Set<Note.Name> what, ConversationResult<Service.Written> ending) {
         if (underWay == what) {
             underWay = Set.of();
         }
         switch (ending) {
-            case Ending.Informed<Service.Written>(Service.Written written) -> {
+            case ConversationResult.Informed<Service.Written>(Service.Written written) -> {
                 heard();
                 written.refused().entrySet().stream()
                         .sorted(Map.Entry.comparingByKey(
                                 Comparator.comparing(Note.Name::topic).thenComparing(Note.Name::name)))
                         .forEach(refused -> giveUp(refused.getKey(), refused.getValue()));
             }
-            case Ending.Refused<Service.Written>(String why) -> what.forEach(name -> giveUp(name, why));
-            case Ending.NotUnderstood<Service.Written>(String why) -> what.forEach(name -> giveUp(name, why));
-            case Ending.Failed<Service.Written>(String why) -> what.forEach(name -> giveUp(name, why));
-            case Ending.Silent<Service.Written>(String why) -> {
+            case ConversationResult.Refused<Service.Written>(String why) -> what.forEach(name -> giveUp(name, why));
+            case ConversationResult.NotUnderstood<Service.Written>(String why) ->
+                what.forEach(name -> giveUp(name, why));
+            case ConversationResult.Failed<Service.Written>(String why) -> what.forEach(name -> giveUp(name, why));
+            case ConversationResult.Silent<Service.Written>(String why) -> {
                 changed.addAll(what);
                 fellSilent(to, why);
                 retry(to);
             }
-            case Ending.Cancelled<Service.Written> _ -> {} // nobody does
+            case ConversationResult.Cancelled<Service.Written> _ -> {} // nobody does
         }
         send();
     }

@@ -20,7 +20,7 @@ public final class Topics {
             NewGoal.TOPIC,
             PoseReport.TOPIC,
             PoseRequest.TOPIC,
-            Ranks.TOPIC,
+            FormationSlots.TOPIC,
             Sighting.TOPIC,
             Text.TOPIC,
             VictimFound.TOPIC,

@@ -22,23 +22,23 @@ import rsal.agent.AgentContext;
 /// @param <L> lot
 public final class Auction<L> {
     private final AgentContext self;
-    private final Desk desk;
+    private final ConversationManager desk;
     private final Class<L> lot;
     private final boolean rising;
 
     public static <L> Auction<L> english(AgentContext self, String name, Class<L> lot) {
-        return new Auction<>(self, name, Grammar.ENGLISH_AUCTION, lot, true);
+        return new Auction<>(self, name, ProtocolStateMachine.ENGLISH_AUCTION, lot, true);
     }
 
     public static <L> Auction<L> dutch(AgentContext self, String name, Class<L> lot) {
-        return new Auction<>(self, name, Grammar.DUTCH_AUCTION, lot, false);
+        return new Auction<>(self, name, ProtocolStateMachine.DUTCH_AUCTION, lot, false);
     }
 
-    private Auction(AgentContext self, String name, Grammar grammar, Class<L> lot, boolean rising) {
+    private Auction(AgentContext self, String name, ProtocolStateMachine grammar, Class<L> lot, boolean rising) {
         this.self = self;
         this.lot = lot;
         this.rising = rising;
-        this.desk = new Desk(self, name, grammar, lot, Double.class, Sale.class);
+        this.desk = new ConversationManager(self, name, grammar, lot, Double.class, Sale.class);
     }
 
     /// Sells something.
@@ -51,7 +51,7 @@ public final class Auction<L> {
             throw new IllegalArgumentException("Prices of %s auction must %s, not change by (%s)."
                     .formatted(rising ? "an English" : "a Dutch", rising ? "rise" : "fall", prices.step));
         }
-        var selling = new Hammer(self.scheduler(), desk, rising, prices, round, seller);
+        var selling = new Auctioneer(self.scheduler(), desk, rising, prices, round, seller);
         selling.begin(to, what);
         return selling;
     }

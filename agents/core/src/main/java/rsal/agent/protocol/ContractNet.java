@@ -17,42 +17,49 @@ import rsal.agent.AgentContext;
 /// @param <R> result
 public final class ContractNet<T, B, R> {
     private final AgentContext self;
-    private final Desk desk;
+    private final ConversationManager desk;
     private final Class<T> task;
     private final Class<B> bid;
     private final Class<R> result;
 
     /// @param name of the service; agents that use the same can call each other
     public ContractNet(AgentContext self, String name, Class<T> task, Class<B> bid, Class<R> result) {
-        this(self, name, Grammar.CONTRACT_NET, task, bid, result);
+        this(self, name, ProtocolStateMachine.CONTRACT_NET, task, bid, result);
     }
 
     /// One in which the manager may call again, with a revised task, before it decides.
     public static <T, B, R> ContractNet<T, B, R> iterated(
             AgentContext self, String name, Class<T> task, Class<B> bid, Class<R> result) {
-        return new ContractNet<>(self, name, Grammar.ITERATED_CONTRACT_NET, task, bid, result);
+        return new ContractNet<>(self, name, ProtocolStateMachine.ITERATED_CONTRACT_NET, task, bid, result);
     }
 
-    private ContractNet(AgentContext self, String name, Grammar grammar, Class<T> task, Class<B> bid, Class<R> result) {
+    private ContractNet(
+            AgentContext self,
+            String name,
+            ProtocolStateMachine grammar,
+            Class<T> task,
+            Class<B> bid,
+            Class<R> result) {
         this.self = self;
         this.task = task;
         this.bid = bid;
         this.result = result;
-        this.desk = new Desk(self, name, grammar, task, bid, result);
+        this.desk = new ConversationManager(self, name, grammar, task, bid, result);
     }
 
     /// Calls for proposals.
     ///
     /// @param to names of those called; itself, too, if it also bids
     /// @param replyWithin after this the round is over, even when not all have answered
-    public Tender<T, B, R> call(Collection<String> to, T what, Duration replyWithin, Manager<T, B, R> manager) {
-        return call(to, what, replyWithin, Patience.DEFAULT, manager);
+    public ContractNetInitiator<T, B, R> call(
+            Collection<String> to, T what, Duration replyWithin, Manager<T, B, R> manager) {
+        return call(to, what, replyWithin, RetryPolicy.DEFAULT, manager);
     }
 
     /// @param patience with each partner, and with those whose bid was accepted until the task is done
-    public Tender<T, B, R> call(
-            Collection<String> to, T what, Duration replyWithin, Patience patience, Manager<T, B, R> manager) {
-        var tender = new Tender<>(self.scheduler(), desk, bid, result, replyWithin, patience, manager);
+    public ContractNetInitiator<T, B, R> call(
+            Collection<String> to, T what, Duration replyWithin, RetryPolicy patience, Manager<T, B, R> manager) {
+        var tender = new ContractNetInitiator<>(self.scheduler(), desk, bid, result, replyWithin, patience, manager);
         tender.begin(Set.copyOf(to), what);
         return tender;
     }
@@ -61,7 +68,7 @@ public final class ContractNet<T, B, R> {
     ///
     /// @throws IllegalStateException when this was called before
     public void answer(Contractor<T, B, R> contractor) {
-        desk.open(dialogue -> new Bidding<>(self.scheduler(), dialogue, task, contractor));
+        desk.open(dialogue -> new ContractNetParticipant<>(self.scheduler(), dialogue, task, contractor));
     }
 
     /// Whoever has something done. Called on its agent's lane.
@@ -70,7 +77,7 @@ public final class ContractNet<T, B, R> {
         Verdict<T> decide(Round<B> round);
 
         /// Told once for each bid that was accepted.
-        default void ended(Proposal<B> accepted, Ending<R> how) {}
+        default void ended(Proposal<B> accepted, ConversationResult<R> how) {}
     }
 
     /// Whoever can do something. Called on its agent's lane.

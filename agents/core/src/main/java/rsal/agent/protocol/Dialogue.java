@@ -19,15 +19,15 @@ final class Dialogue {
     private static final int MOST_UNHEARD = 1_000;
     private static final int MOST_AHEAD = 64;
 
-    private final Desk desk;
+    private final ConversationManager desk;
     private final String conversation;
     private final String partner;
     private final Side side;
-    private final Patience patience;
+    private final RetryPolicy patience;
     private final Deque<Act> unheard = new ArrayDeque<>(); // said, and not known to have been heard
     private final Map<Integer, Act> early = new HashMap<>(); // came before what was said before them
     private Listener listener;
-    private String state = Grammar.BEGIN;
+    private String state = ProtocolStateMachine.BEGIN;
     private @Nullable Act last;
     private int said;
     private int heard;
@@ -36,7 +36,13 @@ final class Dialogue {
     private boolean hadLastWord;
     private boolean lingering;
 
-    Dialogue(Desk desk, String conversation, String partner, Side side, Patience patience, Listener listener) {
+    Dialogue(
+            ConversationManager desk,
+            String conversation,
+            String partner,
+            Side side,
+            RetryPolicy patience,
+            Listener listener) {
         this.desk = desk;
         this.conversation = conversation;
         this.partner = partner;
@@ -73,7 +79,7 @@ final class Dialogue {
     }
 
     boolean isOver() {
-        return state.equals(Grammar.END);
+        return state.equals(ProtocolStateMachine.END);
     }
 
     /// Whether the protocol allows this side to say that now.
@@ -92,7 +98,8 @@ final class Dialogue {
         if (isOver() && !hadLastWord) {
             return;
         }
-        Grammar.Next next = desk.grammar().after(state, side, performative).orElseThrow(() -> outOfTurn(performative));
+        ProtocolStateMachine.Next next =
+                desk.grammar().after(state, side, performative).orElseThrow(() -> outOfTurn(performative));
         if (!desk.fits(next.content(), content)) {
             throw new IllegalStateException("Agent (%s) said (%s) with (%s), which is nothing for conversation (%s)."
                     .formatted(desk.name(), performative, content, conversation));
@@ -150,7 +157,7 @@ final class Dialogue {
 
     private void take(Act act) {
         heard++;
-        Optional<Grammar.Next> next = desk.grammar().after(state, side.other(), act.performative());
+        Optional<ProtocolStateMachine.Next> next = desk.grammar().after(state, side.other(), act.performative());
         if (next.isEmpty() || !desk.fits(next.get().content(), act.content())) {
             doNotUnderstand(act);
             return;
@@ -160,7 +167,7 @@ final class Dialogue {
             desk.over(this);
         }
         if (act.performative() == Performative.CANCEL) {
-            utter(Performative.INFORM, Optional.empty(), "cancelled", Grammar.END);
+            utter(Performative.INFORM, Optional.empty(), "cancelled", ProtocolStateMachine.END);
             listener.lost("(%s) has cancelled it.".formatted(partner));
         } else {
             listener.heard(act);
@@ -170,7 +177,7 @@ final class Dialogue {
     private void doNotUnderstand(Act act) {
         String why = "(%s) said (%s), which was not expected in (%s)."
                 .formatted(partner, act, desk.grammar().name());
-        utter(Performative.NOT_UNDERSTOOD, Optional.empty(), why, Grammar.END);
+        utter(Performative.NOT_UNDERSTOOD, Optional.empty(), why, ProtocolStateMachine.END);
         listener.heard(Objects.requireNonNull(last));
     }
 
@@ -226,7 +233,7 @@ final class Dialogue {
     /// Ends without a word.
     void lose(String why) {
         if (!isOver()) {
-            state = Grammar.END;
+            state = ProtocolStateMachine.END;
             desk.over(this);
             listener.lost(why);
         }

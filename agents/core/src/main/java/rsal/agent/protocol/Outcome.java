@@ -5,10 +5,10 @@ import java.util.function.Consumer;
 /// Waits for what a partner says at last, and tells it once.
 class Outcome<A> implements Dialogue.Listener {
     private final Class<A> result;
-    private final Consumer<? super Ending<A>> onEnd;
+    private final Consumer<? super ConversationResult<A>> onEnd;
     private boolean told;
 
-    Outcome(Class<A> result, Consumer<? super Ending<A>> onEnd) {
+    Outcome(Class<A> result, Consumer<? super ConversationResult<A>> onEnd) {
         this.result = result;
         this.onEnd = onEnd;
     }
@@ -19,20 +19,20 @@ class Outcome<A> implements Dialogue.Listener {
             return; // an answer to what was cancelled
         }
         switch (act.performative()) {
-            case INFORM, ACCEPT_PROPOSAL -> end(new Ending.Informed<>(result.cast(act.content())));
-            case REFUSE, REJECT_PROPOSAL -> end(new Ending.Refused<>(words(act)));
-            case FAILURE -> end(new Ending.Failed<>(words(act)));
-            case NOT_UNDERSTOOD -> end(new Ending.NotUnderstood<>(words(act)));
+            case INFORM, ACCEPT_PROPOSAL -> end(new ConversationResult.Informed<>(result.cast(act.content())));
+            case REFUSE, REJECT_PROPOSAL -> end(new ConversationResult.Refused<>(words(act)));
+            case FAILURE -> end(new ConversationResult.Failed<>(words(act)));
+            case NOT_UNDERSTOOD -> end(new ConversationResult.NotUnderstood<>(words(act)));
             default -> {} // it goes on
         }
     }
 
     @Override
     public void lost(String why) {
-        end(new Ending.Silent<>(why));
+        end(new ConversationResult.Silent<>(why));
     }
 
-    void end(Ending<A> how) {
+    void end(ConversationResult<A> how) {
         if (!told) {
             told = true;
             onEnd.accept(how);

@@ -8,22 +8,24 @@ import rsal.agent.AgentContext;
 ///
 /// @param <P> what is proposed
 public final class Propose<P> {
-    private final Desk desk;
+    private final ConversationManager desk;
     private final Class<P> proposal;
 
     /// @param name of the service; agents that use the same can propose to each other
     public Propose(AgentContext self, String name, Class<P> proposal) {
         this.proposal = proposal;
-        this.desk = new Desk(self, name, Grammar.PROPOSE, proposal, String.class, String.class);
+        this.desk =
+                new ConversationManager(self, name, ProtocolStateMachine.PROPOSE, proposal, String.class, String.class);
     }
 
-    public Conversation propose(String to, P what, Consumer<? super Ending<String>> onEnd) {
-        return propose(to, what, Patience.DEFAULT, onEnd);
+    public Conversation propose(String to, P what, Consumer<? super ConversationResult<String>> onEnd) {
+        return propose(to, what, RetryPolicy.DEFAULT, onEnd);
     }
 
     /// @param onEnd told once, on the agent's lane: informed when it was accepted, refused when it was rejected, with
     /// the words of the one who did
-    public Conversation propose(String to, P what, Patience patience, Consumer<? super Ending<String>> onEnd) {
+    public Conversation propose(
+            String to, P what, RetryPolicy patience, Consumer<? super ConversationResult<String>> onEnd) {
         return Talk.begin(desk, to, patience, new Outcome<>(String.class, onEnd), Performative.PROPOSE, what);
     }
 

@@ -12,7 +12,7 @@ import rsal.agent.AgentContext;
 /// @param <Q> what is asked for
 /// @param <A> what comes of it
 public final class Request<Q, A> {
-    private final Desk desk;
+    private final ConversationManager desk;
     private final Class<Q> question;
     private final Class<A> answer;
 
@@ -20,15 +20,15 @@ public final class Request<Q, A> {
     public Request(AgentContext self, String name, Class<Q> question, Class<A> answer) {
         this.question = question;
         this.answer = answer;
-        this.desk = new Desk(self, name, Grammar.REQUEST, question, String.class, answer);
+        this.desk = new ConversationManager(self, name, ProtocolStateMachine.REQUEST, question, String.class, answer);
     }
 
-    public Conversation ask(String to, Q what, Consumer<? super Ending<A>> onEnd) {
-        return ask(to, what, Patience.DEFAULT, onEnd);
+    public Conversation ask(String to, Q what, Consumer<? super ConversationResult<A>> onEnd) {
+        return ask(to, what, RetryPolicy.DEFAULT, onEnd);
     }
 
     /// @param onEnd told once, on the agent's lane; at once when it is cancelled
-    public Conversation ask(String to, Q what, Patience patience, Consumer<? super Ending<A>> onEnd) {
+    public Conversation ask(String to, Q what, RetryPolicy patience, Consumer<? super ConversationResult<A>> onEnd) {
         return Talk.begin(desk, to, patience, new Outcome<>(answer, onEnd), Performative.REQUEST, what);
     }
 

@@ -14,7 +14,7 @@ import rsal.agent.AgentContext;
 /// @param <Q> what somebody wants to be told about
 /// @param <A> news
 public final class Subscribe<Q, A> {
-    private final Desk desk;
+    private final ConversationManager desk;
     private final Class<Q> question;
     private final Class<A> news;
 
@@ -22,17 +22,22 @@ public final class Subscribe<Q, A> {
     public Subscribe(AgentContext self, String name, Class<Q> question, Class<A> news) {
         this.question = question;
         this.news = news;
-        this.desk = new Desk(self, name, Grammar.SUBSCRIBE, question, String.class, news);
+        this.desk = new ConversationManager(self, name, ProtocolStateMachine.SUBSCRIBE, question, String.class, news);
     }
 
-    public Conversation subscribe(String to, Q what, Consumer<? super A> listener, Consumer<? super Ending<A>> onEnd) {
-        return subscribe(to, what, Patience.DEFAULT, listener, onEnd);
+    public Conversation subscribe(
+            String to, Q what, Consumer<? super A> listener, Consumer<? super ConversationResult<A>> onEnd) {
+        return subscribe(to, what, RetryPolicy.DEFAULT, listener, onEnd);
     }
 
     /// @param listener told all news, on the agent's lane
     /// @param onEnd told once that no more will come; never as informed
     public Conversation subscribe(
-            String to, Q what, Patience patience, Consumer<? super A> listener, Consumer<? super Ending<A>> onEnd) {
+            String to,
+            Q what,
+            RetryPolicy patience,
+            Consumer<? super A> listener,
+            Consumer<? super ConversationResult<A>> onEnd) {
         var outcome = new Outcome<>(news, onEnd) {
             @Override
             public void heard(Act act) {

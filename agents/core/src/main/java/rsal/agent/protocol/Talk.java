@@ -3,7 +3,12 @@ package rsal.agent.protocol;
 /// A conversation with one partner that ends once, for the one who began it.
 record Talk<A>(Dialogue dialogue, Outcome<A> outcome) implements Conversation {
     static <A> Talk<A> begin(
-            Desk desk, String to, Patience patience, Outcome<A> outcome, Performative opening, Object content) {
+            ConversationManager desk,
+            String to,
+            RetryPolicy patience,
+            Outcome<A> outcome,
+            Performative opening,
+            Object content) {
         Dialogue dialogue = desk.begin(desk.newConversation(), to, patience, outcome);
         dialogue.say(opening, content);
         return new Talk<>(dialogue, outcome);
@@ -18,7 +23,7 @@ record Talk<A>(Dialogue dialogue, Outcome<A> outcome) implements Conversation {
     public void cancel() {
         if (!outcome.isTold()) {
             dialogue.say(Performative.CANCEL, "");
-            outcome.end(new Ending.Cancelled<>());
+            outcome.end(new ConversationResult.Cancelled<>());
         }
     }
 }

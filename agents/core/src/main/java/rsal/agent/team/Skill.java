@@ -7,7 +7,7 @@ public interface Skill<J extends Job> {
     /// Where a job would lead, or what is left of it when it is under way. Quick, without effects.
     ///
     /// @return empty when this robot can't do it
-    Optional<Course> course(J job);
+    Optional<TaskRoute> course(J job);
 
     /// Begins a job, whose end it tells.
     void begin(J job, Work work);

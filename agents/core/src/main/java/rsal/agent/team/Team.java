@@ -18,14 +18,14 @@ import java.util.function.Consumer;
 import java.util.function.DoubleSupplier;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
-import rsal.agent.presence.Roll;
+import rsal.agent.presence.FailureDetector;
 import rsal.agent.protocol.ContractNet;
 import rsal.agent.protocol.ContractNet.Proposal;
 import rsal.agent.protocol.ContractNet.Round;
 import rsal.agent.protocol.ContractNet.Verdict;
-import rsal.agent.protocol.Ending;
-import rsal.agent.protocol.Patience;
-import rsal.agent.protocol.Tender;
+import rsal.agent.protocol.ContractNetInitiator;
+import rsal.agent.protocol.ConversationResult;
+import rsal.agent.protocol.RetryPolicy;
 
 /// The books of a team: jobs that are open and jobs that members do. Calls for bids whenever something has changed,
 /// divides what is open, and gives each member that is free its next job; a job whose member fails, falls silent or
@@ -43,9 +43,9 @@ public final class Team {
     private final Rules rules;
     private final Consumer<? super Event> onEvent;
     private final ContractNet<Offer, Estimate, String> net;
-    private final Roll roll;
+    private final FailureDetector roll;
     private final Map<String, Entry> entries = new LinkedHashMap<>(); // by job's name
-    private @Nullable Tender<Offer, Estimate, String> undecided;
+    private @Nullable ContractNetInitiator<Offer, Estimate, String> undecided;
     private boolean due;
     private boolean missed; // a call, while another was undecided
     private boolean anewWanted;
@@ -56,7 +56,7 @@ public final class Team {
         this.rules = rules;
         this.onEvent = onEvent;
         this.net = Worker.net(self);
-        this.roll = new Roll(self, rules.ping(), rules.silence(), _ -> callSoon());
+        this.roll = new FailureDetector(self, rules.ping(), rules.silence(), _ -> callSoon());
     }
 
     /// Looks who is there and begins to allot.
@@ -140,7 +140,7 @@ public final class Team {
                 .limit(MOST_AT_ONCE)
                 .toList();
         List<String> members = roll.present().stream()
-                .map(Roll.Member::name)
+                .map(FailureDetector.Member::name)
                 .filter(name -> Worker.isOne(self, name))
                 .toList();
         boolean nobodyCan = members.isEmpty() || (!anew && busy().containsAll(members));
@@ -149,7 +149,7 @@ public final class Team {
         }
         List<Job> jobs = called.stream().map(entry -> entry.job).toList();
         var offer = new Offer(jobs, rules.inRoutes() && !anew, anew);
-        undecided = net.call(members, offer, rules.replyWithin(), Patience.DEFAULT, new Manager(called, anew));
+        undecided = net.call(members, offer, rules.replyWithin(), RetryPolicy.DEFAULT, new Manager(called, anew));
     }
 
     private Set<String> busy() {
@@ -162,23 +162,25 @@ public final class Team {
         return busy;
     }
 
-    private void ended(String member, Entry entry, Ending<String> how) {
+    private void ended(String member, Entry entry, ConversationResult<String> how) {
         if (!entry.isWith(member)) {
             return; // withdrawn, or given to another
         }
         entry.contract = null;
         switch (how) {
-            case Ending.Informed<String>(String report) -> {
+            case ConversationResult.Informed<String>(String report) -> {
                 entries.remove(entry.job.name(), entry);
                 onEvent.accept(new Event.Done(entry.job, member, report));
             }
-            case Ending.Failed<String>(String why)
+            case ConversationResult.Failed<String>(String why)
             when why.startsWith(Worker.UNFIT) -> onEvent.accept(new Event.Returned(entry.job, member, why));
-            case Ending.Failed<String>(String why) -> failed(member, entry, why);
-            case Ending.Refused<String>(String why) -> failed(member, entry, why);
-            case Ending.NotUnderstood<String>(String why) -> failed(member, entry, why);
-            case Ending.Silent<String>(String why) -> onEvent.accept(new Event.Returned(entry.job, member, why));
-            case Ending.Cancelled<String> _ -> onEvent.accept(new Event.Returned(entry.job, member, "cancelled"));
+            case ConversationResult.Failed<String>(String why) -> failed(member, entry, why);
+            case ConversationResult.Refused<String>(String why) -> failed(member, entry, why);
+            case ConversationResult.NotUnderstood<String>(String why) -> failed(member, entry, why);
+            case ConversationResult.Silent<String>(String why) ->
+                onEvent.accept(new Event.Returned(entry.job, member, why));
+            case ConversationResult.Cancelled<String> _ ->
+                onEvent.accept(new Event.Returned(entry.job, member, "cancelled"));
         }
         callSoon();
     }
@@ -247,7 +249,7 @@ public final class Team {
 
         @Override
         public Verdict<Offer> decide(Round<Estimate> round) {
-            Tender<Offer, Estimate, String> tender = undecided;
+            ContractNetInitiator<Offer, Estimate, String> tender = undecided;
             undecided = null;
             var estimates = new TreeMap<String, Estimate>();
             for (Proposal<Estimate> proposal : round.proposals()) {
@@ -298,7 +300,7 @@ public final class Team {
         }
 
         @Override
-        public void ended(Proposal<Estimate> accepted, Ending<String> how) {
+        public void ended(Proposal<Estimate> accepted, ConversationResult<String> how) {
             Entry entry = given.get(accepted.from());
             if (entry != null) {
                 Team.this.ended(accepted.from(), entry, how);
@@ -331,7 +333,7 @@ public final class Team {
         record GivenUp(Job job, String member, String why) implements Event {}
     }
 
-    private record Contract(String member, Tender<Offer, Estimate, String> tender) {}
+    private record Contract(String member, ContractNetInitiator<Offer, Estimate, String> tender) {}
 
     private static final class Entry {
         private final Job job;

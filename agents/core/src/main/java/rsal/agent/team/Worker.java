@@ -14,7 +14,7 @@ import java.util.function.DoubleSupplier;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
-import rsal.agent.Capability;
+import rsal.agent.ServiceDescription;
 import rsal.agent.protocol.ContractNet;
 import rsal.agent.protocol.ContractNet.Call;
 import rsal.agent.protocol.ContractNet.Contract;
@@ -29,7 +29,7 @@ public final class Worker {
     private static final String NAME = "work";
 
     private final AgentContext self;
-    private final Ways ways;
+    private final PathCostEstimator ways;
     private final Supplier<Optional<Pose2d>> mapFromBase;
     private final Consumer<Worker> onChange;
     private final Map<Class<? extends Job>, Skill<?>> skills = new LinkedHashMap<>();
@@ -39,7 +39,11 @@ public final class Worker {
 
     /// @param mapFromBase where the robot believes to be; empty while it does not know
     /// @param onChange told whenever it takes on a job or has ended one
-    public Worker(AgentContext self, Ways ways, Supplier<Optional<Pose2d>> mapFromBase, Consumer<Worker> onChange) {
+    public Worker(
+            AgentContext self,
+            PathCostEstimator ways,
+            Supplier<Optional<Pose2d>> mapFromBase,
+            Consumer<Worker> onChange) {
         this.self = self;
         this.ways = ways;
         this.mapFromBase = mapFromBase;
@@ -74,7 +78,7 @@ public final class Worker {
         net(self).answer(new Bidder());
         var details = new LinkedHashMap<String, String>();
         skills.keySet().forEach(kind -> details.put(kind.getSimpleName(), "yes"));
-        self.offer(new Capability(NAME, details));
+        self.offer(new ServiceDescription(NAME, details));
     }
 
     /// What it does now; empty when it has no job.
@@ -102,7 +106,7 @@ public final class Worker {
         }
     }
 
-    private Optional<Course> course(Job job) {
+    private Optional<TaskRoute> course(Job job) {
         return skill(job).flatMap(skill -> skill.course(job));
     }
 
@@ -137,7 +141,7 @@ public final class Worker {
                 return;
             }
             List<Job> jobs = call.task().jobs();
-            List<Optional<Course>> courses =
+            List<Optional<TaskRoute>> courses =
                     jobs.stream().map(Worker.this::course).toList();
             if (courses.stream().allMatch(Optional::isEmpty)) {
                 call.refuse("I can't do that.");
@@ -154,24 +158,24 @@ public final class Worker {
 
     /// Finds out what the jobs of a call cost, and bids.
     private final class Costing {
-        private final List<Optional<Course>> courses;
+        private final List<Optional<TaskRoute>> courses;
         private final Call<Offer, Estimate> call;
         private final boolean free;
         private final Map<Way, CompletableFuture<Double>> known = new HashMap<>(); // many jobs end at one depot
 
-        Costing(List<Optional<Course>> courses, Call<Offer, Estimate> call) {
+        Costing(List<Optional<TaskRoute>> courses, Call<Offer, Estimate> call) {
             this.courses = courses;
             this.call = call;
             this.free = current == null || call.task().anew();
         }
 
         void begin(Pose2d here) {
-            Optional<Course> left = free ? Optional.empty() : job().flatMap(Worker.this::course);
-            Pose2d mapFromStart = left.map(Course::mapFromEnd).orElse(here);
+            Optional<TaskRoute> left = free ? Optional.empty() : job().flatMap(Worker.this::course);
+            Pose2d mapFromStart = left.map(TaskRoute::mapFromEnd).orElse(here);
             var before = left.map(course -> cost(here, course)).orElseGet(() -> CompletableFuture.completedFuture(0.0));
             var own = new ArrayList<CompletableFuture<Double>>();
             var ways = new ArrayList<CompletableFuture<Double>>();
-            for (Optional<Course> to : courses) {
+            for (Optional<TaskRoute> to : courses) {
                 own.add(to.map(course ->
                                 way(course.mapFromBegin(), course.mapFromEnd()).thenApply(way -> way + course.work()))
                         .orElseGet(Costing::never));
@@ -179,8 +183,8 @@ public final class Worker {
                         .orElseGet(Costing::never));
             }
             if (call.task().inRoutes()) {
-                for (Optional<Course> from : courses) {
-                    for (Optional<Course> to : courses) {
+                for (Optional<TaskRoute> from : courses) {
+                    for (Optional<TaskRoute> to : courses) {
                         ways.add(
                                 from.isEmpty() || to.isEmpty()
                                         ? never()
@@ -195,7 +199,7 @@ public final class Worker {
             told.thenRun(() -> self.scheduler().execute(() -> bid(before.join(), values(own), values(ways))));
         }
 
-        private CompletableFuture<Double> cost(Pose2d here, Course left) {
+        private CompletableFuture<Double> cost(Pose2d here, TaskRoute left) {
             return way(here, left.mapFromBegin())
                     .thenCombine(way(left.mapFromBegin(), left.mapFromEnd()), (to, on) -> to + on + left.work());
         }

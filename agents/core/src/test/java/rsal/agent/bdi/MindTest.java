@@ -11,8 +11,8 @@ import java.util.SplittableRandom;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import rsal.agent.AgentContext;
+import rsal.agent.AgentPlatform.Status;
 import rsal.agent.Run;
-import rsal.agent.Society.Status;
 import rsal.agent.bdi.Mind.GoalState;
 import rsal.agent.bdi.Mind.GoalView;
 
@@ -43,7 +43,7 @@ class MindTest {
     }
 
     /// Goes on until somebody ends it, and logs what becomes of it.
-    private Consumer<Doing> endless(String name) {
+    private Consumer<PlanContext> endless(String name) {
         return doing -> {
             log.add(name + " begins");
             doing.onSuspend(() -> log.add(name + " waits"))
@@ -148,7 +148,7 @@ class MindTest {
     void planThatSucceedsWithoutReachingTheTargetMakesRoomForTheNext() {
         agent(mind -> mind.goal("tidy")
                 .until(() -> false)
-                .plan("sweep", Doing::succeed)
+                .plan("sweep", PlanContext::succeed)
                 .plan("mop", endless("mop")));
         assertThat(log).containsExactly("mop begins");
     }

@@ -15,11 +15,11 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import rsal.agent.AgentContext;
-import rsal.agent.Delivery;
+import rsal.agent.AgentPlatform.Status;
+import rsal.agent.ChannelModel;
 import rsal.agent.Run;
-import rsal.agent.Society.Status;
 import rsal.agent.Topic;
-import rsal.agent.protocol.Ending;
+import rsal.agent.protocol.ConversationResult;
 import rsal.agent.protocol.Request;
 import rsal.agent.protocol.Weather;
 import rsal.data.Point2d;
@@ -74,8 +74,8 @@ class TeamBoardTest {
         }
     }
 
-    private static List<String> words(Ending<Found<String>> ending) {
-        return ending instanceof Ending.Informed<Found<String>>(Found<String> found)
+    private static List<String> words(ConversationResult<Found<String>> ending) {
+        return ending instanceof ConversationResult.Informed<Found<String>>(Found<String> found)
                 ? found.notes().stream()
                         .map(note -> note.author() + " " + note.name() + ": " + note.content())
                         .toList()
@@ -139,7 +139,7 @@ class TeamBoardTest {
         run.advance(1);
         var left = new ArrayList<Integer>();
         amy.board().ask(Query.of(CANS).newest(3), ending -> {
-            if (ending instanceof Ending.Informed<Found<String>>(Found<String> found)) {
+            if (ending instanceof ConversationResult.Informed<Found<String>>(Found<String> found)) {
                 left.add(found.notes().size());
                 left.add(found.left());
             }
@@ -478,7 +478,7 @@ class TeamBoardTest {
                     .containsExactlyInAnyOrderElementsOf(model.keySet().stream()
                             .filter(note -> note.startsWith("bob"))
                             .toList());
-            storm.deliverBy(Delivery.PERFECT);
+            storm.deliverBy(ChannelModel.PERFECT);
             assertThat(users.get(1).ask(Query.of(CANS)))
                     .as("seed %d, asked", seed)
                     .containsExactlyInAnyOrderElementsOf(model.keySet());

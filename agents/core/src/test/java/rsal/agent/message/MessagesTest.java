@@ -20,8 +20,8 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import rsal.agent.AgentPlatform.Status;
 import rsal.agent.Run;
-import rsal.agent.Society.Status;
 import rsal.agent.Topic;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
@@ -109,7 +109,7 @@ class MessagesTest {
                 }
             }
         }
-        assertThat(all).extracting(Flaw::type).contains(Visited.class, Ranks.Slot.class);
+        assertThat(all).extracting(Flaw::type).contains(Visited.class, FormationSlots.Slot.class);
         return all.stream();
     }
 

@@ -14,10 +14,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.agent.AgentContext;
-import rsal.agent.Delivery;
+import rsal.agent.AgentPlatform;
+import rsal.agent.ChannelModel;
 import rsal.agent.Message;
 import rsal.agent.Run;
-import rsal.agent.Society;
 import rsal.agent.Topic;
 import rsal.agent.protocol.Auction.Bidder;
 import rsal.agent.protocol.Auction.Prices;
@@ -152,9 +152,9 @@ class AuctionTest {
                     && message.content() instanceof Act act
                     && act.performative() == Performative.PROPOSE) {
                 bids.add(message);
-                return bids.size() == 1 ? List.of() : Delivery.AT_ONCE;
+                return bids.size() == 1 ? List.of() : ChannelModel.AT_ONCE;
             }
-            return Delivery.AT_ONCE;
+            return ChannelModel.AT_ONCE;
         });
         bidder(run, true, "amy", 20);
         bidder(run, true, "bob", 17);
@@ -248,7 +248,7 @@ class AuctionTest {
         run.start("rob", self -> self.send("amy", SALE, act(Performative.INFORM, 1, 42))); // no lot of hers
         run.advance(1);
         assertThat(lost).containsOnlyKeys("amy");
-        assertThat(run.view("amy").status()).isEqualTo(Society.Status.RUNNING);
+        assertThat(run.view("amy").status()).isEqualTo(AgentPlatform.Status.RUNNING);
     }
 
     private static Act act(Performative what, int number, Object content) {

@@ -15,8 +15,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.agent.AgentContext;
+import rsal.agent.AgentPlatform.Status;
 import rsal.agent.Run;
-import rsal.agent.Society.Status;
 import rsal.agent.protocol.ContractNet.Call;
 import rsal.agent.protocol.ContractNet.Contract;
 import rsal.agent.protocol.ContractNet.Contractor;
@@ -79,7 +79,7 @@ class ContractNetTest {
             }
 
             @Override
-            public void ended(Proposal<Double> accepted, Ending<String> how) {
+            public void ended(Proposal<Double> accepted, ConversationResult<String> how) {
                 log.add("%s: %s".formatted(accepted.from(), how));
             }
         };
@@ -108,7 +108,9 @@ class ContractNetTest {
                         "zoe -> amy: reject-proposal: Another bid was accepted, or none.",
                         "zoe -> bob: accept-proposal: a box",
                         "bob -> zoe: inform: done");
-        assertThat(log).containsExactly("amy is rejected", "bob does a box", "bob: " + new Ending.Informed<>("done"));
+        assertThat(log)
+                .containsExactly(
+                        "amy is rejected", "bob does a box", "bob: " + new ConversationResult.Informed<>("done"));
         assertThat(rounds.getFirst().refusals()).isEqualTo(Map.of("eve", "busy"));
     }
 
@@ -140,7 +142,8 @@ class ContractNetTest {
         assertThat(rounds).hasSize(1);
         assertThat(rounds.getFirst().silent()).isEqualTo(Set.of("bob", "nobody"));
         assertThat(log)
-                .containsExactly("amy does a box", "amy: " + new Ending.Informed<>("done"), "bob: It is too late.");
+                .containsExactly(
+                        "amy does a box", "amy: " + new ConversationResult.Informed<>("done"), "bob: It is too late.");
     }
 
     @Test
@@ -179,7 +182,7 @@ class ContractNetTest {
                 }
 
                 @Override
-                public void ended(Proposal<Double> accepted, Ending<String> how) {
+                public void ended(Proposal<Double> accepted, ConversationResult<String> how) {
                     log.add("%s: %s".formatted(accepted.from(), how));
                 }
             });
@@ -192,9 +195,9 @@ class ContractNetTest {
                         "amy does box 1",
                         "bob is rejected",
                         "eve does box 2",
-                        "amy: " + new Ending.Cancelled<>(),
+                        "amy: " + new ConversationResult.Cancelled<>(),
                         "amy stops",
-                        "eve: " + new Ending.Informed<>("done"));
+                        "eve: " + new ConversationResult.Informed<>("done"));
     }
 
     @Test
@@ -204,7 +207,8 @@ class ContractNetTest {
         run.advance(10);
         run.stop("amy");
         run.advance(0);
-        assertThat(log).containsExactly("amy does a box", "amy: " + new Ending.Silent<>("(amy) has ended."));
+        assertThat(log)
+                .containsExactly("amy does a box", "amy: " + new ConversationResult.Silent<>("(amy) has ended."));
     }
 
     @Test
@@ -231,7 +235,7 @@ class ContractNetTest {
             self.scheduler().after(Duration.ofSeconds(5), call::cancel);
         });
         run.advance(100);
-        assertThat(log).containsExactly("amy does a box", "amy: " + new Ending.Cancelled<>(), "amy stops");
+        assertThat(log).containsExactly("amy does a box", "amy: " + new ConversationResult.Cancelled<>(), "amy stops");
     }
 
     @Test
@@ -271,7 +275,7 @@ class ContractNetTest {
                                 }
                             }));
         }
-        var results = new ArrayList<Ending<String>>();
+        var results = new ArrayList<ConversationResult<String>>();
         run.start(
                 "zoe",
                 self -> ContractNet.iterated(self, "haggle", Integer.class, Integer.class, String.class)
@@ -284,13 +288,13 @@ class ContractNetTest {
                             }
 
                             @Override
-                            public void ended(Proposal<Integer> accepted, Ending<String> how) {
+                            public void ended(Proposal<Integer> accepted, ConversationResult<String> how) {
                                 results.add(how);
                             }
                         }));
         run.advance(0);
         assertThat(heard).containsExactly(10, 10, 8, 8, 6, 6);
-        assertThat(results).containsExactly(new Ending.Informed<>("bob for 6"));
+        assertThat(results).containsExactly(new ConversationResult.Informed<>("bob for 6"));
     }
 
     @Test
@@ -325,7 +329,7 @@ class ContractNetTest {
                             }
                         }));
             }
-            var ends = new ArrayList<Ending<String>>();
+            var ends = new ArrayList<ConversationResult<String>>();
             var decisions = new ArrayList<Round<Double>>();
             storm.start(
                     "zoe",
@@ -340,7 +344,7 @@ class ContractNetTest {
                                 }
 
                                 @Override
-                                public void ended(Proposal<Double> winner, Ending<String> how) {
+                                public void ended(Proposal<Double> winner, ConversationResult<String> how) {
                                     ends.add(how);
                                 }
                             }));
@@ -353,12 +357,12 @@ class ContractNetTest {
             assertThat(ends)
                     .as("seed %d", seed)
                     .hasSize(decisions.getFirst().proposals().isEmpty() ? 0 : 1);
-            for (Ending<String> end : ends) {
-                if (end instanceof Ending.Informed<String>(String by)) {
+            for (ConversationResult<String> end : ends) {
+                if (end instanceof ConversationResult.Informed<String>(String by)) {
                     assertThat(accepted).containsOnlyKeys(by);
                     done++;
                 } else {
-                    assertThat(end).as("seed %d", seed).isInstanceOf(Ending.Silent.class);
+                    assertThat(end).as("seed %d", seed).isInstanceOf(ConversationResult.Silent.class);
                 }
             }
         }

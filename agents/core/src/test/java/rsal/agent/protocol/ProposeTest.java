@@ -18,7 +18,7 @@ class ProposeTest {
 
     @Test
     void whatIsProposedIsAcceptedOrRejected() {
-        var endings = new ArrayList<Ending<String>>();
+        var endings = new ArrayList<ConversationResult<String>>();
         List<String> said = run.transcript();
         run.start(
                 "amy",
@@ -30,7 +30,8 @@ class ProposeTest {
             plans.propose("amy", "walk", endings::add);
         });
         run.advance(0);
-        assertThat(endings).containsExactly(new Ending.Informed<>(""), new Ending.Refused<>("too far"));
+        assertThat(endings)
+                .containsExactly(new ConversationResult.Informed<>(""), new ConversationResult.Refused<>("too far"));
         assertThat(said)
                 .containsExactly(
                         "zoe -> amy: propose: rest",

@@ -13,14 +13,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.agent.AgentContext;
+import rsal.agent.AgentPlatform.Status;
 import rsal.agent.Run;
-import rsal.agent.Society.Status;
 import rsal.agent.Topic;
 import rsal.agent.protocol.Request.Asked;
 
 class RequestTest {
     private final Run run = new Run();
-    private final List<Ending<Integer>> endings = new ArrayList<>();
+    private final List<ConversationResult<Integer>> endings = new ArrayList<>();
 
     private static Request<Integer, Integer> doubling(AgentContext self) {
         return new Request<>(self, "double", Integer.class, Integer.class);
@@ -40,7 +40,7 @@ class RequestTest {
         servant(asked -> asked.inform(2 * asked.what()));
         asker(21);
         run.advance(10);
-        assertThat(endings).containsExactly(new Ending.Informed<>(42));
+        assertThat(endings).containsExactly(new ConversationResult.Informed<>(42));
         assertThat(said).containsExactly("zoe -> amy: request: 21", "amy -> zoe: inform: 42");
     }
 
@@ -54,7 +54,7 @@ class RequestTest {
         run.advance(59);
         assertThat(endings).isEmpty();
         run.advance(2);
-        assertThat(endings).containsExactly(new Ending.Informed<>(42));
+        assertThat(endings).containsExactly(new ConversationResult.Informed<>(42));
     }
 
     @Test
@@ -70,7 +70,10 @@ class RequestTest {
         asker(-1);
         run.start("bob", self -> doubling(self).ask("amy", 1, endings::add));
         run.advance(0);
-        assertThat(endings).containsExactly(new Ending.Refused<>("less than nothing"), new Ending.Failed<>("too hard"));
+        assertThat(endings)
+                .containsExactly(
+                        new ConversationResult.Refused<>("less than nothing"),
+                        new ConversationResult.Failed<>("too hard"));
     }
 
     @Test
@@ -79,7 +82,7 @@ class RequestTest {
         run.advance(4.9);
         assertThat(endings).isEmpty();
         run.advance(1.2);
-        assertThat(endings).hasSize(1).first().isInstanceOf(Ending.Silent.class);
+        assertThat(endings).hasSize(1).first().isInstanceOf(ConversationResult.Silent.class);
     }
 
     @Test
@@ -87,7 +90,7 @@ class RequestTest {
         servant(_ -> {});
         asker(1);
         run.advance(7);
-        assertThat(endings).hasSize(1).first().isInstanceOf(Ending.Silent.class);
+        assertThat(endings).hasSize(1).first().isInstanceOf(ConversationResult.Silent.class);
     }
 
     @Test
@@ -95,7 +98,7 @@ class RequestTest {
         run.start("amy", RequestTest::doubling);
         asker(1);
         run.advance(0);
-        assertThat(endings).containsExactly(new Ending.NotUnderstood<>("(amy) does not answer (double)."));
+        assertThat(endings).containsExactly(new ConversationResult.NotUnderstood<>("(amy) does not answer (double)."));
     }
 
     @Test
@@ -105,7 +108,7 @@ class RequestTest {
                 "zoe",
                 self -> new Request<>(self, "double", String.class, Integer.class).ask("amy", "three", endings::add));
         run.advance(0);
-        assertThat(endings).hasSize(1).first().isInstanceOf(Ending.NotUnderstood.class);
+        assertThat(endings).hasSize(1).first().isInstanceOf(ConversationResult.NotUnderstood.class);
         assertThat(run.view("amy").status()).isEqualTo(Status.RUNNING);
     }
 
@@ -116,7 +119,7 @@ class RequestTest {
         });
         asker(1);
         run.advance(0);
-        assertThat(endings).containsExactly(new Ending.Silent<>("(amy) has ended."));
+        assertThat(endings).containsExactly(new ConversationResult.Silent<>("(amy) has ended."));
         assertThat(run.view("zoe").status()).isEqualTo(Status.RUNNING);
     }
 
@@ -128,7 +131,7 @@ class RequestTest {
         });
         asker(1);
         run.advance(0);
-        assertThat(endings).containsExactly(new Ending.Informed<>(1));
+        assertThat(endings).containsExactly(new ConversationResult.Informed<>(1));
         assertThat(run.view("amy").status()).isEqualTo(Status.FAILED);
         assertThat(run.view("amy").state())
                 .contains("(amy)")
@@ -153,7 +156,7 @@ class RequestTest {
         List<String> said = run.transcript();
         run.advance(20);
         assertThat(given).containsExactly("up");
-        assertThat(endings).containsExactly(new Ending.Cancelled<>());
+        assertThat(endings).containsExactly(new ConversationResult.Cancelled<>());
         assertThat(said).endsWith("zoe -> amy: cancel", "amy -> zoe: inform: cancelled");
         assertThat(run.view("zoe").status()).isEqualTo(Status.RUNNING);
         assertThat(run.view("amy").status()).isEqualTo(Status.RUNNING);
@@ -181,7 +184,7 @@ class RequestTest {
             request.ask("amy", 4, endings::add);
         });
         run.advance(0);
-        assertThat(endings).containsExactly(new Ending.Informed<>(8));
+        assertThat(endings).containsExactly(new ConversationResult.Informed<>(8));
     }
 
     @Test
@@ -192,7 +195,7 @@ class RequestTest {
         run.stop("zoe");
         asker(2);
         run.advance(1);
-        assertThat(endings).containsExactly(new Ending.Informed<>(2), new Ending.Informed<>(4));
+        assertThat(endings).containsExactly(new ConversationResult.Informed<>(2), new ConversationResult.Informed<>(4));
     }
 
     @ParameterizedTest
@@ -203,7 +206,7 @@ class RequestTest {
             var storm = new Run();
             storm.deliverBy(new Weather(new SplittableRandom(seed), loss, 0.2, Duration.ofMillis(400)));
             var heard = new ArrayList<Integer>();
-            var ends = new ArrayList<Ending<Integer>>();
+            var ends = new ArrayList<ConversationResult<Integer>>();
             int working = seed % 5;
             storm.start(
                     "amy",
@@ -218,11 +221,11 @@ class RequestTest {
             assertThat(ends).as("seed %d", seed).hasSize(1);
             assertThat(heard).as("seed %d", seed).hasSizeLessThanOrEqualTo(1);
             switch (ends.getFirst()) {
-                case Ending.Informed<Integer>(Integer result) -> {
+                case ConversationResult.Informed<Integer>(Integer result) -> {
                     assertThat(result).isEqualTo(2 * seed);
                     informed++;
                 }
-                case Ending.Silent<Integer> _ -> {}
+                case ConversationResult.Silent<Integer> _ -> {}
                 default -> assertThat(ends).as("seed %d", seed).isEmpty();
             }
         }

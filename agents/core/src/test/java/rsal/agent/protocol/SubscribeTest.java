@@ -9,14 +9,14 @@ import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import rsal.agent.AgentContext;
+import rsal.agent.AgentPlatform.Status;
 import rsal.agent.Run;
-import rsal.agent.Society.Status;
 import rsal.agent.protocol.Subscribe.Subscriber;
 
 class SubscribeTest {
     private final Run run = new Run();
     private final List<Integer> news = new ArrayList<>();
-    private final List<Ending<Integer>> endings = new ArrayList<>();
+    private final List<ConversationResult<Integer>> endings = new ArrayList<>();
 
     private static Subscribe<String, Integer> count(AgentContext self) {
         return new Subscribe<>(self, "count", String.class, Integer.class);
@@ -53,7 +53,7 @@ class SubscribeTest {
         run.start("zoe", self -> count(self).subscribe("amy", "sheep", news::add, endings::add));
         run.advance(10);
         assertThat(news).containsExactly(1, 2, 3);
-        assertThat(endings).containsExactly(new Ending.Failed<>("that is all"));
+        assertThat(endings).containsExactly(new ConversationResult.Failed<>("that is all"));
     }
 
     @Test
@@ -65,7 +65,7 @@ class SubscribeTest {
         });
         run.advance(10);
         assertThat(news).containsExactly(1, 2);
-        assertThat(endings).containsExactly(new Ending.Cancelled<>());
+        assertThat(endings).containsExactly(new ConversationResult.Cancelled<>());
         assertThat(run.view("amy").status()).isEqualTo(Status.RUNNING);
     }
 
@@ -74,7 +74,7 @@ class SubscribeTest {
         teller(run, 1);
         run.start("zoe", self -> count(self).subscribe("amy", "", news::add, endings::add));
         run.advance(1);
-        assertThat(endings).containsExactly(new Ending.Refused<>("of what?"));
+        assertThat(endings).containsExactly(new ConversationResult.Refused<>("of what?"));
     }
 
     @Test
@@ -84,7 +84,7 @@ class SubscribeTest {
         run.advance(3);
         run.stop("amy");
         run.advance(0);
-        assertThat(endings).containsExactly(new Ending.Silent<>("(amy) has ended."));
+        assertThat(endings).containsExactly(new ConversationResult.Silent<>("(amy) has ended."));
     }
 
     @Test
@@ -94,7 +94,7 @@ class SubscribeTest {
             var storm = new Run();
             storm.deliverBy(new Weather(new SplittableRandom(seed), 0.25, 0.2, Duration.ofMillis(900)));
             var heard = new ArrayList<Integer>();
-            var ends = new ArrayList<Ending<Integer>>();
+            var ends = new ArrayList<ConversationResult<Integer>>();
             teller(storm, 40);
             storm.start("zoe", self -> count(self).subscribe("amy", "sheep", heard::add, ends::add));
             storm.advance(120);

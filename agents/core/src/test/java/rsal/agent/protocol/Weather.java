@@ -3,7 +3,7 @@ package rsal.agent.protocol;
 import java.time.Duration;
 import java.util.List;
 import java.util.random.RandomGenerator;
-import rsal.agent.Delivery;
+import rsal.agent.ChannelModel;
 import rsal.agent.Message;
 
 /// Loses, delays and doubles messages at random.
@@ -11,7 +11,7 @@ import rsal.agent.Message;
 /// @param loss share of messages that nobody hears
 /// @param doubled share of those heard that come twice
 /// @param latest longest delay
-public record Weather(RandomGenerator random, double loss, double doubled, Duration latest) implements Delivery {
+public record Weather(RandomGenerator random, double loss, double doubled, Duration latest) implements ChannelModel {
     @Override
     public List<Duration> copies(Message<?> message, String listener) {
         if (random.nextDouble() < loss) {

@@ -18,8 +18,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.agent.AgentContext;
+import rsal.agent.AgentPlatform.Status;
 import rsal.agent.Run;
-import rsal.agent.Society.Status;
 import rsal.agent.presence.Presence;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
@@ -54,8 +54,8 @@ class TeamTest {
         }
 
         @Override
-        public Optional<Course> course(Visit job) {
-            return Optional.of(new Course(job.pose(), mapFromEnd.orElse(job.pose()), 0));
+        public Optional<TaskRoute> course(Visit job) {
+            return Optional.of(new TaskRoute(job.pose(), mapFromEnd.orElse(job.pose()), 0));
         }
 
         @Override

@@ -5,9 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import rsal.agent.AgentPlatform;
 import rsal.agent.AgentSpec;
 import rsal.agent.AgentType;
-import rsal.agent.Society;
 import rsal.agent.plain.PlainHostProvider;
 import rsal.robot.DeviceDriver;
 import rsal.settings.Arguments;
@@ -47,11 +47,11 @@ class JadexHunterTest extends RobotBench {
 
     private String failureOf(AgentType type) {
         var host = new PlainHostProvider().create(Arguments.defaults(List.of()), run);
-        var society = new Society(run, host, Optional.empty());
+        var society = new AgentPlatform(run, host, Optional.empty());
         society.start(new AgentSpec("follow-1", "follow", type, ARGUMENTS, Optional.of(robot()), 1));
         advance(1);
-        Society.View view = society.views().getFirst();
-        assertThat(view.status()).isEqualTo(Society.Status.FAILED);
+        AgentPlatform.View view = society.views().getFirst();
+        assertThat(view.status()).isEqualTo(AgentPlatform.Status.FAILED);
         return view.state();
     }
 }

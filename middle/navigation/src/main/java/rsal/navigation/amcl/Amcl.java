@@ -19,24 +19,28 @@ import rsal.data.PoseEstimate.Quality;
 /// * A scan counts as [Settings#independentBeams] beams, however many it has, since beams side by side see the
 ///   same wall; else the belief would be far too sure.
 /// * It resamples only when the weights have become uneven, with low variance (table 4.4).
-/// * Whether it is lost is not told by the mean weight (w_fast, w_slow) but by what became of the beams at the one
-///   pose that is believed ([Evidence]): beams that went through walls speak against it, soon; those that ended short
-///   of them late, as other robots that stand around must not scatter the particles. New particles come from where on
-///   the map the scan fits ([GlobalSearch]), not from anywhere, and only if it fits better there.
+/// * Whether it is lost is not told by the mean weight (w_fast, w_slow) but by what became of the beams at the
+///   one pose that is believed ([LocalizationMonitor]): beams that went through walls speak against it, soon;
+///   those that ended short of them late, as other robots that stand around must not scatter the particles. New
+///   particles come from where on the map the scan fits ([GlobalSearch]), not from anywhere, and only if it
+///   fits better there.
 /// * Where it is sure, and a few more beams than usual go through walls, it looks whether the scan fits better
-///   elsewhere: a robot that was carried to the room next door is refuted by little, but finds a rival ([Rivals]).
-///   Short beams are no reason: to a robot among others, many a place seems to fit better than its own.
+///   elsewhere: a robot that was carried to the room next door is refuted by little, but finds a rival
+///   ([AlternativeHypotheses]). Short beams are no reason: to a robot among others, many a place seems to fit
+///   better than its own.
 ///
 /// What it tells:
-/// * [Quality#LOCALIZED]: scans have spoken for the pose since it was first believed (20 to 1), no other place was as
-///   good, nine tenths of the belief are here, within half a meter.
-/// * [Quality#LOST]: scans have spoken against the pose (7 to 1) and not for it since, when it searches; or of the
-///   newest scan's beams that reach walls more than seven of ten go through; or 30 updates have seen nothing.
+/// * [Quality#LOCALIZED]: scans have spoken for the pose since it was first believed (20 to 1), no other place
+///   was as good, nine tenths of the belief are here, within half a meter.
+/// * [Quality#LOST]: scans have spoken against the pose (7 to 1) and not for it since, when it searches; or of
+///   the newest scan's beams that reach walls more than seven of ten go through; or 30 updates have seen
+///   nothing.
 /// * [Quality#AMBIGUOUS]: all else.
 ///
-/// Confidence is the share of the belief that is here times how likely scans make the pose, and 0.97 for each update in
-/// a row that has seen nothing; half of that where it is ambiguous, a tenth where it is lost. So it is 0.75 to 1 for
-/// localized, up to 0.5 for ambiguous and up to 0.1 for lost: whoever has more of it has the better word.
+/// Confidence is the share of the belief that is here times how likely scans make the pose, and 0.97 for each
+/// update in a row that has seen nothing; half of that where it is ambiguous, a tenth where it is lost. So it
+/// is 0.75 to 1 for localized, up to 0.5 for ambiguous and up to 0.1 for lost: whoever has more of it has the
+/// better word.
 ///
 /// Not safe for several threads at once; the map is shared.
 public final class Amcl {
@@ -127,8 +131,8 @@ public final class Amcl {
     private final RandomGenerator random;
     private final GlobalSearch search;
     private final Refinement refinement;
-    private final Rivals rivals;
-    private final Evidence evidence;
+    private final AlternativeHypotheses rivals;
+    private final LocalizationMonitor evidence;
     private final PoseBins bins;
     private final Clusters clusters = new Clusters();
     private final PoseBlock block = new PoseBlock();
@@ -160,8 +164,8 @@ public final class Amcl {
         this.random = random;
         this.search = new GlobalSearch(map);
         this.refinement = new Refinement(map.toFace, map.deviation, settings.independentBeams());
-        this.rivals = new Rivals(search, refinement, settings.independentBeams());
-        this.evidence = new Evidence(settings.independentBeams());
+        this.rivals = new AlternativeHypotheses(search, refinement, settings.independentBeams());
+        this.evidence = new LocalizationMonitor(settings.independentBeams());
         this.particles = new Particles(settings.maxParticles());
         this.spare = new Particles(settings.maxParticles());
         this.bins = new PoseBins(0.5, 36);
@@ -441,9 +445,9 @@ public final class Amcl {
 
     private void addNear(Pose2d pose) {
         particles.add(
-                pose.x() + Rivals.DEVIATION * random.nextGaussian(),
-                pose.y() + Rivals.DEVIATION * random.nextGaussian(),
-                Angles.wrap(pose.theta() + Rivals.TURN_DEVIATION * random.nextGaussian()));
+                pose.x() + AlternativeHypotheses.DEVIATION * random.nextGaussian(),
+                pose.y() + AlternativeHypotheses.DEVIATION * random.nextGaussian(),
+                Angles.wrap(pose.theta() + AlternativeHypotheses.TURN_DEVIATION * random.nextGaussian()));
     }
 
     private void addAnywhere() {

@@ -4,13 +4,14 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import rsal.navigation.grid.DistanceField;
 
-/// How likely beams are as long as they are, when the map says how long they should be: S. Thrun, W. Burgard, D. Fox,
-/// Probabilistic Robotics (2005), table 6.1.
+/// How likely beams are as long as they are, when the map says how long they should be: S. Thrun, W. Burgard,
+/// D. Fox, Probabilistic Robotics (2005), table 6.1.
 ///
-/// Differs from the book in that beams that hit nothing are left out, so there is no z_max; in that the
-/// bell of hits has height 1, not area 1, so that a likelihood is no density but 0.9 where a beam is exactly as long
-/// as it should be; in that a beam that leaves the map may have any length; in what ends outside the map ([Outside]);
-/// and in that a beam may be a cone, as a sonar's is, which should be as long as the shortest ray in it ([Cones]).
+/// Differs from the book in that beams that hit nothing are left out, so there is no z_max; in that the bell of
+/// hits has height 1, not area 1, so that a likelihood is no density but 0.9 where a beam is exactly as long as
+/// it should be; in that a beam that leaves the map may have any length; in what ends outside the map
+/// ([OutOfMapModel]); and in that a beam may be a cone, as a sonar's is, which should be as long as the
+/// shortest ray in it ([Cones]).
 public final class BeamModel implements SensorModel {
     private static final double SHORT_SHARE = 0.1; // z_short, of the height of the bell
     private static final double SHORT_DECAY = 0.3; // λ_short in the book, 1/m
@@ -20,7 +21,7 @@ public final class BeamModel implements SensorModel {
     private static final double SMALL = 1e-100; // far from what a number can hold
 
     private final DistanceField toOccupied;
-    private final Outside around;
+    private final OutOfMapModel around;
     private final double deviation;
     private final double randomShare;
     private final Map<Integer, Cones> cones = new ConcurrentHashMap<>(); // by rays on each side
@@ -29,7 +30,7 @@ public final class BeamModel implements SensorModel {
 
     /// @param deviation how far beams are from as long as they should be, σ_hit in the book [m]
     /// @param randomShare of readings that have nothing to do with the map, z_rand in the book
-    BeamModel(DistanceField toOccupied, Outside around, double deviation, double randomShare) {
+    BeamModel(DistanceField toOccupied, OutOfMapModel around, double deviation, double randomShare) {
         this.toOccupied = toOccupied;
         this.around = around;
         this.deviation = deviation;

@@ -8,9 +8,9 @@ import rsal.navigation.grid.DistanceField;
 /// table 6.3, as a table of logarithms. Immutable; robots that share a map share its field.
 ///
 /// Differs from the book in that beams that hit nothing are skipped, not given z_max; that the likelihood is
-/// scaled to 1 (logarithm 0) where the map has its walls; and in what lies outside the map ([Outside]). The share of
-/// random readings (z_rand) bounds how much one beam can say, so that people and robots who are not on the map do
-/// little harm.
+/// scaled to 1 (logarithm 0) where the map has its walls; and in what lies outside the map ([OutOfMapModel]).
+/// The share of random readings (z_rand) bounds how much one beam can say, so that people and robots who are
+/// not on the map do little harm.
 public final class LikelihoodField implements SensorModel {
     private static final double FARTHEST = 8; // deviations, where the density has no weight left
 
@@ -21,7 +21,7 @@ public final class LikelihoodField implements SensorModel {
     private final double cellsPerMeter;
     private final float unlikely;
     private final float[] logs; // row by row, with a border of one cell for all that is outside the map
-    private final Outside around;
+    private final OutOfMapModel around;
 
     /// @param toWall how far the nearest place is where a beam may end
     /// @param deviation how far hits are from the walls of the map, σ_hit in the book [m]
@@ -33,7 +33,7 @@ public final class LikelihoodField implements SensorModel {
         this.originY = map.originY();
         this.cellsPerMeter = 1 / map.resolution();
         this.unlikely = (float) Math.log(randomShare);
-        this.around = Outside.of(map);
+        this.around = OutOfMapModel.of(map);
         this.logs = new float[(width + 2) * (height + 2)];
         Arrays.fill(logs, unlikely);
         for (int i = 0; i < width * height; i++) {

@@ -43,7 +43,7 @@ public final class LocalizationMap {
         this.deviation = deviation;
         this.freeFloor = free(map) * map.resolution() * map.resolution();
         this.walls = new LikelihoodField(grid, toFace, deviation, randomShare);
-        this.reaches = new BeamModel(toOccupied, Outside.of(grid), deviation, randomShare);
+        this.reaches = new BeamModel(toOccupied, OutOfMapModel.of(grid), deviation, randomShare);
         OccupancyGrid coarse = pooled(grid, Math.max(1, (int) Math.round(COARSE_CELL / grid.resolution())));
         this.coarseResolution = coarse.resolution();
         this.nearWalls = new LikelihoodField(

@@ -5,9 +5,9 @@ import rsal.data.Angles;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
 import rsal.navigation.avoid.LocalPlanner.Motion;
-import rsal.navigation.avoid.Shunting.Leg;
+import rsal.navigation.avoid.MultiPointTurn.Leg;
 
-/// Drives the legs that [Shunting] found, one after the other, by odometry. Each robot needs its own.
+/// Drives the legs that [MultiPointTurn] found, one after the other, by odometry. Each robot needs its own.
 public final class Shunt {
     private static final double STEERING = 2; // 1/s; turn rate per angle that is missing
     private static final double THERE = Math.toRadians(2);

@@ -33,10 +33,10 @@ import rsal.time.Scheduler;
 /// since. The belief itself is corrected beside the other robots' work ([Scheduler#compute]) when the robot has
 /// moved enough; ranges that come meanwhile are skipped.
 ///
-/// Without ranges or odometry it falls silent and is stale until they are back. Bad readings are skipped ([Scrutiny]),
-/// the first with a word in the log, and counted in its health when no good ones come; then those of a clock that was
-/// set back are taken, too. When the filter fails it is lost and silent, and starts again from what it believed until
-/// that works.
+/// Without ranges or odometry it falls silent and is stale until they are back. Bad readings are skipped
+/// ([ReadingValidator]), the first with a word in the log, and counted in its health when no good ones come;
+/// then those of a clock that was set back are taken, too. When the filter fails it is lost and silent, and
+/// starts again from what it believed until that works.
 final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer {
     private static final Logger LOG = System.getLogger(AmclLocalizer.class.getName());
     private static final Duration PATIENCE = Duration.ofSeconds(2);
@@ -45,7 +45,7 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     private final OccupancyGrid map;
     private final Scheduler scheduler;
     private final List<CompletableFuture<Void>> followers = new ArrayList<>();
-    private final Scrutiny scrutiny = Scrutiny.ofAnyScans(this::tellSkipped);
+    private final ReadingValidator scrutiny = ReadingValidator.ofAnyScans(this::tellSkipped);
     private final RecentOdometry wheels = new RecentOdometry();
     private Optional<PoseEstimate> start;
     private boolean restart = true;

@@ -12,10 +12,10 @@ import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.device.Mapper;
-import rsal.navigation.explore.Division;
 import rsal.navigation.explore.Frontier;
+import rsal.navigation.explore.FrontierAssignment;
 import rsal.navigation.explore.Frontiers;
-import rsal.navigation.explore.Trodden;
+import rsal.navigation.explore.VisitedCells;
 import rsal.navigation.grid.DistanceField;
 import rsal.navigation.grid.Drawing;
 import rsal.navigation.grid.ScanMapper;
@@ -193,7 +193,7 @@ final class Exploration {
                         one.goes() ? found.reaches().get(i).cost() - (going ? LOYALTY : 0) : Double.POSITIVE_INFINITY;
             }
         }
-        List<Optional<Integer>> chosen = Division.assign(frontiers, costs, settings.view());
+        List<Optional<Integer>> chosen = FrontierAssignment.assign(frontiers, costs, settings.view());
         var orders = new ArrayList<Order>();
         for (int robot = 0; robot < ready.size(); robot++) {
             Found found = founds.get(robot);
@@ -291,7 +291,7 @@ final class Exploration {
                     .add(robot.place());
         }
         for (var room : trodden.entrySet()) {
-            map = Trodden.free(map, room.getValue(), room.getKey());
+            map = VisitedCells.free(map, room.getValue(), room.getKey());
         }
         return map;
     }

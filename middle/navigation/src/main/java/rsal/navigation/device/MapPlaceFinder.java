@@ -8,7 +8,7 @@ import rsal.data.Pose2d;
 import rsal.device.DeviceCore;
 import rsal.device.DeviceInfo;
 import rsal.device.PlaceFinder;
-import rsal.navigation.spread.Ground;
+import rsal.navigation.spread.ReachableSpace;
 import rsal.navigation.spread.Spreader;
 import rsal.time.Scheduler;
 
@@ -19,12 +19,13 @@ final class MapPlaceFinder extends DeviceCore implements PlaceFinder {
     record Key(OccupancyGrid map, double clearance) {}
 
     private final OccupancyGrid map;
-    private final Shared<Key, Ground> grounds;
+    private final Shared<Key, ReachableSpace> grounds;
     private final long seed;
     private final Scheduler scheduler;
 
     /// @param grounds around where a team asked first; other parts of a map are looked at when they are asked for
-    MapPlaceFinder(DeviceInfo info, OccupancyGrid map, Shared<Key, Ground> grounds, long seed, Scheduler scheduler) {
+    MapPlaceFinder(
+            DeviceInfo info, OccupancyGrid map, Shared<Key, ReachableSpace> grounds, long seed, Scheduler scheduler) {
         super(info);
         this.map = map;
         this.grounds = grounds;
@@ -50,8 +51,8 @@ final class MapPlaceFinder extends DeviceCore implements PlaceFinder {
         }
     }
 
-    private Ground ground(Point2d start, double clearance) {
-        Ground kept = grounds.of(new Key(map, clearance), _ -> Ground.around(map, clearance, start));
-        return kept.contains(start) ? kept : Ground.around(map, clearance, start);
+    private ReachableSpace ground(Point2d start, double clearance) {
+        ReachableSpace kept = grounds.of(new Key(map, clearance), _ -> ReachableSpace.around(map, clearance, start));
+        return kept.contains(start) ? kept : ReachableSpace.around(map, clearance, start);
     }
 }

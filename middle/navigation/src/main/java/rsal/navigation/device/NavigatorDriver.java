@@ -16,13 +16,13 @@ import rsal.device.RangeSensor;
 import rsal.device.SonarArray;
 import rsal.navigation.avoid.DriveLimits;
 import rsal.navigation.avoid.LocalPlanner;
+import rsal.navigation.avoid.MultiPointTurn;
 import rsal.navigation.avoid.Outline;
-import rsal.navigation.avoid.Shunting;
 import rsal.navigation.dwa.Dwa;
 import rsal.navigation.mpc.Mpc;
 import rsal.navigation.nd.Nd;
 import rsal.navigation.snd.Snd;
-import rsal.navigation.spread.Ground;
+import rsal.navigation.spread.ReachableSpace;
 import rsal.navigation.vfh.Vfh;
 import rsal.robot.DeviceDriver;
 import rsal.robot.RobotModel;
@@ -111,7 +111,7 @@ public final class NavigatorDriver implements DeviceDriver {
         var wrong = new TreeMap<Integer, String>();
         double clearance = Ways.clearance(asked.model().footprint(), arguments).radius();
         try {
-            Ground.check(asked.map(), clearance, asked.mapFromStarts(), asked.mapFromPlaces(), asked.within())
+            ReachableSpace.check(asked.map(), clearance, asked.mapFromStarts(), asked.mapFromPlaces(), asked.within())
                     .forEach(place -> wrong.put(place.index(), place.why()));
         } catch (IllegalArgumentException e) { // they fit nowhere
             for (int i = 0; i < asked.mapFromPlaces().size(); i++) {
@@ -142,7 +142,7 @@ public final class NavigatorDriver implements DeviceDriver {
                         laser,
                         sonars,
                         avoidance(arguments, model.footprint(), limits, lookahead),
-                        new Shunting(model.footprint(), limits, REACTION),
+                        new MultiPointTurn(model.footprint(), limits, REACTION),
                         ways.of(context.map(), model.footprint(), arguments),
                         ways.field(context.map())),
                 new PathNavigator.Settings(

@@ -25,12 +25,12 @@ import rsal.device.Localizer;
 import rsal.device.Navigator;
 import rsal.device.Sensor;
 import rsal.device.SonarArray;
-import rsal.navigation.avoid.BlindSpot;
 import rsal.navigation.avoid.DriveLimits;
 import rsal.navigation.avoid.LocalPlanner;
 import rsal.navigation.avoid.LocalPlanner.Motion;
+import rsal.navigation.avoid.MultiPointTurn;
+import rsal.navigation.avoid.ObstacleMemory;
 import rsal.navigation.avoid.Obstacles;
-import rsal.navigation.avoid.Shunting;
 import rsal.navigation.grid.DistanceField;
 import rsal.navigation.wavefront.Wavefront;
 import rsal.time.Phase;
@@ -63,7 +63,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
             Optional<LaserScanner> laser,
             Optional<SonarArray> sonars,
             LocalPlanner avoidance,
-            Shunting shunting,
+            MultiPointTurn shunting,
             Wavefront ways,
             DistanceField toNotFree) {}
 
@@ -103,7 +103,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
     private final Scheduler scheduler;
     private final RandomGenerator random;
     private final Obstacles obstacles;
-    private final BlindSpot blindSpot;
+    private final ObstacleMemory blindSpot;
     private @Nullable Trip trip;
     private boolean paused;
     private boolean held; // as motors were off
@@ -116,7 +116,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
         this.scheduler = scheduler;
         this.random = random;
         this.obstacles = new Obstacles(settings.view());
-        this.blindSpot = new BlindSpot(3 * settings.bodyRadius(), STRANGERS_FADE);
+        this.blindSpot = new ObstacleMemory(3 * settings.bodyRadius(), STRANGERS_FADE);
     }
 
     void start() {
@@ -230,7 +230,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
         Optional<Stamped<Odometry>> odometry = fresh(parts.base());
         Optional<Stamped<LaserScan>> scan = parts.laser()
                 .flatMap(this::fresh)
-                .filter(s -> Scrutiny.fault(s.value()).isEmpty());
+                .filter(s -> ReadingValidator.fault(s.value()).isEmpty());
         if (estimate.isEmpty() || odometry.isEmpty()) {
             health(new Health.Stale(
                     estimate.isEmpty() ? "The localizer does not say where the robot is." : "No odometry."));
@@ -238,7 +238,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
         }
         var ranges = parts.sonars()
                 .flatMap(this::fresh)
-                .filter(r -> Scrutiny.fault(r.value()).isEmpty());
+                .filter(r -> ReadingValidator.fault(r.value()).isEmpty());
         boolean sighted = parts.laser().isPresent() ? scan.isPresent() : ranges.isPresent();
         if (!sighted) {
             health(new Health.Stale("No ranges: it does not drive blindly."));

@@ -3,13 +3,13 @@ package rsal.navigation.device;
 import rsal.device.Device;
 import rsal.device.DeviceInfo;
 import rsal.device.PlaceFinder;
-import rsal.navigation.spread.Ground;
+import rsal.navigation.spread.ReachableSpace;
 import rsal.robot.DeviceDriver;
 import rsal.settings.Arguments;
 
 /// Makes place finders that spread places over the run's map ([rsal.navigation.spread.Spreader]).
 public final class PlacesDriver implements DeviceDriver {
-    private final Shared<MapPlaceFinder.Key, Ground> grounds = new Shared<>();
+    private final Shared<MapPlaceFinder.Key, ReachableSpace> grounds = new Shared<>();
 
     @Override
     public String key() {

@@ -24,26 +24,27 @@ import rsal.device.LaserScanner;
 import rsal.device.Localizer;
 import rsal.device.SensorCore;
 import rsal.navigation.grid.ScanMapper.PosedScan;
+import rsal.navigation.slam.GraphResidual;
 import rsal.navigation.slam.Slam;
-import rsal.navigation.slam.Strain;
 import rsal.navigation.slam.Tracking;
 import rsal.time.Phase;
 import rsal.time.Scheduler;
 
-/// A localizer that needs no map, as it makes its own ([Slam]). Each odometry reading gives an estimate:
-/// where the newest scan was taken that was looked at, moved as the wheels moved since. Scans are looked at beside the
-/// other robots' work ([Scheduler#compute]); those that come meanwhile are skipped, and so are those that tell nothing
-/// new: of places less than 5 cm and 2° from where one matched less than half a second ago. When a loop closes,
-/// estimates
-/// jump. How sure an estimate is, is told against what was mapped around it ([Tracking]): it errs more the
-/// farther the wheels led it since a scan matched, and is lost when they don't match for long. When a loop has bent
-/// the map by more than anything that was told of the way errs ([Strain#tooMuch]), one of the two is probably wrong:
-/// then estimates are ambiguous at best, less sure the more it is bent, and a word in the log says where.
+/// A localizer that needs no map, as it makes its own ([Slam]). Each odometry reading gives an estimate: where
+/// the newest scan was taken that was looked at, moved as the wheels moved since. Scans are looked at beside
+/// the other robots' work ([Scheduler#compute]); those that come meanwhile are skipped, and so are those that
+/// tell nothing new: of places less than 5 cm and 2° from where one matched less than half a second ago. When a
+/// loop closes, estimates jump. How sure an estimate is, is told against what was mapped around it
+/// ([Tracking]): it errs more the farther the wheels led it since a scan matched, and is lost when they don't
+/// match for long. When a loop has bent the map by more than anything that was told of the way errs
+/// ([GraphResidual#tooMuch]), one of the two is probably wrong: then estimates are ambiguous at best, less sure
+/// the more it is bent, and a word in the log says where.
 ///
-/// Its map's frame is that of the pose it was told to start from, else one of its own, `<robot>/map`, in which it
-/// starts at the origin. Told otherwise where it is, it begins a new map from there. Without scans or odometry it
-/// is stale and silent; when mapping fails it is lost and begins a new map from where it is. Bad readings are
-/// skipped ([Scrutiny]), the first with a word in the log, and counted in its health when no good ones come.
+/// Its map's frame is that of the pose it was told to start from, else one of its own, `<robot>/map`, in which
+/// it starts at the origin. Told otherwise where it is, it begins a new map from there. Without scans or
+/// odometry it is stale and silent; when mapping fails it is lost and begins a new map from where it is. Bad
+/// readings are skipped ([ReadingValidator]), the first with a word in the log, and counted in its health when
+/// no good ones come.
 final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer {
     private static final Logger LOG = System.getLogger(SlamLocalizer.class.getName());
     private static final Duration PATIENCE = Duration.ofSeconds(2);
@@ -54,7 +55,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     private final Slam.Settings settings;
     private final Scheduler scheduler;
     private final List<CompletableFuture<Void>> followers = new ArrayList<>();
-    private final Scrutiny scrutiny = Scrutiny.ofScansAlike(this::tellSkipped);
+    private final ReadingValidator scrutiny = ReadingValidator.ofScansAlike(this::tellSkipped);
     private Supplier<List<Mate>> mates = List::of;
     private Pose2d start;
     private boolean told; // where it was
@@ -62,7 +63,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     private @Nullable Known known; // of the newest scan
     private Pose2d slamFromOdom = Pose2d.ORIGIN; // by which odometry is handed to it
     private List<PosedScan> map = List.of();
-    private Optional<Strain.Step> bent = Optional.empty(); // too much
+    private Optional<GraphResidual.Step> bent = Optional.empty(); // too much
     private final RecentOdometry odometry = new RecentOdometry();
     private boolean busy;
     private boolean failed;
@@ -74,7 +75,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
             Pose2d mapFromBase,
             Tracking tracking,
             @Nullable List<PosedScan> map,
-            @Nullable Strain strain) {}
+            @Nullable GraphResidual strain) {}
 
     /// Where the robot was when a scan was taken, and how sure that is.
     private record Known(Instant taken, Pose2d mapFromBase, Pose2d odomFromBase, Tracking tracking) {
@@ -122,12 +123,12 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     }
 
     /// Sure as far as the map can be.
-    private static PoseEstimate doubted(PoseEstimate estimate, Strain.Step bent) {
+    private static PoseEstimate doubted(PoseEstimate estimate, GraphResidual.Step bent) {
         return new PoseEstimate(
                 estimate.mapFromBase(),
                 estimate.covariance(),
                 estimate.hypotheses(),
-                estimate.confidence() * Strain.TOO_MUCH / bent.deviations(),
+                estimate.confidence() * GraphResidual.TOO_MUCH / bent.deviations(),
                 estimate.quality() == Quality.LOCALIZED ? Quality.AMBIGUOUS : estimate.quality());
     }
 
@@ -243,7 +244,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         };
     }
 
-    private void learn(Strain strain) {
+    private void learn(GraphResidual strain) {
         boolean news = bent.isEmpty();
         bent = strain.tooMuch();
         bent.filter(_ -> news).ifPresent(step -> {

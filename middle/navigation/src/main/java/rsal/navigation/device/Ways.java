@@ -3,7 +3,7 @@ package rsal.navigation.device;
 import java.util.List;
 import rsal.data.Footprint;
 import rsal.data.OccupancyGrid;
-import rsal.navigation.avoid.Caution;
+import rsal.navigation.avoid.VelocityFilter;
 import rsal.navigation.grid.DistanceField;
 import rsal.navigation.jumppoint.JumpPoints;
 import rsal.navigation.wavefront.CostMap;
@@ -41,7 +41,7 @@ final class Ways {
 
     /// How near it comes to walls at most [m].
     private static double least(Footprint footprint, Arguments arguments) {
-        return footprint.inscribedRadius() + Caution.room(footprint, arguments.number(WALL_DISTANCE.name()));
+        return footprint.inscribedRadius() + VelocityFilter.room(footprint, arguments.number(WALL_DISTANCE.name()));
     }
 
     /// For a robot with such a [#clearance].

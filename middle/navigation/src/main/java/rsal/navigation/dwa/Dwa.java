@@ -6,11 +6,11 @@ import rsal.data.Angles;
 import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Twist2d;
-import rsal.navigation.avoid.Caution;
 import rsal.navigation.avoid.DriveLimits;
 import rsal.navigation.avoid.LocalPlanner;
 import rsal.navigation.avoid.Obstacles;
 import rsal.navigation.avoid.Outline;
+import rsal.navigation.avoid.VelocityFilter;
 
 /// Chooses among the velocities that the robot can reach soon: D. Fox, W. Burgard, S. Thrun, The Dynamic Window
 /// Approach to Collision Avoidance (IEEE Robotics & Automation Magazine 4, 1997). Of the circular arcs of those
@@ -21,7 +21,7 @@ import rsal.navigation.avoid.Outline;
 /// * The outline is any convex one; the way along an arc is exact for it.
 /// * Clearance and speed count as shares of how far it looks and of the highest speed.
 /// * Where the best is to stand, it turns towards the target, or on in the sense that it has begun.
-/// * The last word has [Caution].
+/// * The last word has [VelocityFilter].
 public final class Dwa implements LocalPlanner {
     private static final int SPEEDS = 11;
     private static final int TURNS = 21;
@@ -44,7 +44,7 @@ public final class Dwa implements LocalPlanner {
     private final Settings settings;
     private final DriveLimits limits;
     private final Outline outline;
-    private final Caution caution;
+    private final VelocityFilter caution;
     private final double[] values = new double[SPEEDS * TURNS];
     private final double[] ways = new double[SPEEDS * TURNS]; // m
     private int turning; // in place: 1 to the left, −1 to the right
@@ -53,8 +53,8 @@ public final class Dwa implements LocalPlanner {
     public Dwa(Footprint footprint, DriveLimits limits, Settings settings, double reaction) {
         this.settings = settings;
         this.limits = limits;
-        this.outline = new Outline(footprint, Caution.MARGIN);
-        this.caution = new Caution(footprint, limits, reaction);
+        this.outline = new Outline(footprint, VelocityFilter.MARGIN);
+        this.caution = new VelocityFilter(footprint, limits, reaction);
     }
 
     @Override

@@ -6,14 +6,17 @@ import java.util.List;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 
-/// Finds frontiers: B. Yamauchi, A Frontier-Based Approach for Autonomous Exploration (CIRA 1997), where it tells how
-/// frontiers are detected: open cells beside unknown ones, those that touch each other grouped, small groups left out.
+/// Finds frontiers: B. Yamauchi, A Frontier-Based Approach for Autonomous Exploration (CIRA 1997), where it
+/// tells how frontiers are detected: open cells beside unknown ones, those that touch each other grouped, small
+/// groups left out.
 ///
 /// Differs from the paper in these points:
 /// * Cells are open or unknown as the map says; the paper compares their probabilities with that of before.
-/// * Long frontiers are cut into pieces, so that robots may share them and the middle of a bent one is not far from it.
+/// * Long frontiers are cut into pieces, so that robots may share them and the middle of a bent one is not far
+///   from it.
 /// * The place to go to is the cell nearest to the centroid, as that may lie anywhere when a frontier bends.
-/// * Which one to go to is not said here: the paper goes to the nearest, for several robots see [Division].
+/// * Which one to go to is not said here: the paper goes to the nearest, for several robots see
+///   [FrontierAssignment].
 public final class Frontiers {
     private static final double LONGEST = 3; // m; a piece
 

@@ -76,7 +76,7 @@ public final class DistanceField {
     /// @param before of the map before, also how far the nearest cell is that is not known to be free
     public static DistanceField toNotFree(Difference difference, DistanceField before) {
         before.checkIsOf(difference.overlay().before());
-        return new Remeasuring(difference, before.meters)
+        return new DistanceRepair(difference, before.meters)
                 .meters()
                 .map(meters -> new DistanceField(difference.now(), meters))
                 .orElseGet(() -> toNotFree(difference.now()));

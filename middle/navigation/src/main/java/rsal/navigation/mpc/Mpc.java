@@ -8,34 +8,35 @@ import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
-import rsal.navigation.avoid.Caution;
 import rsal.navigation.avoid.DriveLimits;
 import rsal.navigation.avoid.LocalPlanner;
 import rsal.navigation.avoid.Obstacles;
+import rsal.navigation.avoid.VelocityFilter;
 
-/// Model-predictive control by sampling. Remembers what it saw in a [RollingMap], knows by a [TimeField] how long the
-/// way to the target takes from everywhere on it, and drives many ways through the next seconds in its head: each
-/// follows the accelerations that the robot is able of, and ends with the time that is left from there. It does what
-/// the quickest of them begins with, and looks again.
+/// Model-predictive control by sampling. Remembers what it saw in a [RollingMap], knows by a [TimeField] how
+/// long the way to the target takes from everywhere on it, and drives many ways through the next seconds in its
+/// head: each follows the accelerations that the robot is able of, and ends with the time that is left from
+/// there. It does what the quickest of them begins with, and looks again.
 ///
-/// After G. Williams and others, Information Theoretic MPC for Model-Based Reinforcement Learning (ICRA 2017), from
-/// whose algorithm (MPPI) it has the sampling around the last plan, moved on by the time since, and O. Brock, O.
-/// Khatib, High-speed Navigation Using the Global Dynamic Window Approach (ICRA 1999), from which it has the navigation
-/// function as what is left to do.
+/// After G. Williams and others, Information Theoretic MPC for Model-Based Reinforcement Learning (ICRA 2017),
+/// from whose algorithm (MPPI) it has the sampling around the last plan, moved on by the time since, and O.
+/// Brock, O. Khatib, High-speed Navigation Using the Global Dynamic Window Approach (ICRA 1999), from which it
+/// has the navigation function as what is left to do.
 ///
 /// Differs from Williams in these points:
-/// * The best sample counts, not the mean weighted by costs, which may lie between two sides of a post. So there is no
-///   temperature ("λ"), and no cost of the noise.
-/// * Samples are drawn closer in a few rounds, each around the best so far. That is like the cross-entropy method (R.
-///   Rubinstein, The Cross-Entropy Method for Combinatorial and Continuous Optimization, Methodology and Computing in
-///   Applied Probability 1, 1999) with an elite of one and spreads that are halved, not measured.
+/// * The best sample counts, not the mean weighted by costs, which may lie between two sides of a post. So
+///   there is no temperature ("λ"), and no cost of the noise.
+/// * Samples are drawn closer in a few rounds, each around the best so far. That is like the cross-entropy
+///   method (R. Rubinstein, The Cross-Entropy Method for Combinatorial and Continuous Optimization, Methodology
+///   and Computing in Applied Probability 1, 1999) with an elite of one and spreads that are halved, not
+///   measured.
 /// * Some samples are the same each time, so that it never gets stuck in its last plan.
 /// * The model is that of a drive with limits, not learned.
 ///
-/// Differs from Brock and Khatib in that what is left is a time, not a count of cells (NF1), and in that it plans four
-/// pieces of a way of more than a second, not one arc.
+/// Differs from Brock and Khatib in that what is left is a time, not a count of cells (NF1), and in that it
+/// plans four pieces of a way of more than a second, not one arc.
 ///
-/// The random numbers are its own and the same in each call. The last word has [Caution].
+/// The random numbers are its own and the same in each call. The last word has [VelocityFilter].
 public final class Mpc implements LocalPlanner {
     private static final int KNOTS = 4;
     private static final int STEPS_PER_KNOT = 6;
@@ -60,7 +61,7 @@ public final class Mpc implements LocalPlanner {
     private static final double MISALIGNED = 0.35; // s/rad
 
     private final DriveLimits limits;
-    private final Caution caution;
+    private final VelocityFilter caution;
     private final Settings settings;
     private final RollingMap map;
     private final TimeField field;
@@ -94,7 +95,7 @@ public final class Mpc implements LocalPlanner {
         this.limits = limits;
         this.settings = settings;
         this.beat = beat;
-        this.caution = new Caution(footprint, limits, reaction);
+        this.caution = new VelocityFilter(footprint, limits, reaction);
         this.inner = footprint.inscribedRadius();
         this.outer = footprint.circumscribedRadius();
         this.map = new RollingMap((int) Math.round(settings.view() / RESOLUTION), RESOLUTION, MEMORY / beat);

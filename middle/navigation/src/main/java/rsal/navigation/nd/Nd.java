@@ -6,25 +6,28 @@ import rsal.data.Angles;
 import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Twist2d;
-import rsal.navigation.avoid.Caution;
 import rsal.navigation.avoid.DriveLimits;
 import rsal.navigation.avoid.LocalPlanner;
 import rsal.navigation.avoid.Obstacles;
 import rsal.navigation.avoid.Outline;
+import rsal.navigation.avoid.VelocityFilter;
 import rsal.navigation.nd.NearnessDiagram.Region;
 
-/// Tells situations apart by a [NearnessDiagram] and has a rule for each: J. Minguez, L. Montano, Nearness Diagram
-/// (ND) Navigation: Collision Avoidance in Troubled Scenarios (IEEE Transactions on Robotics and Automation 20, 2004),
-/// with the sixth situation and the laws of J. Minguez, J. Osuna, L. Montano, A Divide and Conquer Strategy Based on
-/// Situations to Achieve Reactive Collision Avoidance in Troubled Scenarios (ICRA 2004), known as ND+. With nothing
-/// near: towards the goal (HSGR), past the corner of a wide region at the security distance (HSWR), or through the
-/// middle of a narrow one (HSNR). With something nearer than the security distance on one side: the same, turned
-/// away from it, the nearer the more (LS1, or LSGR to the goal); on both sides: between them, as near to the one as
-/// to the other (LS2). The nearest obstacle slows it down.
+/// Tells situations apart by a [NearnessDiagram] and has a rule for each: J. Minguez, L. Montano, Nearness
+/// Diagram (ND) Navigation: Collision Avoidance in Troubled Scenarios (IEEE Transactions on Robotics and
+/// Automation 20, 2004), with the sixth situation and the laws of J. Minguez, J. Osuna, L. Montano, A Divide
+/// and Conquer Strategy Based on Situations to Achieve Reactive Collision Avoidance in Troubled Scenarios (ICRA
+/// 2004), known as ND+. With nothing near: towards the goal (HSGR), past the corner of a wide region at the
+/// security distance (HSWR), or through the middle of a narrow one (HSNR). With something nearer than the
+/// security distance on one side: the same, turned away from it, the nearer the more (LS1, or LSGR to the
+/// goal); on both sides: between them, as near to the one as to the other (LS2). The nearest obstacle slows it
+/// down.
 ///
 /// Differs from the papers in these points:
-/// * The robot is a circle for the rules. Its true outline counts for [Caution], which has the last word.
-/// * It is never slowed down below a fifth of its speed by the laws, as the authors' own program for Player does.
+/// * The robot is a circle for the rules. Its true outline counts for [VelocityFilter], which has the last
+///   word.
+/// * It is never slowed down below a fifth of its speed by the laws, as the authors' own program for Player
+///   does.
 /// * With no region it turns towards the goal.
 public final class Nd implements LocalPlanner {
     private static final double WIDE = Math.PI / 2;
@@ -41,7 +44,7 @@ public final class Nd implements LocalPlanner {
     private final Settings settings;
     private final double radius;
     private final NearnessDiagram diagram;
-    private final Caution caution;
+    private final VelocityFilter caution;
     private double nearestLeft;
     private double nearestRight;
     private double directionLeft;
@@ -52,7 +55,7 @@ public final class Nd implements LocalPlanner {
         this.settings = settings;
         this.radius = Outline.radius(footprint) + settings.safetyDist();
         this.diagram = new NearnessDiagram(radius, 2 * radius);
-        this.caution = new Caution(footprint, limits, reaction);
+        this.caution = new VelocityFilter(footprint, limits, reaction);
     }
 
     @Override

@@ -48,7 +48,8 @@ public final class Slam {
     private static final double HELD = 0.1; // m; deviation of what was found
     private static final double TURNED = 0.15; // rad
     private static final CorrelativeMatcher.Settings SEARCH = new CorrelativeMatcher.Settings(0.05, 0.08, 4);
-    private static final double MOST_BENT = Strain.TOO_MUCH * Strain.TOO_MUCH; // the same of a step by odometry alone
+    private static final double MOST_BENT =
+            GraphResidual.TOO_MUCH * GraphResidual.TOO_MUCH; // the same of a step by odometry alone
     private static final double LONG_WAY = 4; // of usual steps: the wheels were not lifted
     private static final double MISFIT = 16; // square of a loop's error in deviations that is too much
     private static final double FAR = 1000; // m; between robots, as no way led from one to the other
@@ -525,14 +526,14 @@ public final class Slam {
     }
 
     /// How much the last fit bends what was told of the way from each scan that was kept to the next.
-    public Strain strain() {
-        return Strain.of(relations, poses);
+    public GraphResidual strain() {
+        return GraphResidual.of(relations, poses);
     }
 
     /// Where scans contradict each other most, by the last fit; empty when there are too few to tell. Takes some
     /// seconds for thousands of scans.
-    public Optional<Contradiction> contradiction() {
-        return Contradiction.of(frames, poses);
+    public Optional<FreeSpaceViolation> contradiction() {
+        return FreeSpaceViolation.of(frames, poses);
     }
 
     /// Whether scans say that the robot turned as its wheels do.

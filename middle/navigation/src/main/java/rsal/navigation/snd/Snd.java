@@ -6,25 +6,26 @@ import rsal.data.Angles;
 import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Twist2d;
-import rsal.navigation.avoid.Caution;
 import rsal.navigation.avoid.DriveLimits;
 import rsal.navigation.avoid.LocalPlanner;
 import rsal.navigation.avoid.Obstacles;
 import rsal.navigation.avoid.Outline;
+import rsal.navigation.avoid.VelocityFilter;
 import rsal.navigation.nd.NearnessDiagram;
 import rsal.navigation.nd.NearnessDiagram.Region;
 
-/// Drives into the region of a [NearnessDiagram] that is nearest to the goal, turned away from everything around by
-/// one law that knows no situations: J. Durham, F. Bullo, Smooth Nearness-Diagram Navigation (IROS 2008). The region
-/// is entered past its corner at the safety distance, or through its middle when it is narrow (θ_d in the paper). Each
-/// obstacle nearer than the safety distance is a threat (s_i, cut off to 0–1) and turns the robot away (Δ_avoid) with
-/// the square of that as its weight, and the nearest one slows it down.
+/// Drives into the region of a [NearnessDiagram] that is nearest to the goal, turned away from everything
+/// around by one law that knows no situations: J. Durham, F. Bullo, Smooth Nearness-Diagram Navigation (IROS
+/// 2008). The region is entered past its corner at the safety distance, or through its middle when it is narrow
+/// (θ_d in the paper). Each obstacle nearer than the safety distance is a threat (s_i, cut off to 0–1) and
+/// turns the robot away (Δ_avoid) with the square of that as its weight, and the nearest one slows it down.
 ///
 /// Differs from the paper in these points:
-/// * It drives, the slower the more it turns, until it turns by 90° ([Caution#towards]); in the paper until 45°.
-/// * The safety distance shrinks with the room that there is, as in Player's driver, so that it gets through narrow
-///   places at a fifth of its speed.
-/// * The robot is a circle for the law. Its true outline counts for [Caution], which has the last word.
+/// * It drives, the slower the more it turns, until it turns by 90° ([VelocityFilter#towards]); in the paper
+///   until 45°.
+/// * The safety distance shrinks with the room that there is, as in Player's driver, so that it gets through
+///   narrow places at a fifth of its speed.
+/// * The robot is a circle for the law. Its true outline counts for [VelocityFilter], which has the last word.
 /// * With no region it turns towards the goal.
 public final class Snd implements LocalPlanner {
     private static final double SHRINKING = 5; // safety distance per room
@@ -44,7 +45,7 @@ public final class Snd implements LocalPlanner {
 
     private final Settings settings;
     private final NearnessDiagram diagram;
-    private final Caution caution;
+    private final VelocityFilter caution;
     private double safetyDistance;
     private double sum;
     private double weights;
@@ -54,7 +55,7 @@ public final class Snd implements LocalPlanner {
     public Snd(Footprint footprint, DriveLimits limits, Settings settings, double reaction) {
         this.settings = settings;
         this.diagram = new NearnessDiagram(settings.robotRadius(), settings.minGapWidth());
-        this.caution = new Caution(footprint, limits, reaction);
+        this.caution = new VelocityFilter(footprint, limits, reaction);
     }
 
     @Override

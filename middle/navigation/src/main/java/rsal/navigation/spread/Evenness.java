@@ -1,6 +1,6 @@
 package rsal.navigation.spread;
 
-/// How far it is from anywhere on a [Ground] to the nearest of some places, by the shortest way [m].
+/// How far it is from anywhere on a [ReachableSpace] to the nearest of some places, by the shortest way [m].
 ///
 /// @param mean how far it is on average: the objective of k-medians
 /// @param rms root of the mean square: the objective of k-means, and the one that [Spread] makes small. The far

@@ -3,9 +3,9 @@ package rsal.navigation.spread;
 import java.util.Arrays;
 import rsal.data.OccupancyGrid;
 
-/// A [Ground] in less detail: the map is cut into square blocks, and what is connected within a block is one patch.
-/// Patches are neighbors where their cells are, and as far apart as their middles, so that no door is lost and no
-/// wall has a hole, however large the blocks.
+/// A [ReachableSpace] in less detail: the map is cut into square blocks, and what is connected within a block
+/// is one patch. Patches are neighbors where their cells are, and as far apart as their middles, so that no
+/// door is lost and no wall has a hole, however large the blocks.
 ///
 /// Immutable.
 final class Patches {
@@ -23,7 +23,7 @@ final class Patches {
     private final int longest;
 
     /// @param side of a block, in cells
-    Patches(Ground ground, int side) {
+    Patches(ReachableSpace ground, int side) {
         OccupancyGrid map = ground.map();
         int width = map.width();
         var found = new Found(ground, side);
@@ -64,7 +64,7 @@ final class Patches {
         private double[] x = new double[64]; // of middles, in cells
         private double[] y = new double[64];
 
-        Found(Ground ground, int side) {
+        Found(ReachableSpace ground, int side) {
             int width = ground.map().width();
             patchOf = new int[ground.map().cells().length];
             Arrays.fill(patchOf, -1);
@@ -88,7 +88,7 @@ final class Patches {
             y = Arrays.copyOf(y, 2 * count);
         }
 
-        private int fill(Ground ground, int start, int side, int width, int[] queue) {
+        private int fill(ReachableSpace ground, int start, int side, int width, int[] queue) {
             int left = start % width / side * side;
             int bottom = start / width / side * side;
             int end = 0;
@@ -113,7 +113,7 @@ final class Patches {
         }
 
         /// Where its middle is, and its cell next to that, a roomy one if it has any.
-        private void describe(Ground ground, int[] cells, int size, int width) {
+        private void describe(ReachableSpace ground, int[] cells, int size, int width) {
             double sumX = 0;
             double sumY = 0;
             for (int i = 0; i < size; i++) {
@@ -144,7 +144,7 @@ final class Patches {
     }
 
     /// Neighbors, each pair both ways, sorted: from whom in the upper half, to whom in the lower.
-    private long[] pairs(Ground ground, int side, int width) {
+    private long[] pairs(ReachableSpace ground, int side, int width) {
         var pairs = new long[16 * count];
         int number = 0;
         for (int cell : ground.cells()) {

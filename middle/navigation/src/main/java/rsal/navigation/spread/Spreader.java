@@ -9,22 +9,22 @@ import java.util.random.RandomGenerator;
 import java.util.stream.IntStream;
 import rsal.data.Point2d;
 
-/// Spreads a number of places evenly over a [Ground]: makes the mean square of the way from anywhere on it to the
-/// nearest of them small ([Evenness#rms]).
+/// Spreads a number of places evenly over a [ReachableSpace]: makes the mean square of the way from anywhere on
+/// it to the nearest of them small ([Evenness#rms]).
 ///
-/// The square is J. Cortés's and S. Lloyd's choice, too: in an open hall it packs places like honeycombs, each in the
-/// middle of its region; and, unlike the plain mean, it gives a room of its own a place before a second one in a
-/// hall that has one. The greatest distance alone would put places against walls and leave all but one free to be
-/// anywhere.
+/// The square is J. Cortés's and S. Lloyd's choice, too: in an open hall it packs places like honeycombs, each
+/// in the middle of its region; and, unlike the plain mean, it gives a room of its own a place before a second
+/// one in a hall that has one. The greatest distance alone would put places against walls and leave all but one
+/// free to be anywhere.
 ///
-/// Places are where two robots fit side by side, that is with twice the clearance, so that none stands in a door
-/// where nobody else gets by, unless less than half of the ground is so wide. In the office that makes the ways to
-/// 10 places 1.3 % longer.
+/// Places are where two robots fit side by side, that is with twice the clearance, so that none stands in a
+/// door where nobody else gets by, unless less than half of the ground is so wide. In the office that makes the
+/// ways to 10 places 1.3 % longer.
 ///
-/// Works from coarse to fine: on at most 2000 patches of the ground the best of some choices that no swap betters
-/// ([Medoids]), then downhill on tens of thousands ([Descent]). More places than that coarse level can tell apart begin
-/// each as far as can be from those before (T. Gonzalez, Clustering to minimize the maximum intercluster distance,
-/// Theoretical Computer Science 38, 1985) and go downhill from there.
+/// Works from coarse to fine: on at most 2000 patches of the ground the best of some choices that no swap
+/// betters ([Medoids]), then downhill on tens of thousands ([Descent]). More places than that coarse level can
+/// tell apart begin each as far as can be from those before (T. Gonzalez, Clustering to minimize the maximum
+/// intercluster distance, Theoretical Computer Science 38, 1985) and go downhill from there.
 ///
 /// The same random numbers give the same places. Not safe for several threads at once.
 public final class Spreader {
@@ -35,7 +35,7 @@ public final class Spreader {
     private static final int DESCENTS = 4; // of the best of them
     private static final int ROOMY_PER_PLACE = 4; // patches
 
-    private final Ground ground;
+    private final ReachableSpace ground;
     private final int number;
     private final Patches fine;
     private final Optional<Coarse> coarse;
@@ -50,7 +50,7 @@ public final class Spreader {
     /// Looks at the ground; takes most of the time if it is large.
     ///
     /// @throws IllegalArgumentException when no place is asked for, or more than there is room for
-    public Spreader(Ground ground, int number) {
+    public Spreader(ReachableSpace ground, int number) {
         if (number < 1) {
             throw new IllegalArgumentException(
                     "At least 1 place must be asked for, not (%d). Maybe there is no robot to spread."
@@ -203,7 +203,7 @@ public final class Spreader {
         return true;
     }
 
-    private static IllegalArgumentException noRoom(Ground ground, int number) {
+    private static IllegalArgumentException noRoom(ReachableSpace ground, int number) {
         return new IllegalArgumentException(String.format(
                 Locale.ROOT,
                 "There is no room for (%d) places: on %.2f m² some would be nearer to each other than twice the clearance"

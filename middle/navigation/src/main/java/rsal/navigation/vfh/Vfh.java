@@ -6,31 +6,32 @@ import rsal.data.Angles;
 import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Twist2d;
-import rsal.navigation.avoid.Caution;
 import rsal.navigation.avoid.DriveLimits;
 import rsal.navigation.avoid.LocalPlanner;
 import rsal.navigation.avoid.Obstacles;
+import rsal.navigation.avoid.VelocityFilter;
 
 /// Chooses a direction by a polar histogram of obstacles: I. Ulrich, J. Borenstein, VFH+: Reliable Obstacle
 /// Avoidance for Fast Mobile Robots (ICRA 1998), in the four stages of its section 2:
 /// * the primary polar histogram (2.1): obstacles grown by the robot's radius and a safety distance;
 /// * the binary one (2.2), by two thresholds with hysteresis;
 /// * the masked one (2.3), by the circles that the robot can turn on;
-/// * the steering direction (2.4): of candidates in narrow and wide openings the one with the least sum of three
-///   weighted angles, of which that to the target must weigh more than the other two together. The weights are those
-///   that its implementations have as defaults.
+/// * the steering direction (2.4): of candidates in narrow and wide openings the one with the least sum of
+///   three weighted angles, of which that to the target must weigh more than the other two together. The
+///   weights are those that its implementations have as defaults.
 ///
 /// Differs from the paper in these points:
 /// * The histogram is made of what the sensors see now, not of a certainty grid, and holds the nearest obstacle
 ///   per direction, not a sum, so that it does not depend on how many beams a scan has. The thresholds with
 ///   hysteresis are distances.
 /// * Obstacles behind the target do not count.
-/// * The target is a candidate wherever it lies in an opening, in a narrow one and at the edges of a wide one, too:
-///   openings are those of grown obstacles already.
-/// * Circles have the radius that the measured speed and the highest turn rate make; only what is ahead bars turns.
-/// * The safety distance grows with speed the other way round: directions are open as at standstill, and the room
-///   beside the chosen one says how fast it may be taken.
-/// * The last word has [Caution].
+/// * The target is a candidate wherever it lies in an opening, in a narrow one and at the edges of a wide one,
+///   too: openings are those of grown obstacles already.
+/// * Circles have the radius that the measured speed and the highest turn rate make; only what is ahead bars
+///   turns.
+/// * The safety distance grows with speed the other way round: directions are open as at standstill, and the
+///   room beside the chosen one says how fast it may be taken.
+/// * The last word has [VelocityFilter].
 ///
 /// Keeps the last histogram and direction, so each robot needs its own.
 public final class Vfh implements LocalPlanner {
@@ -102,7 +103,7 @@ public final class Vfh implements LocalPlanner {
 
     private final Settings settings;
     private final DriveLimits limits;
-    private final Caution caution;
+    private final VelocityFilter caution;
     private final double radius;
     private final double safetyDistance; // at standstill, as all of its body needs it [m]
     private final int sectors;
@@ -120,8 +121,8 @@ public final class Vfh implements LocalPlanner {
         this.settings = settings;
         this.limits = limits;
         this.radius = footprint.inscribedRadius();
-        this.safetyDistance = Caution.room(footprint, settings.safetyDistance());
-        this.caution = new Caution(footprint, limits, reaction);
+        this.safetyDistance = VelocityFilter.room(footprint, settings.safetyDistance());
+        this.caution = new VelocityFilter(footprint, limits, reaction);
         this.sectors = (int) Math.round(2 * Math.PI / settings.sector());
         this.sector = 2 * Math.PI / sectors;
         this.nearest = new double[sectors];

@@ -90,8 +90,8 @@ public final class CostMap {
     /// @param driven places where each of them was, one after the other [m]
     public static CostMap of(
             OccupancyGrid grid, DistanceField toNotFree, Clearance clearance, List<List<Point2d>> driven) {
-        byte[] ground = Reckoning.all(grid, toNotFree, clearance, driven);
-        return new CostMap(grid, clearance, !driven.isEmpty(), ground, Shore.of(grid, ground));
+        byte[] ground = CostComputation.all(grid, toNotFree, clearance, driven);
+        return new CostMap(grid, clearance, !driven.isEmpty(), ground, FreeSpaceBoundary.of(grid, ground));
     }
 
     /// The same over a map that has changed, as [#of] reckons it where nobody has been: taken over, and reckoned anew
@@ -115,8 +115,9 @@ public final class CostMap {
         }
         Overlay overlay = difference.overlay();
         byte[] nextGround = overlay.moved(ground);
-        Reckoning.within(windows, next, toNotFree, clearance, nextGround);
-        return new CostMap(next, clearance, false, nextGround, Shore.over(overlay, shore, nextGround, windows));
+        CostComputation.within(windows, next, toNotFree, clearance, nextGround);
+        return new CostMap(
+                next, clearance, false, nextGround, FreeSpaceBoundary.over(overlay, shore, nextGround, windows));
     }
 
     private void checkIsFromThis(Difference difference) {

@@ -4,36 +4,38 @@ import java.util.Arrays;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
-/// A wave that spreads from one cell of a [CostMap] over the eight neighbors of each and leaves in each cell what
-/// the way between there and its source costs. Ways do not squeeze through between two corners.
+/// A wave that spreads from one cell of a [CostMap] over the eight neighbors of each and leaves in each cell
+/// what the way between there and its source costs. Ways do not squeeze through between two corners.
 ///
-/// The wave is ordered by R. Dial's buckets (Algorithm 360, CACM 12, 1969), since costs are small whole numbers.
+/// The wave is ordered by R. Dial's buckets (Algorithm 360, CACM 12, 1969), since costs are small whole
+/// numbers.
 ///
-/// A cell passes on only what its neighbors can use whom the cell before it does not reach for less by itself: it
-/// leaves out that one and those on either side of it that both of them border. Over plains, cells around which
-/// nothing is dear, the wave runs straight on without asking the buckets and passes on still less: from a straight
-/// step the next straight one, from a diagonal step the next and the two straight ones that it is made of. (The
-/// pruning rules of D. Harabor, A. Grastien, Online Graph Pruning for Pathfinding on Grid Maps, AAAI 2011; N.
-/// Sturtevant, S. Rabin, Canonical Orderings on Grids, IJCAI 2016. Unlike theirs, those outside of plains hold whatever
-/// cells cost, and runs write into the cells that they cross and end where these were reached as cheaply before.)
+/// A cell passes on only what its neighbors can use whom the cell before it does not reach for less by itself:
+/// it leaves out that one and those on either side of it that both of them border. Over plains, cells around
+/// which nothing is dear, the wave runs straight on without asking the buckets and passes on still less: from a
+/// straight step the next straight one, from a diagonal step the next and the two straight ones that it is made
+/// of. (The pruning rules of D. Harabor, A. Grastien, Online Graph Pruning for Pathfinding on Grid Maps, AAAI
+/// 2011; N. Sturtevant, S. Rabin, Canonical Orderings on Grids, IJCAI 2016. Unlike theirs, those outside of
+/// plains hold whatever cells cost, and runs write into the cells that they cross and end where these were
+/// reached as cheaply before.)
 ///
-/// A step across a corner is left out, too, when a cell beside it that was reached already leads to the same one for no
-/// more: else that would be reached, and pass the wave on, twice wherever the wave runs aslant.
+/// A step across a corner is left out, too, when a cell beside it that was reached already leads to the same
+/// one for no more: else that would be reached, and pass the wave on, twice wherever the wave runs aslant.
 ///
-/// That neighbors are named by the direction in which the wave goes, not by that on the map, also lets the processor
-/// foresee which of them it reaches; it takes most of its time for what was not foreseen.
+/// That neighbors are named by the direction in which the wave goes, not by that on the map, also lets the
+/// processor foresee which of them it reaches; it takes most of its time for what was not foreseen.
 ///
 /// A [Guide] hurries it towards a cell (P. Hart, N. Nilsson, B. Raphael, 1968). What it leaves in the cells of
-/// cheapest ways to that cell depends neither on the guide nor on the order in which it gets there, for it goes on
-/// until all of them are found.
+/// cheapest ways to that cell depends neither on the guide nor on the order in which it gets there, for it goes
+/// on until all of them are found.
 ///
-/// Starts anew without allocating. When the map has changed a little it is mended rather than started anew ([#over],
-/// [Mending]). Not safe for several threads at once.
+/// Starts anew without allocating. When the map has changed a little it is mended rather than started anew
+/// ([#over], [IncrementalRepair]). Not safe for several threads at once.
 final class Wave {
     /// The value of a cell that the wave did not reach.
     static final int UNREACHED = Integer.MAX_VALUE;
 
-    private static final int BUCKETS = Buckets.COUNT; // more than twice what a run and two steps cost
+    private static final int BUCKETS = BucketQueue.COUNT; // more than twice what a run and two steps cost
     private static final int RUN = 800; // what a straight run may cost
     private static final int DIAGONAL_RUN = 100; // the same of a diagonal one: it may well be overtaken
     private static final int SIDE = CostMap.SIDE;
@@ -50,8 +52,9 @@ final class Wave {
     private final int width;
     private final int[] field;
     private final int[] steps; // to the neighbors along the sides, counter-clockwise from +x, the first again at last
-    private final Buckets along = new Buckets(); // cells reached along a side, each with the quarter turns to it
-    private final Buckets across = new Buckets(); // the same across the corner that is left of that side
+    private final BucketQueue along =
+            new BucketQueue(); // cells reached along a side, each with the quarter turns to it
+    private final BucketQueue across = new BucketQueue(); // the same across the corner that is left of that side
     private @Nullable Guide guide;
     private boolean blocked; // some cells, unlike in the map
     private int front; // the next bucket, as costs in the field
@@ -108,7 +111,7 @@ final class Wave {
     Optional<Wave> over(Changes changes) {
         boolean isDone = along.isEmpty() && across.isEmpty();
         int until = Math.min(front, FARTHEST + 1); // a new one would not get farther
-        var mending = new Mending(changes, field, isDone ? OPEN : until);
+        var mending = new IncrementalRepair(changes, field, isDone ? OPEN : until);
         if (mending.gaveUp()) {
             return Optional.empty();
         }
@@ -119,17 +122,17 @@ final class Wave {
 
     /// Passes on what cells hold, in every direction.
     ///
-    /// @param borders such cells as [Mending#borders] has them
+    /// @param borders such cells as [IncrementalRepair#borders] has them
     /// @param until from here on it spreads when it is asked to
     private void goOn(long[] borders, int until) {
         front = until;
         if (borders.length > 0) {
-            front = Mending.value(borders[0]);
+            front = IncrementalRepair.value(borders[0]);
         }
         int next = 0;
         while (next < borders.length || front < until) {
-            for (; next < borders.length && Mending.value(borders[next]) == front; next++) {
-                passOnAround(Mending.cell(borders[next]));
+            for (; next < borders.length && IncrementalRepair.value(borders[next]) == front; next++) {
+                passOnAround(IncrementalRepair.cell(borders[next]));
             }
             expand();
             front++;
@@ -274,8 +277,8 @@ final class Wave {
         int[] field = this.field; // the compiler would look them up again after each step
         byte[] ground = this.ground;
         for (int i = from; i < to; i++) {
-            int cell = Buckets.cell(entries[i]);
-            int quarter = Buckets.quarter(entries[i]);
+            int cell = BucketQueue.cell(entries[i]);
+            int quarter = BucketQueue.quarter(entries[i]);
             int reached = field[cell];
             touched(cell);
             if (reached + least(cell) != front) {
@@ -303,8 +306,8 @@ final class Wave {
         int[] field = this.field; // the compiler would look them up again after each step
         byte[] ground = this.ground;
         for (int i = from; i < to; i++) {
-            int cell = Buckets.cell(entries[i]);
-            int quarter = Buckets.quarter(entries[i]);
+            int cell = BucketQueue.cell(entries[i]);
+            int quarter = BucketQueue.quarter(entries[i]);
             int reached = field[cell];
             touched(cell);
             if (reached + least(cell) != front) {

@@ -93,7 +93,7 @@ class BeamModelTest {
     }
 
     private static BeamModel model(OccupancyGrid map) {
-        return new BeamModel(DistanceField.toOccupied(map), Outside.of(map), 0.1, 0.05);
+        return new BeamModel(DistanceField.toOccupied(map), OutOfMapModel.of(map), 0.1, 0.05);
     }
 
     private static double log(SensorModel model, Pose2d from, double range) {

@@ -88,7 +88,7 @@ class ConesTest {
     @ValueSource(booleans = {false, true})
     void posesAreAboutAsLikelyAsByRaysFromEach(boolean cutOff) {
         OccupancyGrid map = (cutOff ? Seen.CUT_OFF : Seen.ROOM).grid();
-        var model = new BeamModel(DistanceField.toOccupied(map), Outside.of(map), 0.25, 0.05);
+        var model = new BeamModel(DistanceField.toOccupied(map), OutOfMapModel.of(map), 0.25, 0.05);
         var random = new SplittableRandom(1);
         Beams beams = new Seen(Seen.ROOM).sonars(Seen.ROOM.pose('a', 20), 16);
         int many = 2 * PoseBlock.SIZE + 77;

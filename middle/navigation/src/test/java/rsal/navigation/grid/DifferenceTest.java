@@ -26,7 +26,7 @@ class DifferenceTest {
             Optional<Difference> difference = Difference.between(map, next);
             var anew = DistanceField.toNotFree(next);
             if (difference.isPresent()) {
-                takenOver += new Remeasuring(difference.get(), meters(field))
+                takenOver += new DistanceRepair(difference.get(), meters(field))
                                 .meters()
                                 .isPresent()
                         ? 1

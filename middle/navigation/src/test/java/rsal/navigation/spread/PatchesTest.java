@@ -16,7 +16,7 @@ class PatchesTest {
         var random = new SplittableRandom(seed);
         OccupancyGrid map = RandomMaps.of(random, 15, 12, 0.3 * random.nextDouble());
         var slow = new SlowWays(map, 0);
-        var ground = Ground.around(map, 0, slow.place(0));
+        var ground = ReachableSpace.around(map, 0, slow.place(0));
         var patches = new Patches(ground, 1);
         int source = random.nextInt(slow.count());
         var flood = new Flood(patches);
@@ -37,7 +37,7 @@ class PatchesTest {
     void areConnectedAndHoldEveryCell(long seed) {
         var random = new SplittableRandom(seed);
         OccupancyGrid map = RandomMaps.of(random, 60, 50, 0.4 * random.nextDouble());
-        var ground = Ground.largest(map, 0);
+        var ground = ReachableSpace.largest(map, 0);
         var patches = new Patches(ground, random.nextInt(2, 12));
         var flood = new Flood(patches);
         flood.source(0, 0);
@@ -55,7 +55,7 @@ class PatchesTest {
     @ValueSource(longs = {1, 2, 3, 4})
     void belongToTheNearestSourceWheneverItWasAdded(long seed) {
         var random = new SplittableRandom(seed);
-        var ground = Ground.largest(RandomMaps.of(random, 40, 30, 0.2), 0);
+        var ground = ReachableSpace.largest(RandomMaps.of(random, 40, 30, 0.2), 0);
         var patches = new Patches(ground, 1);
         var atOnce = new Flood(patches);
         var oneByOne = new Flood(patches);

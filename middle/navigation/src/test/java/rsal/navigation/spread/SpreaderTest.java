@@ -43,7 +43,7 @@ class SpreaderTest {
     private static final OccupancyGrid OFFICE =
             new Maps(FileSource.resources(Maps.class, "/")).read("office", Location.of("test"));
 
-    private static Spread spread(Ground ground, int number, long seed) {
+    private static Spread spread(ReachableSpace ground, int number, long seed) {
         return new Spreader(ground, number).spread(new SplittableRandom(seed), _ -> {});
     }
 
@@ -53,7 +53,7 @@ class SpreaderTest {
         var slow = new SlowWays(FOUR_ROOMS.grid(), 0);
         double best = slow.bestOfLloyd(number, 100, new SplittableRandom(number));
         for (long seed = 1; seed <= 3; seed++) {
-            Spread spread = spread(Ground.largest(FOUR_ROOMS.grid(), 0), number, seed);
+            Spread spread = spread(ReachableSpace.largest(FOUR_ROOMS.grid(), 0), number, seed);
             int[] places = spread.places().stream().mapToInt(slow::index).toArray();
             assertThat(slow.measure(places).rms()).as("seed %d", seed).isLessThan(1.03 * best);
         }
@@ -73,7 +73,7 @@ class SpreaderTest {
                 best = Math.min(best, slow.measure(a, b).rms());
             }
         }
-        var ground = Ground.around(map, 0, slow.place(0));
+        var ground = ReachableSpace.around(map, 0, slow.place(0));
         List<Point2d> two = spread(ground, 2, seed).places();
         Point2d one = spread(ground, 1, seed).places().getFirst();
 
@@ -88,7 +88,7 @@ class SpreaderTest {
     void eachOfFourRoomsHasOneOfFourPlaces() {
         var rooms = new HashSet<String>();
         for (Point2d place :
-                spread(Ground.largest(FOUR_ROOMS.grid(), 0.2), 4, 1).places()) {
+                spread(ReachableSpace.largest(FOUR_ROOMS.grid(), 0.2), 4, 1).places()) {
             rooms.add((place.x() < 6.25 ? "left" : "right") + (place.y() < 4.75 ? " below" : " above"));
         }
         assertThat(rooms).hasSize(4);
@@ -97,7 +97,7 @@ class SpreaderTest {
     @ParameterizedTest
     @ValueSource(ints = {1, 3, 10, 40, 150})
     void placesInTheOfficeCanBeReachedAndBlockNoDoor(int number) {
-        var ground = Ground.largest(OFFICE, 0.3);
+        var ground = ReachableSpace.largest(OFFICE, 0.3);
         Spread spread = spread(ground, number, 7);
         var toNotFree = DistanceField.toNotFree(OFFICE);
 
@@ -110,7 +110,7 @@ class SpreaderTest {
 
     @Test
     void tenPlacesInTheOfficeAreAsEvenAsLloydsBest() {
-        var spreader = new Spreader(Ground.largest(OFFICE, 0.3), 10);
+        var spreader = new Spreader(ReachableSpace.largest(OFFICE, 0.3), 10);
         double best = Double.POSITIVE_INFINITY;
         var random = new SplittableRandom(1);
         for (int run = 0; run < 5; run++) {
@@ -122,7 +122,7 @@ class SpreaderTest {
 
     @Test
     void theSameRandomNumbersGiveTheSamePlaces() {
-        var ground = Ground.largest(OFFICE, 0.3);
+        var ground = ReachableSpace.largest(OFFICE, 0.3);
         var spreader = new Spreader(ground, 6);
         Spread first = spreader.spread(new SplittableRandom(3), _ -> {});
         assertThat(spreader.spread(new SplittableRandom(3), _ -> {})).isEqualTo(first);
@@ -133,7 +133,7 @@ class SpreaderTest {
     void tellsHowFarItGot() {
         for (int number : new int[] {5, 200}) {
             var told = new ArrayList<Double>();
-            new Spreader(Ground.largest(OFFICE, 0.1), number).spread(new SplittableRandom(1), told::add);
+            new Spreader(ReachableSpace.largest(OFFICE, 0.1), number).spread(new SplittableRandom(1), told::add);
             assertThat(told)
                     .isSorted()
                     .allMatch(share -> share > 0 && share <= 1)
@@ -148,7 +148,7 @@ class SpreaderTest {
                 #..##
                 #...#
                 #####""");
-        var ground = Ground.largest(map.grid(), 0);
+        var ground = ReachableSpace.largest(map.grid(), 0);
         Spread spread = spread(ground, 5, 1);
         assertThat(spread.places()).hasSize(5).doesNotHaveDuplicates();
         assertThat(spread.evenness().greatest()).isZero();
@@ -156,7 +156,7 @@ class SpreaderTest {
 
     @Test
     void refusesWhatThereIsNoRoomFor() {
-        var ground = Ground.largest(FOUR_ROOMS.grid(), 0.3);
+        var ground = ReachableSpace.largest(FOUR_ROOMS.grid(), 0.3);
         assertThatThrownBy(() -> new Spreader(ground, 0))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("not (0)")

@@ -28,13 +28,13 @@ import rsal.time.Scheduler;
 /// A base as `position2d`. What a client wants is said again and again, as Player's clients expect it to hold
 /// and ours do not: until it wants something else, no client is left, or no command came for too long
 /// ([CommandTimeout]). A goal has an end of its own, so that it holds while clients are silent.
-final class OfferedBase extends Offered implements Reins.Holder {
+final class OfferedBase extends Offered implements ExclusiveControl.Holder {
     private static final Duration AGAIN = Duration.ofMillis(100);
 
     private final DriveBase base;
     private final RobotModel model;
     private final Optional<Guide> guide;
-    private final Reins reins;
+    private final ExclusiveControl reins;
     private final CommandTimeout timeout;
     private final CommandWatch watch;
     private Optional<Wish> wanted = Optional.empty();
@@ -47,7 +47,7 @@ final class OfferedBase extends Offered implements Reins.Holder {
             DriveBase base,
             RobotModel model,
             Optional<Guide> guide,
-            Reins reins,
+            ExclusiveControl reins,
             CommandTimeout timeout,
             Scheduler scheduler) {
         super(Interface.POSITION2D, index, base.info(), scheduler);

@@ -22,14 +22,14 @@ import rsal.player.wire.Packet;
 import rsal.time.Scheduler;
 
 /// A navigator as `planner`. It works on a client's goal until it is there, or no client is left.
-final class OfferedNavigator extends Offered implements Reins.Holder {
+final class OfferedNavigator extends Offered implements ExclusiveControl.Holder {
     private static final Duration PERIOD = Duration.ofMillis(250); // as Player's wavefront tells of itself
     private static final Pose NOWHERE = new Pose(0, 0, 0);
 
     private final Navigator navigator;
     private final Optional<Localizer> localizer;
     private final Tolerance tolerance;
-    private final Reins reins;
+    private final ExclusiveControl reins;
     private @Nullable GoalHandle<Progress, Result> trip; // that a client wants
     private @Nullable Pose2d mapFromGoal; // that a client wanted last
     private boolean reached;
@@ -40,7 +40,7 @@ final class OfferedNavigator extends Offered implements Reins.Holder {
             Navigator navigator,
             Optional<Localizer> localizer,
             Tolerance tolerance,
-            Reins reins,
+            ExclusiveControl reins,
             Scheduler scheduler) {
         super(Interface.PLANNER, index, navigator.info(), scheduler);
         this.navigator = navigator;

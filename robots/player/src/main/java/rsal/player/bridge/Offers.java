@@ -31,7 +31,7 @@ final class Offers {
     private final Robot robot;
     private final CommandTimeout timeout;
     private final Scheduler scheduler;
-    private final Reins reins = new Reins();
+    private final ExclusiveControl reins = new ExclusiveControl();
     private final Map<Gripper, Jaws> jaws = new HashMap<>();
 
     /// @param timeout of what is said again and again

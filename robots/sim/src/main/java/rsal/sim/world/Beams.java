@@ -111,7 +111,7 @@ public final class Beams {
         world.seenNear(base.pose().x(), base.pose().y(), reach + farthestOrigin, near);
         for (int i = 0; i < near.count; i++) {
             int slot = near.slots[i];
-            Piece piece = world.seen(slot);
+            PlacedShape piece = world.seen(slot);
             if (piece.surface.seenByRangers() && piece.isAt(z) && !through.test(world.seenOwner(slot))) {
                 for (int fan = 0; fan < originX.length; fan++) {
                     clip(rays, slot, piece, base, fan, reach, astray);
@@ -149,7 +149,7 @@ public final class Beams {
     }
 
     /// Ends the rays of a fan at a piece, looking only at those that may meet the circle around it.
-    private void clip(Rays rays, int slot, Piece piece, Figure base, int fan, double reach, double astray) {
+    private void clip(Rays rays, int slot, PlacedShape piece, Figure base, int fan, double reach, double astray) {
         int last = begin[fan + 1] - begin[fan] - 1;
         double toX = piece.x() - rays.x[begin[fan]];
         double toY = piece.y() - rays.y[begin[fan]];
@@ -171,7 +171,7 @@ public final class Beams {
         }
     }
 
-    private void clip(Rays rays, int slot, Piece piece, double reach, int from, int to) {
+    private void clip(Rays rays, int slot, PlacedShape piece, double reach, int from, int to) {
         double square = piece.radius() * piece.radius();
         for (int i = from; i <= to; i++) {
             double aside = (piece.x() - rays.x[i]) * rays.dy[i] - (piece.y() - rays.y[i]) * rays.dx[i];

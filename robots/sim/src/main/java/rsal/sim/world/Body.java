@@ -9,7 +9,7 @@ public final class Body {
     final Figure figure;
     final Figure trial; // where it might go
     final Figure seen; // where it was when sensors last looked
-    final Jam jam; // of the last way of which it could make nothing
+    final StallCache jam; // of the last way of which it could make nothing
     final int[] slots; // of its pieces, in the world's lists
 
     @Nullable
@@ -20,13 +20,13 @@ public final class Body {
     private final String name;
 
     /// @param slots one for each solid
-    Body(String name, List<Chunk> chunks, int[] slots) {
+    Body(String name, List<CollisionShape> chunks, int[] slots) {
         this.name = name;
         this.slots = slots;
         figure = new Figure(chunks);
         trial = new Figure(chunks);
         seen = new Figure(chunks);
-        jam = new Jam(figure);
+        jam = new StallCache(figure);
     }
 
     public String name() {

@@ -1,14 +1,14 @@
 package rsal.sim.world;
 
 /// A circle with all that is in it.
-final class Disc extends Piece {
+final class Disc extends PlacedShape {
     private final double middleX; // in the base frame
     private final double middleY;
     private final double radius;
     private double x;
     private double y;
 
-    Disc(Chunk.Cylinder cylinder) {
+    Disc(CollisionShape.Cylinder cylinder) {
         super(cylinder);
         middleX = cylinder.center().x();
         middleY = cylinder.center().y();

@@ -7,8 +7,8 @@ import rsal.robot.Shift;
 
 /// A body's pieces, all placed with its base.
 final class Figure {
-    final Piece[] pieces;
-    private final @Nullable Limbs limbs; // null where no actuator carries any piece
+    final PlacedShape[] pieces;
+    private final @Nullable ArticulatedBody limbs; // null where no actuator carries any piece
     private final double radiusAtHome;
     private double radius;
     private Pose2d pose = Pose2d.ORIGIN;
@@ -18,30 +18,31 @@ final class Figure {
     private int places; // where it has been
 
     /// Placed at the origin.
-    Figure(List<Chunk> chunks) {
-        pieces = chunks.stream().map(Figure::piece).toArray(Piece[]::new);
-        limbs = Limbs.of(chunks, pieces).orElse(null);
+    Figure(List<CollisionShape> chunks) {
+        pieces = chunks.stream().map(Figure::piece).toArray(PlacedShape[]::new);
+        limbs = ArticulatedBody.of(chunks, pieces).orElse(null);
         double farthest = 0;
-        for (Chunk chunk : chunks) {
+        for (CollisionShape chunk : chunks) {
             farthest = Math.max(farthest, farthest(chunk));
         }
         radiusAtHome = farthest;
         radius = farthest;
     }
 
-    private static Piece piece(Chunk chunk) {
+    private static PlacedShape piece(CollisionShape chunk) {
         return switch (chunk) {
-            case Chunk.Prism prism -> new Polygon(prism);
-            case Chunk.Cylinder cylinder -> new Disc(cylinder);
-            case Chunk.Carried carried -> piece(carried.chunk());
+            case CollisionShape.Prism prism -> new Polygon(prism);
+            case CollisionShape.Cylinder cylinder -> new Disc(cylinder);
+            case CollisionShape.Carried carried -> piece(carried.chunk());
         };
     }
 
-    private static double farthest(Chunk chunk) {
+    private static double farthest(CollisionShape chunk) {
         return switch (chunk) {
-            case Chunk.Prism prism -> prism.outline().farthest;
-            case Chunk.Cylinder c -> Math.hypot(c.center().x(), c.center().y()) + c.radius();
-            case Chunk.Carried carried -> farthest(carried.chunk());
+            case CollisionShape.Prism prism -> prism.outline().farthest;
+            case CollisionShape.Cylinder c ->
+                Math.hypot(c.center().x(), c.center().y()) + c.radius();
+            case CollisionShape.Carried carried -> farthest(carried.chunk());
         };
     }
 
@@ -91,7 +92,7 @@ final class Figure {
         sin = itsSin;
         height = itsHeight;
         places++;
-        for (Piece piece : pieces) {
+        for (PlacedShape piece : pieces) {
             piece.place(pose.x(), pose.y(), cos, sin, height);
         }
         if (limbs != null) {

@@ -1,7 +1,7 @@
 package rsal.sim.world;
 
 /// A convex polygon, placed somewhere. Flat arrays, as all rays and collision checks look at them.
-final class Polygon extends Piece {
+final class Polygon extends PlacedShape {
     private final Outline outline;
     private final int count;
     private final double radius;
@@ -18,7 +18,7 @@ final class Polygon extends Piece {
     private double maxX;
     private double maxY;
 
-    Polygon(Chunk.Prism prism) {
+    Polygon(CollisionShape.Prism prism) {
         super(prism);
         outline = prism.outline();
         count = outline.count;

@@ -78,7 +78,7 @@ public final class Search {
         world.seenNear(from.x(), from.y(), distance, near);
         Body first = null;
         for (int i = 0; i < near.count; i++) {
-            Piece piece = world.seen(near.slots[i]);
+            PlacedShape piece = world.seen(near.slots[i]);
             boolean meets = piece.isAt(z) || (markerAtAllHeights && world.seenBody(near.slots[i]) == marker);
             if (meets && world.seenOwner(near.slots[i]) != self) {
                 double range = piece.ray(from.x(), from.y(), rays.dx[0], rays.dy[0]);

@@ -59,15 +59,15 @@ public final class View {
     /// @param self whose camera it is, where sensors see it; rays pass through it
     /// @param reach how far away things are seen at most, as seen from above [m]
     /// @return overwritten by this thread's next look
-    public Sight look(World world, Body self, double reach) {
+    public ColumnRenderer look(World world, Body self, double reach) {
         return look(world, self, Shift.NONE, reach);
     }
 
     /// The same, of a camera that has been carried along.
-    public Sight look(World world, Body self, Shift shift, double reach) {
+    public ColumnRenderer look(World world, Body self, Shift shift, double reach) {
         Figure base = self.seen.shifted(shift);
         double z = base.height() + height;
-        Sight sight = Sight.ofThisThread(cos.length, apart, rowsAbove, slopes, z, reach);
+        ColumnRenderer sight = ColumnRenderer.ofThisThread(cos.length, apart, rowsAbove, slopes, z, reach);
         sight.fromX = base.pose().x() + base.cos() * x - base.sin() * y;
         sight.fromY = base.pose().y() + base.sin() * x + base.cos() * y;
         for (int i = 0; i < cos.length; i++) {

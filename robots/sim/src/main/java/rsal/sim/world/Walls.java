@@ -127,9 +127,9 @@ public final class Walls {
         return highest;
     }
 
-    /// As [Piece#isAt].
+    /// As [PlacedShape#isAt].
     boolean isAt(double z) {
-        return Piece.isBetween(lowest, z, highest);
+        return PlacedShape.isBetween(lowest, z, highest);
     }
 
     /// Whether no robot leaves them.
@@ -191,7 +191,7 @@ public final class Walls {
 
     /// How far a piece is from walls, and from the fence if there is one [m]: at most the true distance (exact to
     /// a face, less to a corner), 0 or less when they overlap, `reach` when nothing is nearer than that.
-    double separation(Piece piece, double reach) {
+    double separation(PlacedShape piece, double reach) {
         if (!(surface.obstacle() && piece.isBetween(lowest, highest))) {
             return reach;
         }
@@ -218,7 +218,7 @@ public final class Walls {
         return nearest;
     }
 
-    private double fromFence(Piece piece) {
+    private double fromFence(PlacedShape piece) {
         Extent inside = extent();
         double fromSides = Math.min(piece.minX() - inside.left(), inside.right() - piece.maxX());
         double fromEnds = Math.min(piece.minY() - inside.bottom(), inside.top() - piece.maxY());

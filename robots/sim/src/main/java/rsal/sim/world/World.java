@@ -39,8 +39,8 @@ public final class World {
     private final Extent extent;
     private final Set<Body> bodies = new LinkedHashSet<>();
     private final List<@Nullable Body> owners = new ArrayList<>(); // by slot
-    private final List<@Nullable Piece> now = new ArrayList<>(); // by slot
-    private final List<@Nullable Piece> seen = new ArrayList<>(); // by slot; sensors read only what is called so
+    private final List<@Nullable PlacedShape> now = new ArrayList<>(); // by slot
+    private final List<@Nullable PlacedShape> seen = new ArrayList<>(); // by slot; sensors read only what is called so
     private final List<@Nullable Body> seenBodies = new ArrayList<>(); // by slot
     private final List<@Nullable Body> seenOwners = new ArrayList<>(); // by slot; of what is carried, who carries it
     private final List<Body> moved = new ArrayList<>(); // since sensors looked
@@ -74,7 +74,7 @@ public final class World {
     /// Adds a body, whether it has room ([#hasRoom]) or not.
     ///
     /// @param height of its base above ground [m]
-    public Body add(String name, List<Chunk> chunks, Pose2d mapFromBase, double height) {
+    public Body add(String name, List<CollisionShape> chunks, Pose2d mapFromBase, double height) {
         int[] slots = new int[chunks.size()];
         for (int i = 0; i < slots.length; i++) {
             slots[i] = freeSlot();
@@ -195,14 +195,14 @@ public final class World {
     /// Whether a body that is not there yet could stand somewhere on the ground. When not, [#obstacle] says why.
     ///
     /// @param apart how far from all other bodies [m]
-    public boolean hasRoom(List<Chunk> chunks, Pose2d mapFromBase, double apart) {
+    public boolean hasRoom(List<CollisionShape> chunks, Pose2d mapFromBase, double apart) {
         return hasRoom(chunks, mapFromBase, 0, apart);
     }
 
     /// As above, at a height.
     ///
     /// @param height of its base above ground [m]
-    public boolean hasRoom(List<Chunk> chunks, Pose2d mapFromBase, double height, double apart) {
+    public boolean hasRoom(List<CollisionShape> chunks, Pose2d mapFromBase, double height, double apart) {
         var figure = new Figure(chunks);
         figure.placeAt(mapFromBase, height);
         double fromBodies = Math.max(apart, HAIR);
@@ -309,11 +309,11 @@ public final class World {
         if (clearanceOfWalls(figure, HAIR) < HAIR) {
             return false;
         }
-        for (Piece piece : figure.pieces) {
+        for (PlacedShape piece : figure.pieces) {
             nowGrid.near(piece.x(), piece.y(), piece.radius() + HAIR, near);
             for (int i = 0; i < near.count; i++) {
                 Body owner = owner(near.slots[i]);
-                Piece other = Objects.requireNonNull(now.get(near.slots[i]));
+                PlacedShape other = Objects.requireNonNull(now.get(near.slots[i]));
                 if (owner != itself && inTheWay(piece, other)) {
                     double gap = piece.separation(other);
                     if (gap < least.applyAsDouble(owner)) {
@@ -420,9 +420,9 @@ public final class World {
         return touch(one, other, (_, _) -> true);
     }
 
-    private static boolean touch(Body one, Body other, BiPredicate<Piece, Piece> counts) {
-        for (Piece piece : one.figure.pieces) {
-            for (Piece second : other.figure.pieces) {
+    private static boolean touch(Body one, Body other, BiPredicate<PlacedShape, PlacedShape> counts) {
+        for (PlacedShape piece : one.figure.pieces) {
+            for (PlacedShape second : other.figure.pieces) {
                 if (counts.test(piece, second) && piece.separation(second) < TOUCH) {
                     return true;
                 }
@@ -507,7 +507,7 @@ public final class World {
 
     private static void enter(PieceGrid grid, int[] slots, Figure figure) {
         for (int i = 0; i < slots.length; i++) {
-            Piece piece = figure.pieces[i];
+            PlacedShape piece = figure.pieces[i];
             grid.put(slots[i], piece.x(), piece.y(), piece.radius());
         }
     }
@@ -522,7 +522,7 @@ public final class World {
         return near;
     }
 
-    Piece now(int slot) {
+    PlacedShape now(int slot) {
         return Objects.requireNonNull(now.get(slot));
     }
 
@@ -536,7 +536,7 @@ public final class World {
         seenGrid.near(x, y, radius, found);
     }
 
-    Piece seen(int slot) {
+    PlacedShape seen(int slot) {
         return Objects.requireNonNull(seen.get(slot));
     }
 
@@ -568,7 +568,7 @@ public final class World {
     private double clearanceOfWalls(Figure figure, double reach) {
         double least = reach;
         for (int i = 0; i < walls.size(); i++) {
-            for (Piece piece : figure.pieces) {
+            for (PlacedShape piece : figure.pieces) {
                 if (piece.surface.obstacle()) {
                     least = Math.min(least, walls.get(i).separation(piece, least));
                 }
@@ -579,14 +579,14 @@ public final class World {
 
     private double clearanceOfBodies(Figure figure, @Nullable Body itself, double reach, boolean rises) {
         double least = reach;
-        for (Piece piece : figure.pieces) {
+        for (PlacedShape piece : figure.pieces) {
             if (!piece.surface.obstacle()) {
                 continue;
             }
             nowGrid.near(piece.x(), piece.y(), piece.radius() + least, near);
             for (int i = 0; i < near.count; i++) {
                 Body owner = owner(near.slots[i]);
-                Piece other = Objects.requireNonNull(now.get(near.slots[i]));
+                PlacedShape other = Objects.requireNonNull(now.get(near.slots[i]));
                 if (owner != itself && (inTheWay(piece, other) || (rises && other.surface.obstacle()))) {
                     double gap = piece.separation(other);
                     if (gap < least && !piece.isLevelWith(other)) {
@@ -602,7 +602,7 @@ public final class World {
         return least;
     }
 
-    private static boolean inTheWay(Piece one, Piece other) {
+    private static boolean inTheWay(PlacedShape one, PlacedShape other) {
         return one.surface.obstacle() && other.surface.obstacle() && one.isLevelWith(other);
     }
 }

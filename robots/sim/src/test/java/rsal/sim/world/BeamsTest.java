@@ -26,7 +26,7 @@ class BeamsTest {
             var bodies = new ArrayList<Body>();
             for (int i = 0; i < 15; i++) {
                 Pose2d pose = random.anywhere();
-                if (world.hasRoom(Chunk.of(BOX), pose, 0.1)) {
+                if (world.hasRoom(CollisionShape.of(BOX), pose, 0.1)) {
                     bodies.add(world.add("r" + i, random.chunks(), pose, 0));
                 }
             }
@@ -71,7 +71,7 @@ class BeamsTest {
         double dy = Math.sin(direction);
         double range = RandomWorld.ray(world.walls().getFirst(), from.x(), from.y(), dx, dy, reach);
         for (Body body : bodies.subList(1, bodies.size())) {
-            for (Piece piece : body.figure.pieces) {
+            for (PlacedShape piece : body.figure.pieces) {
                 if (piece.isAt(body.height() + height) && piece.surface.seenByRangers()) {
                     range = Math.min(range, piece.ray(from.x(), from.y(), dx, dy));
                 }
@@ -83,8 +83,8 @@ class BeamsTest {
     @Test
     void robotsAreSeenWhereTheyWereWhenTheWorldWasLookedAt() {
         var world = new World(Walls.of(DrawnMap.grid(10, ".").grid()));
-        Body self = world.add("self", Chunk.of(BOX), new Pose2d(1, 5, 0), 0);
-        Body other = world.add("other", Chunk.of(BOX), new Pose2d(3, 5, 0), 0);
+        Body self = world.add("self", CollisionShape.of(BOX), new Pose2d(1, 5, 0), 0);
+        Body other = world.add("other", CollisionShape.of(BOX), new Pose2d(3, 5, 0), 0);
         world.place(other, new Pose2d(4, 5, 0));
         var ahead = new Beams(List.of(new Fan(Pose2d.ORIGIN, 0, 1, 1)), 0);
         assertThat(ahead.cast(world, self, 8)[0]).isCloseTo(2 - 0.29, within(1e-9));

@@ -38,8 +38,8 @@ final class RandomWorld {
     }
 
     /// One to four chunks, of which sensors and others see some.
-    List<Chunk> chunks() {
-        var chunks = new ArrayList<Chunk>();
+    List<CollisionShape> chunks() {
+        var chunks = new ArrayList<CollisionShape>();
         for (int i = random.nextInt(4); i >= 0; i--) {
             var center = new Point2d(random.nextDouble(-0.3, 0.3), random.nextDouble(-0.3, 0.3));
             double bottom = random.nextDouble(-0.5, 0.5);
@@ -47,8 +47,9 @@ final class RandomWorld {
                     Rgb.of(random.nextInt()), random.nextBoolean(), random.nextInt(3) - 1, true, 0, 0, false);
             chunks.add(
                     random.nextBoolean()
-                            ? new Chunk.Cylinder(center, random.nextDouble(0.05, 0.3), bottom, bottom + 0.7, surface)
-                            : new Chunk.Prism(
+                            ? new CollisionShape.Cylinder(
+                                    center, random.nextDouble(0.05, 0.3), bottom, bottom + 0.7, surface)
+                            : new CollisionShape.Prism(
                                     new Outline(Footprint.box(random.nextDouble(0.05, 0.5), 0.2, center)
                                             .corners()),
                                     bottom,

@@ -57,10 +57,10 @@ class SearchTest {
         assertThat(unseen).isGreaterThan(30);
     }
 
-    private static List<Chunk> post(RandomWorld random, int id) {
+    private static List<CollisionShape> post(RandomWorld random, int id) {
         var marker = new Surface(new Rgb(0, 0, 0), true, 1, true, id % 3 == 0 ? 0 : id, id % 2, false);
         double bottom = random.random.nextDouble(-0.2, 0.5);
-        return List.of(new Chunk.Cylinder(
+        return List.of(new CollisionShape.Cylinder(
                 new Point2d(0, 0), random.random.nextDouble(0.05, 0.4), bottom, bottom + 0.5, marker));
     }
 
@@ -74,7 +74,7 @@ class SearchTest {
                 return false;
             }
             for (Body body : bodies.subList(1, bodies.size())) {
-                Piece piece = body.figure.pieces[0];
+                PlacedShape piece = body.figure.pieces[0];
                 boolean meets = piece.isAt(HEIGHT) || (allHeights && body == marker);
                 if (meets && Math.hypot(piece.x() - x, piece.y() - y) <= piece.radius()) {
                     return body == marker;

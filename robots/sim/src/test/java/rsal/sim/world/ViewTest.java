@@ -61,7 +61,7 @@ class ViewTest {
                 }
             }
             for (Body body : others) {
-                for (Piece piece : body.seen.pieces) {
+                for (PlacedShape piece : body.seen.pieces) {
                     double enters = entersLayer(slope, piece.low() - z, piece.high() - z);
                     double leaves = leavesLayer(slope, piece.low() - z, piece.high() - z);
                     double most = Math.min(reach, leaves);
@@ -206,7 +206,7 @@ class ViewTest {
     }
 
     /// The patch that each pixel is in; -1 in none.
-    private static int[][] patches(Sight sight, int columns, int rows) {
+    private static int[][] patches(ColumnRenderer sight, int columns, int rows) {
         int[][] patches = new int[columns][rows];
         for (int[] column : patches) {
             Arrays.fill(column, -1);
@@ -225,16 +225,16 @@ class ViewTest {
 
     /// How far what is in the middle of a view is; +∞ when nothing is.
     private static double ahead(World world, Body self) {
-        Sight sight = new View(Pose2d.ORIGIN, 1, 1, 0.1, 0).look(world, self, 9);
+        ColumnRenderer sight = new View(Pose2d.ORIGIN, 1, 1, 0.1, 0).look(world, self, 9);
         return sight.count() == 0 ? Double.POSITIVE_INFINITY : sight.ways(0);
     }
 
     @Test
     void looksThroughItselfAndWhatItCarries() {
         var world = new World(List.of(), new Extent(0, 0, 10, 10));
-        Body self = world.add("self", Chunk.of(BOX), new Pose2d(2, 5, 0), 0);
-        Body held = world.add("held", Chunk.of(BOX), new Pose2d(4, 5, 0), 0);
-        Body other = world.add("other", Chunk.of(BOX), new Pose2d(8, 5, Math.PI), 0);
+        Body self = world.add("self", CollisionShape.of(BOX), new Pose2d(2, 5, 0), 0);
+        Body held = world.add("held", CollisionShape.of(BOX), new Pose2d(4, 5, 0), 0);
+        Body other = world.add("other", CollisionShape.of(BOX), new Pose2d(8, 5, Math.PI), 0);
         assertThat(ahead(world, self)).isCloseTo(1.75, within(1e-9));
         world.pickUp(held, self);
         world.look();
@@ -249,10 +249,10 @@ class ViewTest {
     @Test
     void seesOverWhatIsLow() {
         var world = new World(List.of(), new Extent(0, 0, 10, 10));
-        Body self = world.add("self", Chunk.of(BOX), new Pose2d(2, 5, 0), 0);
+        Body self = world.add("self", CollisionShape.of(BOX), new Pose2d(2, 5, 0), 0);
         world.add("puck", prism(0.1, 1), new Pose2d(2.55, 5, 0), 0);
         world.add("box", prism(0.6, 2), new Pose2d(5.1, 5, 0), 0);
-        Sight sight = new View(Pose2d.ORIGIN, 1, 60, Math.toRadians(1), HEIGHT).look(world, self, 9);
+        ColumnRenderer sight = new View(Pose2d.ORIGIN, 1, 60, Math.toRadians(1), HEIGHT).look(world, self, 9);
         assertThat(sight.count()).isEqualTo(2);
         assertThat(sight.surface(0).fiducial()).isEqualTo(2);
         assertThat(sight.first(0)).isEqualTo(24); // 0.3 m higher, 3 m away: 5.7°
@@ -262,8 +262,8 @@ class ViewTest {
         assertThat(sight.end(1)).isEqualTo(60);
     }
 
-    private static List<Chunk> prism(double height, int fiducial) {
+    private static List<CollisionShape> prism(double height, int fiducial) {
         List<Point2d> corners = RandomWorld.box(0.2, 0.2, 0, 0).corners();
-        return List.of(new Chunk.Prism(new Outline(corners), 0, height, Surface.PLAIN.withMarker(fiducial)));
+        return List.of(new CollisionShape.Prism(new Outline(corners), 0, height, Surface.PLAIN.withMarker(fiducial)));
     }
 }

@@ -117,7 +117,10 @@ class WallsTest {
                     var middle = new Point2d(1 + (column + 0.5) * cellX, 2 + (row + 0.5) * cellY);
                     var box = Footprint.box(cellX, cellY, middle);
                     slow = Math.min(
-                            slow, new Polygon((Chunk.Prism) Chunk.of(box).getFirst()).ray(x, y, dx, dy));
+                            slow,
+                            new Polygon((CollisionShape.Prism)
+                                            CollisionShape.of(box).getFirst())
+                                    .ray(x, y, dx, dy));
                 }
                 double fast = RandomWorld.ray(walls, x, y, dx, dy, 100);
                 if (slow < Double.POSITIVE_INFINITY) {

@@ -31,10 +31,10 @@ class WorldTest {
             var random = new RandomWorld(seed, 0.05, 0.01);
             var world = new World(Walls.of(random.map));
             Pose2d start = random.anywhere();
-            if (!world.hasRoom(Chunk.of(BOX), start, 0)) {
+            if (!world.hasRoom(CollisionShape.of(BOX), start, 0)) {
                 continue;
             }
-            Body body = world.add("r1", Chunk.of(BOX), start, 0);
+            Body body = world.add("r1", CollisionShape.of(BOX), start, 0);
             var arc =
                     Arc.ahead(start, random.random.nextDouble(-speed, speed), random.random.nextDouble(-4, 4) * speed);
             double made = world.advance(body, arc);
@@ -67,10 +67,10 @@ class WorldTest {
             var random = new RandomWorld(seed, 0.05, 0.01);
             var world = new World(Walls.of(random.map));
             Pose2d start = random.anywhere();
-            if (!world.hasRoom(Chunk.of(BOX), start, 0)) {
+            if (!world.hasRoom(CollisionShape.of(BOX), start, 0)) {
                 continue;
             }
-            Body body = world.add("r1", Chunk.of(BOX), start, 0);
+            Body body = world.add("r1", CollisionShape.of(BOX), start, 0);
             for (int step = 0; step < 40; step++) {
                 Pose2d from = body.pose();
                 var arc = Arc.ahead(from, speed, random.random.nextDouble(-0.2, 0.2));
@@ -93,7 +93,7 @@ class WorldTest {
                 Walls.of(DrawnMap.grid(1, "#######\n.......\n.......\n#######").grid()));
         double angle = Math.toRadians(30);
         var start = new Pose2d(1, 2, angle);
-        Body body = world.add("r1", Chunk.of(Footprint.box(0.4, 0.4, new Point2d(0, 0))), start, 0);
+        Body body = world.add("r1", CollisionShape.of(Footprint.box(0.4, 0.4, new Point2d(0, 0))), start, 0);
         var arc = Arc.ahead(start, 4, 0);
         double made = world.advance(body, arc);
         assertThat(made).isBetween(0.1, 0.9);
@@ -109,7 +109,7 @@ class WorldTest {
         var world = new World(Walls.of(DrawnMap.grid(1, "....#").grid()));
         for (double angle : new double[] {0, 0.05, -0.05}) {
             var start = new Pose2d(2, 0.5, angle);
-            Body body = world.add("r", Chunk.of(Footprint.box(0.4, 0.3, new Point2d(0, 0))), start, 0);
+            Body body = world.add("r", CollisionShape.of(Footprint.box(0.4, 0.3, new Point2d(0, 0))), start, 0);
             var arc = Arc.ahead(start, 4, 0);
             double made = world.advance(body, arc);
             Pose2d there = body.pose();
@@ -123,7 +123,8 @@ class WorldTest {
     void aRobotThatDrivesIntoAWallCanStillTurn() {
         var world = new World(Walls.of(DrawnMap.grid(1, "....#").grid()));
         var start = new Pose2d(2, 0.5, 0);
-        Body body = world.add("r", List.of(new Chunk.Cylinder(new Point2d(0, 0), 0.2, 0, 1, Surface.PLAIN)), start, 0);
+        Body body = world.add(
+                "r", List.of(new CollisionShape.Cylinder(new Point2d(0, 0), 0.2, 0, 1, Surface.PLAIN)), start, 0);
         var arc = Arc.ahead(start, 4, 0.5);
         double made = world.advance(body, arc);
         assertThat(world.slide(body, arc, made)).isTrue();
@@ -137,10 +138,10 @@ class WorldTest {
             var random = new RandomWorld(seed, 0.05, 0.01);
             var world = new World(Walls.of(random.map));
             Pose2d start = random.anywhere();
-            if (!world.hasRoom(Chunk.of(BOX), start, 0)) {
+            if (!world.hasRoom(CollisionShape.of(BOX), start, 0)) {
                 continue;
             }
-            Body body = world.add("r1", Chunk.of(BOX), start, 0);
+            Body body = world.add("r1", CollisionShape.of(BOX), start, 0);
             double length = random.random.nextDouble(-1, 1);
             double turn = random.random.nextDouble(-4, 4);
             double made = world.advance(body, Arc.ahead(start, length, turn));
@@ -161,8 +162,8 @@ class WorldTest {
         var bodies = new ArrayList<Body>();
         while (bodies.size() < 12) {
             Pose2d pose = random.anywhere();
-            if (world.hasRoom(Chunk.of(BOX), pose, 0)) {
-                bodies.add(world.add("r" + bodies.size(), Chunk.of(BOX), pose, 0));
+            if (world.hasRoom(CollisionShape.of(BOX), pose, 0)) {
+                bodies.add(world.add("r" + bodies.size(), CollisionShape.of(BOX), pose, 0));
             }
         }
         int touches = 0;
@@ -187,8 +188,8 @@ class WorldTest {
         var bodies = new ArrayList<Body>();
         for (int i = 0; i < 400; i++) {
             Pose2d pose = random.anywhere();
-            if (world.hasRoom(Chunk.of(BOX), pose, 0)) {
-                bodies.add(world.add("r" + bodies.size(), Chunk.of(BOX), pose, 0));
+            if (world.hasRoom(CollisionShape.of(BOX), pose, 0)) {
+                bodies.add(world.add("r" + bodies.size(), CollisionShape.of(BOX), pose, 0));
             }
         }
         int stuck = 0;
@@ -226,8 +227,8 @@ class WorldTest {
     void whoIsStuckGoesOnAsSoonAsNothingIsInHisWay(String what) {
         var world = new World(Walls.of(
                 DrawnMap.grid(0.5, "..........\n..........\n..........").grid()));
-        Body body = world.add("r1", Chunk.of(BOX), new Pose2d(1, 0.75, 0), 0);
-        Body other = world.add("r2", Chunk.of(BOX), new Pose2d(2, 0.75, 0), 0);
+        Body body = world.add("r1", CollisionShape.of(BOX), new Pose2d(1, 0.75, 0), 0);
+        Body other = world.add("r2", CollisionShape.of(BOX), new Pose2d(2, 0.75, 0), 0);
         while (world.advance(body, Arc.ahead(body.pose(), 0.1, 0)) > 0) {
             assertThat(body.pose().x()).isLessThan(2);
         }
@@ -247,9 +248,9 @@ class WorldTest {
     void whoMadeHisWayOutOfAnotherGoesAsNearAsHeCanOnceThatIsGone() {
         var world = new World(Walls.of(
                 DrawnMap.grid(0.5, "..........\n..........\n..........").grid()));
-        Body body = world.add("r1", Chunk.of(BOX), new Pose2d(1, 0.75, 0), 0);
-        Body ahead = world.add("r2", Chunk.of(BOX), new Pose2d(2, 0.75, 0), 0);
-        Body into = world.add("r3", Chunk.of(BOX), new Pose2d(4, 0.75, 0), 0);
+        Body body = world.add("r1", CollisionShape.of(BOX), new Pose2d(1, 0.75, 0), 0);
+        Body ahead = world.add("r2", CollisionShape.of(BOX), new Pose2d(2, 0.75, 0), 0);
+        Body into = world.add("r3", CollisionShape.of(BOX), new Pose2d(4, 0.75, 0), 0);
         while (world.advance(body, Arc.ahead(body.pose(), 0.1, 0)) > 0) {
             assertThat(body.pose().x()).isLessThan(2);
         }
@@ -282,7 +283,7 @@ class WorldTest {
     void nobodyLeavesTheMap() {
         var world = new World(
                 Walls.of(DrawnMap.grid(0.5, ".....\n.....\n.....\n.....").grid()));
-        Body body = world.add("r1", Chunk.of(BOX), new Pose2d(1, 1, 0), 0);
+        Body body = world.add("r1", CollisionShape.of(BOX), new Pose2d(1, 1, 0), 0);
         assertThat(world.advance(body, Arc.ahead(body.pose(), 100, 0))).isLessThan(0.02);
         assertThat(body.pose().x()).isBetween(2.5 - 0.11 - 0.005, 2.5 - 0.11);
     }
@@ -296,7 +297,7 @@ class WorldTest {
         }
         var world = new World(Walls.of(new OccupancyGrid(size, size, 0.05, 0, 0, cells)));
         var small = Footprint.box(0.01, 0.01, new Point2d(0, 0));
-        Body body = world.add("r1", Chunk.of(small), new Pose2d(0.8, 0.2, 0), 0);
+        Body body = world.add("r1", CollisionShape.of(small), new Pose2d(0.8, 0.2, 0), 0);
         for (int i = 0; i < 500; i++) {
             world.advance(body, Arc.ahead(body.pose(), 0.7, 0));
             assertThat(body.pose().x())
@@ -312,7 +313,7 @@ class WorldTest {
         var world = new World(Walls.of(random.map));
         var bodies = new ArrayList<Body>();
         for (int i = 0; i < 400; i++) {
-            List<Chunk> chunks = random.chunks();
+            List<CollisionShape> chunks = random.chunks();
             Pose2d pose = random.anywhere();
             if (world.hasRoom(chunks, pose, 0)) {
                 bodies.add(world.add("r" + bodies.size(), chunks, pose, 0));
@@ -341,8 +342,8 @@ class WorldTest {
     }
 
     private static boolean apart(Body one, Body other) {
-        for (Piece piece : one.figure.pieces) {
-            for (Piece second : other.figure.pieces) {
+        for (PlacedShape piece : one.figure.pieces) {
+            for (PlacedShape second : other.figure.pieces) {
                 boolean solid = piece.surface.obstacle() && second.surface.obstacle() && piece.isLevelWith(second);
                 if (solid && piece.separation(second) <= 0) {
                     return false;
@@ -355,17 +356,17 @@ class WorldTest {
     @Test
     void whoIsGoneIsInNobodysWayAndNotSeen() {
         var world = new World(Walls.of(DrawnMap.grid(10, ".").grid()));
-        Body self = world.add("self", Chunk.of(BOX), new Pose2d(1, 5, 0), 0);
-        Body other = world.add("other", Chunk.of(BOX), new Pose2d(3, 5, 0), 0);
+        Body self = world.add("self", CollisionShape.of(BOX), new Pose2d(1, 5, 0), 0);
+        Body other = world.add("other", CollisionShape.of(BOX), new Pose2d(3, 5, 0), 0);
         var beams = new Beams(List.of(new Fan(Pose2d.ORIGIN, 0, 1, 1)), 0);
         assertThat(beams.cast(world, self, 8)[0]).isLessThan(2);
-        assertThat(world.hasRoom(Chunk.of(BOX), other.pose(), 0)).isFalse();
+        assertThat(world.hasRoom(CollisionShape.of(BOX), other.pose(), 0)).isFalse();
         world.remove(other);
         world.remove(other);
         world.look();
         assertThat(beams.cast(world, self, 8)[0]).isEqualTo(Double.POSITIVE_INFINITY);
         assertThat(world.advance(self, Arc.ahead(self.pose(), 3, 0))).isEqualTo(1);
-        Body next = world.add("next", Chunk.of(BOX), new Pose2d(6, 5, 0), 0);
+        Body next = world.add("next", CollisionShape.of(BOX), new Pose2d(6, 5, 0), 0);
         assertThat(beams.cast(world, self, 8)[0]).isLessThan(5);
         assertThat(world.advance(self, Arc.ahead(self.pose(), 3, 0))).isLessThan(1);
         assertThat(world.obstacle()).contains(next);
@@ -374,13 +375,13 @@ class WorldTest {
     @Test
     void whileSensorsLookTheySeeWhatWasThere() {
         var world = new World(List.of(), new Extent(0, 0, 10, 10));
-        Body self = world.add("self", Chunk.of(BOX), new Pose2d(1, 5, 0), 0);
-        Body far = world.add("far", Chunk.of(BOX), new Pose2d(6, 5, 0), 0);
+        Body self = world.add("self", CollisionShape.of(BOX), new Pose2d(1, 5, 0), 0);
+        Body far = world.add("far", CollisionShape.of(BOX), new Pose2d(6, 5, 0), 0);
         var ahead = new Beams(List.of(new Fan(Pose2d.ORIGIN, 0, 1, 1)), 0);
         double before = ahead.cast(world, self, 9)[0];
         world.watched(true);
-        Body near = world.add("near", Chunk.of(BOX), new Pose2d(3, 5, 0), 0);
-        Body brief = world.add("brief", Chunk.of(BOX), new Pose2d(3, 7, 0), 0);
+        Body near = world.add("near", CollisionShape.of(BOX), new Pose2d(3, 5, 0), 0);
+        Body brief = world.add("brief", CollisionShape.of(BOX), new Pose2d(3, 7, 0), 0);
         world.remove(brief);
         world.remove(far);
         world.pickUp(near, self);
@@ -392,16 +393,16 @@ class WorldTest {
         assertThat(world.putDown(near, near.pose(), 0)).isTrue();
         world.look();
         assertThat(ahead.cast(world, self, 9)[0]).isBetween(2.0, 3.0);
-        world.add("next", Chunk.of(BOX), new Pose2d(2, 5, 0), 0);
+        world.add("next", CollisionShape.of(BOX), new Pose2d(2, 5, 0), 0);
         assertThat(ahead.cast(world, self, 9)[0]).isLessThan(1);
     }
 
     @Test
     void whatIsCarriedIsInNobodysWayAndIsPutDownOnlyWhereItFits() {
         var world = new World(List.of(), new Extent(0, 0, 10, 10));
-        Body self = world.add("self", Chunk.of(BOX), new Pose2d(1, 5, 0), 0);
-        Body held = world.add("held", Chunk.of(BOX), new Pose2d(2, 5, 0), 0);
-        Body other = world.add("other", Chunk.of(BOX), new Pose2d(6, 5, 0), 0);
+        Body self = world.add("self", CollisionShape.of(BOX), new Pose2d(1, 5, 0), 0);
+        Body held = world.add("held", CollisionShape.of(BOX), new Pose2d(2, 5, 0), 0);
+        Body other = world.add("other", CollisionShape.of(BOX), new Pose2d(6, 5, 0), 0);
         world.pickUp(held, self);
         assertThat(world.advance(other, Arc.ahead(other.pose(), -4, 0))).isEqualTo(1);
         assertThat(world.putDown(held, new Pose2d(2, 5, 0), 0)).isFalse();

@@ -43,7 +43,7 @@ public class ConeLikelihood {
     @Setup
     public void listen() {
         office = new Maps(FileSource.disk()).read("office", Location.of("office"));
-        model = new BeamModel(DistanceField.toOccupied(office), Outside.of(office), 0.15, 0.1);
+        model = new BeamModel(DistanceField.toOccupied(office), OutOfMapModel.of(office), 0.15, 0.1);
         var endX = new float[sonars];
         var endY = new float[sonars];
         for (int i = 0; i < sonars; i++) {

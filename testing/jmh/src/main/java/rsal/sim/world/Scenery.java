@@ -19,7 +19,7 @@ final class Scenery {
 
     Scenery(int count) {
         var random = new SplittableRandom(1);
-        List<Chunk> body = Chunk.of(Footprint.box(0.44, 0.38, new Point2d(0, 0)));
+        List<CollisionShape> body = CollisionShape.of(Footprint.box(0.44, 0.38, new Point2d(0, 0)));
         while (robots.size() < count) {
             var pose = new Pose2d(random.nextDouble(-64, 64), random.nextDouble(-64, 64), random.nextDouble(-3, 3));
             if (walls.emptyAround(pose.x(), pose.y()) > 0.4 && world.hasRoom(body, pose, 0.2)) {

@@ -17,19 +17,19 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import rsal.agent.Agent;
 import rsal.agent.AgentContext;
+import rsal.agent.AgentPlatform.Status;
 import rsal.agent.AgentType;
-import rsal.agent.Capability;
-import rsal.agent.Delivery;
+import rsal.agent.ChannelModel;
 import rsal.agent.Directory;
 import rsal.agent.Message;
-import rsal.agent.Society.Status;
+import rsal.agent.ServiceDescription;
 import rsal.agent.Topic;
 import rsal.agent.bdi.Mind;
 import rsal.agent.bdi.Mind.GoalState;
 import rsal.agent.bdi.Mind.GoalView;
 import rsal.agent.protocol.Auction;
 import rsal.agent.protocol.Conversation;
-import rsal.agent.protocol.Ending;
+import rsal.agent.protocol.ConversationResult;
 import rsal.agent.protocol.Propose;
 import rsal.agent.protocol.Request;
 import rsal.agent.protocol.Subscribe;
@@ -296,7 +296,7 @@ public abstract class AgentHostContract extends ContractNetContract {
                         self.send("nobody", WORDS, "hello?");
                     }));
             run.untilAllHaveBegun();
-            run.deliverBy(new Delivery() {
+            run.deliverBy(new ChannelModel() {
                 @Override
                 public List<Duration> copies(Message<?> message, String listener) {
                     if (message.topic().equals(NUMBERS)) {
@@ -448,7 +448,8 @@ public abstract class AgentHostContract extends ContractNetContract {
         }
         assertThat(log)
                 .containsExactlyInAnyOrder(
-                        new Ending.Informed<>("carry, done").toString(), new Ending.Refused<>("never").toString());
+                        new ConversationResult.Informed<>("carry, done").toString(),
+                        new ConversationResult.Refused<>("never").toString());
     }
 
     private final Map<String, Request<String, String>> services = new HashMap<>(); // one for each agent
@@ -477,7 +478,7 @@ public abstract class AgentHostContract extends ContractNetContract {
             run.stop("bob");
             run.until("who asked knows", () -> isLogged(2));
         }
-        assertThat(log).containsExactly("agreed", new Ending.Silent<>("(bob) has ended.").toString());
+        assertThat(log).containsExactly("agreed", new ConversationResult.Silent<>("(bob) has ended.").toString());
     }
 
     @Test
@@ -631,8 +632,8 @@ public abstract class AgentHostContract extends ContractNetContract {
     void oneIsFoundByWhatItOffers() {
         try (var run = run()) {
             run.start("bob", self -> {
-                var offer = self.offer(new Capability("gripper", Map.of("reach", "0.3 m")));
-                self.offer(Capability.of("lift"));
+                var offer = self.offer(new ServiceDescription("gripper", Map.of("reach", "0.3 m")));
+                self.offer(ServiceDescription.of("lift"));
                 self.subscribe(WORDS, _ -> offer.cancel());
             });
             run.untilAllHaveBegun();
@@ -648,8 +649,8 @@ public abstract class AgentHostContract extends ContractNetContract {
                 });
             });
             run.until("it is no more", () -> isLogged(2));
-            run.act(() ->
-                    assertThat(run.society().directory().capabilities("bob")).containsExactly(Capability.of("lift")));
+            run.act(() -> assertThat(run.society().directory().capabilities("bob"))
+                    .containsExactly(ServiceDescription.of("lift")));
         }
         assertThat(log).containsExactly("bob", "withdrew gripper");
     }

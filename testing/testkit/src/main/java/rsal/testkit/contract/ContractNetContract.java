@@ -16,7 +16,7 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import rsal.agent.AgentContext;
 import rsal.agent.AgentHostProvider;
-import rsal.agent.Society.Status;
+import rsal.agent.AgentPlatform.Status;
 import rsal.agent.Topic;
 import rsal.agent.protocol.ContractNet;
 import rsal.agent.protocol.ContractNet.Call;
@@ -27,8 +27,8 @@ import rsal.agent.protocol.ContractNet.Proposal;
 import rsal.agent.protocol.ContractNet.Round;
 import rsal.agent.protocol.ContractNet.Verdict;
 import rsal.agent.protocol.Conversation;
-import rsal.agent.protocol.Ending;
-import rsal.agent.protocol.Patience;
+import rsal.agent.protocol.ConversationResult;
+import rsal.agent.protocol.RetryPolicy;
 
 /// How contract nets end, well and otherwise, the same on every host: what an agent does next is set off by what it has
 /// heard, not by a time, so that no thread can come too early.
@@ -41,7 +41,7 @@ public abstract class ContractNetContract {
     /// Enough for all who answer at once, also on a machine that has much else to do.
     private static final Duration LIMIT = Duration.ofSeconds(3);
 
-    private static final Patience ENDLESS = new Patience(Duration.ofSeconds(1), EVER);
+    private static final RetryPolicy ENDLESS = new RetryPolicy(Duration.ofSeconds(1), EVER);
 
     /// Written by agents, in turn.
     final List<String> log = new ArrayList<>();
@@ -197,7 +197,7 @@ public abstract class ContractNetContract {
                             self,
                             Set.of("amy"),
                             EVER,
-                            new Patience(Duration.ofMillis(500), LIMIT),
+                            new RetryPolicy(Duration.ofMillis(500), LIMIT),
                             new Boss(ContractNetContract::cheapest)));
             run.until("it digs", () -> isLogged(1));
             run.deliverBy((message, _) -> message.sender().equals("amy") ? List.of() : List.of(Duration.ZERO));
@@ -324,7 +324,7 @@ public abstract class ContractNetContract {
                         }
 
                         @Override
-                        public void ended(Proposal<Integer> accepted, Ending<String> how) {
+                        public void ended(Proposal<Integer> accepted, ConversationResult<String> how) {
                             log.add("%s: %s".formatted(accepted.from(), how));
                         }
                     }));
@@ -368,7 +368,7 @@ public abstract class ContractNetContract {
     }
 
     private static Conversation call(
-            AgentContext self, Set<String> to, Duration replyWithin, Patience patience, Boss boss) {
+            AgentContext self, Set<String> to, Duration replyWithin, RetryPolicy patience, Boss boss) {
         return net(self).call(to, "dig", replyWithin, patience, boss);
     }
 
@@ -441,7 +441,7 @@ public abstract class ContractNetContract {
         }
 
         @Override
-        public void ended(Proposal<Double> accepted, Ending<String> how) {
+        public void ended(Proposal<Double> accepted, ConversationResult<String> how) {
             log.add("%s: %s".formatted(accepted.from(), how));
         }
     }

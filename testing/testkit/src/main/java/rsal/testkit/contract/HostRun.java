@@ -20,10 +20,10 @@ import rsal.agent.Agent;
 import rsal.agent.AgentContext;
 import rsal.agent.AgentHost;
 import rsal.agent.AgentHostProvider;
+import rsal.agent.AgentPlatform;
 import rsal.agent.AgentSpec;
 import rsal.agent.AgentType;
-import rsal.agent.Delivery;
-import rsal.agent.Society;
+import rsal.agent.ChannelModel;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
 import rsal.testkit.fake.TestedType;
@@ -44,7 +44,7 @@ public final class HostRun implements AutoCloseable {
     private final AtomicInteger begun = new AtomicInteger(); // of those it has started
     private final Optional<LockstepScheduler> simulated;
     private final Scheduler scheduler;
-    private final Society society;
+    private final AgentPlatform society;
     private int started;
 
     /// @param settings what is not as its fallback
@@ -64,14 +64,14 @@ public final class HostRun implements AutoCloseable {
         scheduler = simulated
                 .<Scheduler>map(time -> time)
                 .orElseGet(() -> new WallScheduler("tested run", Runnable::run, failures::add));
-        society = ask(() -> new Society(scheduler, host.apply(scheduler), Optional.empty()));
+        society = ask(() -> new AgentPlatform(scheduler, host.apply(scheduler), Optional.empty()));
     }
 
     Scheduler scheduler() {
         return scheduler;
     }
 
-    public Society society() {
+    public AgentPlatform society() {
         return society;
     }
 
@@ -131,14 +131,14 @@ public final class HostRun implements AutoCloseable {
         act(() -> society.stop(name));
     }
 
-    void deliverBy(Delivery way) {
+    void deliverBy(ChannelModel way) {
         act(() -> society.deliverBy(way));
     }
 
-    Society.Status status(String name) {
+    AgentPlatform.Status status(String name) {
         return ask(() -> society.views().stream()
                 .filter(view -> view.agent().name().equals(name))
-                .map(Society.View::status)
+                .map(AgentPlatform.View::status)
                 .findFirst()
                 .orElseThrow());
     }

@@ -1,0 +1,102 @@
+package rsal.server;
+
+import java.time.Duration;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.atomic.AtomicReference;
+import org.jspecify.annotations.Nullable;
+import rsal.engine.Answer;
+import rsal.server.CurrentRun.Numbered;
+import rsal.server.Messages.Trails;
+
+/// A place where a run is shown, then its successors: what there is once for each of the runs side by side. All
+/// methods may be called from any thread.
+final class RunSlot implements AutoCloseable {
+    private static final int FIRST = 1;
+
+    private final int number;
+    private final CurrentRun current;
+    private final LiveViewSource showing;
+    private final Live live;
+    private final AtomicReference<@Nullable PackedFloor> floor = new AtomicReference<>();
+
+    /// The map of a run, which takes a while to draw.
+    private record PackedFloor(int run, byte[] bytes) {}
+
+    /// @param number of no other seat of the server
+    /// @param current whose this is from now on
+    RunSlot(int number, CurrentRun current, AccessControl gate) {
+        this.number = number;
+        this.current = current;
+        showing = new LiveViewSource(current);
+        live = new Live(showing, gate);
+    }
+
+    /// The one that is always there.
+    static RunSlot first(CurrentRun current, AccessControl gate) {
+        return new RunSlot(FIRST, current, gate);
+    }
+
+    int number() {
+        return number;
+    }
+
+    boolean isFirst() {
+        return number == FIRST;
+    }
+
+    CurrentRun current() {
+        return current;
+    }
+
+    Numbered now() {
+        return current.now();
+    }
+
+    Live live() {
+        return live;
+    }
+
+    /// What devices of its run's robots have told so far, as numbers.
+    NumberHistory numbers() {
+        return showing.numbers();
+    }
+
+    /// What devices of its run's robots had told and its agents had in mind before.
+    Recollection recollection() {
+        return showing.recollection();
+    }
+
+    /// Where its run's robots went before some time.
+    Trails trails(Duration until) {
+        return showing.trails(until);
+    }
+
+    /// What looking back takes.
+    long bytesKept() {
+        return showing.bytesKept();
+    }
+
+    /// The cells of a run's map, as [Api#packed] packs them.
+    byte[] floor(Numbered run) {
+        PackedFloor known = floor.get();
+        if (known == null || known.run() != run.number()) {
+            known = new PackedFloor(
+                    run.number(), Api.packed(FloorPlan.cells(run.run().plan().scene())));
+            floor.set(known);
+        }
+        return known.bytes();
+    }
+
+    /// Switches off all motors. What has ended has none.
+    CompletionStage<Answer> estop() {
+        Numbered now = now();
+        return now.run().estop().thenApply(answer -> now.isOver() ? new Answer.Stopped(0) : answer);
+    }
+
+    /// Lets its viewers go, with a word, then ends its run.
+    @Override
+    public void close() {
+        live.end();
+        current.close();
+    }
+}

@@ -1,0 +1,79 @@
+package rsal.navigation.slam;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import rsal.data.Covariance2d;
+import rsal.data.Pose2d;
+import rsal.navigation.slam.Relation.Source;
+
+class GraphResidualTest {
+    private static final Pose2d METER = new Pose2d(1, 0, 0);
+
+    private final List<Relation> relations = new ArrayList<>();
+
+    private GraphResidual strain() {
+        return GraphResidual.of(relations, List.of(Pose2d.ORIGIN, new Pose2d(1, 0, 0), new Pose2d(2, 0, 0)));
+    }
+
+    private void told(int from, Pose2d fromFromTo, double deviation, Source source) {
+        var covariance = Covariance2d.ofDeviations(deviation, deviation, 0.05);
+        relations.add(new Relation(from, from + 1, fromFromTo, covariance, source));
+    }
+
+    @Test
+    void wheelsMaySlipWhereAScanSaysSo() {
+        told(0, METER, 0.1, Source.ODOMETRY);
+        told(0, METER, 0.02, Source.SCANS);
+        told(1, new Pose2d(3, 0, 0), 0.1, Source.ODOMETRY);
+        told(1, new Pose2d(1.02, 0, 0), 0.02, Source.SCANS);
+
+        assertThat(strain().wheels()).hasValueSatisfying(step -> {
+            assertThat(step.from()).isEqualTo(1);
+            assertThat(step.to()).isEqualTo(2);
+            assertThat(step.meters()).isEqualTo(2, within(1e-9));
+            assertThat(step.deviations()).isEqualTo(20, within(1e-9));
+        });
+        assertThat(strain().scans())
+                .hasValueSatisfying(step -> assertThat(step.deviations()).isEqualTo(1, within(1e-9)));
+        assertThat(strain().tooMuch()).isEmpty();
+        assertThat(strain().blind()).isZero();
+    }
+
+    @Test
+    void whatNothingThatWasToldFitsIsTooMuch() {
+        told(0, METER, 0.1, Source.ODOMETRY);
+        told(1, new Pose2d(1.7, 0, 0), 0.1, Source.ODOMETRY);
+        relations.add(
+                new Relation(0, 2, new Pose2d(2, 0, 0), Covariance2d.ofDeviations(0.01, 0.01, 0.01), Source.LOOP));
+
+        assertThat(strain().tooMuch())
+                .hasValueSatisfying(step -> assertThat(step.deviations()).isEqualTo(7, within(1e-9)));
+        assertThat(strain().steps()).isEqualTo(2);
+        assertThat(strain().blind()).isEqualTo(2);
+        assertThat(strain().scans()).isEmpty();
+
+        told(1, new Pose2d(1.3, 0, 0), 0.02, Source.SCANS); // off the map, too
+        assertThat(strain().tooMuch()).isPresent();
+        assertThat(strain().blind()).isEqualTo(1);
+    }
+
+    @Test
+    void aHeadingMayBeTooFarOffEitherWay() {
+        told(0, new Pose2d(1, 0, -0.4), 0.1, Source.ODOMETRY);
+
+        assertThat(strain().tooMuch()).hasValueSatisfying(step -> {
+            assertThat(step.radians()).isEqualTo(0.4, within(1e-9));
+            assertThat(step.deviations()).isEqualTo(8, within(1e-9));
+        });
+    }
+
+    @Test
+    void nothingIsStrainedWhereNothingWasTold() {
+        assertThat(strain().all()).isEmpty();
+        assertThat(strain().steps()).isZero();
+    }
+}

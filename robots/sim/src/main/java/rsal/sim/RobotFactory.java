@@ -1,0 +1,161 @@
+package rsal.sim;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import rsal.device.DeviceInfo;
+import rsal.robot.RobotModel;
+import rsal.robot.RobotModel.Part;
+import rsal.robot.RobotModel.RangeNoise;
+import rsal.robot.RobotSpec;
+import rsal.settings.Arguments;
+import rsal.sim.world.Beams;
+import rsal.sim.world.Body;
+import rsal.sim.world.View;
+import rsal.sim.world.World;
+import rsal.time.Scheduler;
+
+/// Makes robots of their parts. Robots of one kind share what does not change.
+final class RobotFactory {
+    private final Arguments settings;
+    private final Scheduler scheduler;
+    private final Seeds seeds;
+    private final World world;
+    private final Things things;
+    private final Map<Kind, Beams> beams = new HashMap<>();
+    private final Map<Kind, View> views = new HashMap<>();
+
+    /// @param height above the base [m]
+    private record Kind(Part part, double height) {}
+
+    RobotFactory(Arguments settings, Scheduler scheduler, Seeds seeds, World world, Things things) {
+        this.settings = settings;
+        this.scheduler = scheduler;
+        this.seeds = seeds;
+        this.world = world;
+        this.things = things;
+    }
+
+    /// A robot while its devices are made.
+    ///
+    /// @param mounts on its actuators, by device
+    private record Site(
+            RobotSpec spec, Body body, SimDrive drive, Map<String, SimActuator> actuators, Map<String, Mount> mounts) {
+        Mount mount(String device) {
+            String on = spec.model().carriers().get(device);
+            return on == null ? Mount.BASE : mounts.computeIfAbsent(on, _ -> new Mount(carriersOf(device)));
+        }
+
+        private List<SimActuator> carriersOf(String device) {
+            return spec.model().carriersOf(device).stream().map(this::actuator).toList();
+        }
+
+        SimActuator actuator(String name) {
+            return Objects.requireNonNull(actuators.get(name), name);
+        }
+    }
+
+    SimRobot robot(RobotSpec spec, Body body) {
+        SimDrive drive = drive(spec);
+        var site = new Site(spec, body, drive, actuators(spec, drive), new HashMap<>());
+        var devices = new ArrayList<SimSensor<?>>();
+        spec.model().sensors().forEach((name, part) -> devices.add(device(site, name, part)));
+        giveLimbs(site);
+        return SimRobot.of(spec, body, site.drive, devices, List.copyOf(site.mounts.values()));
+    }
+
+    /// Lets actuators carry what of the body stands on them, or on what they carry.
+    private void giveLimbs(Site site) {
+        if (site.body.carriers().isEmpty()) {
+            return;
+        }
+        RobotModel model = site.spec.model();
+        var mounts = new ArrayList<Mount>();
+        var moving = new LinkedHashSet<String>();
+        for (String carrier : site.body.carriers()) {
+            boolean there = site.actuators.containsKey(carrier);
+            var chain = new ArrayList<>(there ? model.carriersOf(carrier) : List.<String>of());
+            if (there) {
+                chain.add(carrier);
+            }
+            moving.addAll(chain);
+            mounts.add(new Mount(chain.stream().map(site::actuator).toList()));
+        }
+        var bending = new ArticulatedMotion(world, site.body, List.copyOf(mounts));
+        moving.forEach(name -> site.actuator(name).bend(bending, site.mount(name)));
+    }
+
+    private Map<String, SimActuator> actuators(RobotSpec spec, SimDrive drive) {
+        var actuators = new HashMap<String, SimActuator>();
+        spec.model().sensors().forEach((name, part) -> {
+            if (part instanceof Part.Actuator actuator) {
+                actuators.put(name, new SimActuator(deviceOf(spec, name), actuator, drive, scheduler, watchdog()));
+            }
+        });
+        return actuators;
+    }
+
+    private SimDrive drive(RobotSpec spec) {
+        var drive = spec.model().drive();
+        return new SimDrive(
+                deviceOf(spec, "base"),
+                scheduler,
+                watchdog(),
+                new Wheels(drive),
+                new Odometer(
+                        drive.odometryNoise(),
+                        settings.number(SimProvider.ODOMETRY_NOISE.name()),
+                        seeds.stream(spec.id() + "/base")));
+    }
+
+    private SimSensor<?> device(Site site, String name, Part part) {
+        DeviceInfo info = deviceOf(site.spec, name);
+        double height = site.spec.model().level(name);
+        Mount mount = site.mount(name);
+        var kind = new Kind(part, height);
+        return switch (part) {
+            case Part.Laser laser ->
+                new SimLaser(
+                        info,
+                        laser,
+                        beams.computeIfAbsent(kind, _ -> SimLaser.beams(laser, height)),
+                        mount,
+                        noise(info, laser.noise()));
+            case Part.Sonars sonars ->
+                new SimSonar(
+                        info,
+                        sonars,
+                        beams.computeIfAbsent(kind, _ -> SimSonar.cones(sonars, height)),
+                        mount,
+                        noise(info, sonars.noise()));
+            case Part.BlobFinder finder ->
+                new SimBlobFinder(
+                        info, finder, views.computeIfAbsent(kind, _ -> SimBlobFinder.view(finder, height)), mount);
+            case Part.FiducialFinder finder -> new SimFiducialFinder(info, finder, height, mount);
+            case Part.Gripper gripper ->
+                new SimGripper(info, gripper, world, things, site.body, site.drive, height, mount);
+            case Part.Bumper bumper -> new SimBumper(info, bumper, world, site.body, height, mount);
+            case Part.Actuator _ -> site.actuator(name);
+            case Part.Battery battery -> new SimBattery(info, battery, site.body, site.drive);
+            case Part.Light light -> new SimLight(info, light, scheduler);
+            case Part.Own own -> throw new IllegalArgumentException("(%s) is refused before.".formatted(own.name()));
+        };
+    }
+
+    private Duration watchdog() {
+        return settings.seconds(SimProvider.WATCHDOG.name());
+    }
+
+    private RangeSensor.Noise noise(DeviceInfo info, RangeNoise noise) {
+        return new RangeSensor.Noise(
+                noise.times(settings.number(SimProvider.SENSOR_NOISE.name())), seeds.stream(info.id()));
+    }
+
+    private static DeviceInfo deviceOf(RobotSpec spec, String name) {
+        return new DeviceInfo(spec.id(), name, SimProvider.KEY);
+    }
+}
