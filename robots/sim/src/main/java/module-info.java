@@ -6,7 +6,4 @@ module rsal.sim {
 
     provides rsal.system.RobotSystemProvider with
             rsal.sim.SimProvider;
-    provides rsal.scene.SceneFormat with
-            rsal.sim.stage.StageFormat,
-            rsal.sim.playercfg.PlayerFormat;
 }

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 import rsal.robot.RobotSpec;
+import rsal.robot.SimulationLimits;
 import rsal.scene.Raster;
 import rsal.scene.Scene;
 import rsal.settings.Parameter;
@@ -120,7 +121,7 @@ public final class SimProvider implements RobotSystemProvider {
                         "Robots run into what is called (%s); one of this id could not be told from it. Maybe (%s-1)?"
                                 .formatted(World.WALL, spec.role())));
             }
-            for (String message : Ability.problems(spec.model())) {
+            for (String message : SimulationLimits.problems(spec.model())) {
                 problems.add(new Problem(spec.id(), "model", message));
             }
         }

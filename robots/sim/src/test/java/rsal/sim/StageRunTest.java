@@ -18,7 +18,7 @@ import rsal.device.LaserScanner;
 import rsal.robot.RobotSpec;
 import rsal.scene.Scene;
 import rsal.settings.FileSource;
-import rsal.sim.stage.StageFormat;
+import rsal.stage.StageFormat;
 
 /// Worlds of Stage, run.
 class StageRunTest {

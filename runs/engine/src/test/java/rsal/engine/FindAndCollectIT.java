@@ -25,7 +25,7 @@ import rsal.scenario.Scenario;
 class FindAndCollectIT {
     private static final Scenario SCENARIO = Scenario.load("find-and-collect");
     private static final Scenario ALONE = Scenario.load("foraging");
-    private static final Path WRITTEN = Path.of("src/main/resources/rsal/scenarios/find-and-collect");
+    private static final Path WRITTEN = Path.of("../scenarios/src/main/resources/rsal/scenarios/find-and-collect");
 
     /// Somebody tells after 5 s where two cans lie: collectors are awarded one each after 6 s.
     private static final String TWO_CANS = """

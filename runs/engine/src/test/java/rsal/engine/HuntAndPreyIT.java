@@ -180,7 +180,8 @@ class HuntAndPreyIT {
 
     @Test
     void withoutAnyHuntersItEndsWhenTimeIsUp() throws IOException {
-        String scenario = Files.readString(Path.of("src/main/resources/rsal/scenarios/hunt-and-prey/scenario.yaml"))
+        String scenario = Files.readString(
+                        Path.of("../scenarios/src/main/resources/rsal/scenarios/hunt-and-prey/scenario.yaml"))
                 .replace("pick: 1, at: 13, stays: true", "at: 5")
                 .replace("time > 300", "time > 60");
         Path file = Files.writeString(folder.resolve("hunt.yaml"), scenario);

@@ -66,7 +66,7 @@ public abstract class ArchitectureRules {
     private static final String EXPERIMENTS = "rsal.experiment..";
     private static final String SERVER = "rsal.server..";
     private static final String CLI = "rsal.cli..";
-    private static final String[] ROBOT_SYSTEMS = {"rsal.sim..", "rsal.player..", "rsal.ros2.."};
+    private static final String[] ROBOT_SYSTEMS = {"rsal.sim..", "rsal.stage..", "rsal.player..", "rsal.ros2.."};
     private static final String[] MIDDLE = {
         "rsal.device..",
         "rsal.fault..",

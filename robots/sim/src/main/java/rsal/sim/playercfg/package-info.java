@@ -1,6 +1,0 @@
-/// Configuration files of Player servers (`.cfg`): their grammar, what their drivers provide, and the world that their
-/// `stage` driver names.
-@NullMarked
-package rsal.sim.playercfg;
-
-import org.jspecify.annotations.NullMarked;
