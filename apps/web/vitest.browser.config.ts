@@ -4,7 +4,7 @@ export default defineConfig({
   test: {
     include: ['browser-tests/**/*.test.ts'],
     passWithNoTests: true,
-    fileParallelism: false, // one browser at a time; they share the machine with the run
+    maxWorkers: 2, // browsers at a time: most of the time each waits for its run
     testTimeout: 60_000,
     hookTimeout: 120_000,
     chaiConfig: { truncateThreshold: 0 }, // what was found is told whole

@@ -4,7 +4,7 @@ import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
-import { expectAccessible, visits } from './visits';
+import { expectAccessible, looks, visits } from './visits';
 import { poseOf } from './world';
 
 const WORLD = fileURLToPath(new URL('driving.world', import.meta.url));
@@ -267,16 +267,14 @@ describe.skipIf(!chromium)('robots of a world', () => {
     await hunt.end();
   });
 
-  describe.each(['light', 'dark'] as const)('in the %s', (colorScheme) => {
-    it.each([
-      [1280, 720],
-      [820, 1180],
-    ])('break no rule of accessibility while they are driven, at %i × %i', async (width, height) => {
+  it.each(looks)(
+    'break no rule of accessibility while they are driven, %s at %i × %i',
+    async (colorScheme, width, height) => {
       page = await openRun(rsal.url, { colorScheme, viewport: { width, height } });
       for (const robot of ['glider', 'blind']) {
         await take(robot);
         await expectAccessible(page);
       }
-    });
-  });
+    },
+  );
 });

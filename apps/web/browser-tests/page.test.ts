@@ -4,7 +4,7 @@ import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { chromium } from './chromium';
 import { eventually, settled } from './eventually';
 import { Rsal } from './rsal';
-import { expectAccessible, visits } from './visits';
+import { expectAccessible, looks, visits } from './visits';
 import { drag, onScreen, poseOf, timeOn } from './world';
 
 const SEED = '42';
@@ -565,33 +565,28 @@ describe.skipIf(!chromium)('the page', () => {
     await eventually(async () => (await picture()).equals(all), 'scans are back');
   });
 
-  describe.each(['light', 'dark'] as const)('in the %s', (colorScheme) => {
-    it.each([
-      [1280, 720],
-      [820, 1180],
-    ])('breaks no rule of accessibility at %i × %i', async (width, height) => {
-      page = await opened(rsal.url, { colorScheme, viewport: { width, height } });
-      const check = (what: string) => expectAccessible(page, undefined, what);
-      await check('as it comes');
-      await page.keyboard.press('1');
-      await check('with a robot selected');
-      await page.keyboard.press('?');
-      await check('with the keys');
-      await page.keyboard.press('Escape');
-      await page.keyboard.press('r');
-      await check('with the form to run again');
-      await page.getByRole('dialog', { name: 'Restart' }).getByLabel('Seed').fill('seven');
-      await page.getByRole('dialog').getByRole('button', { name: 'Restart' }).click();
-      await page.getByRole('dialog').getByRole('alert').waitFor();
-      await check('with mistakes in the form');
-      await page.keyboard.press('Escape');
-      await rsal.post('estop');
-      await page.getByText('no robot moves until they are armed').waitFor();
-      await check('after an emergency stop');
-      await rsal.post('stop');
-      await page.getByTestId('outcome').waitFor();
-      await check('at the end');
-    });
+  it.each(looks)('breaks no rule of accessibility: %s at %i × %i', async (colorScheme, width, height) => {
+    page = await opened(rsal.url, { colorScheme, viewport: { width, height } });
+    const check = (what: string) => expectAccessible(page, undefined, what);
+    await check('as it comes');
+    await page.keyboard.press('1');
+    await check('with a robot selected');
+    await page.keyboard.press('?');
+    await check('with the keys');
+    await page.keyboard.press('Escape');
+    await page.keyboard.press('r');
+    await check('with the form to run again');
+    await page.getByRole('dialog', { name: 'Restart' }).getByLabel('Seed').fill('seven');
+    await page.getByRole('dialog').getByRole('button', { name: 'Restart' }).click();
+    await page.getByRole('dialog').getByRole('alert').waitFor();
+    await check('with mistakes in the form');
+    await page.keyboard.press('Escape');
+    await rsal.post('estop');
+    await page.getByText('no robot moves until they are armed').waitFor();
+    await check('after an emergency stop');
+    await rsal.post('stop');
+    await page.getByTestId('outcome').waitFor();
+    await check('at the end');
   });
 
   it('keeps what was selected when it loses its connection for a moment', async () => {

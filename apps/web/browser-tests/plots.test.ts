@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import type { Locator, Page } from 'playwright-core';
 import { beforeAll, describe, expect, it } from 'vitest';
-import { chromium } from './chromium';
+import { all, chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
 import { expectAccessible, picture, visits } from './visits';
@@ -42,7 +42,7 @@ describe.skipIf(!chromium)('plots', () => {
     await page.mouse.wheel(0, amount);
   }
 
-  it('show as much of the past as somebody wants', async () => {
+  it.runIf(all)('show as much of the past as somebody wants', async () => {
     await ticks('−60 s'); // no more, though more will be known
     await eventually(
       async () => (await page.getByTestId('time').innerText()) > '1:02',

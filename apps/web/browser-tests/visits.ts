@@ -7,7 +7,7 @@ import {
   type Page,
 } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, expect } from 'vitest';
-import { chromium, flags } from './chromium';
+import { all, chromium, flags } from './chromium';
 import { Rsal } from './rsal';
 
 /** Where pictures go of what was tested, for people to look at; none when it is not set. */
@@ -15,6 +15,16 @@ const PICTURES = process.env.PICTURES;
 
 /** What the server answers when people ask for what can't be: no mistake of the page, where a test does that. */
 const REFUSED = /status of 4(09|22)/;
+
+/** Colors and sizes that pages are looked at in: each of them at each landing, all pairs by `./rsal test --all`. */
+export const looks = (
+  [
+    ['light', 1280, 720],
+    ['dark', 820, 1180],
+    ['light', 820, 1180],
+    ['dark', 1280, 720],
+  ] as const
+).slice(0, all ? 4 : 2);
 
 interface Visit extends BrowserContextOptions {
   /** Of a server that may be gone at times: what goes wrong then is no mistake of the page. */

@@ -120,8 +120,7 @@ class CommandLineIT {
     void armingAndSavingMapsHoldForTheScenarioThatWasTyped() throws Exception {
         Files.writeString(folder.resolve("explore.yaml"), EXPLORE);
         String[] line = {"--port", "0", "--speed", "2", "--arm", "--save-maps", "maps", "--record", "run.mcap"};
-        Process process = rsal.with("--enable-native-access=ALL-UNNAMED")
-                .withPage()
+        Process process = rsal.withPage()
                 .start(Stream.concat(Stream.of("run", "explore.yaml"), Stream.of(line))
                         .toArray(String[]::new));
         try {
@@ -304,7 +303,7 @@ class CommandLineIT {
             help rum            | Maybe (run)
             """)
     void refusesWhatItCannotUnderstand(String line, String expected) throws Exception {
-        Ended ended = rsal.run(line == null ? new String[0] : line.split(" "));
+        Ended ended = Rsal.inProcess(line == null ? new String[0] : line.split(" "));
         assertThat(ended.code()).isEqualTo(Exit.USAGE);
         assertThat(ended.out()).isEmpty();
         assertThat(ended.err()).contains(expected, "--help'").doesNotContain("\tat ");
@@ -343,21 +342,34 @@ class CommandLineIT {
 
     @ParameterizedTest
     @MethodSource("mistakes")
-    void tellsWhereAScenarioIsWrongAndStartsNothing(Mistake mistake) throws Exception {
-        Files.writeString(folder.resolve("wrong.yaml"), mistake.in(GUARD));
-        Ended run = rsal.withPage().run("run", "wrong.yaml");
-        Ended validate = rsal.run("validate", "wrong.yaml");
+    void tellsWhereAScenarioIsWrong(Mistake mistake) throws Exception {
+        Path file = Files.writeString(folder.resolve("wrong.yaml"), mistake.in(GUARD));
+        Ended run = Rsal.inProcess("run", file.toString(), "--headless");
+        Ended validate = Rsal.inProcess("validate", file.toString());
 
         assertThat(run.code()).isEqualTo(Exit.INVALID);
         assertThat(run.out()).isEmpty();
         assertThat(run.err())
                 .contains("wrong.yaml:%d:".formatted(mistake.at))
                 .contains(mistake.expected)
-                .doesNotContain("\tat ", "Watch it at", "Exception");
+                .doesNotContain("\tat ", "Exception");
         assertThat(validate.code()).isEqualTo(Exit.INVALID);
         assertThat(validate.out())
                 .contains("wrong.yaml:%d:".formatted(mistake.at))
                 .contains(mistake.expected);
+    }
+
+    @Test
+    void startsNothingWhereAScenarioIsWrong() throws Exception {
+        Mistake mistake = mistakes().getFirst();
+        Files.writeString(folder.resolve("wrong.yaml"), mistake.in(GUARD));
+        Ended run = rsal.withPage().run("run", "wrong.yaml");
+        assertThat(run.code()).isEqualTo(Exit.INVALID);
+        assertThat(run.out()).isEmpty();
+        assertThat(run.err())
+                .contains("wrong.yaml:%d:".formatted(mistake.at))
+                .contains(mistake.expected)
+                .doesNotContain("\tat ", "Watch it at", "Exception");
     }
 
     @Test
@@ -389,7 +401,8 @@ class CommandLineIT {
             show nowhere.yaml                 | nowhere.yaml
             """)
     void refusesWhatDoesNotFitTheScenario(String line, String expected) throws Exception {
-        Ended ended = rsal.run(line.split(" "));
+        String guard = folder.resolve("guard.yaml").toString();
+        Ended ended = Rsal.inProcess(line.replace("guard.yaml", guard).split(" "));
         assertThat(ended.code()).isEqualTo(Exit.INVALID);
         assertThat(ended.out()).isEmpty();
         assertThat(ended.err()).contains(expected).doesNotContain("\tat ");

@@ -21,6 +21,7 @@ import rsal.experiment.Row;
 import rsal.experiment.report.Numbers;
 import rsal.experiment.statistics.Mean;
 import rsal.scenario.NumberText;
+import rsal.testkit.LongTest;
 
 /// The figures in READMEs of scenarios are what a sweep tells, a row for each seed. The first row is run again here.
 /// `-Drsal.update=true` runs all, and writes them again:
@@ -35,6 +36,8 @@ class FiguresIT {
             "<!-- figures: (?<sweep>[^|\n]+?) \\| (?<measures>[^\n]+?) -->\n(?<table>.*?)<!-- end -->", Pattern.DOTALL);
     private static final Pattern SEEDS = Pattern.compile("--seeds (\\d+)-\\d+");
     private static final String NOTHING = "–";
+    private static final boolean UPDATE = Boolean.getBoolean("rsal.update");
+    private static final int OF_EACH_LANDING = 2; // READMEs; './rsal test --all' looks at all
     private static final int LONGEST = 20; // min, of all seeds
 
     @TempDir
@@ -49,7 +52,7 @@ class FiguresIT {
         }
         all.removeIf(file -> !text(file).contains("<!-- figures: "));
         assertThat(all).isNotEmpty();
-        return all.stream();
+        return all.stream().limit(Boolean.getBoolean(LongTest.PROPERTY) || UPDATE ? all.size() : OF_EACH_LANDING);
     }
 
     private static String text(Path file) {
@@ -63,13 +66,12 @@ class FiguresIT {
     @ParameterizedTest
     @MethodSource("readmes")
     void areWhatASweepTells(Path readme) throws Exception {
-        boolean update = Boolean.getBoolean("rsal.update");
         var written = new StringBuilder();
         Matcher block = FIGURES.matcher(text(readme));
         while (block.find()) {
             String sweep = block.group("sweep");
             List<String> measures = List.of(block.group("measures").split(", ", -1));
-            if (update) {
+            if (UPDATE) {
                 String table = table(sweep, measures, rows(sweep));
                 block.appendReplacement(
                         written,
@@ -83,7 +85,7 @@ class FiguresIT {
                         .contains(row);
             }
         }
-        if (update) {
+        if (UPDATE) {
             Files.writeString(readme, block.appendTail(written).toString());
         }
     }

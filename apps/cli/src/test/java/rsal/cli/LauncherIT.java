@@ -81,6 +81,15 @@ class LauncherIT {
             [ ! -e ../no-network ] || exit 100
             [ "$1" = update ] || for name in chromium Xvfb; do ln -s unzip $name; done
             """;
+    /// Makes no cache of classes, which would take seconds in each test.
+    private static final String UNTRAINED_JAVA = """
+            #!/bin/sh
+            for word; do
+                case "$word" in -XX:AOTCacheOutput=*) : >"${word#*=}"; exit 0;; esac
+            done
+            exec "$REAL_JAVA" "$@"
+            """;
+
     private static final String SUDO = """
             #!/bin/sh
             shift
@@ -107,6 +116,17 @@ class LauncherIT {
         writeExecutable(Files.createDirectories(folder.resolve("bin")).resolve("unzip"), "#!/bin/sh\n");
         writeExecutable(folder.resolve("bin/apt-get"), APT_GET); // else a test would install
         writeExecutable(folder.resolve("bin/sudo"), SUDO);
+        environment.put("JAVA_HOME", layOutJdk().toString());
+    }
+
+    private Path layOutJdk() throws IOException {
+        Path real = Path.of(System.getProperty("java.home"));
+        Path jdk = folder.resolve("untrained");
+        writeExecutable(Files.createDirectories(jdk.resolve("bin")).resolve("java"), UNTRAINED_JAVA);
+        environment.put("REAL_JAVA", real.resolve("bin/java").toString());
+        Files.createSymbolicLink(jdk.resolve("bin/javac"), real.resolve("bin/javac"));
+        Files.createSymbolicLink(jdk.resolve("release"), real.resolve("release"));
+        return jdk;
     }
 
     @Test
@@ -269,6 +289,22 @@ class LauncherIT {
         assertThat(ended.out().strip()).isEqualTo("1 passed, 2 failed, 1 skipped");
         assertThat(ended.err()).contains("rsal: FAILED rsal.A: adds(int)[1]:  expected: <1> & \"x\"\n");
         assertThat(ended.err()).endsWith("rsal: FAILED rsal.A: ends\n");
+    }
+
+    @Test
+    void longTestsRunOnlyWhenTheyAreAskedForAndAreSaidToHavePassed() throws Exception {
+        Files.writeString(project.resolve("report.xml"), "<testsuite name=\"rsal.A\" tests=\"2\"/>");
+        Path passed = Files.createDirectories(project.resolve("testing")).resolve("all-passed");
+
+        assertThat(run("test").err()).doesNotContain("Long tests");
+        assertThat(project.resolve("arguments")).content().doesNotContain("rsal.test.all");
+        assertThat(passed).doesNotExist();
+
+        assertThat(run("test", "--all").out()).isEqualTo("2 passed, 0 failed\n");
+        assertThat(project.resolve("arguments")).content().contains("-Drsal.test.all=true");
+        assertThat(passed).content().endsWith(": 2 passed, 0 failed\n");
+        assertThat(run("test").err())
+                .contains("Long tests run by './rsal test --all', which last passed on " + Files.readString(passed));
     }
 
     @Test
@@ -485,11 +521,13 @@ class LauncherIT {
 
     @Test
     void aBrokenCacheDoesNotMatter() throws Exception {
+        environment.put("JAVA_HOME", System.getProperty("java.home"));
         run("list");
         try (var caches = Files.newDirectoryStream(project.resolve("target/launcher"), "java-*")) {
             for (Path folder : caches) {
                 try (var files = Files.newDirectoryStream(folder, "*.aot")) {
                     for (Path cache : files) {
+                        assertThat(cache).isNotEmptyFile();
                         Files.writeString(cache, "not a cache");
                     }
                 }
@@ -593,7 +631,6 @@ class LauncherIT {
 
     private ProcessBuilder builder(Path in, String... command) throws Exception {
         var builder = new ProcessBuilder(Ended.interruptible(List.of(command))).directory(in.toFile());
-        builder.environment().put("JAVA_HOME", System.getProperty("java.home"));
         builder.environment().compute("PATH", (_, path) -> folder.resolve("bin") + ":" + path);
         builder.environment().put("NODE_ENV", "test"); // as where tests in a browser start it
         builder.environment().putAll(environment);

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
+import rsal.testkit.Trials;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -128,18 +128,18 @@ class NewIT {
         assertThat(rsal.run("show", "chase/hunter.asl").out()).contains("+!hunt");
     }
 
-    @ParameterizedTest
-    @ValueSource(
-            strings = {
+    @Trials(
+            value = {
+                "hunt-and-prey",
+                "foraging",
                 "distribution",
                 "find-and-collect",
-                "foraging",
-                "hunt-and-prey",
                 "patrol",
                 "rescue",
                 "swarm",
                 "teleop"
-            })
+            },
+            landing = 2)
     void eachThatComesWithRsalCanBeTaken(String scenario) throws Exception {
         Ended ended = rsal.run("new", "mine", "--from", scenario);
         assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);

@@ -22,8 +22,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import rsal.data.Pose2d;
 import rsal.engine.LiveRun;
 import rsal.engine.RobotView;
@@ -31,6 +29,8 @@ import rsal.engine.RunEvent;
 import rsal.engine.RunResult;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
+import rsal.testkit.LongTest;
+import rsal.testkit.Trials;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -93,9 +93,8 @@ class PlayerRunIT {
     }
 
     /// Of the prey and two hunters all are real, or the prey and a hunter, or a hunter alone.
-    @ParameterizedTest
+    @Trials({"mixed, 0 1", "real, 0 1 2", "virtual-prey, 1"})
     @Execution(CONCURRENT)
-    @CsvSource({"real, 0 1 2", "mixed, 0 1", "virtual-prey, 1"})
     void huntersCatchTheirPrey(String configuration, String real) throws Exception {
         int[] robots =
                 Arrays.stream(real.split(" ")).mapToInt(Integer::parseInt).toArray();
@@ -105,6 +104,7 @@ class PlayerRunIT {
 
     /// What it grips is a can of the other process; what counts is a simulated one.
     @Test
+    @LongTest
     @Execution(CONCURRENT)
     void aRealCollectorBringsWhatASimulatedExplorerFinds() throws Exception {
         JsonNode measures = run(
@@ -148,6 +148,7 @@ class PlayerRunIT {
 
     /// Who is nearer goes there, whichever world it is in.
     @Test
+    @LongTest
     @Execution(CONCURRENT)
     void robotsOfBothWorldsSpread() throws Exception {
         JsonNode measures = run("distribution", "mixed", 3, new int[] {0, 1, 2}, List.of());

@@ -36,7 +36,7 @@ class RecordIT {
 
     @BeforeEach
     void writeScenario() throws Exception {
-        rsal = new Rsal(folder).with("--enable-native-access=ALL-UNNAMED");
+        rsal = new Rsal(folder);
     }
 
     @Test

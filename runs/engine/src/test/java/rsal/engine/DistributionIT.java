@@ -7,13 +7,11 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Point2d;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
+import rsal.testkit.Trials;
 
 @Timeout(300)
 class DistributionIT {
@@ -52,27 +50,24 @@ class DistributionIT {
         }
     }
 
-    @ParameterizedTest
-    @ValueSource(strings = {"virtual", "found"})
-    void allRobotsArriveWithoutACollision(String configuration) {
-        for (long seed = 1; seed <= 3; seed++) {
-            Dispersal dispersal = disperse(configuration, seed);
-            assertThat(dispersal.result.outcome()).as("seed %d", seed).isEqualTo("success");
-            assertThat(dispersal.measure("arrived")).as("seed %d", seed).isEqualTo(ROBOTS);
-            assertThat(dispersal.measure("collisions")).as("seed %d", seed).isZero();
-            assertFarFromEachOther(dispersal, 4);
-        }
+    @Trials(
+            value = {"virtual, 1", "found, 1", "virtual, 2", "virtual, 3", "found, 2", "found, 3"},
+            landing = 2)
+    void allRobotsArriveWithoutACollision(String configuration, long seed) {
+        Dispersal dispersal = disperse(configuration, seed);
+        assertThat(dispersal.result.outcome()).isEqualTo("success");
+        assertThat(dispersal.measure("arrived")).isEqualTo(ROBOTS);
+        assertThat(dispersal.measure("collisions")).isZero();
+        assertFarFromEachOther(dispersal, 4);
     }
 
-    @Test
-    void theOthersArriveWhenOneStopsOnItsWayAndMessagesAreLost() {
-        for (long seed = 1; seed <= 3; seed++) {
-            Dispersal dispersal = disperse("faulty", seed);
-            assertThat(dispersal.result.outcome()).as("seed %d", seed).isEqualTo("success");
-            assertThat(dispersal.gone()).hasSize(1);
-            assertThat(dispersal.measure("arrived")).as("seed %d", seed).isGreaterThanOrEqualTo(ROBOTS - 1);
-            assertFarFromEachOther(dispersal, 4);
-        }
+    @Trials({"1", "2", "3"})
+    void theOthersArriveWhenOneStopsOnItsWayAndMessagesAreLost(long seed) {
+        Dispersal dispersal = disperse("faulty", seed);
+        assertThat(dispersal.result.outcome()).isEqualTo("success");
+        assertThat(dispersal.gone()).hasSize(1);
+        assertThat(dispersal.measure("arrived")).isGreaterThanOrEqualTo(ROBOTS - 1);
+        assertFarFromEachOther(dispersal, 4);
     }
 
     /// Those that are not gone.

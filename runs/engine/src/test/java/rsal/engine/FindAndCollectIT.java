@@ -11,15 +11,14 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Point2d;
 import rsal.device.SimulationControl.Standing;
 import rsal.scenario.PlannedThings;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
+import rsal.testkit.LongTest;
+import rsal.testkit.Trials;
 
 @Timeout(600)
 class FindAndCollectIT {
@@ -140,18 +139,19 @@ class FindAndCollectIT {
         assertThat(collection.measure("wallCollisions")).as("seed %d", seed).isZero();
     }
 
-    @ParameterizedTest
-    @CsvSource({
-        "four-rooms, 1",
-        "four-rooms, 2",
-        "four-rooms, 3",
-        "office, 1",
-        "office, 2",
-        "office, 3",
-        "told, 1",
-        "told, 2",
-        "near, 1"
-    })
+    @Trials(
+            value = {
+                "four-rooms, 1",
+                "told, 1",
+                "near, 1",
+                "office, 1",
+                "four-rooms, 2",
+                "four-rooms, 3",
+                "office, 2",
+                "office, 3",
+                "told, 2"
+            },
+            landing = 3)
     void everyCanLiesInADepotAtTheEnd(String configuration, long seed) {
         Collection all = collect(configuration, seed);
         assertTidy(all);
@@ -159,8 +159,7 @@ class FindAndCollectIT {
         assertThat(all.said()).isEqualTo(all.cans.size());
     }
 
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3})
+    @Trials({"1", "2", "3"})
     void agentsInAgentSpeakCollectAllEachSeedTheSameWay(long seed) {
         Collection all = collect("jason", seed);
         assertTidy(all);
@@ -197,8 +196,7 @@ class FindAndCollectIT {
                 .toList();
     }
 
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3})
+    @Trials({"1", "2", "3"})
     void theOtherFetchesWhatOneInAgentSpeakWasAwardedThatStops(long seed) throws IOException {
         Collection all = collectTwo(seed, "{kind: gone, robots: collector-1, at: 9}");
         assertThat(all.measure("gone")).isOne();
@@ -217,14 +215,12 @@ class FindAndCollectIT {
         assertThat(fetching(all, "thing 1 goes to .*")).hasSize(2);
     }
 
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3, 4, 5})
+    @Trials({"1", "2", "3", "4", "5"})
     void agentsInAgentSpeakCollectAllWhileTwoOfFiveMessagesAreLost(long seed) throws IOException {
         collectTwo(seed, "{kind: lost, topics: speech, from: [collect, fetch], share: 0.4}");
     }
 
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3})
+    @Trials({"1", "2", "3"})
     void cansThatComeLaterAreCollectedByRobotsThatMindTheirBatteries(long seed) {
         Collection all = collect("advanced", seed);
         assertTidy(all);
@@ -238,8 +234,7 @@ class FindAndCollectIT {
                 .isNotEmpty();
     }
 
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3})
+    @Trials({"1", "2", "3"})
     void theOthersCollectAllAlsoWhatOneWasOnItsWayToThatStops(long seed) {
         Collection all = collect("faulty", seed);
         assertTidy(all);
@@ -260,8 +255,7 @@ class FindAndCollectIT {
         assertThat(all.measure("collisions")).isZero();
     }
 
-    @ParameterizedTest
-    @CsvSource({"four-rooms, 1", "four-rooms, 2", "four-rooms, 3", "office, 1", "office, 2"})
+    @Trials({"office, 1", "four-rooms, 1", "four-rooms, 2", "four-rooms, 3", "office, 2"})
     void foragersBringAllByThemselvesAndKeepTheirBatteriesCharged(String configuration, long seed) {
         Collection all = collect(ALONE, configuration, seed, Map.of());
         assertTidy(all);
@@ -276,8 +270,7 @@ class FindAndCollectIT {
         }
     }
 
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3})
+    @Trials({"1", "2", "3"})
     void foragersBringAllWhenOneStopsAndOneSeesNothingForAWhile(long seed) {
         Collection all = collect(ALONE, "faulty", seed, Map.of());
         assertTidy(all);
@@ -285,8 +278,8 @@ class FindAndCollectIT {
         assertThat(all.measure("gone")).isOne();
     }
 
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3})
+    @Trials({"1", "2", "3"})
+    @LongTest
     void thoseWhoBidAreDoneAQuarterSoonerThanThoseWhoAreAsked(long seed) {
         Collection bidding = collect("watched", seed);
         Collection asked = collect("watched", seed, Map.of("allotment", "first"));

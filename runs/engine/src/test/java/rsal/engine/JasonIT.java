@@ -12,10 +12,9 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
+import rsal.testkit.Trials;
 
 /// Java agents on Jason, in simulated time, beside which those in AgentSpeak run: they do what they do on our own host.
 @Timeout(300)
@@ -23,8 +22,7 @@ class JasonIT {
     @TempDir
     Path folder;
 
-    @ParameterizedTest
-    @CsvSource({
+    @Trials({
         "hunt-and-prey, virtual, 7",
         "hunt-and-prey, advanced, 1",
         "find-and-collect, four-rooms, 1",

@@ -13,6 +13,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
+import rsal.testkit.LongTest;
+import rsal.testkit.Trials;
 
 @Timeout(300)
 class PatrolIT {
@@ -63,108 +65,91 @@ class PatrolIT {
                 RunOptions.NONE.withConfiguration(configuration).withSeed(seed).withLimit(Duration.ofSeconds(seconds)));
     }
 
-    @Test
-    void noPlaceIsLeftAloneForLong() {
-        for (long seed = 1; seed <= 3; seed++) {
-            Watch watch = watch("virtual", seed, 400);
-            assertThat(watch.measure("collisions")).as("seed %d", seed).isZero();
-            assertThat(watch.measure("meanIdleTime")).as("seed %d", seed).isLessThan(110);
-            assertThat(watch.measure("worstIdleTime")).as("seed %d", seed).isLessThan(360);
-            assertThat(watch.guards(0)).as("seed %d", seed).hasSize(4);
-        }
+    @Trials({"1", "2", "3"})
+    void noPlaceIsLeftAloneForLong(long seed) {
+        Watch watch = watch("virtual", seed, 400);
+        assertThat(watch.measure("collisions")).isZero();
+        assertThat(watch.measure("meanIdleTime")).isLessThan(110);
+        assertThat(watch.measure("worstIdleTime")).isLessThan(360);
+        assertThat(watch.guards(0)).hasSize(4);
     }
 
-    @Test
-    void theOthersTakeOverWhenOneIsGoneAndMessagesAreLost() {
-        for (long seed = 1; seed <= 2; seed++) {
-            Watch watch = watch("faulty", seed, 700);
-            assertThat(watch.guards(0)).as("seed %d", seed).hasSize(4);
-            assertThat(watch.guards(220)).as("seed %d", seed).hasSize(3);
-            assertThat(watch.measure("worstIdleTime")).as("seed %d", seed).isLessThan(600);
-            RunEvent gone = watch.events.stream()
-                    .filter(event -> event.text().startsWith("gone"))
-                    .findFirst()
-                    .orElseThrow();
-            String worker = gone.subject().replace("guard", "worker");
-            Handover place = Handover.of(watch.events, gone, worker);
-            assertThat(place.job()).as("seed %d", seed).startsWith("visit ");
-            assertThat(place.taken())
-                    .as("seed %d", seed)
-                    .get(DURATION)
-                    .isLessThanOrEqualTo(Handover.most(watch.events, gone, worker, "waiting for a job"));
-        }
+    @Trials({"1", "2"})
+    void theOthersTakeOverWhenOneIsGoneAndMessagesAreLost(long seed) {
+        Watch watch = watch("faulty", seed, 700);
+        assertThat(watch.guards(0)).hasSize(4);
+        assertThat(watch.guards(220)).hasSize(3);
+        assertThat(watch.measure("worstIdleTime")).isLessThan(600);
+        RunEvent gone = watch.events.stream()
+                .filter(event -> event.text().startsWith("gone"))
+                .findFirst()
+                .orElseThrow();
+        String worker = gone.subject().replace("guard", "worker");
+        Handover place = Handover.of(watch.events, gone, worker);
+        assertThat(place.job()).startsWith("visit ");
+        assertThat(place.taken())
+                .get(DURATION)
+                .isLessThanOrEqualTo(Handover.most(watch.events, gone, worker, "waiting for a job"));
     }
 
-    @Test
-    void guardsWhoseBatteriesRunLowAreChargedAndGoOn() {
-        for (long seed = 1; seed <= 3; seed++) {
-            Watch watch = watch("recharging", seed, 900);
-            assertThat(watch.measure("collisions")).as("seed %d", seed).isZero();
-            for (int guard = 1; guard <= 4; guard++) {
-                assertThat(watch.measure("leastCharge.guard-" + guard))
-                        .as("seed %d", seed)
-                        .isBetween(0.05, 0.3);
-            }
-            assertThat(watch.guards(600)).as("seed %d", seed).hasSize(4);
-            assertThat(watch.measure("worstIdleTime")).as("seed %d", seed).isLessThan(500);
+    @Trials({"1", "2", "3"})
+    void guardsWhoseBatteriesRunLowAreChargedAndGoOn(long seed) {
+        Watch watch = watch("recharging", seed, 900);
+        assertThat(watch.measure("collisions")).isZero();
+        for (int guard = 1; guard <= 4; guard++) {
+            assertThat(watch.measure("leastCharge.guard-" + guard)).isBetween(0.05, 0.3);
         }
+        assertThat(watch.guards(600)).hasSize(4);
+        assertThat(watch.measure("worstIdleTime")).isLessThan(500);
     }
 
-    @Test
-    void anIntruderIsMetWhileOthersWatchAndPatrolsGoOn() {
-        for (long seed = 1; seed <= 3; seed++) {
-            Watch watch = watch("intruder", seed, 600);
-            assertThat(watch.measure("collisions")).as("seed %d", seed).isZero();
-            assertThat(watch.measure("captureTime")).as("seed %d", seed).isLessThan(300);
-            assertThat(watch.measure("captureDistance")).as("seed %d", seed).isLessThan(2);
-            assertThat(watch.measure("worstIdleTime")).as("seed %d", seed).isLessThan(450);
-            assertThat(watch.guards((long) watch.measure("captureTime") + 60))
-                    .as("seed %d", seed)
+    @Trials({"1", "2", "3"})
+    void anIntruderIsMetWhileOthersWatchAndPatrolsGoOn(long seed) {
+        Watch watch = watch("intruder", seed, 600);
+        assertThat(watch.measure("collisions")).isZero();
+        assertThat(watch.measure("captureTime")).isLessThan(300);
+        assertThat(watch.measure("captureDistance")).isLessThan(2);
+        assertThat(watch.measure("worstIdleTime")).isLessThan(450);
+        assertThat(watch.guards((long) watch.measure("captureTime") + 60)).hasSize(4);
+        assertThat(watch.events)
+                .extracting(RunEvent::text)
+                .anyMatch(text -> text.matches("worker-\\d, accept-proposal: meet intruder 1 .*"))
+                .anyMatch(text -> text.startsWith("patrol, inform: met at "));
+    }
+
+    @Trials({"1", "2", "3"})
+    @LongTest
+    void guardsSpreadEveryFourMinutesAndWatchInBetween(long seed) {
+        Watch watch = watch("distributed", seed, 720);
+        assertThat(watch.measure("collisions")).isZero();
+        assertThat(watch.measure("worstIdleTime")).isLessThan(400);
+        for (long from = 0; from < 720; from += 240) {
+            assertThat(watch.spread(from, from + 120))
+                    .as("seed %d, from %d s", seed, from)
                     .hasSize(4);
-            assertThat(watch.events)
-                    .as("seed %d", seed)
-                    .extracting(RunEvent::text)
-                    .anyMatch(text -> text.matches("worker-\\d, accept-proposal: meet intruder 1 .*"))
-                    .anyMatch(text -> text.startsWith("patrol, inform: met at "));
-        }
-    }
-
-    @Test
-    void guardsSpreadEveryFourMinutesAndWatchInBetween() {
-        for (long seed = 1; seed <= 3; seed++) {
-            Watch watch = watch("distributed", seed, 720);
-            assertThat(watch.measure("collisions")).as("seed %d", seed).isZero();
-            assertThat(watch.measure("worstIdleTime")).as("seed %d", seed).isLessThan(400);
-            for (long from = 0; from < 720; from += 240) {
-                assertThat(watch.spread(from, from + 120))
-                        .as("seed %d, from %d s", seed, from)
-                        .hasSize(4);
-                assertThat(watch.guards(from + 20, from + 240))
-                        .as("seed %d, from %d s", seed, from)
-                        .hasSize(4);
-            }
+            assertThat(watch.guards(from + 20, from + 240))
+                    .as("seed %d, from %d s", seed, from)
+                    .hasSize(4);
         }
     }
 
     /// Every minute, which leaves less time to watch.
-    @Test
-    void whoDoesNotAnswerIsNotWaitedForWhenTheOthersSpread() {
-        for (long seed = 1; seed <= 3; seed++) {
-            Watch watch = watch(RunOptions.NONE
-                    .withConfiguration("faulty")
-                    .withJoined("distribution:found")
-                    .withSeed(seed)
-                    .withLimit(Duration.ofMinutes(10)));
-            assertThat(watch.spread(0, 200)).as("seed %d", seed).hasSize(4);
-            assertThat(watch.guards(0, 200)).as("seed %d", seed).hasSize(4);
-            for (long from = 240; from < 600; from += 120) {
-                assertThat(watch.spread(from, from + 120))
-                        .as("seed %d, from %d s", seed, from)
-                        .hasSizeGreaterThanOrEqualTo(2); // the one that is gone may be in the third one's way
-            }
-            assertThat(watch.spread(240, 600)).as("seed %d", seed).hasSize(3);
-            assertThat(watch.guards(240, 600)).as("seed %d", seed).hasSize(3);
+    @Trials({"1", "2", "3"})
+    void whoDoesNotAnswerIsNotWaitedForWhenTheOthersSpread(long seed) {
+        Watch watch = watch(RunOptions.NONE
+                .withConfiguration("faulty")
+                .withJoined("distribution:found")
+                .withSeed(seed)
+                .withLimit(Duration.ofMinutes(10)));
+        assertThat(watch.spread(0, 200)).hasSize(4);
+        assertThat(watch.guards(0, 200)).hasSize(4);
+        for (long from = 240; from < 600; from += 120) {
+            assertThat(watch.spread(from, from + 120))
+                    .as("seed %d, from %d s", seed, from)
+                    .hasSizeGreaterThanOrEqualTo(2); // the one that is gone may be in the third one's way
         }
+        assertThat(watch.spread(240, 600)).hasSize(3);
+        assertThat(watch.guards(240, 600)).hasSize(3);
     }
 
     @Test

@@ -15,6 +15,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
+import rsal.testkit.LongTest;
+import rsal.testkit.Trials;
 
 @Timeout(400)
 class RescueIT {
@@ -57,22 +59,19 @@ class RescueIT {
         }
     }
 
-    @Test
-    void allVictimsAreFoundAndHelped() {
-        for (long seed = 1; seed <= 3; seed++) {
-            Rescue rescue = run("virtual", seed);
-            assertThat(rescue.result.outcome()).as("seed %d", seed).isEqualTo("success");
-            assertThat(rescue.measure("found")).as("seed %d", seed).isEqualTo(6);
-            assertThat(rescue.measure("reached")).as("seed %d", seed).isEqualTo(6);
-            assertThat(rescue.measure("reachedTime")).as("seed %d", seed).isBetween(rescue.measure("foundTime"), 400.0);
-            assertThat(rescue.measure("collisions")).as("seed %d", seed).isZero();
-            assertThat(rescue.of("reached"))
-                    .as("seed %d", seed)
-                    .allMatch(event -> event.text().startsWith("has helper-"));
-        }
+    @Trials({"1", "2", "3"})
+    void allVictimsAreFoundAndHelped(long seed) {
+        Rescue rescue = run("virtual", seed);
+        assertThat(rescue.result.outcome()).isEqualTo("success");
+        assertThat(rescue.measure("found")).isEqualTo(6);
+        assertThat(rescue.measure("reached")).isEqualTo(6);
+        assertThat(rescue.measure("reachedTime")).isBetween(rescue.measure("foundTime"), 400.0);
+        assertThat(rescue.measure("collisions")).isZero();
+        assertThat(rescue.of("reached")).allMatch(event -> event.text().startsWith("has helper-"));
     }
 
     @Test
+    @LongTest
     void explorersHelpTooWhenTheyMayAndExploreOn() {
         Rescue rescue = run("together", 1);
         assertThat(rescue.result.outcome()).isEqualTo("success");
@@ -87,26 +86,23 @@ class RescueIT {
         assertThat(rescue.measure("collisions")).isZero();
     }
 
-    @Test
-    void othersTakeOverWhenSomeAreGoneAndMessagesAreLost() {
-        for (long seed = 1; seed <= 2; seed++) {
-            Rescue rescue = run("faulty", seed);
-            assertThat(rescue.result.outcome()).as("seed %d", seed).isEqualTo("success");
-            assertThat(rescue.measure("reached")).as("seed %d", seed).isEqualTo(6);
-            RunEvent fault = rescue.of("fault").stream()
-                    .filter(event -> event.subject().startsWith("helper-"))
-                    .findFirst()
-                    .orElseThrow();
-            Optional<String> left = rescue.victimOf(fault.subject(), seconds(fault));
-            assertThat(left).as("seed %d: it had a victim to help", seed).isPresent();
-            assertThat(Handover.of(rescue.events, fault, fault.subject()).taken())
-                    .as("seed %d: another has gone there", seed)
-                    .isPresent();
-            assertThat(rescue.of("reached"))
-                    .as("seed %d", seed)
-                    .anyMatch(event -> event.subject().equals("victim-" + left.get())
-                            && !event.text().contains(fault.subject())
-                            && event.time().compareTo(fault.time()) > 0);
-        }
+    @Trials({"1", "2"})
+    void othersTakeOverWhenSomeAreGoneAndMessagesAreLost(long seed) {
+        Rescue rescue = run("faulty", seed);
+        assertThat(rescue.result.outcome()).isEqualTo("success");
+        assertThat(rescue.measure("reached")).isEqualTo(6);
+        RunEvent fault = rescue.of("fault").stream()
+                .filter(event -> event.subject().startsWith("helper-"))
+                .findFirst()
+                .orElseThrow();
+        Optional<String> left = rescue.victimOf(fault.subject(), seconds(fault));
+        assertThat(left).as("seed %d: it had a victim to help", seed).isPresent();
+        assertThat(Handover.of(rescue.events, fault, fault.subject()).taken())
+                .as("seed %d: another has gone there", seed)
+                .isPresent();
+        assertThat(rescue.of("reached"))
+                .anyMatch(event -> event.subject().equals("victim-" + left.get())
+                        && !event.text().contains(fault.subject())
+                        && event.time().compareTo(fault.time()) > 0);
     }
 }

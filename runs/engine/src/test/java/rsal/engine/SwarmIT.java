@@ -11,11 +11,11 @@ import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import rsal.data.Point2d;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
+import rsal.testkit.LongTest;
+import rsal.testkit.Trials;
 
 @Timeout(300)
 class SwarmIT {
@@ -39,22 +39,18 @@ class SwarmIT {
         return result.measures().get(name).getAsDouble();
     }
 
-    @Test
-    void tenSpreadOutAlongTheWallsAndKnowWhereTheyAre() {
-        for (long seed = 1; seed <= 3; seed++) {
-            RunResult result = run("ten", seed, 40, 1);
-            assertThat(measure(result, "distance")).as("seed %d", seed).isGreaterThan(10 * 10);
-            assertThat(measure(result, "localizationError")).as("seed %d", seed).isLessThan(0.35);
-            assertThat(measure(result, "collisions")).as("seed %d", seed).isZero();
-            assertThat(measure(result, "heardMessages")).isEqualTo(9 * measure(result, "messages"));
-        }
+    @Trials({"1", "2", "3"})
+    void tenSpreadOutAlongTheWallsAndKnowWhereTheyAre(long seed) {
+        RunResult result = run("ten", seed, 40, 1);
+        assertThat(measure(result, "distance")).isGreaterThan(10 * 10);
+        assertThat(measure(result, "localizationError")).isLessThan(0.35);
+        assertThat(measure(result, "collisions")).isZero();
+        assertThat(measure(result, "heardMessages")).isEqualTo(9 * measure(result, "messages"));
     }
 
-    @Test
-    void tenAreFartherFromEachOtherThanTheyWereAtFirst() {
-        for (long seed = 1; seed <= 3; seed++) {
-            assertThat(apart(seed, 40)).as("seed %d", seed).isGreaterThan(apart(seed, 0.1));
-        }
+    @Trials({"1", "2", "3"})
+    void tenAreFartherFromEachOtherThanTheyWereAtFirst(long seed) {
+        assertThat(apart(seed, 40)).isGreaterThan(apart(seed, 0.1));
     }
 
     /// Mean distance of ten to the nearest other [m].
@@ -82,6 +78,7 @@ class SwarmIT {
     }
 
     @Test
+    @LongTest
     void eightMapTheOfficeFloorTogether() {
         var options = RunOptions.NONE
                 .withConfiguration("coverage")
@@ -163,8 +160,7 @@ class SwarmIT {
         }
     }
 
-    @ParameterizedTest
-    @CsvSource({"line, 1", "wedge, 2", "circle, 3", "grid, 4"})
+    @Trials({"wedge, 2", "line, 1", "circle, 3", "grid, 4"})
     void aFormationIsHeldAcrossTheCaveAndGoesInAColumnWhereThatIsNarrow(String shape, long seed) {
         Marched marched = march("formation", seed, shape);
         assertThat(marched.result.outcome()).isEqualTo("success");
@@ -176,21 +172,17 @@ class SwarmIT {
                 .contains("leading a column of 6", "leading a %s of 6".formatted(shape), "has arrived");
     }
 
-    @Test
-    void theOthersCloseRanksWithinFourSecondsWhenSomeStopAndFallSilent() {
-        for (long seed = 1; seed <= 3; seed++) {
-            Marched marched = march("faulty", seed, "wedge");
-            assertThat(marched.result.outcome()).as("seed %d", seed).isEqualTo("success");
-            assertThat(measure(marched.result, "arrived")).as("seed %d", seed).isGreaterThanOrEqualTo(5);
-            assertThat(marched.faults).hasSize(3);
-            double first = marched.faults.getFirst();
-            double last = marched.faults.getLast();
-            assertThat(marched.formation.subMap(first, first + 4).values())
-                    .as("seed %d", seed)
-                    .anyMatch(words -> words.matches("forming a .* of 7"));
-            assertThat(marched.formation.subMap(last, last + 4).values())
-                    .as("seed %d", seed)
-                    .anyMatch(words -> words.matches("forming a .* of 5"));
-        }
+    @Trials({"1", "2", "3"})
+    void theOthersCloseRanksWithinFourSecondsWhenSomeStopAndFallSilent(long seed) {
+        Marched marched = march("faulty", seed, "wedge");
+        assertThat(marched.result.outcome()).isEqualTo("success");
+        assertThat(measure(marched.result, "arrived")).isGreaterThanOrEqualTo(5);
+        assertThat(marched.faults).hasSize(3);
+        double first = marched.faults.getFirst();
+        double last = marched.faults.getLast();
+        assertThat(marched.formation.subMap(first, first + 4).values())
+                .anyMatch(words -> words.matches("forming a .* of 7"));
+        assertThat(marched.formation.subMap(last, last + 4).values())
+                .anyMatch(words -> words.matches("forming a .* of 5"));
     }
 }

@@ -5,9 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 import rsal.scenario.RunOptions;
+import rsal.testkit.Trials;
 
 /// A team to which it is given as a task to map a place, as in `swarm:mapping`, in four rooms.
 @Timeout(300)
@@ -56,14 +55,12 @@ class TeamMappingIT {
                 .isZero();
     }
 
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3})
+    @Trials({"1", "2", "3"})
     void mapsAll(long seed) {
         assertMapped(ROOMS, seed);
     }
 
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3})
+    @Trials({"1", "2", "3"})
     void mapsAllWhenOneIsTakenAwayAndMessagesAreLost(long seed) {
         assertMapped(ROOMS + FAULTS, seed);
     }

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Timeout;
 import rsal.data.Pose2d;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
+import rsal.testkit.Trials;
 
 @Timeout(120)
 class TeleopIT {
@@ -38,46 +39,38 @@ class TeleopIT {
 
     /// The first is taken away, the second can't be heard from the 10th to the 40th second, and a fifth of all
     /// messages is lost, also of those by which robots are sent.
-    @Test
-    void peopleAreToldWhoDoesNotAnswerAndTheOthersGoWhereTheyAreSent() {
-        for (long seed = 1; seed <= 5; seed++) {
-            var options = RunOptions.NONE
-                    .withConfiguration("faulty")
-                    .withSeed(seed)
-                    .withLimit(Duration.ofSeconds(150))
-                    .withSpeed(0.1); // until all are sent, long before anything goes wrong
-            try (var run = LiveRun.start(Scenario.load("teleop").plan(options))) {
-                run.goTo("robot-1", new Pose2d(27.4, 0.1, 0));
-                run.goTo("robot-2", new Pose2d(-21.3, 2, 0));
-                run.goTo("robot-3", new Pose2d(17.4, 3.5, 0));
-                run.goTo("robot-4", new Pose2d(-3.6, 3.4, 0))
-                        .toCompletableFuture()
-                        .join();
-                run.speed(Double.POSITIVE_INFINITY);
-                RunResult result = Runs.result(run);
-                String as = "seed %d".formatted(seed);
-                assertThat(result.measures().get("arrived").getAsDouble())
-                        .as(as)
-                        .isEqualTo(3);
-                assertThat(result.measures().get("collisions").getAsDouble())
-                        .as(as)
-                        .isZero();
-                assertThat(run.goals())
-                        .extracting(goal -> goal.status().word())
-                        .containsExactly("canceled", "succeeded", "succeeded", "succeeded");
-                assertThat(unreached(run, "robot-1"))
-                        .as(as)
-                        .hasSize(1)
-                        .allSatisfy(event ->
-                                assertThat(event.time()).isBetween(Duration.ofSeconds(14), Duration.ofSeconds(18)));
-                assertThat(run.events(0))
-                        .as(as)
-                        .filteredOn(event -> event.subject().equals("dispatch"))
-                        .anyMatch(event -> event.text().equals("2 of 4 robots answer, silent: robot-1, robot-2")
-                                && event.time().toSeconds() < 18)
-                        .anyMatch(event -> event.text().equals("3 of 4 robots answer, silent: robot-1")
-                                && event.time().toSeconds() >= 40);
-            }
+    @Trials({"1", "2", "3", "4", "5"})
+    void peopleAreToldWhoDoesNotAnswerAndTheOthersGoWhereTheyAreSent(long seed) {
+        var options = RunOptions.NONE
+                .withConfiguration("faulty")
+                .withSeed(seed)
+                .withLimit(Duration.ofSeconds(150))
+                .withSpeed(0.1); // until all are sent, long before anything goes wrong
+        try (var run = LiveRun.start(Scenario.load("teleop").plan(options))) {
+            run.goTo("robot-1", new Pose2d(27.4, 0.1, 0));
+            run.goTo("robot-2", new Pose2d(-21.3, 2, 0));
+            run.goTo("robot-3", new Pose2d(17.4, 3.5, 0));
+            run.goTo("robot-4", new Pose2d(-3.6, 3.4, 0)).toCompletableFuture().join();
+            run.speed(Double.POSITIVE_INFINITY);
+            RunResult result = Runs.result(run);
+            String as = "seed %d".formatted(seed);
+            assertThat(result.measures().get("arrived").getAsDouble()).as(as).isEqualTo(3);
+            assertThat(result.measures().get("collisions").getAsDouble()).as(as).isZero();
+            assertThat(run.goals())
+                    .extracting(goal -> goal.status().word())
+                    .containsExactly("canceled", "succeeded", "succeeded", "succeeded");
+            assertThat(unreached(run, "robot-1"))
+                    .as(as)
+                    .hasSize(1)
+                    .allSatisfy(event ->
+                            assertThat(event.time()).isBetween(Duration.ofSeconds(14), Duration.ofSeconds(18)));
+            assertThat(run.events(0))
+                    .as(as)
+                    .filteredOn(event -> event.subject().equals("dispatch"))
+                    .anyMatch(event -> event.text().equals("2 of 4 robots answer, silent: robot-1, robot-2")
+                            && event.time().toSeconds() < 18)
+                    .anyMatch(event -> event.text().equals("3 of 4 robots answer, silent: robot-1")
+                            && event.time().toSeconds() >= 40);
         }
     }
 
