@@ -1,6 +1,7 @@
 /// Agents: what they are given, how they talk, who is there, and the host that runs plain Java ones. Knows robots
 /// only as devices of the middle layer; knows nothing of where they come from.
 module rsal.agents {
+    requires rsal.behaviors;
     requires transitive rsal.devices;
     requires static org.jspecify;
 

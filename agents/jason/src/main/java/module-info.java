@@ -1,6 +1,7 @@
 /// Agents written in AgentSpeak, on the interpreter Jason (jason-lang.github.io, LGPL-3.0), with percepts and actions
 /// of their robots. Knows robots only as devices of the middle layer; knows nothing of scenarios.
 module rsal.jason {
+    requires rsal.behaviors;
     requires transitive rsal.agents;
     requires jason.interpreter;
     requires java.logging;

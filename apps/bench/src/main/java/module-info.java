@@ -2,6 +2,9 @@
 /// agents and scenarios do, and knows nothing of what is behind them; navigation's algorithms it calls, scenarios
 /// it runs, and runs it shows to a browser.
 module rsal.bench {
+    requires rsal.yaml;
+    requires rsal.models;
+    requires rsal.worlds;
     requires transitive rsal.devices;
     requires rsal.agents;
     requires rsal.navigation;

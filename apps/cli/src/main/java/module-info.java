@@ -1,6 +1,9 @@
 /// The command `rsal`: reads what a person types, starts runs and their page, prints results. Knows nothing of how
 /// robots and agents work; of navigation's algorithms only how to try them on recorded data.
 module rsal.cli {
+    requires rsal.yaml;
+    requires rsal.models;
+    requires rsal.worlds;
     requires ch.qos.logback.classic;
     requires ch.qos.logback.core;
     requires info.picocli;

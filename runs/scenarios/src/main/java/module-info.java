@@ -1,6 +1,10 @@
 /// Scenarios: the format in which people write them, what is planned from it, and the scenarios themselves. Names
 /// robot systems, device drivers, agent hosts and agents by key, and knows nothing of those that stand behind.
 module rsal.scenarios {
+    requires rsal.yaml;
+    requires rsal.models;
+    requires rsal.worlds;
+    requires rsal.behaviors;
     requires transitive rsal.agents;
     requires transitive rsal.devices;
     requires java.desktop; // draws worlds
@@ -15,7 +19,7 @@ module rsal.scenarios {
     uses rsal.agent.AgentLanguage;
     uses rsal.agent.AgentType;
     uses rsal.robot.DeviceDriver;
-    uses rsal.scene.SceneFormat;
+    uses rsal.world.SceneFormat;
     uses rsal.system.BridgeProvider;
     uses rsal.system.RobotSystemProvider;
 }

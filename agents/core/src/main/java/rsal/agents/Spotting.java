@@ -10,9 +10,9 @@ import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.Rgb;
 import rsal.device.BlobFinder;
-import rsal.robot.ColorNames;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
+import rsal.settings.ColorNames;
 import rsal.settings.Parameter;
 
 /// Sees patches of color through a robot's blob finder and says where they are in the map, each time it sees them.

@@ -35,7 +35,7 @@ import java.util.stream.Collectors;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.Rgb;
-import rsal.robot.ColorNames;
+import rsal.settings.ColorNames;
 
 /// Values of Java as terms of AgentSpeak, and back. Numbers are numbers in SI units; a text of one word is an atom, in
 /// quotes where it needs them (`prey`, `'hunter-1'`, `'#2ca02c'`), and else a string; a pose is `pose(X,Y,Th)`, a place

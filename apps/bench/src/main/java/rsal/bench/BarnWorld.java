@@ -8,7 +8,7 @@ import java.util.List;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.settings.Value;
-import rsal.settings.Yaml;
+import rsal.yaml.Yaml;
 
 /// A world of the BARN Challenge (D. Perille, A. Truong, X. Xiao, P. Stone, Benchmarking Metric Ground Navigation,
 /// 2020): a field of upright cylinders that one must get through.

@@ -13,7 +13,7 @@ import rsal.settings.FileSource;
 import rsal.settings.Location;
 
 class CaveTest {
-    private static final Path IMAGE = Path.of("../../middle/devices/src/main/resources/rsal/maps/cave.png");
+    private static final Path IMAGE = Path.of("../../middle/worlds/src/main/resources/rsal/maps/cave.png");
 
     /// `-Drsal.update=true` draws it anew.
     @Test
@@ -22,8 +22,7 @@ class CaveTest {
         if (Boolean.getBoolean("rsal.update")) {
             ImageIO.write(image(drawn), "png", IMAGE.toFile());
         }
-        OccupancyGrid shipped = new Maps(
-                        FileSource.folder(Path.of("../../middle/devices/src/main/resources/rsal/maps")))
+        OccupancyGrid shipped = new Maps(FileSource.folder(Path.of("../../middle/worlds/src/main/resources/rsal/maps")))
                 .read("cave.yaml", Location.of("test"));
         assertThat(shipped.cells()).isEqualTo(drawn.cells());
         assertThat(shipped.resolution()).isEqualTo(drawn.resolution());

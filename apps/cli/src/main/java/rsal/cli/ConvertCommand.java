@@ -17,11 +17,11 @@ import picocli.CommandLine.Parameters;
 import rsal.scenario.Counted;
 import rsal.scenario.Scenario;
 import rsal.scene.Scene;
-import rsal.scene.yaml.SceneWriter;
-import rsal.scene.yaml.YamlFormat;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.settings.Problem;
+import rsal.world.yaml.SceneWriter;
+import rsal.world.yaml.YamlFormat;
 
 /// `rsal convert`
 @Command(

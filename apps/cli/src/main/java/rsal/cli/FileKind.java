@@ -6,12 +6,13 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
 import rsal.map.Maps;
-import rsal.robot.RobotModels;
+import rsal.model.RobotModels;
 import rsal.scenario.Scenario;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.settings.Value;
+import rsal.yaml.Yaml;
 
 /// What a name on the command line stands for, when that is neither a scenario nor a world: people name their maps and
 /// models where a scenario is asked for.
@@ -84,7 +85,7 @@ enum FileKind {
     private static Optional<FileKind> written(String name) {
         Value.Mapping file;
         try {
-            file = FileSource.disk().yaml(name, Location.of(name));
+            file = Yaml.read(FileSource.disk(), name, Location.of(name));
         } catch (InvalidSettings _) {
             return Optional.empty();
         }

@@ -8,7 +8,7 @@ import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 import rsal.map.Maps;
-import rsal.robot.RobotModels;
+import rsal.model.RobotModels;
 import rsal.scenario.Providers;
 import rsal.scenario.Scenario;
 import rsal.system.BridgeProvider;

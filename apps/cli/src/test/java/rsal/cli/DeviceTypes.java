@@ -17,15 +17,16 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import rsal.device.Device;
 import rsal.device.Sensor;
+import rsal.model.RobotModels;
 import rsal.robot.DeviceDriver;
 import rsal.robot.RobotModel.Part;
-import rsal.robot.RobotModels;
 import rsal.scenario.Providers;
 import rsal.settings.Location;
 
 /// The types of devices, as their sources tell of them, and what becomes one.
 final class DeviceTypes {
-    private static final Path SOURCES = Path.of("../../middle/devices/src/main/java");
+    private static final Path MODULES = Path.of("../../middle");
+    private static final Path SOURCES = MODULES.resolve("devices/src/main/java");
     /// A method that others may call, on one line as the formatter leaves it.
     private static final Pattern METHOD = Pattern.compile(
             " {4}(public |default )?((?! |record|sealed|enum|class|static|private|protected|final)[\\w<>,.?\\[\\] ]+ \\w+\\(.*\\)) ?[;{]");
@@ -121,8 +122,8 @@ final class DeviceTypes {
         if (!drivers.isEmpty()) {
             facts.add("Drivers: " + drivers);
         }
-        facts.add(
-                "In Java: [`%s`](../../middle/devices/src/main/java/%s)".formatted(type.getName(), Source.path(type)));
+        facts.add("In Java: [`%s`](../../%s)"
+                .formatted(type.getName(), Path.of("../..").relativize(Source.file(type))));
         facts.forEach(fact -> text.append("\n* ").append(fact));
         text.append('\n');
         if (!source.methods.isEmpty()) {
@@ -168,13 +169,22 @@ final class DeviceTypes {
             return new Source(about, methods);
         }
 
-        static String path(Class<?> type) {
-            return type.getName().replace('.', '/') + ".java";
+        /// In whichever module of the middle layer it is.
+        static Path file(Class<?> type) {
+            String inModule = "src/main/java/" + type.getName().replace('.', '/') + ".java";
+            try (Stream<Path> modules = Files.list(MODULES)) {
+                return modules.map(module -> module.resolve(inModule))
+                        .filter(Files::exists)
+                        .findFirst()
+                        .orElseThrow();
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
         }
 
         private static List<String> lines(Class<?> type) {
             try {
-                return Files.readAllLines(SOURCES.resolve(path(type)));
+                return Files.readAllLines(file(type));
             } catch (IOException e) {
                 throw new UncheckedIOException(e);
             }

@@ -17,7 +17,8 @@ import rsal.device.Device;
 import rsal.device.LaserScanner;
 import rsal.device.SonarArray;
 
-/// What a kind of robot is like: a file in `rsal/robot/models`, read by [RobotModels]. All that actuators carry is
+/// What a kind of robot is like: a file in `rsal/model/models`, read by the module `models`. All that actuators carry
+/// is
 /// told where it is while they are at home.
 ///
 /// @param name `pioneer2dx`
@@ -34,8 +35,8 @@ public record RobotModel(
         Map<String, Part> sensors,
         Map<String, Double> heights,
         Map<String, String> carriers) {
-    /// Of bodies for which none is told [m].
-    static final double HEIGHT = 0.25;
+    /// Height of a robot's body where none is given [m].
+    public static final double HEIGHT = 0.25;
 
     public RobotModel {
         sensors = java.util.Collections.unmodifiableMap(new java.util.LinkedHashMap<>(sensors));
@@ -245,7 +246,7 @@ public record RobotModel(
         }
     }
 
-    /// Something a model or a scenario mounts on a robot: a file in `rsal/robot/parts`.
+    /// Something a model or a scenario mounts on a robot: a file in `rsal/model/parts`.
     public sealed interface Part {
         String name();
 

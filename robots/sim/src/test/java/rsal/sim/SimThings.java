@@ -10,9 +10,9 @@ import rsal.data.Rgb;
 import rsal.data.Shape;
 import rsal.data.Solid;
 import rsal.device.SimulationControl.Thing;
+import rsal.model.RobotModels;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Part;
-import rsal.robot.RobotModels;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
 

@@ -2,7 +2,7 @@ package rsal.stage;
 
 import java.util.Optional;
 import java.util.Set;
-import rsal.robot.ColorNames;
+import rsal.settings.ColorNames;
 
 /// A color, each part 0–255.
 ///

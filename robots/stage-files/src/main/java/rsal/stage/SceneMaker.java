@@ -15,18 +15,18 @@ import rsal.data.Rgb;
 import rsal.robot.RobotSpec;
 import rsal.scene.Block;
 import rsal.scene.Entity;
-import rsal.scene.MapPainter;
 import rsal.scene.NamedSeed;
-import rsal.scene.Overlaps;
-import rsal.scene.Overlaps.Overlap;
 import rsal.scene.Raster;
 import rsal.scene.Scene;
 import rsal.scene.Surface;
 import rsal.scene.Touch;
-import rsal.scene.Upright;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.stage.Pieces.Piece;
+import rsal.world.MapPainter;
+import rsal.world.Overlaps;
+import rsal.world.Overlaps.Overlap;
+import rsal.world.Upright;
 
 /// Turns a world of Stage into what the simulation knows: large bitmaps become walls, bases with all that stands on
 /// them robots, all else things.

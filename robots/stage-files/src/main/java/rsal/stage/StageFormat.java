@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import rsal.scene.Scene;
-import rsal.scene.SceneFormat;
 import rsal.settings.FileSource;
+import rsal.world.SceneFormat;
 
 /// World files of Stage 4 (`.world`). What they include is looked for in the folders of the environment's
 /// `STAGEPATH`, too, when all files may be read.

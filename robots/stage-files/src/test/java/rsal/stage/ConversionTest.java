@@ -16,10 +16,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.scene.Scene;
-import rsal.scene.yaml.SceneWriter;
-import rsal.scene.yaml.YamlFormat;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
+import rsal.world.yaml.SceneWriter;
+import rsal.world.yaml.YamlFormat;
 
 /// A world of Stage that is written as one of our own is the same world.
 class ConversionTest {

@@ -8,13 +8,13 @@ import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentLanguage;
 import rsal.agent.AgentType;
 import rsal.map.Maps;
+import rsal.model.RobotModels;
 import rsal.robot.DeviceDriver;
-import rsal.robot.RobotModels;
-import rsal.scene.SceneFormat;
 import rsal.settings.Location;
 import rsal.settings.Problems;
 import rsal.settings.Suggestion;
 import rsal.system.RobotSystemProvider;
+import rsal.world.SceneFormat;
 
 /// What scenarios can name in this installation, by key, in the order of the keys.
 ///

@@ -38,10 +38,10 @@ import rsal.settings.Problems;
 import rsal.settings.Section;
 import rsal.settings.Suggestion;
 import rsal.settings.Value;
-import rsal.settings.Yaml;
 import rsal.system.RobotSystem;
 import rsal.system.RobotSystemProvider.InvalidRobots;
 import rsal.time.LockstepScheduler;
+import rsal.yaml.Yaml;
 
 /// Reads a scenario with one configuration and its arguments filled in. Goes on after a mistake as far as that
 /// makes sense, so that all of them are reported together.

@@ -22,7 +22,7 @@ import rsal.settings.Problems;
 import rsal.settings.Section;
 import rsal.settings.Suggestion;
 import rsal.settings.Value;
-import rsal.settings.Yaml;
+import rsal.yaml.Yaml;
 
 /// A scenario as its author wrote it, checked in itself, arguments still open. Immutable.
 public final class Scenario {

@@ -6,9 +6,9 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
+import rsal.data.FreeSpace;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
-import rsal.map.FreeSpace;
 import rsal.settings.Section;
 import rsal.settings.Value;
 

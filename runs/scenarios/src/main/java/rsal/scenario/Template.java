@@ -11,7 +11,7 @@ import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.settings.Suggestion;
-import rsal.settings.Yaml;
+import rsal.yaml.Yaml;
 
 /// What somebody's own scenario begins with: one that comes with the program, and the files that it names.
 /// There is an agent among them: a scenario that comes with the program has one configuration more, with one in

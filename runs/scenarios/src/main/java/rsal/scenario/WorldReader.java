@@ -17,7 +17,6 @@ import rsal.scenario.RunPlan.Mrs;
 import rsal.scenario.RunPlan.PlannedDevice;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.scene.Scene;
-import rsal.scene.SceneFormat;
 import rsal.scene.Service;
 import rsal.scene.Touch;
 import rsal.settings.FileSource;
@@ -26,6 +25,7 @@ import rsal.settings.Location;
 import rsal.settings.Problems;
 import rsal.settings.Section;
 import rsal.settings.Suggestion;
+import rsal.world.SceneFormat;
 
 /// Reads where a scenario takes place: a map, or the file of a world with all that is in it.
 final class WorldReader {

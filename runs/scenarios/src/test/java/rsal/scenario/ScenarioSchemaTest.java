@@ -21,7 +21,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Value;
-import rsal.settings.Yaml;
+import rsal.yaml.Yaml;
 import tools.jackson.databind.json.JsonMapper;
 
 class ScenarioSchemaTest {

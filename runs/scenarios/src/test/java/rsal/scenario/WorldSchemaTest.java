@@ -14,10 +14,10 @@ import java.util.LinkedHashMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import rsal.scene.yaml.YamlFormat;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Value;
-import rsal.settings.Yaml;
+import rsal.world.yaml.YamlFormat;
+import rsal.yaml.Yaml;
 import tools.jackson.databind.json.JsonMapper;
 
 /// The schema for worlds says what their reader says, as far as a schema can.

@@ -25,7 +25,7 @@ import rsal.device.Navigator.Tolerance;
 import rsal.device.SimulationControl.Placement;
 import rsal.device.SimulationControl.Thing;
 import rsal.map.Maps;
-import rsal.robot.RobotModels;
+import rsal.model.RobotModels;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
 import rsal.testkit.DrawnMap;

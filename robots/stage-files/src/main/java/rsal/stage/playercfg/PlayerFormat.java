@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Optional;
 import rsal.data.OccupancyGrid;
 import rsal.scene.Scene;
-import rsal.scene.SceneFormat;
 import rsal.scene.Service;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
@@ -15,6 +14,7 @@ import rsal.stage.Findings;
 import rsal.stage.StageFormat;
 import rsal.stage.StageWorld;
 import rsal.stage.WorldFiles;
+import rsal.world.SceneFormat;
 
 /// Configuration files of Player servers (`.cfg`): the world is the one of their `stage` driver, with what is
 /// served of it. One without that driver has an empty world.

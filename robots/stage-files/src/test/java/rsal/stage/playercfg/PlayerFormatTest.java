@@ -18,13 +18,13 @@ import rsal.data.Pose2d;
 import rsal.device.Navigator.Tolerance;
 import rsal.robot.RobotSpec;
 import rsal.scene.Scene;
-import rsal.scene.SceneFormat;
 import rsal.scene.Service;
 import rsal.scene.Service.Software;
 import rsal.settings.Problem;
 import rsal.settings.Value;
 import rsal.stage.Findings;
 import rsal.stage.WorldFiles;
+import rsal.world.SceneFormat;
 
 class PlayerFormatTest {
     /// Made like those of the thesis: simulated robots, and stand-ins of real ones.

@@ -25,7 +25,7 @@ import rsal.scene.Raster;
 import rsal.scene.Scene;
 import rsal.scene.Surface;
 import rsal.scene.Touch;
-import rsal.scene.yaml.YamlFormat;
+import rsal.world.yaml.YamlFormat;
 
 /// Pictures of a hall of 4 m × 4 m with a single cell of wall, 1 m × 1 m × 0.6 m, at its middle.
 class WorldPictureTest {

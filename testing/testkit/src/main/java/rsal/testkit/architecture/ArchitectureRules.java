@@ -67,18 +67,12 @@ public abstract class ArchitectureRules {
     private static final String SERVER = "rsal.server..";
     private static final String CLI = "rsal.cli..";
     private static final String[] ROBOT_SYSTEMS = {"rsal.sim..", "rsal.stage..", "rsal.player..", "rsal.ros2.."};
-    private static final String[] MIDDLE = {
-        "rsal.device..",
-        "rsal.fault..",
-        "rsal.robot..",
-        "rsal.settings..",
-        "rsal.time..",
-        "rsal.image..",
-        "rsal.map..",
-        "rsal.behavior..",
-        "rsal.scene..",
-        "rsal.system.."
+    private static final String[] VALUES = {"rsal.data..", "rsal.settings.."};
+    private static final String[] CONTRACTS = {
+        "rsal.device..", "rsal.fault..", "rsal.robot..", "rsal.scene..", "rsal.system..", "rsal.time.."
     };
+    private static final String[] FILES = {"rsal.yaml..", "rsal.model..", "rsal.world..", "rsal.image..", "rsal.map.."};
+    private static final String[] MIDDLE = with(VALUES, with(CONTRACTS, with(FILES, "rsal.behavior..")));
     private static final String[] APPS = {SCENARIOS, ENGINE, RECORDING, EXPERIMENTS, SERVER, CLI};
 
     private static final SliceAssignment PACKAGES = new SliceAssignment() {
@@ -175,11 +169,27 @@ public abstract class ArchitectureRules {
 
     @Test
     void theMiddleKnowsOnlyTheMiddle() {
+        check(noClasses().that().resideInAnyPackage(MIDDLE).should().dependOnClassesThat(outside(MIDDLE)));
+    }
+
+    /// Whoever writes a robot system or a device needs no file format.
+    @Test
+    void contractsKnowOnlyValues() {
         check(noClasses()
                 .that()
-                .resideInAnyPackage(MIDDLE)
+                .resideInAnyPackage(CONTRACTS)
                 .should()
-                .dependOnClassesThat(outside(with(MIDDLE, "rsal.data.."))));
+                .dependOnClassesThat(outside(with(CONTRACTS, VALUES))));
+        check(noClasses()
+                .that()
+                .resideInAnyPackage("rsal.sim..", "rsal.player..")
+                .should()
+                .dependOnClassesThat(within(FILES)));
+    }
+
+    @Test
+    void settingsKnowNoFileFormat() {
+        check(noClasses().that().resideInAPackage("rsal.settings..").should().dependOnClassesThat(outside(VALUES)));
     }
 
     @Test

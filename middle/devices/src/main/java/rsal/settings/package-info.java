@@ -1,7 +1,0 @@
-/// Settings that people write: declared once as [rsal.settings.Parameter], read strictly from YAML with line
-/// numbers, handed on as [rsal.settings.Arguments]. Every mistake says where it is, what was read, what was
-/// expected and, where it can, what was meant.
-@NullMarked
-package rsal.settings;
-
-import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,17 @@
+package rsal.world;
+
+import rsal.scene.Scene;
+import rsal.settings.FileSource;
+import rsal.settings.InvalidSettings;
+
+/// A way to write worlds, found by [java.util.ServiceLoader].
+public interface SceneFormat {
+    /// How the names of its files end, with the dot: `.world`.
+    String suffix();
+
+    /// @param path of the file, as a person writes it
+    /// @param files where it and what it names is
+    /// @param seed for what the file leaves to chance
+    /// @throws InvalidSettings with all mistakes of the file
+    Scene read(String path, FileSource files, long seed);
+}

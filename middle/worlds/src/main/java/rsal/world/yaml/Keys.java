@@ -1,0 +1,90 @@
+package rsal.world.yaml;
+
+import java.util.List;
+import rsal.model.BodyReader;
+import rsal.scene.Touch;
+import rsal.settings.Parameter;
+import rsal.settings.Section;
+
+/// What can be set in a world, and how large it can be.
+final class Keys {
+    static final int VERSION = 1;
+    static final double FARTHEST = 1e6; // [m]
+    static final int MAX_SAME = 10_000; // things or robots that one group makes
+
+    /// Things, and what robots are made of.
+    static final BodyReader BODIES = new BodyReader(new BodyReader.Limits(100_000, 2_000, FARTHEST, -FARTHEST, 0.25));
+    static final double WALL_HEIGHT = 2; // [m]
+    /// Walls.
+    static final BodyReader WALLS = new BodyReader(new BodyReader.Limits(1, 10_000, FARTHEST, -FARTHEST, WALL_HEIGHT));
+
+    static final Parameter STEP =
+            Parameter.number("step", 0.1, 0.01, 0.2, "s", "Time between two states of the world.");
+    static final Parameter END = Parameter.number("end", 0, 0, 1e9, "s", "How long a run of it takes.");
+    static final Parameter TOUCH = Parameter.choice(
+            "touch",
+            Touch.STALL.word(),
+            Touch.words(),
+            "Whether robots that drive into something stop or slide along it.");
+    static final Parameter SEED = Parameter.integer(
+            "seed",
+            0,
+            Long.MIN_VALUE,
+            Long.MAX_VALUE,
+            "",
+            "What the field follows from; the seed of the run when left out.");
+    static final Parameter COUNT = Parameter.integer("count", 1, 1, MAX_SAME, "", "How many there are.");
+
+    static final Parameter OBSTACLE = Parameter.flag("obstacle", true, "Whether it is in the way.");
+    static final Parameter REFLECTANCE = Parameter.number(
+            "reflectance", 1, -1e9, 1e9, "", "How bright range sensors see it; they look through what is negative.");
+    static final Parameter BLOB = Parameter.flag("blob", true, "Whether blob finders tell of it.");
+    static final Parameter FIDUCIAL =
+            Parameter.integer("fiducial", 0, Integer.MIN_VALUE, Integer.MAX_VALUE, "", "Its id as a marker; 0: none.");
+    static final Parameter KEY = Parameter.integer(
+            "key", 0, Integer.MIN_VALUE, Integer.MAX_VALUE, "", "Only finders of this key see the marker.");
+    static final Parameter GRIPPABLE = Parameter.flag("grippable", false, "Whether grippers can hold it.");
+    static final List<Parameter> SURFACE = List.of(OBSTACLE, REFLECTANCE, BLOB, FIDUCIAL, KEY, GRIPPABLE);
+
+    static final Parameter MOVES =
+            Parameter.flag("moves", false, "Whether it may be elsewhere later, so that the map does not show it.");
+
+    static final Parameter GIVING = Parameter.number(
+            "givingPower", 0, 0, 1e9, "W", "With which it charges each robot that touches it, at most.");
+
+    static final Parameter CLOSED =
+            Parameter.flag("closed", false, "Whether the line goes on from its end to its beginning.");
+    static final Parameter THICKNESS = Parameter.number(
+            "thickness",
+            0.1,
+            0,
+            1000,
+            "m",
+            "Of a line; 0: thin as a sheet. Of a shape: it is hollow, its border so thick.");
+    static final Parameter THRESHOLD = Parameter.number(
+            "threshold", 0.5, 0, 1, "", "How bright a solid pixel may be, from 0 (black) to 1 (white).");
+    static final Parameter FENCED = Parameter.flag("fenced", false, "Whether no robot leaves the image.");
+
+    static final Parameter DENSITY = Parameter.number("density", 0.1, 0, 1000, "1/m²", "How many per square meter.");
+    static final Parameter GAP =
+            Parameter.number("gap", 0.5, 0, 100, "m", "Between an obstacle and others, walls and things, at least.");
+    static final Parameter ROBOT_GAP =
+            Parameter.number("robotGap", 1, 0, 100, "m", "Between an obstacle and robots at their start, at least.");
+
+    static final Parameter CLEARANCE =
+            Parameter.number("clearance", 0.4, 0.05, 100, "m", "Free space around a place that is chosen.");
+
+    private Keys() {}
+
+    static boolean flag(Section section, Parameter parameter) {
+        return Boolean.TRUE.equals(section.value(parameter).orElse(false));
+    }
+
+    static double number(Section section, Parameter parameter) {
+        return section.value(parameter).map(value -> (Double) value).orElse(1.0);
+    }
+
+    static long whole(Section section, Parameter parameter) {
+        return section.value(parameter).map(value -> (Long) value).orElse(1L);
+    }
+}
