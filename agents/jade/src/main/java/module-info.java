@@ -1,7 +1,7 @@
 /// JADE (jade.tilab.com), a multi-agent system after FIPA's standards, as a host of our agents. Knows nothing of robots
 /// beyond what agents know of them, and nothing of scenarios.
 module rsal.jade {
-    requires rsal.agents;
+    requires rsal.agent.platform;
     requires jade;
     requires java.desktop;
     requires java.logging;

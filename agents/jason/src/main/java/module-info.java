@@ -2,7 +2,7 @@
 /// of their robots. Knows robots only as devices of the middle layer; knows nothing of scenarios.
 module rsal.jason {
     requires rsal.behaviors;
-    requires transitive rsal.agents;
+    requires transitive rsal.agent.platform;
     requires jason.interpreter;
     requires java.logging;
     requires java.management;

@@ -1,7 +1,7 @@
 /// Agents written in Java, in files beside a scenario (`type: Hunter.java`), which are compiled when the
 /// scenario is read. Knows nothing of scenarios.
 module rsal.java {
-    requires transitive rsal.agents;
+    requires transitive rsal.agent.api;
     requires java.compiler;
     requires static org.jspecify;
 

@@ -6,7 +6,7 @@ module rsal.bench {
     requires rsal.models;
     requires rsal.worlds;
     requires transitive rsal.devices;
-    requires rsal.agents;
+    requires rsal.agent.platform;
     requires rsal.navigation;
     requires rsal.engine;
     requires rsal.server;

@@ -5,7 +5,7 @@ module rsal.scenarios {
     requires rsal.models;
     requires rsal.worlds;
     requires rsal.behaviors;
-    requires transitive rsal.agents;
+    requires transitive rsal.agent.platform;
     requires transitive rsal.devices;
     requires java.desktop; // draws worlds
     requires tools.jackson.databind;

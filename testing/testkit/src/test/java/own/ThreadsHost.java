@@ -9,7 +9,7 @@ import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import rsal.agent.AgentHost;
 import rsal.agent.MessageTransport;
-import rsal.agent.ThreadLane;
+import rsal.agent.platform.ThreadLane;
 import rsal.time.Scheduler;
 
 /// Each agent on a thread of its own.

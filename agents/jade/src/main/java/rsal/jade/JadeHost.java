@@ -15,8 +15,8 @@ import rsal.agent.AgentHost;
 import rsal.agent.Message;
 import rsal.agent.MessageTransport;
 import rsal.agent.ServiceDescription;
-import rsal.agent.ThreadLane;
 import rsal.agent.Topic;
+import rsal.agent.platform.ThreadLane;
 import rsal.time.Scheduler;
 
 /// Agents on a JADE platform of their own. All calls in turn.

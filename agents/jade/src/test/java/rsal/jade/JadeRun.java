@@ -4,7 +4,7 @@ import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import rsal.agent.Agent;
-import rsal.agent.AgentPlatform;
+import rsal.agent.platform.AgentPlatform;
 import rsal.testkit.contract.HostRun;
 
 /// Agents of ours on JADE, and JADE agents of the test among them.

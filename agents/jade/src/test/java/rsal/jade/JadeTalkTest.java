@@ -29,9 +29,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import rsal.agent.Agent;
 import rsal.agent.AgentContext;
-import rsal.agent.AgentPlatform.Status;
 import rsal.agent.ServiceDescription;
 import rsal.agent.Topic;
+import rsal.agent.platform.AgentPlatform.Status;
 import rsal.agent.protocol.Request;
 import rsal.time.WallScheduler;
 

@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import rsal.agent.AgentHost;
-import rsal.agent.ThreadLane;
+import rsal.agent.platform.ThreadLane;
 import rsal.time.Scheduler;
 
 /// A Jadex platform with a micro agent for each agent, which does in steps what its agent does. What agents say stays

@@ -20,8 +20,8 @@ import org.junit.jupiter.api.Test;
 import rsal.agent.Agent;
 import rsal.agent.AgentContext;
 import rsal.agent.AgentHostProvider;
-import rsal.agent.AgentPlatform.Status;
 import rsal.agent.Topic;
+import rsal.agent.platform.AgentPlatform.Status;
 import rsal.testkit.contract.AgentHostContract;
 import rsal.testkit.contract.HostRun;
 

@@ -4,7 +4,7 @@ import java.util.List;
 import rsal.agent.AgentHost;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentLanguage;
-import rsal.agent.PlainHost;
+import rsal.agent.platform.PlainHost;
 import rsal.settings.Arguments;
 import rsal.time.Scheduler;
 

@@ -23,7 +23,7 @@ import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import java.util.function.ToLongFunction;
 import java.util.stream.Stream;
-import rsal.agent.AgentPlatform;
+import rsal.agent.platform.AgentPlatform;
 import rsal.engine.Histogram;
 import rsal.engine.LossReason;
 import rsal.engine.Metrics;

@@ -11,7 +11,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import rsal.agent.AgentPlatform;
+import rsal.agent.platform.AgentPlatform;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.engine.AgentInspection;

@@ -14,6 +14,7 @@ import rsal.device.DeviceInfo;
 import rsal.device.DriveBase;
 import rsal.device.Health;
 import rsal.device.LaserScanner;
+import rsal.device.Locomotion;
 import rsal.device.Sensor;
 import rsal.device.SensorCore;
 import rsal.device.SonarArray;
@@ -25,7 +26,7 @@ import rsal.robot.Robot;
 /// While motors are off it does not ask the stack, which would take itself for stuck.
 /// When odometry or a range sensor falls silent it stands still and is stale until they are back. When a behavior
 /// throws, or wants what is not finite, it stands still, lets go of the stack and is lost until it is given another.
-public final class Pilot extends SensorCore<Decision> {
+public final class Pilot extends SensorCore<Decision> implements Locomotion {
     static final Duration PERIOD = Duration.ofMillis(100);
 
     private static final Logger LOG = System.getLogger(Pilot.class.getName());

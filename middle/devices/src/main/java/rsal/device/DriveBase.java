@@ -5,7 +5,7 @@ import rsal.data.Pose2d;
 import rsal.data.Twist2d;
 
 /// Motors and wheels. Frame of its readings: `<robot>/odom`.
-public interface DriveBase extends Sensor<Odometry> {
+public interface DriveBase extends Sensor<Odometry>, Locomotion {
     /// Moves like this until the next command. The newest wins; when none comes for the watchdog's time (0.5 s
     /// by default) the base stops by itself. What the drive can't do at all is left out (a differential drive's
     /// way to the side, a car's turn in place); speeds beyond what it can do are cut to it, keeping the

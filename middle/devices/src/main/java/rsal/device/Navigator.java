@@ -10,7 +10,7 @@ import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 
 /// Drives somewhere.
-public interface Navigator extends Device {
+public interface Navigator extends Device, Locomotion {
     /// Drives to a place. A new goal cancels the one under way; when it is near the old one the robot does not
     /// stop in between.
     ///

@@ -2,8 +2,8 @@ package rsal.engine;
 
 import java.util.List;
 import java.util.Optional;
-import rsal.agent.AgentPlatform;
 import rsal.agent.bdi.Mind;
+import rsal.agent.platform.AgentPlatform;
 import rsal.scenario.RunPlan.PlannedAgent;
 
 /// How an agent was started, what it believes, wants and does, and what it talks about: made for those who look into

@@ -3,7 +3,7 @@ package rsal.engine;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
-import rsal.agent.AgentPlatform;
+import rsal.agent.platform.AgentPlatform;
 
 /// An agent as people see it.
 ///

@@ -35,7 +35,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentType;
-import rsal.agent.Turns;
+import rsal.agent.platform.Turns;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
 import rsal.device.Subscription;

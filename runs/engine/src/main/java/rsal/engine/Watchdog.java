@@ -3,7 +3,7 @@ package rsal.engine;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
-import rsal.agent.Turns;
+import rsal.agent.platform.Turns;
 
 /// Finds out which agent never returns, and so holds up all others on its thread. Counts how often it is seen in one
 /// turn instead of measuring time: while a machine sleeps nobody is late. Of one thread.

@@ -13,8 +13,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.Timeout.ThreadMode;
 import org.junit.jupiter.api.io.TempDir;
-import rsal.agent.AgentPlatform;
 import rsal.agent.AgentType;
+import rsal.agent.platform.AgentPlatform;
 import rsal.scenario.RunOptions;
 
 /// People start and stop agents, and say something to them.

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import rsal.agent.AgentPlatform;
+import rsal.agent.platform.AgentPlatform;
 import rsal.data.Pose2d;
 import rsal.device.SimulationControl.Standing;
 import rsal.model.RobotModels;

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import rsal.agent.AgentPlatform;
+import rsal.agent.platform.AgentPlatform;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.testkit.example.Witness;

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import rsal.agent.Turns;
+import rsal.agent.platform.Turns;
 import rsal.data.Pose2d;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;

@@ -202,6 +202,22 @@ public abstract class ArchitectureRules {
                 .dependOnClassesThat(within(with(APPS, NAVIGATION))));
     }
 
+    /// What an agent is and what runs it are two things, and both know none of those that come with RSAL.
+    @Test
+    void agentsContractsKnowNoPlatformAndNoAgent() {
+        check(noClasses()
+                .that()
+                .resideInAPackage("rsal.agent")
+                .should()
+                .dependOnClassesThat(
+                        within("rsal.agent.*..", "rsal.behavior..", "rsal.yaml..", "rsal.model..", "rsal.world..")));
+        check(noClasses()
+                .that()
+                .resideOutsideOfPackage("rsal.agents..")
+                .should()
+                .dependOnClassesThat(within("rsal.agents..")));
+    }
+
     @Test
     void robotSystemsDoNotSeeAgents() {
         check(noClasses()

@@ -2,6 +2,7 @@ package rsal.testkit.architecture;
 
 import org.junit.jupiter.api.Nested;
 import rsal.agent.Agent;
+import rsal.agent.platform.AgentPlatform;
 import rsal.behavior.Subsumption;
 import rsal.data.Pose2d;
 import rsal.device.Device;
@@ -58,6 +59,13 @@ class ModulesTest {
     class Agents extends ArchitectureRules {
         Agents() {
             super(Agent.class);
+        }
+    }
+
+    @Nested
+    class Platform extends ArchitectureRules {
+        Platform() {
+            super(AgentPlatform.class);
         }
     }
 

@@ -1,0 +1,112 @@
+package rsal.agent.platform;
+
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.List;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import rsal.agent.Message;
+
+/// A message that those who listen are told: takes down who hears it at once, then lets them, in that order. It is one
+/// task for all of them, as ten thousand agents that greet each other would be a hundred million. Of those who stand
+/// in a channel's list it takes down a bit each: as many greetings are on their way at a time.
+///
+/// Calls come in turn, on the run's thread or on that of an agent.
+final class MessageDispatch<M> implements Runnable {
+    private final Message<M> message;
+    private List<Seat<M>> seats = List.of(); // of those it is told to in their order, which doesn't change any more
+    private int told; // the seat of who is told now
+    private @Nullable BitSet hearing; // seats of those who hear it, as long as that tells it all
+    private List<Hearer<M>> hearers = List.of(); // else: they themselves
+
+    /// One who hears it.
+    @FunctionalInterface
+    interface Hearer<M> {
+        void reach(MessageDispatch<M> told);
+    }
+
+    /// A place in a channel's list.
+    static final class Seat<M> {
+        private @Nullable Hearer<M> hearer; // who sits there, as soon as that is known
+    }
+
+    MessageDispatch(Message<M> message) {
+        this.message = message;
+    }
+
+    Message<M> message() {
+        return message;
+    }
+
+    /// From now on those are told who sit there, one after the other.
+    void begin(List<Seat<M>> itsSeats) {
+        seats = itsSeats;
+    }
+
+    /// Who sits there is told next.
+    void tells(int seat) {
+        told = seat;
+    }
+
+    /// Lets one hear it who always is the same for the seat that is told.
+    void add(Hearer<M> hearer) {
+        if (hearers.isEmpty() && !seats.isEmpty() && sits(hearer)) {
+            BitSet noted = hearing == null ? new BitSet(seats.size()) : hearing;
+            noted.set(told);
+            hearing = noted;
+        } else {
+            addOnce(hearer);
+        }
+    }
+
+    private boolean sits(Hearer<M> hearer) {
+        Seat<M> seat = seats.get(told);
+        if (seat.hearer == null) {
+            seat.hearer = hearer;
+        }
+        return hearer.equals(seat.hearer) && (hearing == null || !hearing.get(told));
+    }
+
+    /// Lets one hear it who is made for this.
+    void addOnce(Hearer<M> hearer) {
+        if (hearers.isEmpty()) {
+            hearers = noted();
+            hearing = null;
+        }
+        hearers.add(hearer);
+    }
+
+    private List<Hearer<M>> noted() {
+        var noted = new ArrayList<Hearer<M>>();
+        forEach(seats, hearing, noted::add);
+        return noted;
+    }
+
+    private static <M> void forEach(List<Seat<M>> seats, @Nullable BitSet hearing, Consumer<? super Hearer<M>> action) {
+        if (hearing == null) {
+            return;
+        }
+        for (int seat = hearing.nextSetBit(0); seat >= 0; seat = hearing.nextSetBit(seat + 1)) {
+            Hearer<M> hearer = seats.get(seat).hearer;
+            if (hearer != null) {
+                action.accept(hearer);
+            }
+        }
+    }
+
+    boolean isHeard() {
+        return hearing != null || !hearers.isEmpty();
+    }
+
+    @Override
+    public void run() {
+        List<Hearer<M>> now = hearers;
+        List<Seat<M>> nowSeats = seats;
+        BitSet nowHearing = hearing;
+        hearers = List.of(); // copies of it that come late don't keep them
+        seats = List.of();
+        hearing = null;
+        forEach(nowSeats, nowHearing, hearer -> hearer.reach(this));
+        now.forEach(hearer -> hearer.reach(this));
+    }
+}
