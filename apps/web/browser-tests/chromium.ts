@@ -22,9 +22,6 @@ BROWSER TESTS SKIPPED: they need Chromium, and there is none. Install it:
 ==================================================================`);
 }
 
-/** Whether what takes too long for each landing is tested, too: `./rsal test --all`. */
-export const all = process.env.RSAL_TEST_ALL === 'true';
-
 /** Nothing but the page: no calls home, no first-run pages, no GPU. */
 export const flags = [
   '--headless',

@@ -7,7 +7,7 @@ import {
   type Page,
 } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, expect } from 'vitest';
-import { all, chromium, flags } from './chromium';
+import { chromium, flags } from './chromium';
 import { Rsal } from './rsal';
 
 /** Where pictures go of what was tested, for people to look at; none when it is not set. */
@@ -24,7 +24,7 @@ export const looks = (
     ['light', 820, 1180],
     ['dark', 1280, 720],
   ] as const
-).slice(0, all ? 4 : 2);
+).slice(0, process.env.RSAL_TEST_ALL === 'true' ? 4 : 2);
 
 interface Visit extends BrowserContextOptions {
   /** Of a server that may be gone at times: what goes wrong then is no mistake of the page. */

@@ -172,7 +172,7 @@ public abstract class ArchitectureRules {
         check(noClasses().that().resideInAnyPackage(MIDDLE).should().dependOnClassesThat(outside(MIDDLE)));
     }
 
-    /// Whoever writes a robot system or a device needs no file format.
+    /// A robot system or a device can be written without any file format.
     @Test
     void contractsKnowOnlyValues() {
         check(noClasses()
