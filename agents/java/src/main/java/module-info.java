@@ -1,4 +1,4 @@
-/// Agents written in Java, in files beside a scenario (`type: Hunter.java`), which are compiled when the
+/// Agents and plugins written in Java, in files beside a scenario (`type: Hunter.java`), which are compiled when the
 /// scenario is read. Knows nothing of scenarios.
 module rsal.java {
     requires transitive rsal.agent.api;
@@ -9,4 +9,6 @@ module rsal.java {
 
     provides rsal.agent.AgentLanguage with
             rsal.java.JavaLanguage;
+    provides rsal.settings.PluginLanguage with
+            rsal.java.JavaPlugins;
 }

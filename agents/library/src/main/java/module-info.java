@@ -31,4 +31,9 @@ module rsal.agent.library {
             rsal.agents.Roamer.WallFollow,
             rsal.agents.Roamer.Wander,
             rsal.agents.WorkerAgent;
+    provides rsal.metric.MetricType with
+            rsal.agents.formation.FormationMetric,
+            rsal.agents.patrol.IdlenessMetric,
+            rsal.agents.pursuit.CaptureMetric,
+            rsal.agents.rescue.FoundMetric;
 }

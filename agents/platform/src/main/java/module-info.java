@@ -15,4 +15,6 @@ module rsal.agent.platform {
 
     provides rsal.agent.AgentHostProvider with
             rsal.agent.plain.PlainHostProvider;
+    provides rsal.agent.TopicProvider with
+            rsal.agent.message.CommonTopics;
 }

@@ -18,6 +18,8 @@ module rsal.scenarios {
     uses rsal.agent.AgentHostProvider;
     uses rsal.agent.AgentLanguage;
     uses rsal.agent.AgentType;
+    uses rsal.metric.MetricType;
+    uses rsal.settings.PluginLanguage;
     uses rsal.robot.DeviceDriver;
     uses rsal.world.SceneFormat;
     uses rsal.system.BridgeProvider;

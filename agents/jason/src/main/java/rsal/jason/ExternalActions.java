@@ -12,7 +12,7 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
 import rsal.agent.Topic;
-import rsal.agent.message.Topics;
+import rsal.agent.Topics;
 import rsal.behavior.PioneerStack;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
@@ -144,7 +144,9 @@ final class ExternalActions {
                                 name,
                                 Suggestion.among(
                                         name,
-                                        Topics.ALL.stream().map(Heard::name).toList()))));
+                                        Topics.installed().stream()
+                                                .map(Heard::name)
+                                                .toList()))));
         publish(topic, terms.subList(1, terms.size()));
     }
 

@@ -5,7 +5,7 @@ import jason.asSyntax.Literal;
 import java.util.Optional;
 import rsal.agent.Message;
 import rsal.agent.Topic;
-import rsal.agent.message.Topics;
+import rsal.agent.Topics;
 
 /// What agents say on the common topics, as events `+heard(Topic,From,Content)`. Of topics' names AgentSpeak has
 /// `goal_reached` for `goal-reached`.
@@ -20,7 +20,7 @@ final class Heard {
     }
 
     static Optional<Topic<?>> topic(String name) {
-        return Topics.ALL.stream()
+        return Topics.installed().stream()
                 .filter(topic -> name(topic).equals(name) || topic.name().equals(name))
                 .findFirst();
     }

@@ -22,7 +22,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import rsal.agent.Topic;
-import rsal.agent.message.Topics;
+import rsal.agent.Topics;
 import rsal.device.Device;
 import rsal.settings.Problem;
 import rsal.settings.Problems;
@@ -126,7 +126,7 @@ final class StaticChecker {
     private void heard(Literal literal) {
         Term topic = literal.getTerm(0);
         if (topic.isVar()) {
-            topics.addAll(Topics.ALL);
+            topics.addAll(Topics.installed());
             return;
         }
         String name = Terms.words(topic);
@@ -138,7 +138,9 @@ final class StaticChecker {
                                 "There is no topic (%s).".formatted(name),
                                 Suggestion.among(
                                         name,
-                                        Topics.ALL.stream().map(Heard::name).toList())));
+                                        Topics.installed().stream()
+                                                .map(Heard::name)
+                                                .toList())));
     }
 
     private void body(PlanBody body) {
@@ -191,7 +193,8 @@ final class StaticChecker {
                         program.locationOf(literal),
                         "There is no topic (%s).".formatted(name),
                         Suggestion.among(
-                                name, Topics.ALL.stream().map(Heard::name).toList()));
+                                name,
+                                Topics.installed().stream().map(Heard::name).toList()));
             }
         }
     }

@@ -16,7 +16,7 @@ import java.util.concurrent.ConcurrentHashMap;
 final class FolderClasses extends ClassLoader {
     private static final int MOST_FOLDERS = 64;
     private static final SequencedMap<String, FolderClasses> NEWEST =
-            new LinkedHashMap<>(); // by the file that names agents
+            new LinkedHashMap<>(); // by the file that names them
 
     private final Map<String, String> texts = new ConcurrentHashMap<>(); // by path
     private final Map<String, byte[]> compiled = new ConcurrentHashMap<>(); // by name of the class
@@ -26,12 +26,12 @@ final class FolderClasses extends ClassLoader {
     }
 
     private FolderClasses() {
-        super("agents", FolderClasses.class.getClassLoader());
+        super("plugins", FolderClasses.class.getClassLoader());
     }
 
-    /// Those of a folder in which all of an agent's files are compiled.
+    /// Those of a folder in which all these files are compiled.
     ///
-    /// @param namedIn the file that names the agent
+    /// @param namedIn the scenario, or another file that names the class
     /// @throws rsal.settings.InvalidSettings with what can't be compiled
     static FolderClasses of(String namedIn, Sources sources) {
         synchronized (NEWEST) {

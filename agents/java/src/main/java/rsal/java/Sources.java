@@ -13,10 +13,10 @@ import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 
-/// The text of an agent's file and of the files in its folder that it needs, as they were when they were read.
+/// The text of a file and of the files in its folder that it needs, as they were when they were read.
 /// Immutable.
 ///
-/// @param path of the agent's own file
+/// @param path of the file that is asked for
 /// @param texts of all its files, by path
 record Sources(String path, Map<String, String> texts) {
     static final String SUFFIX = ".java";
@@ -34,7 +34,7 @@ record Sources(String path, Map<String, String> texts) {
         texts = Collections.unmodifiableMap(new LinkedHashMap<>(texts));
     }
 
-    /// @throws InvalidSettings when the agent's own file can't be read, or it needs too many others
+    /// @throws InvalidSettings when the file can't be read, or it needs too many others
     static Sources read(String path, FileSource files, Location askedAt) {
         String folder = path.substring(0, path.lastIndexOf('/') + 1);
         String name = path.substring(folder.length());
@@ -58,8 +58,7 @@ record Sources(String path, Map<String, String> texts) {
                 }
             }
             if (texts.size() > MOST_FILES) {
-                throw new InvalidSettings(
-                        askedAt, "Agent '%s' needs more than %d files.".formatted(path, MOST_FILES), "");
+                throw new InvalidSettings(askedAt, "'%s' needs more than %d files.".formatted(path, MOST_FILES), "");
             }
         }
         return new Sources(path, texts);

@@ -1,4 +1,4 @@
-/// Java files of agents: read, compiled and loaded.
+/// Java files of agents and plugins: read, compiled and loaded.
 @NullMarked
 package rsal.java;
 

@@ -63,7 +63,7 @@ final class GoalService {
             if (end.there()) {
                 asked.inform(end);
             } else {
-                asked.fail(end.words());
+                asked.fail(end.outcome());
             }
         });
         Errand errand = run(asked.what(), waiting);
@@ -114,7 +114,7 @@ final class GoalService {
         self.publish(GoalReached.TOPIC, end);
         List.copyOf(errand.waiting).forEach(waiting -> waiting.onEnd.accept(end));
         if (!busy() && !over) {
-            self.state("%s: %s".formatted(Words.place(errand.mapFromGoal), end.words()));
+            self.state("%s: %s".formatted(Words.place(errand.mapFromGoal), end.outcome()));
             after.run();
         }
     }

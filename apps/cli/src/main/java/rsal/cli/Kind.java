@@ -11,6 +11,8 @@ import java.util.stream.Stream;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentType;
 import rsal.device.Device;
+import rsal.metric.MetricType;
+import rsal.metric.QuantityType;
 import rsal.robot.DeviceDriver;
 import rsal.scenario.Providers;
 import rsal.settings.Parameter;
@@ -18,16 +20,40 @@ import rsal.system.RobotSystemProvider;
 
 /// Something installed that scenarios name by its key and that has settings of its own.
 ///
-/// @param kind `agent`, `driver`, `mas` or `mrs`
+/// @param kind `agent`, `driver`, `metric`, `mas` or `mrs`
 /// @param makes type of the device that a driver makes
 /// @param needs types of devices that a robot must have for it
+/// @param quantities what conditions and measures can ask of a metric
 record Kind(
         String kind,
         String name,
         String description,
         Optional<String> makes,
         List<String> needs,
+        List<Offer> quantities,
         List<Setting> settings) {
+    /// @param written as in a condition or measure: `caught(ROLE)`
+    record Offer(String written, String unit, String description) {
+        static Stream<Offer> of(MetricType type) {
+            return Stream.concat(
+                    type.quantities().stream().map(Offer::of),
+                    type.signals().stream()
+                            .map(signal -> new Offer(
+                                    "mean(%s)".formatted(signal.word()), signal.unit(), signal.description())));
+        }
+
+        private static Offer of(QuantityType type) {
+            String names = type.names().stream()
+                    .map(name -> name.name().startsWith("THINGS") ? "THINGS" : name.name())
+                    .collect(Collectors.joining(", "));
+            String written = names.isEmpty() ? type.word() : "%s(%s)".formatted(type.word(), names);
+            return new Offer(
+                    type.countsAll() ? "%s, %s(%s)".formatted(written, type.wordForAll(), names) : written,
+                    type.unit(),
+                    type.description());
+        }
+    }
+
     /// @param value when none is given; empty when one must be
     /// @param expected its type, range and unit
     record Setting(
@@ -71,6 +97,22 @@ record Kind(
                 type.description(),
                 Optional.empty(),
                 names(type.needs()),
+                List.of(),
+                settings(type.parameters()));
+    }
+
+    static Stream<Kind> metrics() {
+        return found(MetricType.class, MetricType::key).map(Kind::of);
+    }
+
+    static Kind of(MetricType type) {
+        return new Kind(
+                "metric",
+                type.key(),
+                type.description(),
+                Optional.empty(),
+                List.of(),
+                Offer.of(type).toList(),
                 settings(type.parameters()));
     }
 
@@ -82,23 +124,36 @@ record Kind(
                         d.description(),
                         Optional.of(d.makes().getSimpleName()),
                         names(d.needs()),
+                        List.of(),
                         settings(d.parameters())));
     }
 
     static Stream<Kind> hosts() {
         return found(AgentHostProvider.class, AgentHostProvider::key)
                 .map(h -> new Kind(
-                        "mas", h.key(), h.description(), Optional.empty(), List.of(), settings(h.parameters())));
+                        "mas",
+                        h.key(),
+                        h.description(),
+                        Optional.empty(),
+                        List.of(),
+                        List.of(),
+                        settings(h.parameters())));
     }
 
     static Stream<Kind> systems() {
         return found(RobotSystemProvider.class, RobotSystemProvider::key)
                 .map(s -> new Kind(
-                        "mrs", s.key(), s.description(), Optional.empty(), List.of(), settings(s.parameters())));
+                        "mrs",
+                        s.key(),
+                        s.description(),
+                        Optional.empty(),
+                        List.of(),
+                        List.of(),
+                        settings(s.parameters())));
     }
 
     static List<Kind> all() {
-        return Stream.of(agents(), drivers(), hosts(), systems())
+        return Stream.of(agents(), drivers(), metrics(), hosts(), systems())
                 .flatMap(kinds -> kinds)
                 .toList();
     }
@@ -127,7 +182,13 @@ record Kind(
                 description,
                 makes,
                 needs,
+                quantities,
                 settings.stream().filter(setting -> !setting.isAbout(others)).toList());
+    }
+
+    /// The same by the name of its file.
+    Kind named(String file) {
+        return new Kind(kind, file, description, makes, needs, quantities, settings);
     }
 
     /// For people.
@@ -138,6 +199,12 @@ record Kind(
         }
         if (!needs.isEmpty()) {
             text.append("Needs a robot with ").append(String.join(", ", needs)).append(".\n");
+        }
+        if (!quantities.isEmpty()) {
+            var offered = new Table("  ");
+            quantities.forEach(offer ->
+                    offered.row(offer.written, offer.unit.isEmpty() ? "" : "[" + offer.unit + "]", offer.description));
+            text.append("\nConditions and measures can ask for:\n").append(offered);
         }
         text.append('\n').append(settings.isEmpty() ? "Nothing can be set.\n" : howToSet() + "\n");
         var table = new Table("  ");
@@ -155,6 +222,7 @@ record Kind(
         return switch (kind) {
             case "agent" -> "a type of agents";
             case "driver" -> "a device driver, makes a " + makes.orElseThrow();
+            case "metric" -> "a metric";
             case "mas" -> "a multi-agent system";
             default -> "a robot system";
         };
@@ -163,6 +231,7 @@ record Kind(
     private String howToSet() {
         return switch (kind) {
             case "agent" -> "Arguments (agents: {NAME: {type: %s, args: {…}}})".formatted(name);
+            case "metric" -> "Arguments (metrics: [{type: %s, args: {…}}])".formatted(name);
             case "driver" -> "Options (devices: {NAME: {type: %s, …}})".formatted(name);
             default -> "Options (%s: {use: %s, …})".formatted(kind, name);
         };

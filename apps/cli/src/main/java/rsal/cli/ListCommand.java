@@ -31,6 +31,7 @@ final class ListCommand extends Subcommand {
         parts,
         agents,
         drivers,
+        metrics,
         mas,
         mrs,
         bridges
@@ -72,6 +73,7 @@ final class ListCommand extends Subcommand {
             case parts -> named(RobotModels.builtInParts());
             case agents -> entries(Kind.agents());
             case drivers -> entries(Kind.drivers());
+            case metrics -> entries(Kind.metrics());
             case mas -> entries(Kind.hosts());
             case mrs -> entries(Kind.systems());
             case bridges ->

@@ -29,12 +29,21 @@ import rsal.settings.Suggestion;
 @Command(
         name = "new",
         description =
-                "Make a folder with a scenario of your own to begin with: NAME.yaml, an agent in Java (or in AgentSpeak),"
-                        + " other files that it names, a test and a README. It runs as it is. Overwrites nothing.")
+                "Make a folder with a scenario of your own to begin with: NAME.yaml, an agent in Java (or in AgentSpeak) or a"
+                        + " metric, other files that it names, a test and a README. It runs as it is. Overwrites nothing.")
 final class NewCommand extends Subcommand {
     private static final String PLAIN = "plain"; // runs agents in Java
     private static final String TEST = "test.sh";
     private static final String README = "README.md";
+    private static final String ABOUT_AGENTS = """
+            Agents are named by their `type` under `agents`: a file here, in Java (`.java`) or AgentSpeak (`.asl`), or one that comes
+            with RSAL. Change a file and run the scenario again. `rsal list agents` tells which agents come with RSAL, and `rsal show TYPE`
+            what can be set of one. How to write your own tell `docs/tutorials/first-agent.md` and
+            `docs/tutorials/first-agentspeak-robot.md` of RSAL.""";
+    private static final String ABOUT_METRICS = """
+            Metrics are named by their `type` under `metrics`: a file here, in Java (`.java`), or one that comes with RSAL. Conditions
+            (`when`) and measures (`from`) ask for the quantities and signals that a metric offers. `rsal list metrics` tells which metrics
+            come with RSAL. `docs/how-to/own-metric.md` of RSAL explains how to write one.""";
 
     @Parameters(paramLabel = "NAME", description = "What to call the scenario and its folder, here or by a path.")
     private String name = "";
@@ -51,6 +60,18 @@ final class NewCommand extends Subcommand {
             paramLabel = "KEY",
             description = "jason for an agent in AgentSpeak; an agent in Java when left out.")
     private @Nullable String mas;
+
+    @Option(
+            names = "--kind",
+            paramLabel = "KIND",
+            defaultValue = "agent",
+            description = "What of yours it has: ${COMPLETION-CANDIDATES}; ${DEFAULT-VALUE} when left out.")
+    private Own kind = Own.agent;
+
+    enum Own {
+        agent,
+        metric
+    }
 
     /// @param run the scenario's file
     /// @param files all that were made
@@ -83,6 +104,12 @@ final class NewCommand extends Subcommand {
     }
 
     private Template template() {
+        if (kind == Own.metric) {
+            check(
+                    from == null && mas == null,
+                    "--kind metric begins with a scenario of its own. Leave --from and --mas out.");
+            return Template.withMetric();
+        }
         if (mas == null || mas.equals(PLAIN)) {
             return from == null ? Template.inLanguage("java").orElseThrow() : Template.of(from);
         }
@@ -155,29 +182,37 @@ final class NewCommand extends Subcommand {
                 |---|---|
                 %s| `test.sh` | the test |
 
-                Agents are named by their `type` under `agents`: a file here, in Java (`.java`) or AgentSpeak (`.asl`), or one that comes
-                with RSAL. Change a file and run the scenario again. `rsal list agents` tells which agents come with RSAL, and `rsal show TYPE`
-                what can be set of one. How to write your own tell `docs/tutorials/first-agent.md` and
-                `docs/tutorials/first-agentspeak-robot.md` of RSAL.
+                %s
                 """.formatted(
                         name,
                         template.scenario().title(),
-                        from == null
-                                ? "its template for agents in %s"
-                                        .formatted(mas == null || mas.equals(PLAIN) ? "Java" : "AgentSpeak")
-                                : "`%s`".formatted(from),
+                        origin(),
                         name,
                         name,
-                        files);
+                        files,
+                        kind == Own.metric ? ABOUT_METRICS : ABOUT_AGENTS);
     }
 
-    private static String about(String file, String name) {
+    private String origin() {
+        if (from != null) {
+            return "`%s`".formatted(from);
+        }
+        if (kind == Own.metric) {
+            return "its template for metrics";
+        }
+        return "its template for agents in %s".formatted(mas == null || mas.equals(PLAIN) ? "Java" : "AgentSpeak");
+    }
+
+    private String about(String file, String name) {
         if (file.equals(Scenario.fileIn(name))) {
             return "the scenario";
         }
         if (file.equals(Template.WATCHER)) {
             return "an agent in Java, which listens to the others: `rsal run %s.yaml:%s`"
                     .formatted(name, Template.WATCHED);
+        }
+        if (kind == Own.metric && file.endsWith(".java")) {
+            return "a metric in Java: `rsal show %s`".formatted(file);
         }
         if (ShownAgent.is(file)) {
             return "an agent in %s: `rsal show %s`".formatted(file.endsWith(".asl") ? "AgentSpeak" : "Java", file);

@@ -29,7 +29,7 @@ import rsal.settings.Suggestion;
         name = "show",
         description =
                 "Show what is in a scenario (arguments, configurations, robots and their devices, agents, ends"
-                        + " and measures), what is in a world, with a picture of it, what is in a recording (FILE.mcap), what a map, robot model or part is, what is in the file of an agent (FILE.java, FILE.asl), or what can be set of an agent, a device driver (also by what it may use, as 'vfh') or a back end.")
+                        + " and measures), what is in a world, with a picture of it, what is in a recording (FILE.mcap), what a map, robot model or part is, what is in the file of an agent (FILE.java, FILE.asl) or a metric (FILE.java), or what can be set of an agent, a device driver (also by what it may use, as 'vfh'), a metric or a back end.")
 final class ShowCommand extends Subcommand {
     private static final int PICTURE = 1600; // longest side [px]
 
@@ -37,7 +37,7 @@ final class ShowCommand extends Subcommand {
             paramLabel = "SCENARIO[:CONFIGURATION]|WORLD|AGENT|NAME",
             description =
                     ScenarioReference.WHAT
-                            + "; a world (FILE.world.yaml, Stage's FILE.world, or Player's FILE.cfg); a map (ROS's YAML); a recording (FILE.mcap); an agent in Java or AgentSpeak (FILE.java, FILE.asl); or what 'rsal list WHAT' names.")
+                            + "; a world (FILE.world.yaml, Stage's FILE.world, or Player's FILE.cfg); a map (ROS's YAML); a recording (FILE.mcap); an agent in Java or AgentSpeak (FILE.java, FILE.asl); a metric in Java (FILE.java); or what 'rsal list WHAT' names.")
     private String name = "";
 
     @Option(
@@ -61,6 +61,11 @@ final class ShowCommand extends Subcommand {
         }
         if (FileKind.of(name).equals(Optional.of(FileKind.MAP))) {
             showMap();
+            return Exit.SUCCESS;
+        }
+        Optional<Kind> metric = image == null ? OwnMetric.of(name) : Optional.empty();
+        if (metric.isPresent()) {
+            show(metric.get(), metric.get().text());
             return Exit.SUCCESS;
         }
         Optional<ShownAgent> agent = image == null ? ShownAgent.of(name) : Optional.empty();

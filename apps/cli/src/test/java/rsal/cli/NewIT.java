@@ -74,6 +74,23 @@ class NewIT {
     }
 
     @Test
+    void aMetricIsWhatOneBeginsWithWhenOneSaysSo() throws Exception {
+        Ended ended = rsal.run("new", "spacing", "--kind", "metric");
+        assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(made("spacing")).containsExactly("README.md", "Spacing.java", "spacing.yaml", "test.sh");
+        assertThat(folder.resolve("spacing/README.md")).content().contains("a metric in Java", "own-metric.md");
+        Ended run = rsal.run("run", "spacing/spacing.yaml", "--headless", "--speed", "max", "--seed", "3");
+        assertThat(run.code()).as(run.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(run.out()).containsPattern("meanSpacing +[\\d.]+ m").containsPattern("encounters +\\d+");
+        assertThat(test("spacing", "1").code()).isEqualTo(Exit.SUCCESS);
+        assertThat(rsal.run("show", "spacing/Spacing.java").out())
+                .contains("Spacing.java: a metric", "mean(spacing)", "near");
+        assertThat(rsal.run("new", "other", "--kind", "metric", "--mas", "jason")
+                        .code())
+                .isEqualTo(Exit.USAGE);
+    }
+
+    @Test
     void whatIsWrongInItsAgentIsToldWithItsLine() throws Exception {
         rsal.run("new", "chase");
         Path agent = folder.resolve("chase/Hunter.java");

@@ -1,5 +1,7 @@
 package rsal.data;
 
+import java.util.Locale;
+
 /// Where a frame is, seen from its parent: x, y [m] and heading [rad] in [-π, π). Variables name both frames,
 /// parent first (`mapFromBase`), so that a chain checks itself by eye: `mapFromLaser =
 /// mapFromBase.compose(baseFromLaser)`.
@@ -74,5 +76,10 @@ public record Pose2d(double x, double y, double theta) {
 
     public boolean isFinite() {
         return Double.isFinite(x) && Double.isFinite(y) && Double.isFinite(theta);
+    }
+
+    /// For people, in centimeters and degrees: `(1.23, -4.50, 90°)`.
+    public String rounded() {
+        return String.format(Locale.ROOT, "(%.2f, %.2f, %.0f°)", x, y, Math.toDegrees(theta));
     }
 }

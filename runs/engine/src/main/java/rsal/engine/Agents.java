@@ -18,21 +18,11 @@ import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentSpec;
 import rsal.agent.Directory;
 import rsal.agent.Message;
+import rsal.agent.MessageContent;
+import rsal.agent.Topics;
 import rsal.agent.bdi.Mind;
-import rsal.agent.message.Alarm;
-import rsal.agent.message.Caught;
-import rsal.agent.message.ChargerTaken;
-import rsal.agent.message.FormationSlots;
 import rsal.agent.message.GoalReached;
-import rsal.agent.message.Hello;
-import rsal.agent.message.MapEnds;
 import rsal.agent.message.NewGoal;
-import rsal.agent.message.PoseReport;
-import rsal.agent.message.PoseRequest;
-import rsal.agent.message.Topics;
-import rsal.agent.message.VictimFound;
-import rsal.agent.message.Visited;
-import rsal.agent.message.Watch;
 import rsal.agent.platform.AgentPlatform;
 import rsal.agent.platform.Turns;
 import rsal.agent.protocol.Act;
@@ -112,7 +102,7 @@ final class Agents implements AutoCloseable {
                 () -> provider.create(plan.mas().settings(), scheduler));
         var agents = new AgentPlatform(scheduler, host, simulation, turns);
         society = Optional.of(agents);
-        agents.reserve(Topics.ALL);
+        agents.reserve(Topics.installed());
         agents.onMessage(this::heard);
         agents.onChange(this::changed);
         agents.onPrint(this::printed);
@@ -262,7 +252,7 @@ final class Agents implements AutoCloseable {
     ///
     /// @param onEnd told how that ended, unless it is sent elsewhere before
     void ask(String robot, Pose2d mapFromGoal, Consumer<GoalReached> onEnd) {
-        eventLog.event(OPERATOR, robot, "sent to " + Words.of(mapFromGoal));
+        eventLog.event(OPERATOR, robot, "sent to " + mapFromGoal.rounded());
         boolean again = Optional.ofNullable(sendings.get(robot))
                 .filter(before -> before.mapFromGoal().equals(mapFromGoal))
                 .isPresent();
@@ -284,47 +274,23 @@ final class Agents implements AutoCloseable {
             last.removeFirst();
         }
         switch (message.content()) {
-            case Hello hello
-            when hello.kind() == Hello.Kind.PING || hello.kind() == Hello.Kind.PONG -> eventLog.routine(message, words);
-            case FormationSlots ranks -> {
-                eventLog.routine(message, words);
-                observer.heard(message.sender(), ranks);
-            }
-            case PoseReport _, PoseRequest _, ChargerTaken _, Alarm _, MapEnds _ -> eventLog.routine(message, words);
-            case NewGoal order -> {
-                eventLog.event("goal", message, words);
-                observer.heard(order);
-            }
-            case GoalReached end -> {
-                eventLog.event("goal", message, words);
-                observer.heard(end);
-                ended(end);
-            }
-            case Caught caught -> {
-                eventLog.event("caught", message, words);
-                observer.heard(caught, where);
-            }
-            case Watch watch -> {
-                eventLog.event("message", message, words);
-                observer.heard(watch);
-            }
-            case Visited visited -> {
-                eventLog.event("message", message, words);
-                observer.heard(visited, where);
-            }
-            case VictimFound found -> {
-                eventLog.event("message", message, words);
-                observer.heard(found);
-            }
             case Act act
             when !isNew(message, act) ->
                 eventLog.hash(message.sender(), message.topic().name(), words);
-            case Act act
-            when act.content() instanceof NewGoal order -> {
-                eventLog.event("goal", message, words);
-                observer.heard(order);
+            case Act act -> {
+                String kind = MessageContent.eventKindOf(act.content()).orElse(MessageContent.MESSAGE);
+                eventLog.event(kind, message, words);
+                observer.heard(message.sender(), act.content());
             }
-            default -> eventLog.event("message", message, words);
+            case Object content -> {
+                MessageContent.eventKindOf(content)
+                        .ifPresentOrElse(
+                                kind -> eventLog.event(kind, message, words), () -> eventLog.routine(message, words));
+                observer.heard(message.sender(), content);
+                if (content instanceof GoalReached end) {
+                    ended(end);
+                }
+            }
         }
     }
 
@@ -472,7 +438,7 @@ final class Agents implements AutoCloseable {
             eventLog.event(
                     "unreached",
                     end.robot(),
-                    "can't get to %s: %s".formatted(Words.of(end.mapFromGoal()), end.words()));
+                    "can't get to %s: %s".formatted(end.mapFromGoal().rounded(), end.outcome()));
         }
     }
 

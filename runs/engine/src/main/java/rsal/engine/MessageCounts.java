@@ -2,6 +2,7 @@ package rsal.engine;
 
 import java.util.Collection;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 
 /// Counts messages: all of them, and those of each topic that somebody asks for.
@@ -26,13 +27,14 @@ final class MessageCounts {
         }
     }
 
-    long all() {
-        return all;
-    }
-
-    /// 0 for a topic that nobody asks for.
-    long of(String topic) {
-        Count count = topics.get(topic);
+    /// Of one topic, or of all without one. 0 for a topic that nobody asks for.
+    ///
+    /// @param names a topic, or nothing
+    long of(List<String> names) {
+        if (names.isEmpty()) {
+            return all;
+        }
+        Count count = topics.get(names.getFirst());
         return count == null ? 0 : count.messages;
     }
 }

@@ -10,20 +10,18 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
-import rsal.agent.message.Caught;
-import rsal.agent.message.FormationSlots;
 import rsal.agent.message.GoalReached;
 import rsal.agent.message.NewGoal;
-import rsal.agent.message.VictimFound;
-import rsal.agent.message.Visited;
-import rsal.agent.message.Watch;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
@@ -34,7 +32,12 @@ import rsal.device.Localizer;
 import rsal.device.Mapper;
 import rsal.device.SimulationControl;
 import rsal.device.SimulationControl.Contact;
+import rsal.metric.NameKind;
+import rsal.metric.QuantityType;
+import rsal.metric.RobotState;
+import rsal.metric.SignalType;
 import rsal.robot.Robot;
+import rsal.scenario.PlannedMetric;
 import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.Measured;
 import rsal.scenario.RunPlan.PlannedRobot;
@@ -42,6 +45,7 @@ import rsal.scenario.condition.Facts;
 import rsal.scenario.condition.Measure;
 import rsal.scenario.condition.Measure.Aggregate;
 import rsal.scenario.condition.Quantity;
+import rsal.scenario.condition.RunQuantities;
 
 /// Looks at a run after each step: is it over, and what is there to measure? It alone compares robots with the
 /// truth. All calls on the run's thread.
@@ -51,7 +55,6 @@ final class MetricsObserver implements Facts {
     private final InstantSource clock;
     private final Instant start;
     private final Map<String, RobotRecord> records = new LinkedHashMap<>();
-    private final CaptureMetrics captures;
     private final Map<Measured, OptionalDouble> firstTimes = new HashMap<>();
     private final Map<String, Pose2d> sentTo = new HashMap<>(); // by robot, or ALL
     private final Set<String> arrived = new HashSet<>(); // where they were sent last
@@ -69,11 +72,17 @@ final class MetricsObserver implements Facts {
     private final PositionMetrics positions;
     private final boolean asksForPositions;
     private Set<String> gone = Set.of(); // robots
+    private @Nullable RobotPoses where;
+    private Supplier<Optional<SimulationControl>> simulation = Optional::empty;
+    private @Nullable RunBroken broken; // by a metric
     private final DepotMetrics depots;
     private final ReachedMetrics reached;
-    private final PatrolMetrics watched = new PatrolMetrics();
-    private final FormationMetrics formationMetrics = new FormationMetrics();
     private final MappingMetrics mapped;
+    private final Map<String, ToDoubleFunction<List<String>>> own = new HashMap<>(); // by word of a quantity
+    private final Map<String, NamedMetric> offered = new HashMap<>(); // likewise
+    private final List<NamedMetric> metrics = new ArrayList<>();
+    private final Map<String, Samples> ofRun = new HashMap<>(); // by word of a signal
+    private final ObservedRun run;
     private final boolean asksForShare;
     private final Map<String, Stamped<OccupancyGrid>> maps = new LinkedHashMap<>(); // of the world, by robot
     private final Map<String, Boolean> exploring = new LinkedHashMap<>(); // by robot that draws a map
@@ -94,33 +103,106 @@ final class MetricsObserver implements Facts {
         }
         this.depots = new DepotMetrics(plan.things(), eventLog);
         var walls = new Walls(plan.map());
-        this.captures = new CaptureMetrics(walls, eventLog);
         this.reached = new ReachedMetrics(plan.things(), walls, eventLog);
         this.mapped = new MappingMetrics(plan.map(), radius(plan));
+        this.run = new ObservedRun(this, walls, eventLog, plan.things());
         List<Quantity> asked = Stream.concat(
                         plan.stops().stream().flatMap(stop -> stop.when().quantities()),
                         plan.measures().stream()
                                 .flatMap(measured -> measured.from().quantities()))
                 .toList();
-        this.asksForShare = asked.stream().anyMatch(quantity -> quantity.kind() == Quantity.Kind.EXPLORED);
-        this.asksForPositions = asked.stream().map(Quantity::kind).anyMatch(Quantity.Kind.OF_POSITIONS::contains);
+        this.asksForShare = asked.stream().anyMatch(quantity -> quantity.type().equals(RunQuantities.EXPLORED));
+        this.asksForPositions = asked.stream().map(Quantity::type).anyMatch(PositionMetrics.QUANTITIES::contains);
         this.positions = new PositionMetrics(plan.places());
-        this.said = new MessageCounts(names(asked, Quantity.Kind.MESSAGES));
-        this.heard = new MessageCounts(names(asked, Quantity.Kind.HEARD_MESSAGES));
-        this.lost = new MessageCounts(names(asked, Quantity.Kind.LOST_MESSAGES));
-        this.published = new Published(names(asked, Quantity.Kind.METRIC));
+        this.said = new MessageCounts(names(asked, RunQuantities.MESSAGES));
+        this.heard = new MessageCounts(names(asked, RunQuantities.HEARD_MESSAGES));
+        this.lost = new MessageCounts(names(asked, RunQuantities.LOST_MESSAGES));
+        this.published = new Published(names(asked, RunQuantities.METRIC));
         for (Measured measured : plan.measures()) {
-            if (measured.from() instanceof Measure.OfQuantity(var _, var quantity)
-                    && quantity.kind() != Quantity.Kind.METRIC) {
-                quantities.put(quantity, new Samples());
+            if (measured.from() instanceof Measure.OfQuantity of && !of.isPublished()) {
+                quantities.put(of.quantity(), new Samples());
             }
+        }
+        offerOwn();
+        for (PlannedMetric planned : plan.metrics()) {
+            var metric = NamedMetric.of(planned, run);
+            metrics.add(metric);
+            planned.type().quantities().forEach(type -> offered.put(type.word(), metric));
         }
     }
 
-    /// Those by which one kind of quantity is asked for.
-    private static List<String> names(List<Quantity> asked, Quantity.Kind kind) {
+    /// What each run knows of itself: all of [RunQuantities].
+    private void offerOwn() {
+        offer(RunQuantities.TIME, _ -> time());
+        offer(RunQuantities.COLLISIONS, _ -> counting ? contacts : Double.NaN);
+        offer(RunQuantities.WALL_COLLISIONS, _ -> counting ? wallCollisions : Double.NaN);
+        offer(RunQuantities.ARRIVED, names -> among(arrived, names.getFirst()));
+        offer(RunQuantities.GONE, names -> among(gone, names.getFirst()));
+        offer(RunQuantities.FAULTS, _ -> faults);
+        offer(RunQuantities.MESSAGES, said::of);
+        offer(RunQuantities.HEARD_MESSAGES, heard::of);
+        offer(RunQuantities.LOST_MESSAGES, lost::of);
+        offer(RunQuantities.EXPLORED, _ -> mapped.share(maps.values()));
+        offer(RunQuantities.EXPLORING, names -> exploring(names.getFirst()));
+        offer(RunQuantities.COLLECTED, names -> depots.collected(names.getFirst()));
+        offer(RunQuantities.REACHED, names -> reached.reached(names.getFirst()));
+        offer(RunQuantities.DISTANCE, names -> positions.distance(names.getFirst(), names.get(1)));
+        offer(RunQuantities.WITHIN, names -> positions.within(names.getFirst(), names.get(1)));
+        offer(RunQuantities.VISITS, names -> positions.visits(names.getFirst(), names.get(1)));
+        offer(RunQuantities.METRIC, names -> published.newest(names.getFirst()));
+    }
+
+    private void offer(QuantityType type, ToDoubleFunction<List<String>> value) {
+        own.put(type.word(), value);
+    }
+
+    /// Says where robots and things are, before the first step.
+    void attach(RobotPoses poses, Supplier<Optional<SimulationControl>> simulated) {
+        where = poses;
+        simulation = simulated;
+    }
+
+    /// Where a robot is, or was last.
+    Optional<RobotState> robot(String id) {
+        return Optional.ofNullable(records.get(id)).map(known -> robot(id, known));
+    }
+
+    private RobotState robot(String id, RobotRecord known) {
+        RobotPoses poses = Objects.requireNonNull(where, "A run is attached before it begins.");
+        return new RobotState(
+                id, known.role(), poses.mapFromBase(id), poses.truth(id).isPresent());
+    }
+
+    /// Those that are not gone.
+    List<RobotState> robots() {
+        var there = new ArrayList<RobotState>();
+        records.forEach((id, known) -> {
+            if (!gone.contains(id)) {
+                there.add(robot(id, known));
+            }
+        });
+        return there;
+    }
+
+    /// The simulated world; empty without one.
+    Optional<SimulationControl> simulation() {
+        return simulation.get();
+    }
+
+    /// Notes a sample of the whole run.
+    void sample(SignalType signal, double value) {
+        ofRun.computeIfAbsent(signal.word(), _ -> new Samples()).add(time(), value);
+    }
+
+    /// Notes a sample of one robot.
+    void sample(SignalType signal, String robot, double value) {
+        Optional.ofNullable(records.get(robot)).ifPresent(known -> known.sample(signal, value, time()));
+    }
+
+    /// Those by which one quantity is asked for.
+    private static List<String> names(List<Quantity> asked, QuantityType type) {
         return asked.stream()
-                .filter(quantity -> quantity.kind() == kind)
+                .filter(quantity -> quantity.type().equals(type))
                 .flatMap(quantity -> quantity.names().stream())
                 .distinct()
                 .toList();
@@ -138,48 +220,50 @@ final class MetricsObserver implements Facts {
     ///
     /// @param robots by id, as far as they are there
     /// @return how the run ends, if it is over
-    Optional<String> look(Optional<SimulationControl> simulation, RobotPoses where, Map<String, Robot> robots) {
-        simulation.ifPresent(truth -> noteContacts(truth.contacts()));
-        counting = counting || robots.keySet().stream().anyMatch(where::isSimulated);
-        if (depots.areThere()) {
-            simulation.ifPresent(truth -> depots.look(truth.things()));
+    /// @throws RunBroken when a metric has failed
+    Optional<String> look(Map<String, Robot> robots) {
+        if (broken != null) {
+            throw broken;
         }
-        List<ReachedMetrics.There> there =
-                reached.isWanted() || asksForPositions || captures.isWaiting() ? there(where) : List.of();
+        RobotPoses poses = Objects.requireNonNull(where, "A run is attached before it begins.");
+        Optional<SimulationControl> world = simulation.get();
+        world.ifPresent(truth -> noteContacts(truth.contacts()));
+        counting = counting || robots.keySet().stream().anyMatch(poses::isSimulated);
+        if (depots.areThere()) {
+            world.ifPresent(truth -> depots.look(truth.things()));
+        }
+        List<ReachedMetrics.There> there = reached.isWanted() || asksForPositions ? there(poses) : List.of();
         if (reached.isWanted()) {
-            simulation.ifPresent(truth -> reached.look(truth.things(), there, time()));
+            world.ifPresent(truth -> reached.look(truth.things(), there, time()));
         }
         if (asksForPositions) {
             positions.look(there);
         }
-        if (captures.isWaiting()) {
-            captures.look(there).forEach(this::noteCapture);
-        }
+        metrics.forEach(NamedMetric::onStep);
         records.forEach((id, own) -> {
-            where.truth(id).ifPresent(mapFromBase -> noteTruth(id, own, mapFromBase));
-            Optional.ofNullable(robots.get(id))
-                    .flatMap(robot -> robot.find(Localizer.class))
+            poses.truth(id).ifPresent(mapFromBase -> {
+                eventLog.hash(mapFromBase);
+                own.moved(clock.instant(), mapFromBase);
+            });
+            Optional<Robot> robot = Optional.ofNullable(robots.get(id));
+            robot.flatMap(its -> its.find(Localizer.class))
                     .flatMap(Localizer::latest)
                     .ifPresent(estimate -> noteEstimate(own, estimate));
-            Optional.ofNullable(robots.get(id))
-                    .flatMap(robot -> robot.find(Battery.class))
+            robot.flatMap(its -> its.find(Battery.class))
                     .flatMap(Battery::latest)
                     .ifPresent(battery -> own.charged(battery.value().level(), time()));
-            Optional.ofNullable(robots.get(id))
-                    .flatMap(robot -> robot.find(Mapper.class))
-                    .ifPresent(mapper -> noteMap(id, mapper, where.mapFromBase(id)));
+            robot.flatMap(its -> its.find(Mapper.class))
+                    .ifPresent(mapper -> noteMap(id, mapper, poses.mapFromBase(id)));
         });
-        formationMetrics.look(clock.instant());
         exploring.keySet().removeIf(robot -> started.contains(robot) && !robots.containsKey(robot));
-        watched.look(time());
         noteQuantities();
         noteFirstTimes();
         return ending();
     }
 
-    private List<ReachedMetrics.There> there(RobotPoses where) {
+    private List<ReachedMetrics.There> there(RobotPoses poses) {
         var there = new ArrayList<ReachedMetrics.There>();
-        records.forEach((id, own) -> where.mapFromBase(id)
+        records.forEach((id, own) -> poses.mapFromBase(id)
                 .filter(_ -> !gone.contains(id))
                 .ifPresent(mapFromBase -> there.add(new ReachedMetrics.There(id, own.role(), mapFromBase))));
         return there;
@@ -222,16 +306,6 @@ final class MetricsObserver implements Facts {
         contacts = all.size();
     }
 
-    private void noteTruth(String robot, RobotRecord own, Pose2d mapFromBase) {
-        eventLog.hash(mapFromBase);
-        own.moved(clock.instant(), mapFromBase);
-        if (!gone.contains(robot)) {
-            formationMetrics
-                    .mapFromSlot(robot, clock.instant())
-                    .ifPresent(mapFromSlot -> own.outOfPlace(mapFromSlot.distanceTo(mapFromBase), time()));
-        }
-    }
-
     private void noteEstimate(RobotRecord own, Stamped<PoseEstimate> estimate) {
         eventLog.hash(estimate.value().mapFromBase());
         own.compare(estimate, time());
@@ -256,7 +330,7 @@ final class MetricsObserver implements Facts {
 
     private void noteQuantities() {
         quantities.forEach((quantity, samples) -> {
-            double value = quantity.of(this);
+            double value = value(quantity);
             if (!Double.isNaN(value)) {
                 samples.add(time(), value);
             }
@@ -273,48 +347,31 @@ final class MetricsObserver implements Facts {
         }
     }
 
-    /// A prey says that it has been caught. Counts from when that is so.
-    void heard(Caught said, RobotPoses where) {
-        if (!records.containsKey(said.prey())) {
-            return;
-        }
-        String role = Optional.ofNullable(records.get(said.hunter()))
-                .map(RobotRecord::role)
-                .orElse("");
-        if (captures.heard(said, role, where.mapFromBase(said.prey()), where.mapFromBase(said.hunter()))) {
-            noteCapture(said.prey());
-        }
-    }
-
-    private void noteCapture(String prey) {
-        captures.distance(prey)
-                .ifPresent(distance ->
-                        Optional.ofNullable(records.get(prey)).ifPresent(own -> own.caught(distance, time())));
-    }
-
     /// An agent publishes a value under a name.
     void published(String agent, Optional<String> robot, String name, double value) {
         published.add(agent, robot, name, value, time());
     }
 
-    /// A team watches places.
-    void heard(Watch said) {
-        watched.watch(said.mapFromPlaces(), time());
-    }
-
-    /// A robot has been where its team watches. Counts when that is so.
-    void heard(Visited said, RobotPoses where) {
-        where.mapFromBase(said.robot())
-                .ifPresent(mapFromBase -> watched.visit(said.mapFromPlace(), mapFromBase, time()));
-    }
-
-    /// Somebody tells of a victim.
-    void heard(VictimFound said) {
-        reached.heard(said);
+    /// An agent or the operator has said something.
+    ///
+    /// @param content of the message; in conversations, what they are about
+    void heard(String sender, Object content) {
+        switch (content) {
+            case NewGoal order -> heard(order);
+            case GoalReached end -> heard(end);
+            default -> {} // for metrics
+        }
+        for (NamedMetric metric : metrics) {
+            try {
+                metric.onMessage(sender, content);
+            } catch (RunBroken e) { // not the sender's fault: it ends the run after this step
+                broken = broken == null ? e : broken;
+            }
+        }
     }
 
     /// Robots are sent somewhere.
-    void heard(NewGoal order) {
+    private void heard(NewGoal order) {
         if (order.robot().equals(NewGoal.ALL)) {
             sentTo.replaceAll((_, _) -> order.mapFromGoal());
             arrived.clear();
@@ -324,16 +381,11 @@ final class MetricsObserver implements Facts {
     }
 
     /// A drive has ended.
-    void heard(GoalReached end) {
+    private void heard(GoalReached end) {
         boolean newest = end.mapFromGoal().equals(sentTo.getOrDefault(end.robot(), sentTo.get(NewGoal.ALL)));
         if (newest && end.reached()) {
             arrived.add(end.robot());
         }
-    }
-
-    /// Somebody tells robots of a formation where they should be.
-    void heard(String leader, FormationSlots ranks) {
-        formationMetrics.heard(leader, ranks, clock.instant());
     }
 
     /// A robot has come. Robots that leave count on, as they were last.
@@ -372,136 +424,52 @@ final class MetricsObserver implements Facts {
         return Duration.between(start, clock.instant());
     }
 
-    @Override
-    public double time() {
+    /// Since the start of the run [s].
+    double time() {
         return elapsed().toNanos() / 1e9; // not * 1e-9, which makes 147.6 s 147.60000000000002
     }
 
     @Override
-    public double collisions() {
-        return counting ? contacts : Double.NaN;
+    public double value(Quantity quantity) {
+        String word = quantity.type().word();
+        ToDoubleFunction<List<String>> value = own.get(word);
+        return value != null
+                ? value.applyAsDouble(quantity.names())
+                : Objects.requireNonNull(offered.get(word)).value(word, quantity.names());
     }
 
     @Override
-    public double wallCollisions() {
-        return counting ? wallCollisions : Double.NaN;
+    public boolean holdsForAll(Quantity quantity) {
+        String name = quantity.names().getFirst();
+        int all = quantity.type().names().contains(NameKind.ROLE) ? robots(name) : things(name);
+        NamedMetric metric = offered.get(quantity.type().word());
+        if (metric != null) {
+            return metric.holdsForAll(quantity.type().word(), name, all);
+        }
+        if (quantity.type().equals(RunQuantities.ARRIVED)) { // of robots that are gone nobody expects it
+            int there = all - among(gone, name);
+            return there > 0 && value(quantity) >= there;
+        }
+        return value(quantity) >= all;
     }
 
-    @Override
-    public int robots(String role) {
+    private int robots(String role) {
         return (int) records.values().stream().filter(of(Optional.of(role))).count();
     }
 
-    @Override
-    public int caught(String role) {
-        return among(captures.caught(), role);
-    }
-
-    @Override
-    public int arrived(String role) {
-        return among(arrived, role);
-    }
-
-    @Override
-    public int gone(String role) {
-        return among(gone, role);
-    }
-
-    @Override
-    public long faults() {
-        return faults;
-    }
-
-    @Override
-    public long messages() {
-        return said.all();
-    }
-
-    @Override
-    public long heardMessages() {
-        return heard.all();
-    }
-
-    @Override
-    public long lostMessages() {
-        return lost.all();
-    }
-
-    @Override
-    public long messages(String topic) {
-        return said.of(topic);
-    }
-
-    @Override
-    public long heardMessages(String topic) {
-        return heard.of(topic);
-    }
-
-    @Override
-    public long lostMessages(String topic) {
-        return lost.of(topic);
-    }
-
-    @Override
-    public double distance(String role, String other) {
-        return positions.distance(role, other);
-    }
-
-    @Override
-    public int within(String role, String place) {
-        return positions.within(role, place);
-    }
-
-    @Override
-    public int visits(String role, String place) {
-        return positions.visits(role, place);
-    }
-
-    @Override
-    public double metric(String name) {
-        return published.newest(name);
-    }
-
-    @Override
-    public double explored() {
-        return mapped.share(maps.values());
-    }
-
-    @Override
-    public int things(String group) {
+    private int things(String group) {
         return plan.things().stream()
                 .filter(things -> things.name().equals(group))
                 .mapToInt(things -> things.each().size())
                 .sum();
     }
 
-    @Override
-    public int collected(String group) {
-        return depots.collected(group);
-    }
-
-    @Override
-    public int found(String group) {
-        return reached.found(group);
-    }
-
-    @Override
-    public int reached(String group) {
-        return reached.reached(group);
-    }
-
-    @Override
-    public int exploring(String role) {
+    private int exploring(String role) {
         Set<String> busy = exploring.entrySet().stream()
                 .filter(entry -> entry.getValue() && !gone.contains(entry.getKey()))
                 .map(Map.Entry::getKey)
                 .collect(Collectors.toSet());
         return among(busy, role);
-    }
-
-    @Override
-    public double forming() {
-        return formationMetrics.forming().toNanos() / 1e9;
     }
 
     private int among(Set<String> robots, String role) {
@@ -535,7 +503,7 @@ final class MetricsObserver implements Facts {
     private Finding finding(Measured measured, String name, List<RobotRecord> from, Optional<String> robot) {
         OptionalDouble value = switch (measured.from()) {
             case Measure.FirstTime _ -> firstTimes.getOrDefault(measured, OptionalDouble.empty());
-            case Measure.Count(var quantity) -> known(quantity.of(this));
+            case Measure.Count(var quantity) -> known(value(quantity));
             case Measure.Distance _ ->
                 from.stream().anyMatch(RobotRecord::seen)
                         ? OptionalDouble.of(
@@ -546,11 +514,13 @@ final class MetricsObserver implements Facts {
                         ? value(
                                 aggregate,
                                 from.stream().map(own -> own.samples(signal)).toList())
-                        : watched.idleTimes().value(aggregate, time());
-            case Measure.OfQuantity(var aggregate, var quantity) ->
-                quantity.kind() == Quantity.Kind.METRIC
-                        ? value(aggregate, published.samples(quantity.names().getFirst(), robot))
-                        : quantities.getOrDefault(quantity, new Samples()).value(aggregate, time());
+                        : ofRun.getOrDefault(signal.word(), new Samples()).value(aggregate, time());
+            case Measure.OfQuantity of ->
+                of.isPublished()
+                        ? value(
+                                of.aggregate(),
+                                published.samples(of.quantity().names().getFirst(), robot))
+                        : quantities.getOrDefault(of.quantity(), new Samples()).value(of.aggregate(), time());
         };
         boolean inBounds =
                 value.isEmpty() || (value.getAsDouble() >= measured.min() && value.getAsDouble() <= measured.max());

@@ -88,7 +88,7 @@ final class OperatorCommands {
         } else if (end.cancelled()) {
             goals.end(goal, Status.CANCELED, "The robot's agent called it off.");
         } else {
-            goals.end(goal, Status.ABORTED, end.words());
+            goals.end(goal, Status.ABORTED, end.outcome());
         }
     }
 
@@ -96,7 +96,7 @@ final class OperatorCommands {
     private Optional<Answer> notFree(Point2d place) {
         int column = map.column(place.x());
         int row = map.row(place.y());
-        String where = Words.of(place);
+        String where = place.rounded();
         if (!map.contains(column, row)) {
             return Optional.of(new Answer.Refused("%s is outside the map.".formatted(where)));
         }

@@ -13,7 +13,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.Topic;
-import rsal.agent.message.Topics;
+import rsal.agent.Topics;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.engine.OperatorMessage.Field;
@@ -22,9 +22,10 @@ import rsal.engine.OperatorMessage.Kind;
 /// Which messages people can say, and how what they type becomes one. Knows no message by name: all common topics count
 /// whose records have only fields that can be typed.
 final class OperatorMessages {
-    /// In the order of [Topics#ALL].
-    static final List<OperatorMessage> ALL =
-            Topics.ALL.stream().flatMap(topic -> sayable(topic).stream()).toList();
+    /// In the order of [Topics#installed].
+    static final List<OperatorMessage> ALL = Topics.installed().stream()
+            .flatMap(topic -> sayable(topic).stream())
+            .toList();
 
     private static final Pattern BETWEEN_NUMBERS = Pattern.compile("[\\s,]+");
     private static final Pattern BETWEEN_PLACES = Pattern.compile(";");
@@ -87,7 +88,7 @@ final class OperatorMessages {
     /// @param typed what was typed, by name of the field
     /// @throws IllegalArgumentException with a sentence when that is no message
     static Phrase<?> read(String topic, Map<String, String> typed) {
-        return Topics.ALL.stream()
+        return Topics.installed().stream()
                 .filter(one -> one.name().equals(topic))
                 .filter(one -> ALL.stream().anyMatch(known -> known.topic().equals(topic)))
                 .findFirst()

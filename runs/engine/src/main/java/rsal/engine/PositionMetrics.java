@@ -9,11 +9,17 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import rsal.data.Point2d;
 import rsal.engine.ReachedMetrics.There;
+import rsal.metric.QuantityType;
 import rsal.scenario.Place;
+import rsal.scenario.condition.RunQuantities;
 
 /// Where robots truly are after each step, as far as somebody asks: how far from each other, in which places,
 /// and how often they came there.
 final class PositionMetrics {
+    /// What it is asked for.
+    static final Set<QuantityType> QUANTITIES =
+            Set.of(RunQuantities.DISTANCE, RunQuantities.WITHIN, RunQuantities.VISITS);
+
     /// How far a robot must get out of a place until it can come again [m]: who turns at the border comes once.
     private static final double OUT = 0.1;
 

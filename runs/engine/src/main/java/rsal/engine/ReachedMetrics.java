@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import rsal.agent.message.VictimFound;
 import rsal.data.Pose2d;
 import rsal.data.Walls;
 import rsal.device.SimulationControl.Standing;
@@ -15,19 +14,13 @@ import rsal.scenario.PlannedThings;
 import rsal.scenario.PlannedThings.PlannedThing;
 import rsal.scenario.PlannedThings.Reach;
 
-/// Knows to which things robots have got that were to, and of which somebody said where they are, in truth: whatever
-/// agents believe.
+/// Knows to which things robots have got that were to, in truth: whatever agents believe.
 final class ReachedMetrics {
-    private static final double RIGHT = 1.0; // m by which who says where a thing is may be wrong
-
     private final Walls walls;
     private final EventLog eventLog;
     private final Map<String, PlannedThings> groups = new LinkedHashMap<>(); // by name of a thing
-    private final Map<Integer, String> marked = new HashMap<>(); // things by what their markers say
     private final Map<Stay, Double> since = new HashMap<>(); // [s]
     private final Set<String> reached = new HashSet<>(); // things
-    private final Set<String> found = new HashSet<>(); // likewise
-    private List<Standing> standing = List.of();
 
     private record Stay(String robot, String thing) {}
 
@@ -42,10 +35,6 @@ final class ReachedMetrics {
             if (group.reach().isPresent()) {
                 for (PlannedThing each : group.each()) {
                     groups.put(each.thing().name(), group);
-                    each.thing()
-                            .marker()
-                            .ifPresent(marker ->
-                                    marked.put(marker.id(), each.thing().name()));
                 }
             }
         }
@@ -59,7 +48,6 @@ final class ReachedMetrics {
     /// @param robots that are not gone
     /// @param now since the run's start [s]
     void look(List<Standing> things, List<There> robots, double now) {
-        standing = things;
         for (Standing thing : things) {
             PlannedThings group = groups.get(thing.name());
             if (group != null && !reached.contains(thing.name())) {
@@ -86,25 +74,9 @@ final class ReachedMetrics {
         }
     }
 
-    /// Somebody says where a victim is. Counts when that is true.
-    void heard(VictimFound said) {
-        String name = marked.getOrDefault(said.victim(), "");
-        boolean right = standing.stream()
-                .filter(thing -> thing.name().equals(name))
-                .anyMatch(thing -> thing.mapFromThing().position().distanceTo(said.mapFromVictim()) <= RIGHT);
-        if (right && found.add(name)) {
-            eventLog.event("found", name, "is found by " + said.robot());
-        }
-    }
-
     /// How many of a group a robot has got to.
     int reached(String group) {
         return among(reached, group);
-    }
-
-    /// Of how many of a group somebody has said truly where they are.
-    int found(String group) {
-        return among(found, group);
     }
 
     private int among(Set<String> things, String group) {

@@ -3,12 +3,15 @@ package rsal.engine;
 import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.HashMap;
 import java.util.Iterator;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.Stamped;
-import rsal.scenario.condition.Measure.Signal;
+import rsal.metric.SignalType;
+import rsal.scenario.condition.RunQuantities;
 
 /// What there is to measure of one robot.
 final class RobotRecord {
@@ -18,10 +21,7 @@ final class RobotRecord {
 
     private final String role;
     private final Deque<Truth> history = new ArrayDeque<>(); // newest first
-    private final Samples poseErrors = new Samples();
-    private final Samples captureDistances = new Samples();
-    private final Samples batteryLevels = new Samples();
-    private final Samples formationErrors = new Samples();
+    private final Map<String, Samples> samples = new HashMap<>(); // by word of the signal
     private @Nullable Instant compared;
     private double distance;
     private boolean seen;
@@ -65,27 +65,24 @@ final class RobotRecord {
         for (Iterator<Truth> truths = history.iterator(); truths.hasNext(); ) {
             Truth truth = truths.next();
             if (!truth.time.isAfter(estimate.time())) {
-                poseErrors.add(
-                        now, truth.mapFromBase.distanceTo(estimate.value().mapFromBase()));
+                sample(
+                        RunQuantities.POSE_ERROR,
+                        truth.mapFromBase.distanceTo(estimate.value().mapFromBase()),
+                        now);
                 return;
             }
         }
     }
 
-    void caught(double distance, double now) {
-        captureDistances.add(now, distance);
+    void sample(SignalType signal, double value, double now) {
+        samples.computeIfAbsent(signal.word(), _ -> new Samples()).add(now, value);
     }
 
     /// Share of the battery that is left; NaN when the battery can't tell.
     void charged(double level, double now) {
         if (!Double.isNaN(level)) {
-            batteryLevels.add(now, level);
+            sample(RunQuantities.BATTERY_LEVEL, level, now);
         }
-    }
-
-    /// It really is so far from its place in a formation [m].
-    void outOfPlace(double distance, double now) {
-        formationErrors.add(now, distance);
     }
 
     /// The way it really made [m].
@@ -98,14 +95,8 @@ final class RobotRecord {
         return seen;
     }
 
-    Samples samples(Signal signal) {
-        return switch (signal) {
-            case POSE_ERROR -> poseErrors;
-            case CAPTURE_DISTANCE -> captureDistances;
-            case BATTERY_LEVEL -> batteryLevels;
-            case IDLE_TIME -> throw new IllegalArgumentException("Idle times are of places, not of robots.");
-            case FORMATION_ERROR -> formationErrors;
-        };
+    Samples samples(SignalType signal) {
+        return samples.getOrDefault(signal.word(), new Samples());
     }
 
     private record Truth(Instant time, Pose2d mapFromBase) {}

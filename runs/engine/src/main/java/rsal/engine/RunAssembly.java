@@ -68,6 +68,7 @@ final class RunAssembly implements AutoCloseable {
         this.dynamicRobots = new DynamicRobots(plan);
         this.systems = new RobotSystems(plan, scheduler);
         this.where = new RobotPoses(systems, team);
+        observer.attach(where, systems::simulation);
         this.breaker = new RobotBreaker(systems, plan.faults());
         this.traffic = traffic;
         this.faults = new Faults(plan, scheduler, eventLog, observer, traffic, breaker);
@@ -197,7 +198,7 @@ final class RunAssembly implements AutoCloseable {
     /// @return how the run ends, if it is over
     Optional<String> observe() {
         agents.observe();
-        return observer.look(systems.simulation(), where, team.robots());
+        return observer.look(team.robots());
     }
 
     /// Whether robots and agents are there.

@@ -122,7 +122,7 @@ final class SimulatedWorld {
             return new Answer.Refused("Robot (%s) has no localizer that could be told.".formatted(id));
         }
         var _ = localizer.get().relocalize(PoseEstimate.of(mapFromBase, PLACED_BY_HAND));
-        eventLog.event("operator", id, "told that it is at " + Words.of(mapFromBase));
+        eventLog.event("operator", id, "told that it is at " + mapFromBase.rounded());
         return new Answer.Done();
     }
 
@@ -133,7 +133,7 @@ final class SimulatedWorld {
         }
         return mapFromBase.isFinite() && map.contains(map.column(mapFromBase.x()), map.row(mapFromBase.y()))
                 ? Optional.empty()
-                : Optional.of(new Answer.Refused("%s is outside the map.".formatted(Words.of(mapFromBase))));
+                : Optional.of(new Answer.Refused("%s is outside the map.".formatted(mapFromBase.rounded())));
     }
 
     private Answer placeRobot(Robot robot, Pose2d mapFromBase) {
@@ -154,7 +154,7 @@ final class SimulatedWorld {
         if (overseer.isPresent()) {
             placements.add(id, scheduler.instant(), believed);
         }
-        eventLog.event("operator", id, "placed at " + Words.of(mapFromBase));
+        eventLog.event("operator", id, "placed at " + mapFromBase.rounded());
         return new Answer.Done();
     }
 
@@ -165,7 +165,7 @@ final class SimulatedWorld {
         return answer(
                 systems.simulation().orElseThrow().place(name, mapFromThing),
                 name,
-                "placed at " + Words.of(mapFromThing),
+                "placed at " + mapFromThing.rounded(),
                 new Answer.Done());
     }
 
@@ -193,7 +193,7 @@ final class SimulatedWorld {
         Answer answer = answer(
                 simulation.get().add(prop.at(name, mapFromThing)),
                 name,
-                "added at " + Words.of(mapFromThing),
+                "added at " + mapFromThing.rounded(),
                 new Answer.Added(name));
         if (answer instanceof Answer.Added) {
             props.add(name);
@@ -248,7 +248,7 @@ final class SimulatedWorld {
 
     /// @param robot that was expected
     private Answer added(String robot, Pose2d mapFromBase, Placement placement) {
-        Answer answer = answer(placement, robot, "added at " + Words.of(mapFromBase), new Answer.Added(robot));
+        Answer answer = answer(placement, robot, "added at " + mapFromBase.rounded(), new Answer.Added(robot));
         if (answer instanceof Answer.Added) {
             robotsAdded++;
         } else {

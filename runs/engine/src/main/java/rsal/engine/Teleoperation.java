@@ -257,7 +257,7 @@ final class Teleoperation {
         trip = null; // the navigator goes on from the one before
         var going = navigator.goTo(mapFromGoal, Tolerance.DEFAULT);
         trip = going;
-        eventLog.event("operator", robot.id(), "sent to " + Words.of(mapFromGoal));
+        eventLog.event("operator", robot.id(), "sent to " + mapFromGoal.rounded());
         settle();
         going.result().thenAccept(result -> {
             if (going.equals(trip)) { // else another order has taken over
@@ -307,10 +307,10 @@ final class Teleoperation {
     private void ended(Pose2d mapFromGoal, Result result) {
         trip = null;
         if (result instanceof Result.Reached reached && reached.isSure()) {
-            eventLog.event("goal", robot.id(), "is at " + Words.of(mapFromGoal));
+            eventLog.event("goal", robot.id(), "is at " + mapFromGoal.rounded());
         } else {
             eventLog.event(
-                    "unreached", robot.id(), "can't get to %s: %s".formatted(Words.of(mapFromGoal), Words.of(result)));
+                    "unreached", robot.id(), "can't get to %s: %s".formatted(mapFromGoal.rounded(), Words.of(result)));
         }
         settle();
     }

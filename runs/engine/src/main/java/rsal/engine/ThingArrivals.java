@@ -40,7 +40,10 @@ final class ThingArrivals {
     private void put(SimulationControl simulation, Thing thing, boolean first) {
         switch (simulation.add(thing)) {
             case Placement.Placed _ ->
-                eventLog.event("thing", thing.name(), "is there, at " + Words.of(thing.mapFromThing()));
+                eventLog.event(
+                        "thing",
+                        thing.name(),
+                        "is there, at " + thing.mapFromThing().rounded());
             case Placement.Refused(String why) -> {
                 if (first) {
                     eventLog.event("thing", thing.name(), "can't come yet: " + why);

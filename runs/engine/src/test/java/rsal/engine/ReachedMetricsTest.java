@@ -6,7 +6,6 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import rsal.agent.message.VictimFound;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.Rgb;
@@ -81,15 +80,5 @@ class ReachedMetricsTest {
             look("explorer", 'a', second);
         }
         assertThat(reached.reached("victim")).isZero();
-    }
-
-    @Test
-    void whoSaysWhereItIsAndIsRightHasFoundIt() {
-        look("explorer", 'a', 0);
-        reached.heard(new VictimFound("r", 8, VICTIM.position()));
-        reached.heard(new VictimFound("r", 7, new Point2d(VICTIM.x() + 1.1, VICTIM.y())));
-        assertThat(reached.found("victim")).isZero();
-        reached.heard(new VictimFound("r", 7, new Point2d(VICTIM.x() + 0.9, VICTIM.y())));
-        assertThat(reached.found("victim")).isEqualTo(1);
     }
 }

@@ -8,9 +8,11 @@ import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentLanguage;
 import rsal.agent.AgentType;
 import rsal.map.Maps;
+import rsal.metric.MetricType;
 import rsal.model.RobotModels;
 import rsal.robot.DeviceDriver;
 import rsal.settings.Location;
+import rsal.settings.PluginLanguage;
 import rsal.settings.Problems;
 import rsal.settings.Suggestion;
 import rsal.system.RobotSystemProvider;
@@ -19,6 +21,7 @@ import rsal.world.SceneFormat;
 /// What scenarios can name in this installation, by key, in the order of the keys.
 ///
 /// @param languages in which agents can be written on every multi-agent system, by suffix
+/// @param plugins languages in which people write plugins, by suffix
 /// @param formats of world files, by suffix
 record Catalog(
         Map<String, RobotSystemProvider> systems,
@@ -26,6 +29,8 @@ record Catalog(
         Map<String, DeviceDriver> drivers,
         Map<String, AgentType> agents,
         Map<String, AgentLanguage> languages,
+        Map<String, MetricType> metrics,
+        Map<String, PluginLanguage> plugins,
         Map<String, SceneFormat> formats,
         List<String> models,
         List<String> parts,
@@ -38,10 +43,19 @@ record Catalog(
                 Providers.byKey(DeviceDriver.class, DeviceDriver::key),
                 Providers.byKey(AgentType.class, AgentType::key),
                 Providers.byKey(AgentLanguage.class, AgentLanguage::suffix),
+                Providers.byKey(MetricType.class, MetricType::key),
+                Providers.byKey(PluginLanguage.class, PluginLanguage::suffix),
                 Providers.byKey(SceneFormat.class, SceneFormat::suffix),
                 RobotModels.builtIn(),
                 RobotModels.builtInParts(),
                 Maps.builtIn());
+    }
+
+    /// The language of a plugin's file; empty for a name that is no such file's.
+    Optional<PluginLanguage> pluginLanguage(String name) {
+        return plugins.values().stream()
+                .filter(language -> name.endsWith(language.suffix()))
+                .findFirst();
     }
 
     /// The format of a world's file.

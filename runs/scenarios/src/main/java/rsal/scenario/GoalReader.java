@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Predicate;
 import java.util.regex.Pattern;
+import rsal.metric.QuantityType;
 import rsal.scenario.RobotReader.Role;
 import rsal.scenario.RunPlan.Better;
 import rsal.scenario.RunPlan.Measured;
@@ -17,7 +18,9 @@ import rsal.scenario.condition.Grammar;
 import rsal.scenario.condition.Grammar.Names;
 import rsal.scenario.condition.InvalidExpression;
 import rsal.scenario.condition.Measure;
+import rsal.scenario.condition.MetricWords;
 import rsal.scenario.condition.Quantity;
+import rsal.scenario.condition.RunQuantities;
 import rsal.settings.Location;
 import rsal.settings.Problems;
 import rsal.settings.Section;
@@ -29,20 +32,23 @@ final class GoalReader {
     /// What is measured of a world that nobody wrote a scenario for.
     static final List<Measured> OF_WORLDS = List.of(
             measured("distance", "m", new Measure.Distance(Optional.empty()), true),
-            measured("collisions", "", count(Quantity.Kind.COLLISIONS), false),
-            measured("wallCollisions", "", count(Quantity.Kind.WALL_COLLISIONS), false));
+            measured("collisions", "", count(RunQuantities.COLLISIONS), false),
+            measured("wallCollisions", "", count(RunQuantities.WALL_COLLISIONS), false));
 
     private final RobotNames robots;
     private final List<String> depots;
     private final List<String> reaches;
     private final List<String> places;
+    private final MetricWords metrics;
     private final Problems problems;
 
-    GoalReader(RobotNames robots, List<PlannedThings> things, List<Place> places, Problems problems) {
+    GoalReader(
+            RobotNames robots, List<PlannedThings> things, List<Place> places, MetricWords metrics, Problems problems) {
         this.robots = robots;
         this.depots = names(things, group -> group.depot().isPresent());
         this.reaches = names(things, group -> group.reach().isPresent());
         this.places = places.stream().map(Place::name).toList();
+        this.metrics = metrics;
         this.problems = problems;
     }
 
@@ -51,8 +57,8 @@ final class GoalReader {
                 name, unit, from, perRobot, Better.NEITHER, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
     }
 
-    private static Measure count(Quantity.Kind kind) {
-        return new Measure.Count(new Quantity(kind, List.of()));
+    private static Measure count(QuantityType type) {
+        return new Measure.Count(Quantity.of(type));
     }
 
     private static List<String> names(List<PlannedThings> things, Predicate<PlannedThings> which) {
@@ -106,7 +112,7 @@ final class GoalReader {
         List<String> roles = robots.open()
                 ? List.of(BETWEEN_NAMES.split(expression))
                 : robots.roles().stream().map(Role::name).toList();
-        return new Names(roles, depots, reaches, places);
+        return new Names(roles, depots, reaches, places, metrics);
     }
 
     private <T> Optional<T> expression(Section section, String key, BiFunction<String, Names, T> parse) {

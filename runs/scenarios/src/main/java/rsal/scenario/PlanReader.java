@@ -128,7 +128,9 @@ final class PlanReader {
         List<PlannedFault> faults = faultReader.read(root);
 
         List<Place> places = PlaceReader.read(root.section("places"));
-        var goals = new GoalReader(names, things, places, problems);
+        var metricReader = new MetricReader(catalog, scenario.files(), names, problems);
+        List<PlannedMetric> metrics = metricReader.read(root);
+        var goals = new GoalReader(names, things, places, metricReader.words(metrics), problems);
         List<RunPlan.Stop> stops = new ArrayList<>(goals.stops(run));
         if (scenario.isWorld()) {
             world.scene().flatMap(Scene::end).map(PlanReader::after).ifPresent(stops::add);
@@ -163,6 +165,7 @@ final class PlanReader {
                 step(mrs.get(), robots),
                 stops,
                 toleratesFailedAgents,
+                metrics,
                 measures);
     }
 

@@ -12,6 +12,7 @@ import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentType;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
+import rsal.metric.MetricType;
 import rsal.robot.DeviceDriver;
 import rsal.robot.RobotSpec;
 import rsal.scenario.condition.Condition;
@@ -42,6 +43,7 @@ import rsal.system.RobotSystemProvider;
 /// @param step of simulated time; between two steps a run can be looked at, paused and told things
 /// @param stops the first that holds ends the run
 /// @param toleratesFailedAgents whether a run in which an agent failed may be a success all the same
+/// @param metrics of which stops and measures can name quantities and signals
 public record RunPlan(
         Scenario scenario,
         String configuration,
@@ -64,6 +66,7 @@ public record RunPlan(
         Duration step,
         List<Stop> stops,
         boolean toleratesFailedAgents,
+        List<PlannedMetric> metrics,
         List<Measured> measures) {
     public RunPlan {
         arguments = Collections.unmodifiableMap(new LinkedHashMap<>(arguments));
@@ -73,6 +76,7 @@ public record RunPlan(
         agents = List.copyOf(agents);
         faults = List.copyOf(faults);
         stops = List.copyOf(stops);
+        metrics = List.copyOf(metrics);
         measures = List.copyOf(measures);
     }
 
@@ -82,12 +86,17 @@ public record RunPlan(
         return Notes.of(this);
     }
 
-    /// Files of those agents that are programs from who knows where, and so will not be run.
+    /// Files of those agents and metrics that are programs from who knows where, and so will not be run.
     public List<String> untrusted() {
-        return agents.stream()
-                .map(PlannedAgent::type)
-                .filter(UntrustedType.class::isInstance)
-                .map(AgentType::key)
+        return Stream.concat(
+                        agents.stream()
+                                .map(PlannedAgent::type)
+                                .filter(UntrustedType.class::isInstance)
+                                .map(AgentType::key),
+                        metrics.stream()
+                                .map(PlannedMetric::type)
+                                .filter(UntrustedMetric.class::isInstance)
+                                .map(MetricType::key))
                 .distinct()
                 .toList();
     }
@@ -137,6 +146,7 @@ public record RunPlan(
                 step,
                 List.of(),
                 toleratesFailedAgents,
+                metrics,
                 measures);
     }
 

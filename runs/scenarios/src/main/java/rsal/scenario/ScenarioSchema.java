@@ -155,6 +155,8 @@ public final class ScenarioSchema {
                 described(list(fields("$ref", FAULT)), "What goes wrong."),
                 "run",
                 described(run(), "Seed, clock, and when it ends."),
+                MetricReader.KEY,
+                described(list(metric()), "Metrics in files of one's own, and what is set of others."),
                 "measure",
                 described(list(measure()), "What comes out."));
     }
@@ -521,6 +523,14 @@ public final class ScenarioSchema {
         return described(
                 anyOf(List.of(one, fields("type", "array", "items", one, "minItems", 2, "maxItems", 2))),
                 description(seconds) + " A list is the least and the most.");
+    }
+
+    private static Map<String, Object> metric() {
+        return group(
+                fields(
+                        "type", described(text(), "A metric by its name, or a file: Spacing.java."),
+                        "args", described(fields("type", "object"), "Values for its parameters.")),
+                List.of("type"));
     }
 
     private static Map<String, Object> measure() {

@@ -67,6 +67,11 @@ public final class Template {
         return new Template(watched, all);
     }
 
+    /// One with a metric in Java.
+    public static Template withMetric() {
+        return read(TEMPLATES + "metric/");
+    }
+
     /// One with agents in a language; empty where there is none.
     ///
     /// @param language `java`, or the key of the multi-agent system that has it (`jason`)

@@ -39,6 +39,8 @@ class ScenarioSchemaTest {
                 shipped(all.drivers()),
                 shipped(all.agents()),
                 all.languages(),
+                shipped(all.metrics()),
+                all.plugins(),
                 all.formats(),
                 all.models(),
                 all.parts(),

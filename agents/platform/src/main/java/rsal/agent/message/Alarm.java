@@ -1,16 +1,29 @@
 package rsal.agent.message;
 
+import java.util.Optional;
+import rsal.agent.MessageContent;
 import rsal.agent.Topic;
 import rsal.data.Point2d;
 
 /// A robot sees somebody who should not be there. It says so again and again while it does.
 ///
 /// @param robot id of the one that sees
-public record Alarm(String robot, Point2d mapFromIntruder) {
+public record Alarm(String robot, Point2d mapFromIntruder) implements MessageContent {
     public static final Topic<Alarm> TOPIC = new Topic<>("alarm", Alarm.class);
 
     public Alarm {
         Check.given("robot", robot);
         Check.somewhere("intruder", mapFromIntruder);
+    }
+
+    @Override
+    public String words() {
+        return "%s sees an intruder at %s".formatted(robot, mapFromIntruder.rounded());
+    }
+
+    /// It is said again and again.
+    @Override
+    public Optional<String> eventKind() {
+        return Optional.empty();
     }
 }

@@ -1,5 +1,8 @@
 package rsal.agent.message;
 
+import java.util.Locale;
+import java.util.Optional;
+import rsal.agent.MessageContent;
 import rsal.agent.Topic;
 
 /// A prey has given up. It is said by the prey, once.
@@ -7,7 +10,7 @@ import rsal.agent.Topic;
 /// @param prey id of its robot
 /// @param hunter id of the robot that came too near
 /// @param distance between the two, as the prey believes [m]
-public record Caught(String prey, String hunter, double distance) {
+public record Caught(String prey, String hunter, double distance) implements MessageContent {
     public static final Topic<Caught> TOPIC = new Topic<>("caught", Caught.class);
 
     public Caught {
@@ -16,5 +19,15 @@ public record Caught(String prey, String hunter, double distance) {
         if (!(distance >= 0)) {
             throw new IllegalArgumentException("A hunter must be at some distance, not (%s).".formatted(distance));
         }
+    }
+
+    @Override
+    public String words() {
+        return String.format(Locale.ROOT, "%s is caught by %s, believed at %.2f m", prey, hunter, distance);
+    }
+
+    @Override
+    public Optional<String> eventKind() {
+        return Optional.of("caught");
     }
 }

@@ -1,5 +1,7 @@
 package rsal.agent.message;
 
+import java.util.Optional;
+import rsal.agent.MessageContent;
 import rsal.agent.Topic;
 import rsal.data.Point2d;
 
@@ -7,11 +9,22 @@ import rsal.data.Point2d;
 /// so no more.
 ///
 /// @param robot its id
-public record ChargerTaken(String robot, Point2d mapFromCharger) {
+public record ChargerTaken(String robot, Point2d mapFromCharger) implements MessageContent {
     public static final Topic<ChargerTaken> TOPIC = new Topic<>("charger-taken", ChargerTaken.class);
 
     public ChargerTaken {
         Check.given("robot", robot);
         Check.somewhere("charger", mapFromCharger);
+    }
+
+    @Override
+    public String words() {
+        return "%s has the charger at %s".formatted(robot, mapFromCharger.rounded());
+    }
+
+    /// It is said again and again.
+    @Override
+    public Optional<String> eventKind() {
+        return Optional.empty();
     }
 }

@@ -1,16 +1,22 @@
 package rsal.agent.message;
 
+import rsal.agent.MessageContent;
 import rsal.agent.Topic;
 
 /// A hunter goes for a prey from now on.
 ///
 /// @param hunter id of its robot
 /// @param prey id of its robot
-public record Chase(String hunter, String prey) {
+public record Chase(String hunter, String prey) implements MessageContent {
     public static final Topic<Chase> TOPIC = new Topic<>("chase", Chase.class);
 
     public Chase {
         Check.given("hunter", hunter);
         Check.given("prey", prey);
+    }
+
+    @Override
+    public String words() {
+        return prey.isEmpty() ? "%s cuts a prey off".formatted(hunter) : "%s goes for %s".formatted(hunter, prey);
     }
 }

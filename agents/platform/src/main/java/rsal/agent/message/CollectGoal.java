@@ -1,6 +1,7 @@
 package rsal.agent.message;
 
 import java.util.Locale;
+import rsal.agent.MessageContent;
 import rsal.agent.Topic;
 import rsal.data.Point2d;
 import rsal.data.Rgb;
@@ -9,7 +10,7 @@ import rsal.data.Rgb;
 /// heard of for longer nobody takes care.
 ///
 /// @param color as cameras see it
-public record CollectGoal(Rgb color, Point2d mapFromThing) {
+public record CollectGoal(Rgb color, Point2d mapFromThing) implements MessageContent {
     public static final Topic<CollectGoal> TOPIC = new Topic<>("collect-goal", CollectGoal.class);
 
     private static final double APART = 0.6; // m; what is nearer to each other is taken for one thing

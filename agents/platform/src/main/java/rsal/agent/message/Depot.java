@@ -1,12 +1,13 @@
 package rsal.agent.message;
 
+import rsal.agent.MessageContent;
 import rsal.agent.Topic;
 import rsal.data.Point2d;
 
 /// A robot brings things here: what lies here is not to be collected.
 ///
 /// @param radius around the place that counts [m]
-public record Depot(String robot, Point2d mapFromDepot, double radius) {
+public record Depot(String robot, Point2d mapFromDepot, double radius) implements MessageContent {
     public static final Topic<Depot> TOPIC = new Topic<>("depot", Depot.class);
 
     public Depot {
@@ -19,5 +20,10 @@ public record Depot(String robot, Point2d mapFromDepot, double radius) {
 
     public boolean holds(Point2d mapFromThing) {
         return mapFromDepot.distanceTo(mapFromThing) <= radius;
+    }
+
+    @Override
+    public String words() {
+        return "%s brings things to %s".formatted(robot, mapFromDepot.rounded());
     }
 }

@@ -4,8 +4,10 @@ import java.time.Duration;
 import java.util.Collections;
 import java.util.Locale;
 import java.util.NavigableMap;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import rsal.agent.MessageContent;
 import rsal.agent.Topic;
 import rsal.data.Pose2d;
 
@@ -15,7 +17,8 @@ import rsal.data.Pose2d;
 /// @param formed whether all had come to their places since these were last allotted
 /// @param ahead from when it is said until all should be where they aim
 /// @param slots by robot's id
-public record FormationSlots(String shape, boolean formed, Duration ahead, NavigableMap<String, Slot> slots) {
+public record FormationSlots(String shape, boolean formed, Duration ahead, NavigableMap<String, Slot> slots)
+        implements MessageContent {
     public static final Topic<FormationSlots> TOPIC = new Topic<>("ranks", FormationSlots.class);
 
     public FormationSlots {
@@ -56,5 +59,11 @@ public record FormationSlots(String shape, boolean formed, Duration ahead, Navig
                                 entry.getValue().mapFromSlot.x(),
                                 entry.getValue().mapFromSlot.y()))
                         .collect(Collectors.joining());
+    }
+
+    /// It is said again and again.
+    @Override
+    public Optional<String> eventKind() {
+        return Optional.empty();
     }
 }

@@ -1,5 +1,7 @@
 package rsal.agent.message;
 
+import java.util.Optional;
+import rsal.agent.MessageContent;
 import rsal.agent.Topic;
 import rsal.data.Pose2d;
 
@@ -8,7 +10,7 @@ import rsal.data.Pose2d;
 /// @param ending `reached`, `unsure` when it stands there as far as it knows, but is not localized,
 /// `cancelled`, `no path` or `stuck`; `silent` says another of a robot that does not answer
 /// @param why it did not get there, for people; empty when it did or was cancelled
-public record GoalReached(String robot, Pose2d mapFromGoal, String ending, String why) {
+public record GoalReached(String robot, Pose2d mapFromGoal, String ending, String why) implements MessageContent {
     public static final Topic<GoalReached> TOPIC = new Topic<>("goal-reached", GoalReached.class);
 
     public GoalReached {
@@ -36,8 +38,18 @@ public record GoalReached(String robot, Pose2d mapFromGoal, String ending, Strin
         return ending.equals("silent");
     }
 
-    /// `stuck. A box is ahead.`
+    @Override
     public String words() {
+        return "%s at %s: %s".formatted(robot, mapFromGoal.rounded(), outcome());
+    }
+
+    /// `stuck. A box is ahead.`
+    public String outcome() {
         return why.isEmpty() ? ending : ending + ". " + why;
+    }
+
+    @Override
+    public Optional<String> eventKind() {
+        return Optional.of("goal");
     }
 }

@@ -1,5 +1,7 @@
 package rsal.agent.message;
 
+import java.util.Optional;
+import rsal.agent.MessageContent;
 import rsal.agent.Topic;
 
 /// Presence: said at the start and the end of an agent, and when somebody asks.
@@ -7,7 +9,7 @@ import rsal.agent.Topic;
 /// @param robot id of the sender's robot; empty when it has none
 /// @param kind of greeting
 /// @param to name of the agent it asks or answers; empty for all
-public record Hello(String robot, Kind kind, String to) {
+public record Hello(String robot, Kind kind, String to) implements MessageContent {
     public static final Topic<Hello> TOPIC = new Topic<>("hello", Hello.class);
 
     public Hello {
@@ -25,5 +27,21 @@ public record Hello(String robot, Kind kind, String to) {
         PONG,
         /// I go.
         BYE
+    }
+
+    @Override
+    public String words() {
+        return switch (kind) {
+            case HELLO -> "Hello, I am here.";
+            case PING -> "Who is there?";
+            case PONG -> "%s, I am here.".formatted(to);
+            case BYE -> "Bye.";
+        };
+    }
+
+    /// Who is there is asked and answered again and again.
+    @Override
+    public Optional<String> eventKind() {
+        return kind == Kind.PING || kind == Kind.PONG ? Optional.empty() : MessageContent.super.eventKind();
     }
 }

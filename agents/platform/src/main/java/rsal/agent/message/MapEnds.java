@@ -1,6 +1,8 @@
 package rsal.agent.message;
 
 import java.util.List;
+import java.util.Optional;
+import rsal.agent.MessageContent;
 import rsal.agent.Topic;
 import rsal.data.Point2d;
 
@@ -8,7 +10,7 @@ import rsal.data.Point2d;
 ///
 /// @param robot its id
 /// @param ends of the map that it can get to; empty when all is mapped
-public record MapEnds(String robot, List<End> ends) {
+public record MapEnds(String robot, List<End> ends) implements MessageContent {
     public static final Topic<MapEnds> TOPIC = new Topic<>("map-ends", MapEnds.class);
 
     /// At most so many are told; there will be others when these are mapped.
@@ -33,5 +35,16 @@ public record MapEnds(String robot, List<End> ends) {
                 throw new IllegalArgumentException("The end of a map must be long, not (%s) m.".formatted(length));
             }
         }
+    }
+
+    @Override
+    public String words() {
+        return "map of %s ends at %d places".formatted(robot, ends.size());
+    }
+
+    /// It is said again and again.
+    @Override
+    public Optional<String> eventKind() {
+        return Optional.empty();
     }
 }

@@ -1,12 +1,14 @@
 package rsal.agent.message;
 
+import java.util.Optional;
+import rsal.agent.MessageContent;
 import rsal.agent.Topic;
 import rsal.data.Pose2d;
 
 /// Sends a robot, or all, to a place.
 ///
 /// @param robot id, or [#ALL]
-public record NewGoal(String robot, Pose2d mapFromGoal) {
+public record NewGoal(String robot, Pose2d mapFromGoal) implements MessageContent {
     public static final Topic<NewGoal> TOPIC = new Topic<>("new-goal", NewGoal.class);
 
     public static final String ALL = "all";
@@ -18,5 +20,15 @@ public record NewGoal(String robot, Pose2d mapFromGoal) {
 
     public boolean isFor(String id) {
         return robot.equals(id) || robot.equals(ALL);
+    }
+
+    @Override
+    public String words() {
+        return "%s, go to %s".formatted(robot, mapFromGoal.rounded());
+    }
+
+    @Override
+    public Optional<String> eventKind() {
+        return Optional.of("goal");
     }
 }

@@ -3,6 +3,7 @@ package rsal.agent.message;
 import java.util.Optional;
 import java.util.function.Supplier;
 import rsal.agent.Interest;
+import rsal.agent.MessageContent;
 import rsal.agent.Topic;
 import rsal.data.Pose2d;
 
@@ -11,7 +12,7 @@ import rsal.data.Pose2d;
 /// @param robot its id
 /// @param role its role, as the scenario calls it
 /// @param mapFromBase its pose in the map frame
-public record PoseReport(String robot, String role, Pose2d mapFromBase) {
+public record PoseReport(String robot, String role, Pose2d mapFromBase) implements MessageContent {
     public static final Topic<PoseReport> TOPIC = new Topic<>("pose", PoseReport.class);
 
     public PoseReport {
@@ -39,5 +40,16 @@ public record PoseReport(String robot, String role, Pose2d mapFromBase) {
                 .get()
                 .filter(here -> here.distanceTo(report.mapFromBase()) <= radius)
                 .isPresent());
+    }
+
+    @Override
+    public String words() {
+        return "%s is at %s".formatted(robot, mapFromBase.rounded());
+    }
+
+    /// It is said again and again.
+    @Override
+    public Optional<String> eventKind() {
+        return Optional.empty();
     }
 }

@@ -1,5 +1,6 @@
 package rsal.agent.message;
 
+import rsal.agent.MessageContent;
 import rsal.agent.Topic;
 import rsal.data.Pose2d;
 
@@ -8,7 +9,7 @@ import rsal.data.Pose2d;
 /// @param robot its id
 /// @param role its role
 /// @param mapFromBase where it was seen
-public record Sighting(String robot, String role, Pose2d mapFromBase) {
+public record Sighting(String robot, String role, Pose2d mapFromBase) implements MessageContent {
     public static final Topic<Sighting> TOPIC = new Topic<>("sighting", Sighting.class);
 
     public Sighting {
@@ -25,5 +26,10 @@ public record Sighting(String robot, String role, Pose2d mapFromBase) {
     /// The same as a robot says it of itself.
     public PoseReport report() {
         return new PoseReport(robot, role, mapFromBase);
+    }
+
+    @Override
+    public String words() {
+        return "I see %s at %s".formatted(robot, mapFromBase.rounded());
     }
 }

@@ -1,6 +1,7 @@
 package rsal.agent.message;
 
 import java.util.Locale;
+import rsal.agent.MessageContent;
 import rsal.agent.Topic;
 import rsal.data.Point2d;
 
@@ -10,7 +11,7 @@ import rsal.data.Point2d;
 /// @param robot its id
 /// @param victim what the marker says that the victim wears
 /// @param mapFromVictim as far as the robot knows where it is itself
-public record VictimFound(String robot, int victim, Point2d mapFromVictim) {
+public record VictimFound(String robot, int victim, Point2d mapFromVictim) implements MessageContent {
     public static final Topic<VictimFound> TOPIC = new Topic<>("victim-found", VictimFound.class);
 
     public VictimFound {

@@ -1,11 +1,12 @@
 package rsal.agent.message;
 
+import rsal.agent.MessageContent;
 import rsal.agent.Topic;
 
 /// A helper has been with a victim: nobody need look after it any more.
 ///
 /// @param victim what its marker says
-public record VictimHelped(int victim) {
+public record VictimHelped(int victim) implements MessageContent {
     public static final Topic<VictimHelped> TOPIC = new Topic<>("victim-helped", VictimHelped.class);
 
     /// `victim 3 has been helped`

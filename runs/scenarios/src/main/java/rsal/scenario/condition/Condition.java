@@ -14,7 +14,7 @@ public sealed interface Condition {
     record Compare(Quantity left, Relation relation, double right) implements Condition {
         @Override
         public boolean holds(Facts facts) {
-            double value = left.of(facts);
+            double value = facts.value(left);
             return switch (relation) {
                 case LESS -> value < right;
                 case AT_MOST -> value <= right;
@@ -45,14 +45,7 @@ public sealed interface Condition {
     record All(Quantity quantity) implements Condition {
         @Override
         public boolean holds(Facts facts) {
-            String whose = quantity.whose();
-            double done = quantity.of(facts);
-            if (quantity.kind() == Quantity.Kind.ARRIVED) {
-                int there = facts.robots(whose) - facts.gone(whose);
-                return there > 0 && done >= there;
-            }
-            return done
-                    >= (quantity.kind().of().contains(Quantity.Of.ROLE) ? facts.robots(whose) : facts.things(whose));
+            return facts.holdsForAll(quantity);
         }
 
         @Override
@@ -62,7 +55,7 @@ public sealed interface Condition {
 
         @Override
         public String toString() {
-            return quantity.kind().all() + "(" + quantity.whose() + ")";
+            return quantity.type().wordForAll() + "(" + quantity.names().getFirst() + ")";
         }
     }
 

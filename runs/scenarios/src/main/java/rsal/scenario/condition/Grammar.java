@@ -9,6 +9,9 @@ import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import rsal.metric.NameKind;
+import rsal.metric.QuantityType;
+import rsal.metric.SignalType;
 import rsal.settings.Suggestion;
 
 /// Reads conditions and measures by recursive descent.
@@ -16,22 +19,18 @@ import rsal.settings.Suggestion;
 /// ```
 /// condition  = both {"or" both}
 /// both       = single {"and" single}
-/// single     = "not" single | "(" condition ")" | ("allCaught" | "allArrived") "(" role ")"
-///            | ("allCollected" | "allFound" | "allReached") "(" things ")"
-///            | quantity relation number
-/// quantity   = "time" | "collisions" | "wallCollisions" | "faults" | "explored" | "forming"
-///            | ("messages" | "heardMessages" | "lostMessages") ["(" topic ")"]
-///            | ("caught" | "arrived" | "gone" | "exploring") "(" role ")"
-///            | ("collected" | "found" | "reached") "(" things ")"
-///            | "distance" "(" role "," role ")" | ("within" | "visits") "(" role "," place ")"
-///            | "metric" "(" name ")"
+/// single     = "not" single | "(" condition ")" | all "(" name ")" | quantity relation number
+/// all        = "all" and the word of a quantity that counts all, as in "allArrived"
+/// quantity   = word ["(" name {"," name} ")"]
 /// relation   = "<" | "<=" | ">" | ">=" | "==" | "!="
 /// measure    = "firstTime" "(" condition ")" | "count" "(" quantity ")" | "explored" | "distance" ["(" role ")"]
 ///            | function "(" sampled ")" | "quantile" "(" number "," sampled ")"
 /// function   = "last" | "min" | "mean" | "timeWeightedMean" | "rms" | "p50" | "p95" | "p99" | "max"
 /// sampled    = signal ["(" role ")"] | quantity
-/// signal     = "poseError" | "captureDistance" | "batteryLevel" | "formationError" | "idleTime"
 /// ```
+///
+/// Words of quantities and signals, and what stands in their parentheses, are those of [RunQuantities] and of the
+/// scenario's metrics ([rsal.metric.MetricType]).
 ///
 /// Topics and names of metrics that are no words stand in quotes: `messages("fleet/tasks")`.
 public final class Grammar {
@@ -39,24 +38,13 @@ public final class Grammar {
     public static final int MAX_LENGTH = 1000;
 
     private static final int MAX_DEPTH = 50;
-    private static final Pattern TOKEN = Pattern.compile("\\s*(?:(?<word>" + Quantity.WORD
+    private static final Pattern UNKNOWN_ALL = Pattern.compile("all\\p{Upper}[\\w-]*");
+    private static final Pattern TOKEN = Pattern.compile("\\s*(?:(?<word>" + QuantityType.WORD.pattern()
             + ")|(?<quoted>\"[^\"]+\")|(?<number>-?\\d+(?:\\.\\d+)?)" + "|(?<sign>[<>=!]=?|[(),]))");
-    private static final List<String> QUANTITIES =
-            Arrays.stream(Quantity.Kind.values()).map(Quantity.Kind::word).toList();
-    private static final List<String> PREDICATES = Stream.of(
-                    Quantity.Kind.OF_ALL.stream().map(Quantity.Kind::all), QUANTITIES.stream(), Stream.of("not"))
-            .flatMap(words -> words)
-            .toList();
     private static final List<String> MEASURES = Stream.concat(
                     Stream.of("firstTime", "count", "explored", "distance", Measure.Quantile.WORD),
                     Arrays.stream(Measure.Function.values()).map(Measure.Function::word))
             .toList();
-    private static final List<String> SAMPLED = Stream.concat(
-                    Arrays.stream(Measure.Signal.values()).map(Measure.Signal::word), QUANTITIES.stream())
-            .toList();
-
-    private static final Quantity EXPLORED = new Quantity(Quantity.Kind.EXPLORED, List.of());
-
     private final String text;
     private final Names names;
     private final Matcher matcher;
@@ -69,14 +57,16 @@ public final class Grammar {
     /// @param depots groups of things that have a depot
     /// @param reaches groups of things to which robots are to get
     /// @param places parts of the floor
+    /// @param metrics what can be asked of the run
     public record Names(
             Collection<String> roles,
             Collection<String> depots,
             Collection<String> reaches,
-            Collection<String> places) {
-        /// Of a scenario without things and places.
+            Collection<String> places,
+            MetricWords metrics) {
+        /// Of a scenario without things, places and metrics of its own.
         public static Names of(Collection<String> roles) {
-            return new Names(roles, List.of(), List.of(), List.of());
+            return new Names(roles, List.of(), List.of(), List.of(), MetricWords.OF_RUNS);
         }
     }
 
@@ -139,9 +129,12 @@ public final class Grammar {
                 take(")");
                 return inner;
             }
-            Optional<Quantity.Kind> ofAll = word(Quantity.Kind.OF_ALL, Quantity.Kind::all);
+            Optional<QuantityType> ofAll = word(names.metrics().countingAll(), QuantityType::wordForAll);
             if (ofAll.isPresent()) {
                 return new Condition.All(quantity(ofAll.get()));
+            }
+            if (names.metrics().isOpen() && UNKNOWN_ALL.matcher(token.text).matches()) {
+                return unknownAll();
             }
             return comparison();
         } finally {
@@ -150,7 +143,7 @@ public final class Grammar {
     }
 
     private Condition comparison() {
-        Quantity left = quantity(PREDICATES);
+        Quantity left = quantity(names.metrics().predicates());
         for (var relation : Condition.Relation.values()) {
             if (takes(relation.sign())) {
                 return new Condition.Compare(left, relation, number());
@@ -159,39 +152,85 @@ public final class Grammar {
         throw expected("<, <=, >, >=, == or !=");
     }
 
-    /// @param known words that may stand here
     private Quantity quantity(List<String> known) {
-        return quantity(word(List.of(Quantity.Kind.values()), Quantity.Kind::word)
-                .orElseThrow(() -> unknown("a condition or quantity", known)));
+        return quantity("a condition or quantity", known);
     }
 
-    private Quantity quantity(Quantity.Kind kind) {
-        var of = kind.of();
-        if (of.isEmpty() || (of.contains(Quantity.Of.MAYBE_TOPIC) && !token.text.equals("("))) {
-            return new Quantity(kind, List.of());
+    /// @param known words that may stand here
+    private Quantity quantity(String what, List<String> known) {
+        Optional<QuantityType> type = word(names.metrics().quantities(), QuantityType::word);
+        if (type.isEmpty() && mayBeOfAnUnreadMetric()) {
+            return unknownQuantity();
+        }
+        return quantity(type.orElseThrow(() -> unknown(what, known)));
+    }
+
+    private boolean mayBeOfAnUnreadMetric() {
+        return names.metrics().isOpen()
+                && token.kind == Kind.WORD
+                && names.metrics().quantities().stream()
+                        .noneMatch(type -> type.word().equals(token.text));
+    }
+
+    /// One of a metric that is not read.
+    private Quantity unknownQuantity() {
+        String word = next();
+        var named = new ArrayList<String>();
+        if (takes("(")) {
+            do {
+                named.add(anyName("a name"));
+            } while (takes(","));
+            take(")");
+        }
+        return new Quantity(QuantityType.of(word, "", ""), named);
+    }
+
+    /// `allFed(cat)`, where a metric that is not read counts what is `fed`.
+    private Condition unknownAll() {
+        Quantity all = unknownQuantity();
+        String word = all.type().word();
+        var type = QuantityType.of(Character.toLowerCase(word.charAt(3)) + word.substring(4), "", "", NameKind.ROLE)
+                .countingAll();
+        return new Condition.All(new Quantity(type, all.names()));
+    }
+
+    /// Of a metric that is not read; maybe each robot has samples of its own.
+    private Measure unknownSampled(Measure.Aggregate aggregate) {
+        Quantity sampled = unknownQuantity();
+        return sampled.names().size() > 1
+                ? new Measure.OfQuantity(aggregate, sampled)
+                : new Measure.OfSignal(
+                        aggregate,
+                        SignalType.ofRobots(sampled.type().word(), "", ""),
+                        sampled.names().stream().findFirst());
+    }
+
+    private Quantity quantity(QuantityType type) {
+        if (type.names().isEmpty() || (type.namesAreOptional() && !token.text.equals("("))) {
+            return Quantity.of(type);
         }
         var named = new ArrayList<String>();
         take("(");
-        for (Quantity.Of one : of) {
+        for (NameKind kind : type.names()) {
             if (!named.isEmpty()) {
                 take(",");
             }
-            named.add(named(one));
+            named.add(named(kind));
         }
         take(")");
-        return new Quantity(kind, named);
+        return new Quantity(type, named);
     }
 
-    private String named(Quantity.Of of) {
-        return switch (of) {
+    private String named(NameKind kind) {
+        return switch (kind) {
             case ROLE -> role();
-            case DEPOT ->
+            case THINGS_TO_COLLECT ->
                 name("what things are called", names.depots(), "No things that have a depot are called (%s).");
-            case REACH ->
+            case THINGS_TO_REACH ->
                 name("what things are called", names.reaches(), "No things that have a reach are called (%s).");
             case PLACE -> name("a place", names.places(), "No place is called (%s).");
-            case MAYBE_TOPIC -> anyName("a topic of messages");
-            case METRIC -> anyName("the name of a metric");
+            case TOPIC -> anyName("a topic of messages");
+            case PUBLISHED -> anyName("the name of a metric");
         };
     }
 
@@ -204,12 +243,12 @@ public final class Grammar {
         }
         if (takes("count")) {
             take("(");
-            var measure = new Measure.Count(quantity(QUANTITIES));
+            var measure = new Measure.Count(quantity(names.metrics().quantityWords()));
             take(")");
             return measure;
         }
-        if (takes(EXPLORED.kind().word())) {
-            return new Measure.Count(EXPLORED);
+        if (takes(RunQuantities.EXPLORED.word())) {
+            return new Measure.Count(Quantity.of(RunQuantities.EXPLORED));
         }
         if (takes("distance")) {
             return new Measure.Distance(maybeRole());
@@ -232,15 +271,16 @@ public final class Grammar {
 
     /// What the samples are of, and the end of the measure.
     private Measure sampled(Measure.Aggregate aggregate) {
-        var signal = word(List.of(Measure.Signal.values()), Measure.Signal::word);
+        var signal = word(names.metrics().signals(), SignalType::word);
         Measure measure;
         if (signal.isPresent()) {
             Optional<String> role = signal.get().isOfRobots() ? maybeRole() : Optional.empty();
             measure = new Measure.OfSignal(aggregate, signal.get(), role);
+        } else if (mayBeOfAnUnreadMetric()) {
+            measure = unknownSampled(aggregate);
         } else {
-            var kind = word(List.of(Quantity.Kind.values()), Quantity.Kind::word)
-                    .orElseThrow(() -> unknown("a signal or quantity", SAMPLED));
-            measure = new Measure.OfQuantity(aggregate, quantity(kind));
+            measure = new Measure.OfQuantity(
+                    aggregate, quantity("a signal or quantity", names.metrics().sampled()));
         }
         take(")");
         return measure;

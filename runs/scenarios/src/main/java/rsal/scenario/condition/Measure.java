@@ -3,6 +3,7 @@ package rsal.scenario.condition;
 import java.math.BigDecimal;
 import java.util.Optional;
 import java.util.stream.Stream;
+import rsal.metric.SignalType;
 
 /// What to measure over a whole run: `p95(poseError)`. As text it is as people write it.
 public sealed interface Measure {
@@ -43,7 +44,7 @@ public sealed interface Measure {
 
         @Override
         public String toString() {
-            return quantity.kind() == Quantity.Kind.EXPLORED ? quantity.toString() : "count(" + quantity + ")";
+            return quantity.type().equals(RunQuantities.EXPLORED) ? quantity.toString() : "count(" + quantity + ")";
         }
     }
 
@@ -65,7 +66,7 @@ public sealed interface Measure {
     /// `p95(poseError)`, `max(poseError(hunter))`: of all samples of a signal; nothing without samples.
     ///
     /// @param role empty for all robots
-    record OfSignal(Aggregate aggregate, Signal signal, Optional<String> role) implements Measure {
+    record OfSignal(Aggregate aggregate, SignalType signal, Optional<String> role) implements Measure {
         @Override
         public boolean canBePerRobot() {
             return signal.isOfRobots();
@@ -80,6 +81,11 @@ public sealed interface Measure {
     /// `min(distance(prey, hunter))`, `quantile(0.9, metric(load))`: of what a quantity was after each step, or
     /// of each value that an agent published; nothing while it was not known.
     record OfQuantity(Aggregate aggregate, Quantity quantity) implements Measure {
+        /// Whether agents publish the values.
+        public boolean isPublished() {
+            return quantity.type().equals(RunQuantities.METRIC);
+        }
+
         @Override
         public Stream<Quantity> quantities() {
             return Stream.of(quantity);
@@ -87,7 +93,7 @@ public sealed interface Measure {
 
         @Override
         public boolean canBePerRobot() {
-            return quantity.kind() == Quantity.Kind.METRIC;
+            return isPublished();
         }
 
         @Override
@@ -148,37 +154,6 @@ public sealed interface Measure {
             return "%s(%s, %s)"
                     .formatted(
                             WORD, BigDecimal.valueOf(share).stripTrailingZeros().toPlainString(), what);
-        }
-    }
-
-    /// What there are samples of.
-    enum Signal {
-        /// Distance between where a robot really is and where its localizer says it is, at each of the
-        /// localizer's readings [m].
-        POSE_ERROR("poseError"),
-        /// Real distance between a prey and the robot that it says caught it, once per prey, when it says so [m].
-        CAPTURE_DISTANCE("captureDistance"),
-        /// For how long nobody has been at a place that is watched, once a second for each place [s].
-        IDLE_TIME("idleTime"),
-        /// Share of its battery that is left to a robot, after each step of the run, 0 to 1.
-        BATTERY_LEVEL("batteryLevel"),
-        /// Distance between where a robot really is and its place in the formation, at each step in which the formation
-        /// is in place [m].
-        FORMATION_ERROR("formationError");
-
-        private final String word;
-
-        Signal(String word) {
-            this.word = word;
-        }
-
-        public String word() {
-            return word;
-        }
-
-        /// Whether each robot has samples of its own.
-        public boolean isOfRobots() {
-            return this != IDLE_TIME;
         }
     }
 }

@@ -5,142 +5,88 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.fail;
 
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import rsal.metric.NameKind;
+import rsal.metric.QuantityType;
+import rsal.metric.SignalType;
 import rsal.scenario.condition.Grammar.Names;
 
 class GrammarTest {
     private static final List<String> ROLES = List.of("prey", "hunter", "fast-prey");
-    private static final Names NAMES = new Names(ROLES, List.of("can", "cup"), List.of("cup"), List.of("den"));
+    private static final MetricWords METRICS = new MetricWords(
+            Stream.concat(
+                            RunQuantities.ALL.stream(),
+                            Stream.of(
+                                    QuantityType.of("caught", "", "", NameKind.ROLE)
+                                            .countingAll(),
+                                    QuantityType.of("found", "", "", NameKind.THINGS_TO_REACH)
+                                            .countingAll(),
+                                    QuantityType.of("forming", "s", "")))
+                    .toList(),
+            Stream.concat(
+                            RunQuantities.SIGNALS.stream(),
+                            Stream.of(
+                                    SignalType.ofRobots("captureDistance", "m", ""),
+                                    SignalType.ofRobots("formationError", "m", ""),
+                                    SignalType.ofRun("idleTime", "s", "")))
+                    .toList(),
+            false);
+    private static final Names NAMES = new Names(ROLES, List.of("can", "cup"), List.of("cup"), List.of("den"), METRICS);
 
-    /// After 100 s one of two prey is caught, and there were 3 touches, 1 of a wall.
+    /// With a metric that is a program from who knows where.
+    private static final Names OPEN =
+            new Names(ROLES, List.of(), List.of(), List.of(), MetricWords.of(List.of(), true));
+
+    private static Names names() {
+        return new Names(ROLES, List.of(), List.of(), List.of(), METRICS);
+    }
+
+    private static final Map<String, Double> VALUES = Map.ofEntries(
+            Map.entry("time", 100.0),
+            Map.entry("collisions", 3.0),
+            Map.entry("wallCollisions", 1.0),
+            Map.entry("explored", 0.97),
+            Map.entry("forming", 7.0),
+            Map.entry("exploring(hunter)", 1.0),
+            Map.entry("collected(can)", 4.0),
+            Map.entry("found(cup)", 5.0),
+            Map.entry("reached(cup)", 3.0),
+            Map.entry("caught(prey)", 1.0),
+            Map.entry("arrived(hunter)", 1.0),
+            Map.entry("gone(hunter)", 1.0),
+            Map.entry("gone(prey)", 0.0),
+            Map.entry("faults", 4.0),
+            Map.entry("messages", 20.0),
+            Map.entry("heardMessages", 30.0),
+            Map.entry("lostMessages", 50.0),
+            Map.entry("messages(pose)", 5.0),
+            Map.entry("messages(\"fleet/tasks\")", 6.0),
+            Map.entry("heardMessages(pose)", 7.0),
+            Map.entry("lostMessages(pose)", 8.0),
+            Map.entry("distance(prey, hunter)", 1.5),
+            Map.entry("within(prey, den)", 2.0),
+            Map.entry("visits(hunter, den)", 3.0),
+            Map.entry("metric(load)", 0.4));
+
+    private static final Set<String> COUNTED_ALL =
+            Set.of("arrived(hunter)", "collected(cup)", "found(cup)", "caught(fast-prey)");
+
     private static final Facts FACTS = new Facts() {
         @Override
-        public double time() {
-            return 100;
+        public double value(Quantity quantity) {
+            return VALUES.getOrDefault(quantity.toString(), Double.NaN);
         }
 
         @Override
-        public double collisions() {
-            return 3;
-        }
-
-        @Override
-        public double wallCollisions() {
-            return 1;
-        }
-
-        @Override
-        public double explored() {
-            return 0.97;
-        }
-
-        @Override
-        public double forming() {
-            return 7;
-        }
-
-        @Override
-        public int exploring(String role) {
-            return 1;
-        }
-
-        @Override
-        public int things(String group) {
-            return 5;
-        }
-
-        @Override
-        public int collected(String group) {
-            return group.equals("cup") ? 5 : 4;
-        }
-
-        @Override
-        public int found(String group) {
-            return 5;
-        }
-
-        @Override
-        public int reached(String group) {
-            return 3;
-        }
-
-        @Override
-        public int robots(String role) {
-            return 2;
-        }
-
-        @Override
-        public int caught(String role) {
-            return role.equals("prey") ? 1 : 2;
-        }
-
-        @Override
-        public int arrived(String role) {
-            return role.equals("hunter") ? 1 : 0;
-        }
-
-        @Override
-        public int gone(String role) {
-            return role.equals("hunter") ? 1 : 0;
-        }
-
-        @Override
-        public long faults() {
-            return 4;
-        }
-
-        @Override
-        public long messages() {
-            return 20;
-        }
-
-        @Override
-        public long heardMessages() {
-            return 30;
-        }
-
-        @Override
-        public long lostMessages() {
-            return 50;
-        }
-
-        @Override
-        public long messages(String topic) {
-            return topic.equals("fleet/tasks") ? 6 : 5;
-        }
-
-        @Override
-        public long heardMessages(String topic) {
-            return 7;
-        }
-
-        @Override
-        public long lostMessages(String topic) {
-            return 8;
-        }
-
-        @Override
-        public double distance(String role, String other) {
-            return role.equals("prey") && other.equals("hunter") ? 1.5 : Double.NaN;
-        }
-
-        @Override
-        public int within(String role, String place) {
-            return 2;
-        }
-
-        @Override
-        public int visits(String role, String place) {
-            return 3;
-        }
-
-        @Override
-        public double metric(String name) {
-            return name.equals("load") ? 0.4 : Double.NaN;
+        public boolean holdsForAll(Quantity quantity) {
+            return COUNTED_ALL.contains(quantity.toString());
         }
     };
 
@@ -251,7 +197,7 @@ class GrammarTest {
                     ${time}                  | 0  | ($) can't stand here.
                     """)
     void pointsAtTheMistake(String text, int position, String message) {
-        assertThatThrownBy(() -> Grammar.condition(text, Names.of(ROLES)))
+        assertThatThrownBy(() -> Grammar.condition(text, names()))
                 .isInstanceOfSatisfying(InvalidExpression.class, e -> {
                     assertThat(e).hasMessage(message);
                     assertThat(e.position()).isEqualTo(position);
@@ -262,17 +208,17 @@ class GrammarTest {
     void guessesWhatWasMeant() {
         assertThat(remedy("allCougt(prey)")).contains("Maybe (allCaught) was meant?");
         assertThat(remedy("allCaught(pray)")).contains("Maybe (prey) was meant?");
-        assertThatThrownBy(() -> Grammar.measure("p94(poseError)", Names.of(ROLES)))
+        assertThatThrownBy(() -> Grammar.measure("p94(poseError)", names()))
                 .isInstanceOfSatisfying(
                         InvalidExpression.class, e -> assertThat(e.remedy()).contains("p95"));
-        assertThatThrownBy(() -> Grammar.measure("p95(poseEror)", Names.of(ROLES)))
+        assertThatThrownBy(() -> Grammar.measure("p95(poseEror)", names()))
                 .isInstanceOfSatisfying(
                         InvalidExpression.class, e -> assertThat(e.remedy()).contains("poseError"));
     }
 
     private static String remedy(String text) {
         try {
-            Grammar.condition(text, Names.of(ROLES));
+            Grammar.condition(text, names());
             return fail("%s is no condition.", text);
         } catch (InvalidExpression e) {
             return e.remedy();
@@ -288,15 +234,30 @@ class GrammarTest {
                 .hasMessage("A quantile is from 0 to 1.");
     }
 
+    /// Of a recording, whose programs are not read, all that is no metric of every run may be one of theirs.
+    @ParameterizedTest
+    @ValueSource(strings = {"fed(cat) > 3", "allFed(cat) and hunger < 2", "path(\"a b\", cat) >= 1"})
+    void conditionsMayNameMetricsThatAreNotRead(String text) {
+        Condition condition = Grammar.condition(text, OPEN);
+        assertThat(condition).hasToString(text);
+        assertThat(condition.holds(FACTS)).isFalse();
+        assertThatThrownBy(() -> Grammar.condition(text, names())).isInstanceOf(InvalidExpression.class);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"mean(hunger)", "p95(hunger(cat))", "last(path(cat, mouse))", "count(fed(cat))"})
+    void measuresMayNameMetricsThatAreNotRead(String text) {
+        assertThat(Grammar.measure(text, OPEN)).hasToString(text);
+        assertThatThrownBy(() -> Grammar.measure(text, names())).isInstanceOf(InvalidExpression.class);
+    }
+
     @Test
     void refusesWhatIsTooLongOrTooDeep() {
-        assertThatThrownBy(() -> Grammar.condition("(".repeat(900), Names.of(ROLES)))
+        assertThatThrownBy(() -> Grammar.condition("(".repeat(900), names())).isInstanceOf(InvalidExpression.class);
+        assertThatThrownBy(() -> Grammar.condition("not ".repeat(200) + "time > 1", names()))
                 .isInstanceOf(InvalidExpression.class);
-        assertThatThrownBy(() -> Grammar.condition("not ".repeat(200) + "time > 1", Names.of(ROLES)))
-                .isInstanceOf(InvalidExpression.class);
-        assertThatThrownBy(() -> Grammar.condition(" ".repeat(2000), Names.of(ROLES)))
-                .isInstanceOf(InvalidExpression.class);
-        assertThatThrownBy(() -> Grammar.condition("time > " + "9".repeat(900), Names.of(ROLES)))
+        assertThatThrownBy(() -> Grammar.condition(" ".repeat(2000), names())).isInstanceOf(InvalidExpression.class);
+        assertThatThrownBy(() -> Grammar.condition("time > " + "9".repeat(900), names()))
                 .isInstanceOf(InvalidExpression.class);
     }
 
@@ -341,12 +302,12 @@ class GrammarTest {
                 text.append(pieces[random.nextInt(pieces.length)]);
             }
             try {
-                Grammar.condition(text.toString(), Names.of(ROLES)).holds(FACTS);
+                Grammar.condition(text.toString(), names()).holds(FACTS);
             } catch (InvalidExpression e) {
                 assertThat(e.position()).as("seed %d", seed).isBetween(0, text.length());
             }
             try {
-                Grammar.measure(text.toString(), Names.of(ROLES));
+                Grammar.measure(text.toString(), seed % 2 == 0 ? names() : OPEN);
             } catch (InvalidExpression e) {
                 assertThat(e).as("seed %d", seed).hasMessageNotContaining("null");
             }

@@ -15,11 +15,11 @@ class WrittenFormTest {
                 "time > 300",
                 "collisions != 0.25",
                 "wallCollisions >= 12345678",
-                "caught(prey) < 2 and not time <= 10",
+                "arrived(prey) < 2 and not time <= 10",
                 "exploring(hunter) == 0 and explored >= 0.95",
-                "allCaught(prey) or caught(hunter) == 1 and time > 5",
-                "(allCaught(prey) or time > 5) and collisions > 3",
-                "not (allCaught(prey) and not time < 2)"
+                "allArrived(prey) or arrived(hunter) == 1 and time > 5",
+                "(allArrived(prey) or time > 5) and collisions > 3",
+                "not (allArrived(prey) and not time < 2)"
             })
     void conditionsAreAsTheyWereWritten(String text) {
         assertThat(Grammar.condition(text, NAMES)).hasToString(text);
@@ -28,13 +28,13 @@ class WrittenFormTest {
     @ParameterizedTest
     @ValueSource(
             strings = {
-                "firstTime(allCaught(prey))",
+                "firstTime(allArrived(prey))",
                 "count(wallCollisions)",
                 "explored",
                 "distance",
                 "distance(hunter)",
                 "p95(poseError)",
-                "max(captureDistance(prey))"
+                "max(batteryLevel(prey))"
             })
     void measuresAreAsTheyWereWritten(String text) {
         assertThat(Grammar.measure(text, NAMES)).hasToString(text);

@@ -1,0 +1,91 @@
+package rsal.agents.patrol;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import rsal.agent.message.Visited;
+import rsal.agent.message.Watch;
+import rsal.data.Point2d;
+import rsal.data.Pose2d;
+import rsal.metric.Metric;
+import rsal.metric.MetricType;
+import rsal.metric.RobotState;
+import rsal.metric.RunState;
+import rsal.metric.SignalType;
+import rsal.settings.Arguments;
+
+/// Places that a team watches, and for how long nobody has really been at each of them (instantaneous idleness).
+public final class IdlenessMetric implements MetricType {
+    static final SignalType IDLE_TIME = SignalType.ofRun(
+            "idleTime", "s", "for how long nobody has been at a place that is watched, once a second for each place");
+
+    private static final double NEAR = 1.0; // m
+    private static final double PERIOD = 1.0; // s between two samples
+
+    @Override
+    public String key() {
+        return "idleness";
+    }
+
+    @Override
+    public String description() {
+        return "For how long nobody has truly been within 1 m of each place that a team watches.";
+    }
+
+    @Override
+    public List<SignalType> signals() {
+        return List.of(IDLE_TIME);
+    }
+
+    @Override
+    public Metric create(Arguments arguments, RunState run) {
+        return new WatchedPlaces(run);
+    }
+
+    private static final class WatchedPlaces implements Metric {
+        private final RunState run;
+        private final Map<Point2d, Double> visited = new LinkedHashMap<>(); // when [s], by place
+        private double next; // s
+
+        WatchedPlaces(RunState run) {
+            this.run = run;
+        }
+
+        @Override
+        public void onMessage(String sender, Object content) {
+            switch (content) {
+                case Watch said -> watch(said.mapFromPlaces());
+                case Visited said ->
+                    run.robot(said.robot())
+                            .flatMap(RobotState::mapFromBase)
+                            .ifPresent(mapFromBase -> visit(said.mapFromPlace(), mapFromBase));
+                default -> {} // for others
+            }
+        }
+
+        /// These are watched from now on.
+        private void watch(List<Point2d> mapFromPlaces) {
+            visited.clear();
+            mapFromPlaces.forEach(place -> visited.put(place, run.time()));
+            next = run.time() + PERIOD;
+        }
+
+        /// A robot says that it has been at a place.
+        ///
+        /// @param mapFromBase where it really is
+        private void visit(Point2d mapFromPlace, Pose2d mapFromBase) {
+            if (mapFromBase.position().distanceTo(mapFromPlace) <= NEAR) {
+                visited.computeIfPresent(mapFromPlace, (_, _) -> run.time());
+            }
+        }
+
+        @Override
+        public void onStep() {
+            double now = run.time();
+            if (!visited.isEmpty() && now >= next) {
+                next += PERIOD;
+                visited.values().forEach(last -> run.sample(IDLE_TIME, now - last));
+            }
+        }
+    }
+}

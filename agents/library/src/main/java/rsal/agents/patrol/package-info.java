@@ -1,0 +1,5 @@
+/// Teams that watch places.
+@NullMarked
+package rsal.agents.patrol;
+
+import org.jspecify.annotations.NullMarked;

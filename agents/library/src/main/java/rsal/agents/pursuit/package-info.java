@@ -1,0 +1,5 @@
+/// Hunters and prey.
+@NullMarked
+package rsal.agents.pursuit;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,37 @@
+package rsal.cli;
+
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.Optional;
+import rsal.metric.MetricType;
+import rsal.scenario.Providers;
+import rsal.settings.FileSource;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
+import rsal.settings.PluginLanguage;
+
+/// A metric in a file of somebody's own.
+final class OwnMetric {
+    private OwnMetric() {}
+
+    /// @param path of a file
+    /// @return empty when it is none, or has mistakes: those are told when it is shown as an agent
+    static Optional<Kind> of(String path) {
+        return Providers.byKey(PluginLanguage.class, PluginLanguage::suffix).values().stream()
+                .filter(language -> path.endsWith(language.suffix()))
+                .findFirst()
+                .flatMap(language -> read(language, path));
+    }
+
+    private static Optional<Kind> read(PluginLanguage language, String path) {
+        try {
+            Path file = Path.of(path).toAbsolutePath().normalize();
+            FileSource folder = FileSource.folder(file.resolveSibling("."));
+            String name = file.getFileName().toString();
+            return Optional.of(Kind.of(language.read(MetricType.class, "metric", name, folder, Location.of(path)))
+                    .named(name));
+        } catch (InvalidSettings | InvalidPathException _) {
+            return Optional.empty();
+        }
+    }
+}
