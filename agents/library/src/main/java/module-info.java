@@ -1,39 +1,54 @@
-/// The agents that come with RSAL. Nothing depends on this module: scenarios name its agents by their keys.
+/// The agents that come with RSAL, a package for each task, with its messages and metrics. Scenarios name its agents by
+/// their keys. Only agents that work together with these depend on this module, as they use the same messages.
 module rsal.agent.library {
-    requires rsal.agent.platform;
+    requires transitive rsal.agent.platform;
     requires rsal.behaviors;
     requires static org.jspecify;
 
+    exports rsal.agents.charging;
+    exports rsal.agents.coverage;
+    exports rsal.agents.driving;
+    exports rsal.agents.exploration;
+    exports rsal.agents.foraging;
+    exports rsal.agents.formation;
+    exports rsal.agents.parts;
+    exports rsal.agents.patrol;
+    exports rsal.agents.pursuit;
+    exports rsal.agents.rescue;
+    exports rsal.agents.team;
+
     provides rsal.agent.AgentType with
-            rsal.agents.BlackboardMaster,
-            rsal.agents.BlobAgent,
-            rsal.agents.OverheadCamera,
-            rsal.agents.Collect,
-            rsal.agents.Dispatch,
-            rsal.agents.DeploymentAgent,
-            rsal.agents.Escape,
-            rsal.agents.Evade,
-            rsal.agents.Explore,
-            rsal.agents.FetchMaster,
-            rsal.agents.Forage,
-            rsal.agents.Follow,
-            rsal.agents.Formation,
-            rsal.agents.HuntMaster,
-            rsal.agents.Mapping,
-            rsal.agents.Intrude,
-            rsal.agents.NavigationAgent,
-            rsal.agents.Swarm,
-            rsal.agents.Patrol,
-            rsal.agents.RescueMaster,
-            rsal.agents.Rescuer.Helper,
-            rsal.agents.Rescuer.Scout,
-            rsal.agents.View,
-            rsal.agents.Roamer.WallFollow,
-            rsal.agents.Roamer.Wander,
-            rsal.agents.WorkerAgent;
+            rsal.agents.team.BlackboardMaster,
+            rsal.agents.foraging.BlobAgent,
+            rsal.agents.foraging.OverheadCamera,
+            rsal.agents.foraging.Collect,
+            rsal.agents.driving.Dispatch,
+            rsal.agents.coverage.DeploymentAgent,
+            rsal.agents.pursuit.Escape,
+            rsal.agents.pursuit.Evade,
+            rsal.agents.foraging.Explore,
+            rsal.agents.foraging.FetchMaster,
+            rsal.agents.foraging.Forage,
+            rsal.agents.pursuit.Follow,
+            rsal.agents.formation.Formation,
+            rsal.agents.pursuit.HuntMaster,
+            rsal.agents.exploration.Mapping,
+            rsal.agents.patrol.Intrude,
+            rsal.agents.driving.NavigationAgent,
+            rsal.agents.formation.Swarm,
+            rsal.agents.patrol.Patrol,
+            rsal.agents.rescue.RescueMaster,
+            rsal.agents.rescue.Rescuer.Helper,
+            rsal.agents.rescue.Rescuer.Scout,
+            rsal.agents.driving.View,
+            rsal.agents.driving.Roamer.WallFollow,
+            rsal.agents.driving.Roamer.Wander,
+            rsal.agents.team.WorkerAgent;
     provides rsal.metric.MetricType with
             rsal.agents.formation.FormationMetric,
             rsal.agents.patrol.IdlenessMetric,
             rsal.agents.pursuit.CaptureMetric,
             rsal.agents.rescue.FoundMetric;
+    provides rsal.agent.TopicProvider with
+            rsal.agents.LibraryTopics;
 }

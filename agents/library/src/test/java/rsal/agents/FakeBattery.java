@@ -8,12 +8,12 @@ import rsal.device.DeviceInfo;
 import rsal.device.SensorCore;
 
 /// A battery whose charge a test sets.
-final class FakeBattery extends SensorCore<BatteryState> implements Battery {
-    FakeBattery(String robot) {
+public final class FakeBattery extends SensorCore<BatteryState> implements Battery {
+    public FakeBattery(String robot) {
         super(new DeviceInfo(robot, "battery", "fake"));
     }
 
-    void is(double level, BatteryState.Charging charging, Instant time) {
+    public void is(double level, BatteryState.Charging charging, Instant time) {
         deliver(new Stamped<>(time, info().robot() + "/base_link", BatteryState.of(level, 1, 0, charging)));
     }
 }

@@ -12,20 +12,20 @@ import rsal.device.DeviceInfo;
 import rsal.device.SensorCore;
 
 /// A camera in the middle of a robot, 100 columns over 90°.
-final class FakeCamera extends SensorCore<Blobs> implements BlobFinder {
-    static final Rgb GREEN = Rgb.of(0x2ca02c);
+public final class FakeCamera extends SensorCore<Blobs> implements BlobFinder {
+    public static final Rgb GREEN = Rgb.of(0x2ca02c);
 
-    FakeCamera(String robot) {
+    public FakeCamera(String robot) {
         super(new DeviceInfo(robot, "camera", "fake"));
     }
 
     /// Shows one patch straight ahead, ten columns wide.
-    void show(Rgb color, double range) {
+    public void show(Rgb color, double range) {
         show(List.of(new Blob(color, 45, 30, 55, 40, 50, 35, 100, range)));
     }
 
     /// Shows one patch of which the left border of the image hides a part.
-    void showAtTheBorder(Rgb color, double range) {
+    public void showAtTheBorder(Rgb color, double range) {
         show(List.of(new Blob(color, 0, 30, 10, 40, 5, 35, 100, range)));
     }
 

@@ -12,16 +12,16 @@ import rsal.device.FiducialFinder;
 import rsal.device.SensorCore;
 
 /// Sees what a test shows it.
-final class FakeFinder extends SensorCore<Fiducials> implements FiducialFinder {
-    FakeFinder(String robot) {
+public final class FakeFinder extends SensorCore<Fiducials> implements FiducialFinder {
+    public FakeFinder(String robot) {
         super(new DeviceInfo(robot, "fiducials", "fake"));
     }
 
-    void sees(OptionalInt id, double ahead, double left, Instant now) {
+    public void sees(OptionalInt id, double ahead, double left, Instant now) {
         tell(List.of(new Fiducial(id, new Pose2d(ahead, left, 0))), now);
     }
 
-    void seesNothing(Instant now) {
+    public void seesNothing(Instant now) {
         tell(List.of(), now);
     }
 

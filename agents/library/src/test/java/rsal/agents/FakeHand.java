@@ -14,20 +14,20 @@ import rsal.device.Gripper;
 import rsal.device.SensorCore;
 
 /// A gripper that is there at once, and grips something when the test says that there is something.
-final class FakeHand extends SensorCore<GripperState> implements Gripper {
-    final List<String> told = new ArrayList<>();
-    boolean somethingIsThere;
+public final class FakeHand extends SensorCore<GripperState> implements Gripper {
+    public final List<String> told = new ArrayList<>();
+    public boolean somethingIsThere;
     private boolean closed;
     private boolean raised;
     private boolean holding;
 
-    FakeHand(String robot) {
+    public FakeHand(String robot) {
         super(new DeviceInfo(robot, "gripper", "fake"));
         feel();
     }
 
     /// Tells what it feels now.
-    void feel() {
+    public void feel() {
         deliver(new Stamped<>(Instant.EPOCH, info().id(), state()));
     }
 

@@ -10,13 +10,13 @@ import rsal.device.Mapper;
 import rsal.device.SensorCore;
 
 /// Maps what a test tells it, and notes whether it would drive.
-final class FakeMapper extends SensorCore<OccupancyGrid> implements Mapper {
+public final class FakeMapper extends SensorCore<OccupancyGrid> implements Mapper {
     private boolean paused;
     private boolean complete;
-    final List<End> leftAlone = new ArrayList<>();
+    public final List<End> leftAlone = new ArrayList<>();
     private List<End> ends = List.of();
 
-    FakeMapper(String robot, boolean paused) {
+    public FakeMapper(String robot, boolean paused) {
         super(new DeviceInfo(robot, "explorer", "fake"));
         this.paused = paused;
     }
@@ -37,13 +37,13 @@ final class FakeMapper extends SensorCore<OccupancyGrid> implements Mapper {
     }
 
     /// Has drawn a map that ends there.
-    void draws(List<End> newest, Instant now) {
+    public void draws(List<End> newest, Instant now) {
         ends = newest;
         tell(now);
     }
 
     /// Has looked whether anything is left to map.
-    void isComplete(boolean value, Instant now) {
+    public void isComplete(boolean value, Instant now) {
         complete = value;
         tell(now);
     }

@@ -4,17 +4,18 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import rsal.agents.parts.Words;
 import rsal.data.Pose2d;
 import rsal.device.DeviceCore;
 import rsal.device.DeviceInfo;
 import rsal.device.PlaceFinder;
 
 /// Notes each question and finds what the test says.
-final class FakePlaces extends DeviceCore implements PlaceFinder {
-    final List<String> asked = new ArrayList<>();
-    Result result = new Result.None("Nobody said where.");
+public final class FakePlaces extends DeviceCore implements PlaceFinder {
+    public final List<String> asked = new ArrayList<>();
+    public Result result = new Result.None("Nobody said where.");
 
-    FakePlaces(String robot) {
+    public FakePlaces(String robot) {
         super(new DeviceInfo(robot, "places", "fake"));
     }
 

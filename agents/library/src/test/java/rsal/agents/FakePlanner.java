@@ -10,8 +10,8 @@ import rsal.device.DeviceInfo;
 import rsal.device.Planner;
 
 /// All ways are straight.
-final class FakePlanner extends DeviceCore implements Planner {
-    FakePlanner(String robot) {
+public final class FakePlanner extends DeviceCore implements Planner {
+    public FakePlanner(String robot) {
         super(new DeviceInfo(robot, "planner", "fake"));
     }
 

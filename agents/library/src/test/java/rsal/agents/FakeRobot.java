@@ -43,7 +43,7 @@ public final class FakeRobot {
     public final Local localizer;
     public final Nav navigator;
     public final Pilot pilot;
-    final FakePlaces places; // which a test gives the robot
+    public final FakePlaces places; // which a test gives the robot
     public final Robot robot;
     private final Scheduler scheduler;
 
@@ -70,12 +70,12 @@ public final class FakeRobot {
     }
 
     /// The same robot with only its base.
-    Robot withoutLocalizer() {
+    public Robot withoutLocalizer() {
         return new Robot(robot.id(), robot.role(), robot.model(), List.of(base));
     }
 
     /// The base tells ten times a second that it stands where odometry began.
-    void wakeBase() {
+    public void wakeBase() {
         scheduler.every(Duration.ofMillis(100), Phase.WORLD, () -> base.roll(Pose2d.ORIGIN, scheduler.instant()));
     }
 
@@ -91,7 +91,7 @@ public final class FakeRobot {
             super(new DeviceInfo(robot, "base", "fake"));
         }
 
-        void roll(Pose2d odomFromBase, Instant time) {
+        public void roll(Pose2d odomFromBase, Instant time) {
             deliver(new Stamped<>(time, info().robot() + "/odom", new Odometry(odomFromBase, Twist2d.STOP, false)));
         }
 
@@ -130,22 +130,22 @@ public final class FakeRobot {
 
     /// Notes each goal; a drive goes on until the test ends it or another begins.
     public static final class Nav extends DeviceCore implements Navigator {
-        final List<Pose2d> goals = new ArrayList<>();
+        public final List<Pose2d> goals = new ArrayList<>();
         private @Nullable GoalSource<Progress, Result> underWay;
 
         Nav(String robot) {
             super(new DeviceInfo(robot, "navigator", "fake"));
         }
 
-        boolean driving() {
+        public boolean driving() {
             return underWay != null && !underWay.ended();
         }
 
-        void end(Result result) {
+        public void end(Result result) {
             underWay.end(result);
         }
 
-        void reach() {
+        public void reach() {
             end(new Result.Reached(goals.getLast()));
         }
 
@@ -181,7 +181,7 @@ public final class FakeRobot {
         }
     }
 
-    static Navigator.Result stuck() {
+    public static Navigator.Result stuck() {
         return new Navigator.Result.Stuck(Pose2d.ORIGIN, Duration.ofSeconds(20), "A box stands in its way.");
     }
 }

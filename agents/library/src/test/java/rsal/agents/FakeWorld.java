@@ -16,19 +16,19 @@ import rsal.device.DeviceInfo;
 import rsal.device.SimulationControl;
 
 /// A world that holds names and poses, within 100 m of its origin, and discs to look at.
-final class FakeWorld extends DeviceCore implements SimulationControl {
+public final class FakeWorld extends DeviceCore implements SimulationControl {
     private static final double EDGE = 100; // m
-    static final double WALL = 50; // x [m]: nothing fits there
+    public static final double WALL = 50; // x [m]: nothing fits there
 
-    final Map<String, Pose2d> things = new LinkedHashMap<>();
+    public final Map<String, Pose2d> things = new LinkedHashMap<>();
     private final List<Standing> discs = new ArrayList<>();
 
-    FakeWorld() {
+    public FakeWorld() {
         super(new DeviceInfo("", "simulation", "fake"));
     }
 
     /// @param height of its underside above the floor [m]
-    void addDisc(String name, Rgb color, double x, double y, double height) {
+    public void addDisc(String name, Rgb color, double x, double y, double height) {
         var disc = Prism.standing(new Shape.Disc(new Point2d(0, 0), 0.1), 0.1).in(color);
         discs.add(new Standing(discs.size() + 1, name, new Solid(List.of(disc)), new Pose2d(x, y, 0), height, true));
     }

@@ -21,31 +21,31 @@ import rsal.settings.Arguments;
 import rsal.time.LockstepScheduler;
 
 /// The project's agents, with robots made of fakes, in simulated time. Keeps what they say.
-final class Scene {
-    final LockstepScheduler scheduler = new LockstepScheduler();
-    final List<Message<?>> said = new ArrayList<>();
-    final AgentPlatform society;
+public final class Scene {
+    public final LockstepScheduler scheduler = new LockstepScheduler();
+    public final List<Message<?>> said = new ArrayList<>();
+    public final AgentPlatform society;
 
-    Scene(Optional<SimulationControl> simulation) {
+    public Scene(Optional<SimulationControl> simulation) {
         var host = new PlainHostProvider().create(Arguments.defaults(List.of()), scheduler);
         society = new AgentPlatform(scheduler, host, simulation);
         society.onMessage(said::add);
     }
 
-    Scene() {
+    public Scene() {
         this(Optional.empty());
     }
 
-    FakeRobot robot(String id, String role) {
+    public FakeRobot robot(String id, String role) {
         return new FakeRobot(id, role, scheduler);
     }
 
     /// Starts an agent of a type, named after its robot.
-    void start(String type, FakeRobot robot, Map<String, ?> arguments) {
+    public void start(String type, FakeRobot robot, Map<String, ?> arguments) {
         start(type, robot.robot.id(), Optional.of(robot.robot), arguments);
     }
 
-    void start(String type, String name, Optional<Robot> robot, Map<String, ?> arguments) {
+    public void start(String type, String name, Optional<Robot> robot, Map<String, ?> arguments) {
         AgentType found = ServiceLoader.load(AgentType.class).stream()
                 .map(ServiceLoader.Provider::get)
                 .filter(candidate -> candidate.key().equals(type))
@@ -55,26 +55,26 @@ final class Scene {
         advance(0);
     }
 
-    void advance(double seconds) {
+    public void advance(double seconds) {
         scheduler.advance(Duration.ofMillis(Math.round(seconds * 1000)));
     }
 
     /// Somebody without an agent here says something, and it is heard.
-    <M> void hear(String sender, Topic<M> topic, M message) {
+    public <M> void hear(String sender, Topic<M> topic, M message) {
         society.publish(sender, topic, message);
         advance(0);
     }
 
-    void report(String robot, String role, double x, double y) {
+    public void report(String robot, String role, double x, double y) {
         hear("radio", PoseReport.TOPIC, new PoseReport(robot, role, new Pose2d(x, y, 0)));
     }
 
-    void order(String robot, double x, double y) {
+    public void order(String robot, double x, double y) {
         hear("operator", NewGoal.TOPIC, new NewGoal(robot, new Pose2d(x, y, 0)));
     }
 
     /// All that an agent has said on a topic.
-    <M> List<M> said(String sender, Topic<M> topic) {
+    public <M> List<M> said(String sender, Topic<M> topic) {
         return said.stream()
                 .filter(message ->
                         message.sender().equals(sender) && message.topic().equals(topic))
@@ -82,14 +82,14 @@ final class Scene {
                 .toList();
     }
 
-    AgentPlatform.View view(String agent) {
+    public AgentPlatform.View view(String agent) {
         return society.views().stream()
                 .filter(view -> view.agent().name().equals(agent))
                 .findFirst()
                 .orElseThrow();
     }
 
-    String state(String agent) {
+    public String state(String agent) {
         return view(agent).state();
     }
 }

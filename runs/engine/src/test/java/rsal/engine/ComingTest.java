@@ -87,7 +87,7 @@ class ComingTest {
         assertThat(snapshot.team().getLast().body()).isPresent();
         assertThat(snapshot.agents().getLast().view().agent())
                 .satisfies(agent -> assertThat(List.of(agent.name(), agent.role(), agent.type(), agent.robot()))
-                        .containsExactly("run-prey-1", "run", "wanderer", "prey-1"));
+                        .containsExactly("run-prey-1", "run", "quitter", "prey-1"));
         assertThat(run.events(0))
                 .anySatisfy(event -> assertThat(event.kind() + event.subject() + event.text())
                         .isEqualTo("operatorprey-1added at (-8.00, -1.00, 0°)"))
@@ -206,7 +206,7 @@ class ComingTest {
         String navigating = Runs.TWO_WANDERERS
                 .replace("error: 0.2}}", "error: 0}, navigator: {}}")
                 .replace(
-                        "{type: wanderer, robot: prey, args: {caughtAfter: $caughtAfter, by: hunter-1, distance: 30}}",
+                        "{type: quitter, robot: prey, args: {caughtAfter: $caughtAfter, by: hunter-1, distance: 30}}",
                         "{type: chatter, robot: prey}")
                 .replace("time >= 20", "time >= 90");
         run = LiveRun.start(Runs.plan(folder, navigating, RunOptions.NONE.withSpeed(20)));

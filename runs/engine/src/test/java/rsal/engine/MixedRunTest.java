@@ -37,7 +37,7 @@ class MixedRunTest {
                   - {name: real, pose: [-8, -1, 0], mrs: {use: reality, host: lab}}
                   - {name: virtual, pose: [-4, -1, 0]}
             agents:
-              run: {type: wanderer, robot: prey, args: {caughtAfter: 4, by: real, distance: 30, speed: 0}}
+              run: {type: quitter, robot: prey, args: {caughtAfter: 4, by: real, distance: 30, speed: 0}}
               chase: {type: wanderer, robot: hunter}
             mrs: {odometryNoise: 0}
             run:

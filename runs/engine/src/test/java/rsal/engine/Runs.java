@@ -31,7 +31,7 @@ final class Runs {
                 model: pioneer3at
                 pose: {free: true}
             agents:
-              run: {type: wanderer, robot: prey, args: {caughtAfter: $caughtAfter, by: hunter-1, distance: 30}}
+              run: {type: quitter, robot: prey, args: {caughtAfter: $caughtAfter, by: hunter-1, distance: 30}}
               chase: {type: wanderer, robot: hunter}
             run:
               seed: 7

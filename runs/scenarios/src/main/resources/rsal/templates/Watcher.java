@@ -1,7 +1,7 @@
 import java.time.Duration;
 import rsal.agent.Agent;
 import rsal.agent.AgentContext;
-import rsal.agent.message.Caught;
+import rsal.agents.pursuit.Caught;
 import rsal.agent.message.PoseReport;
 
 /// Listens to the others, and tells how much was said: an agent without a robot.

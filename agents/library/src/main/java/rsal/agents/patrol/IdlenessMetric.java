@@ -3,8 +3,6 @@ package rsal.agents.patrol;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import rsal.agent.message.Visited;
-import rsal.agent.message.Watch;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.metric.Metric;

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import rsal.agent.message.Caught;
 import rsal.data.Pose2d;
 import rsal.metric.Metric;
 import rsal.metric.MetricType;

@@ -5,7 +5,6 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import rsal.agent.message.VictimFound;
 import rsal.metric.Metric;
 import rsal.metric.MetricType;
 import rsal.metric.NameKind;

@@ -4,8 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import rsal.agent.message.Visited;
-import rsal.agent.message.Watch;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.metric.Metric;

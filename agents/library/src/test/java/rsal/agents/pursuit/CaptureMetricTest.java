@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import rsal.agent.message.Caught;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.data.Walls;

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
-import rsal.agent.message.VictimFound;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.metric.Metric;

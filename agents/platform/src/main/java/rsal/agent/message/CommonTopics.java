@@ -8,27 +8,6 @@ import rsal.agent.TopicProvider;
 public final class CommonTopics implements TopicProvider {
     @Override
     public List<Topic<?>> topics() {
-        return List.of(
-                Alarm.TOPIC,
-                Caught.TOPIC,
-                ChargerTaken.TOPIC,
-                Chase.TOPIC,
-                CollectGoal.TOPIC,
-                Collected.TOPIC,
-                Depot.TOPIC,
-                GoalReached.TOPIC,
-                Hello.TOPIC,
-                Lookout.TOPIC,
-                MapEnds.TOPIC,
-                NewGoal.TOPIC,
-                PoseReport.TOPIC,
-                PoseRequest.TOPIC,
-                FormationSlots.TOPIC,
-                Sighting.TOPIC,
-                Text.TOPIC,
-                VictimFound.TOPIC,
-                VictimHelped.TOPIC,
-                Visited.TOPIC,
-                Watch.TOPIC);
+        return List.of(GoalReached.TOPIC, Hello.TOPIC, NewGoal.TOPIC, PoseReport.TOPIC, PoseRequest.TOPIC, Text.TOPIC);
     }
 }

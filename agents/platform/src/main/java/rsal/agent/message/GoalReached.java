@@ -14,10 +14,10 @@ public record GoalReached(String robot, Pose2d mapFromGoal, String ending, Strin
     public static final Topic<GoalReached> TOPIC = new Topic<>("goal-reached", GoalReached.class);
 
     public GoalReached {
-        Check.given("robot", robot);
-        Check.somewhere("goal", mapFromGoal);
-        Check.given("ending", ending);
-        Check.given("why", why);
+        MessageCheck.given("robot", robot);
+        MessageCheck.somewhere("goal", mapFromGoal);
+        MessageCheck.given("ending", ending);
+        MessageCheck.given("why", why);
     }
 
     public boolean reached() {

@@ -13,9 +13,9 @@ public record Hello(String robot, Kind kind, String to) implements MessageConten
     public static final Topic<Hello> TOPIC = new Topic<>("hello", Hello.class);
 
     public Hello {
-        Check.given("robot", robot);
-        Check.given("kind", kind);
-        Check.given("to", to);
+        MessageCheck.given("robot", robot);
+        MessageCheck.given("kind", kind);
+        MessageCheck.given("to", to);
     }
 
     public enum Kind {

@@ -14,8 +14,8 @@ public record NewGoal(String robot, Pose2d mapFromGoal) implements MessageConten
     public static final String ALL = "all";
 
     public NewGoal {
-        Check.given("robot", robot);
-        Check.somewhere("goal", mapFromGoal);
+        MessageCheck.given("robot", robot);
+        MessageCheck.somewhere("goal", mapFromGoal);
     }
 
     public boolean isFor(String id) {

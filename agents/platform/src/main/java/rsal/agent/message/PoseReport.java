@@ -16,9 +16,9 @@ public record PoseReport(String robot, String role, Pose2d mapFromBase) implemen
     public static final Topic<PoseReport> TOPIC = new Topic<>("pose", PoseReport.class);
 
     public PoseReport {
-        Check.given("robot", robot);
-        Check.given("role", role);
-        Check.somewhere("robot", mapFromBase);
+        MessageCheck.given("robot", robot);
+        MessageCheck.given("role", role);
+        MessageCheck.somewhere("robot", mapFromBase);
     }
 
     /// @param roleOrId of a robot

@@ -11,7 +11,7 @@ public record PoseRequest(String robot) implements MessageContent {
     public static final Topic<PoseRequest> TOPIC = new Topic<>("pose-request", PoseRequest.class);
 
     public PoseRequest {
-        Check.given("robot", robot);
+        MessageCheck.given("robot", robot);
     }
 
     public boolean isFor(String id) {

@@ -8,6 +8,6 @@ public record Text(String words) implements MessageContent {
     public static final Topic<Text> TOPIC = new Topic<>("text", Text.class);
 
     public Text {
-        Check.given("words", words);
+        MessageCheck.given("words", words);
     }
 }

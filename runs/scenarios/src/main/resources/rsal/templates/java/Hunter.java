@@ -6,7 +6,7 @@ import java.util.Set;
 import rsal.agent.Agent;
 import rsal.agent.AgentContext;
 import rsal.agent.AgentType;
-import rsal.agent.message.Caught;
+import rsal.agents.pursuit.Caught;
 import rsal.agent.message.PoseReport;
 import rsal.data.Pose2d;
 import rsal.device.Device;

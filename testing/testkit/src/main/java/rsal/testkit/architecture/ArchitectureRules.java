@@ -202,18 +202,19 @@ public abstract class ArchitectureRules {
                 .dependOnClassesThat(within(with(APPS, NAVIGATION))));
     }
 
-    /// What an agent is and what runs it are two things, and both know none of those that come with RSAL.
+    /// What an agent is and what runs it are two things, and both know none of those that come with RSAL. Only agents
+    /// that work together with those use their messages.
     @Test
     void agentsContractsKnowNoPlatformAndNoAgent() {
         check(noClasses()
                 .that()
-                .resideInAPackage("rsal.agent")
+                .resideInAnyPackage("rsal.agent", "rsal.metric")
                 .should()
                 .dependOnClassesThat(
                         within("rsal.agent.*..", "rsal.behavior..", "rsal.yaml..", "rsal.model..", "rsal.world..")));
         check(noClasses()
                 .that()
-                .resideOutsideOfPackage("rsal.agents..")
+                .resideOutsideOfPackages("rsal.agents..", "rsal.jadex.hunt..")
                 .should()
                 .dependOnClassesThat(within("rsal.agents..")));
     }

@@ -5,7 +5,6 @@ import java.util.List;
 import rsal.agent.Agent;
 import rsal.agent.AgentContext;
 import rsal.agent.AgentType;
-import rsal.agent.message.Caught;
 import rsal.agent.message.NewGoal;
 import rsal.agent.message.Text;
 import rsal.data.Twist2d;
@@ -14,14 +13,9 @@ import rsal.device.DriveBase;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
-/// Drives about at random. Says that it is caught when its time is up, and what it was told.
+/// Drives about at random. Says what it was told.
 public final class Wanderer implements AgentType {
     private static final Parameter SPEED = Parameter.number("speed", 0.3, 0, 1, "m/s", "How fast it drives.");
-    private static final Parameter CAUGHT_AFTER =
-            Parameter.number("caughtAfter", 1000, 0, 1000, "s", "When it gives up.");
-    private static final Parameter DISTANCE =
-            Parameter.number("distance", 1, 0, 1000, "m", "How far away it says that this robot is.");
-    private static final Parameter BY = Parameter.text("by", "nobody", "Robot that it says caught it.");
 
     @Override
     public String key() {
@@ -35,7 +29,7 @@ public final class Wanderer implements AgentType {
 
     @Override
     public List<Parameter> parameters() {
-        return List.of(SPEED, CAUGHT_AFTER, BY, DISTANCE);
+        return List.of(SPEED);
     }
 
     @Override
@@ -57,12 +51,6 @@ public final class Wanderer implements AgentType {
                         Duration.ofMillis(200),
                         () -> base.command(Twist2d.drive(
                                 arguments.number("speed"), self.random().nextDouble(-1, 1))));
-        self.scheduler()
-                .after(
-                        arguments.seconds("caughtAfter"),
-                        () -> self.publish(
-                                Caught.TOPIC,
-                                new Caught(robot.id(), arguments.text("by"), arguments.number("distance"))));
         self.subscribe(
                 NewGoal.TOPIC,
                 goal -> self.publish(

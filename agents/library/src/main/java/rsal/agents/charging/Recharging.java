@@ -1,0 +1,107 @@
+package rsal.agents.charging;
+
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
+import rsal.agent.AgentContext;
+import rsal.agents.driving.NavigationClient;
+import rsal.data.Pose2d;
+import rsal.robot.Robot;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+
+/// Minds the battery of a robot that works: takes it to a charger when it runs low, as soon as it can leave what it
+/// does, and gives it back when it is full ([Charging]).
+public final class Recharging {
+    public static final Parameter CHARGERS = Parameter.places(
+            "chargers", "Where robots are charged; none when they are not. Whoever charges stands there.");
+    public static final Parameter LOW =
+            Parameter.number("lowBattery", 0.3, 0, 1, "", "Share of its battery below which it goes to a charger.");
+    public static final Parameter FULL =
+            Parameter.number("fullBattery", 0.9, 0, 1, "", "Share of its battery at which it goes on.");
+
+    public static final Parameter RANGE = Parameter.number(
+            "batteryRange",
+            150,
+            1,
+            1e6,
+            "m",
+            "How far it drives on a full battery, with all that it does meanwhile; what takes more it does not begin.");
+
+    private final AgentContext self;
+    private final Charging charging;
+    private final BooleanSupplier canLeave;
+    private final Runnable before;
+    private final Runnable after;
+    private boolean atIt;
+
+    /// @param canLeave whether the robot can go to a charger now
+    /// @param before lets go of the robot; called when its battery is low
+    /// @param after takes it back; called when it is full
+    public Recharging(
+            AgentContext self,
+            Robot robot,
+            NavigationClient driver,
+            Supplier<Optional<Pose2d>> mapFromBase,
+            Arguments arguments,
+            BooleanSupplier canLeave,
+            Runnable before,
+            Runnable after) {
+        this.self = self;
+        this.charging = charging(self, robot, driver, mapFromBase, arguments);
+        this.canLeave = canLeave;
+        this.before = before;
+        this.after = after;
+    }
+
+    /// As an agent's arguments have it.
+    public static Charging charging(
+            AgentContext self,
+            Robot robot,
+            NavigationClient driver,
+            Supplier<Optional<Pose2d>> mapFromBase,
+            Arguments arguments) {
+        return new Charging(
+                self,
+                robot,
+                driver,
+                mapFromBase,
+                arguments.places(CHARGERS.name()),
+                arguments.number(LOW.name()),
+                arguments.number(FULL.name()));
+    }
+
+    public void begin() {
+        charging.begin(this::look);
+    }
+
+    /// Whether it has the robot.
+    public boolean isCharging() {
+        return atIt;
+    }
+
+    /// Whether the battery is being charged, or is so low that it must be.
+    public boolean isNeeded() {
+        return charging.isNeeded();
+    }
+
+    /// How far the robot can drive before it must have been charged [m]; +∞ when it never is.
+    ///
+    /// @param range on a full battery [m]
+    public double reach(double range) {
+        return charging.reach(range);
+    }
+
+    private void look() {
+        if (!atIt && charging.isNeeded() && canLeave.getAsBoolean()) {
+            atIt = true;
+            before.run();
+            charging.start();
+        } else if (atIt && !charging.isNeeded()) {
+            atIt = false;
+            charging.stop();
+            self.state("charged");
+            after.run();
+        }
+    }
+}

@@ -1,0 +1,30 @@
+package rsal.agents.driving;
+
+import java.util.List;
+import rsal.agent.AgentContext;
+import rsal.agent.message.NewGoal;
+import rsal.agents.parts.AgentTypeBase;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+
+/// Stands by people who send robots: sees to it that each hears where it is sent, and tells when one does not answer.
+/// Needs no robot.
+public final class Dispatch extends AgentTypeBase {
+    static final Parameter ROBOTS = Parameter.robots(
+            "robots", NewGoal.ALL, List.of(NewGoal.ALL), "Role of the robots that people send, or all.");
+    static final Parameter SILENT_AFTER = Parameter.number(
+            "silentAfter", 5, 2, 3600, "s", "A robot of which nothing was heard for that long counts as silent.");
+
+    public Dispatch() {
+        super(
+                "dispatch",
+                "Sees to it that robots hear where people send them, and tells when one is silent.",
+                List.of(ROBOTS, SILENT_AFTER),
+                List.of());
+    }
+
+    @Override
+    protected void begin(AgentContext self, Arguments arguments) {
+        new Dispatching(self, arguments).begin();
+    }
+}

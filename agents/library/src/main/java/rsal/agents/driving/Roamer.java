@@ -1,0 +1,42 @@
+package rsal.agents.driving;
+
+import java.util.List;
+import java.util.function.BiFunction;
+import rsal.agent.AgentContext;
+import rsal.agents.parts.AgentTypeBase;
+import rsal.agents.parts.Body;
+import rsal.agents.parts.Reporter;
+import rsal.behavior.Pilot;
+import rsal.robot.Robot;
+import rsal.settings.Arguments;
+
+/// Drives about by a behavior and says where it is. Driving where it is told comes first.
+public abstract class Roamer extends AgentTypeBase {
+    private final BiFunction<AgentContext, Robot, Roaming> roaming;
+
+    Roamer(String key, String description, BiFunction<AgentContext, Robot, Roaming> roaming) {
+        super(key, description, List.of(Reporter.PERIOD), List.of(Pilot.class));
+        this.roaming = roaming;
+    }
+
+    @Override
+    protected void begin(AgentContext self, Arguments arguments) {
+        Robot robot = Body.of(self);
+        roaming.apply(self, robot).begin();
+        new Reporter(self, robot, arguments, _ -> {}).begin();
+    }
+
+    /// Follows the wall on its left.
+    public static final class WallFollow extends Roamer {
+        public WallFollow() {
+            super("wall-follow", "Follows the wall on its left and says where it is.", Roaming::alongWalls);
+        }
+    }
+
+    /// Drives about without a plan.
+    public static final class Wander extends Roamer {
+        public Wander() {
+            super("wander", "Drives about, around all that is in its way, and says where it is.", Roaming::anywhere);
+        }
+    }
+}

@@ -1,0 +1,51 @@
+package rsal.agents.exploration;
+
+import java.util.List;
+import java.util.Optional;
+import rsal.agent.MessageContent;
+import rsal.agent.Topic;
+import rsal.agent.message.MessageCheck;
+import rsal.data.Point2d;
+
+/// Where the map of a robot ends, so far. It says so again and again.
+///
+/// @param robot its id
+/// @param ends of the map that it can get to; empty when all is mapped
+public record MapEnds(String robot, List<End> ends) implements MessageContent {
+    public static final Topic<MapEnds> TOPIC = new Topic<>("map-ends", MapEnds.class);
+
+    /// At most so many are told; there will be others when these are mapped.
+    public static final int MOST = 50;
+
+    public MapEnds {
+        MessageCheck.given("robot", robot);
+        ends = List.copyOf(ends);
+        if (ends.size() > MOST) {
+            throw new IllegalArgumentException(
+                    "(%s) tells %d ends of its map; at most %d can be.".formatted(robot, ends.size(), MOST));
+        }
+    }
+
+    /// Where what is free meets what nobody has seen.
+    ///
+    /// @param length of that [m]
+    public record End(Point2d mapFromMiddle, double length) {
+        public End {
+            MessageCheck.somewhere("middle", mapFromMiddle);
+            if (!(length >= 0)) {
+                throw new IllegalArgumentException("The end of a map must be long, not (%s) m.".formatted(length));
+            }
+        }
+    }
+
+    @Override
+    public String words() {
+        return "map of %s ends at %d places".formatted(robot, ends.size());
+    }
+
+    /// It is said again and again.
+    @Override
+    public Optional<String> eventKind() {
+        return Optional.empty();
+    }
+}

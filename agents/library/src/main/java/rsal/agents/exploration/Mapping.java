@@ -1,0 +1,22 @@
+package rsal.agents.exploration;
+
+import java.util.List;
+import rsal.agent.AgentContext;
+import rsal.agents.parts.AgentTypeBase;
+import rsal.settings.Arguments;
+
+/// Has a team map a place that nobody knows. Needs no robot.
+public final class Mapping extends AgentTypeBase {
+    public Mapping() {
+        super(
+                "mapping",
+                "Has a team map a place: whoever gets there soonest goes where the map ends, until it ends nowhere.",
+                List.of(),
+                List.of());
+    }
+
+    @Override
+    protected void begin(AgentContext self, Arguments arguments) {
+        new Cartography(self).begin();
+    }
+}

@@ -1,0 +1,115 @@
+package rsal.agents.foraging;
+
+import java.util.ArrayList;
+import java.util.List;
+import rsal.agent.AgentContext;
+import rsal.agent.protocol.ConversationResult;
+import rsal.agent.protocol.Request;
+import rsal.agents.parts.AgentTypeBase;
+import rsal.data.Point2d;
+import rsal.data.Pose2d;
+import rsal.data.Rgb;
+import rsal.data.Shape;
+import rsal.data.Solid;
+import rsal.device.SimulationControl;
+import rsal.device.SimulationControl.Placement;
+import rsal.device.SimulationControl.Thing;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+
+/// Knows of colored things where they lie, as somebody does who has seen them, and has them fetched ([Orders]). In a
+/// simulated world it puts them there at its start; a simulated thing may so stand for one that a real robot
+/// fetches. Needs no robot.
+public final class BlobAgent extends AgentTypeBase {
+    static final Parameter PLACES = Parameter.places("places", "Where they lie.");
+    static final Parameter COLOR =
+            Parameter.text("color", "#2ca02c", "Their color, as cameras see it, #rrggbb or a name.");
+    static final Parameter PUTS = Parameter.flag(
+            "puts", true, "Whether it puts them there, in a simulated world; else they are taken to lie there.");
+
+    private static final Solid CAN =
+            Solid.standing(new Shape.Disc(new Point2d(0, 0), 0.08), 0.1); // fits between a gripper's paddles
+
+    public BlobAgent() {
+        super(
+                "blob",
+                "Puts colored things into a simulated world and has them fetched.",
+                List.of(PLACES, COLOR, PUTS),
+                List.of());
+    }
+
+    @Override
+    protected void begin(AgentContext self, Arguments arguments) {
+        Rgb color = Spotting.color(arguments, COLOR)
+                .orElseThrow(() -> new IllegalArgumentException("(color) must be a color, #rrggbb or a name."));
+        List<Point2d> places = arguments.places(PLACES.name());
+        if (arguments.flag(PUTS.name())) {
+            self.simulation().ifPresent(world -> put(world, self.name(), places, color));
+        }
+        List<CollectGoal> things =
+                places.stream().map(place -> new CollectGoal(color, place)).toList();
+        new Known(self, things).begin();
+    }
+
+    private static void put(SimulationControl world, String owner, List<Point2d> places, Rgb color) {
+        int number = 0;
+        for (Point2d place : places) {
+            String name = owner + "-" + ++number;
+            var thing = Thing.of(name, new Pose2d(place.x(), place.y(), 0), CAN, color)
+                    .asGrippable();
+            if (world.add(thing) instanceof Placement.Refused(String why)) {
+                throw new IllegalStateException("(%s) can't be put at %s: %s".formatted(name, place, why));
+            }
+        }
+    }
+
+    /// What it knows of, until each has been collected, by whomever.
+    private static final class Known {
+        private final AgentContext self;
+        private final Request<CollectGoal, String> orders;
+        private final List<CollectGoal> open;
+        private final int all;
+
+        Known(AgentContext self, List<CollectGoal> things) {
+            this.self = self;
+            this.orders = Orders.service(self);
+            this.open = new ArrayList<>(things);
+            this.all = things.size();
+        }
+
+        void begin() {
+            self.subscribe(Collected.TOPIC, message -> forget(message.content().goal()));
+            List.copyOf(open).forEach(this::ask);
+            tell();
+        }
+
+        private void ask(CollectGoal thing) {
+            if (!open.contains(thing)) {
+                return;
+            }
+            Orders.master(self)
+                    .ifPresentOrElse(
+                            master -> orders.ask(master, thing, ending -> {
+                                if (ending instanceof ConversationResult.Informed) {
+                                    forget(thing);
+                                } else { // others have asked for it, or nobody could
+                                    later(thing);
+                                }
+                            }),
+                            () -> later(thing));
+        }
+
+        private void later(CollectGoal thing) {
+            self.scheduler().after(Orders.REPEAT, () -> ask(thing));
+        }
+
+        private void forget(CollectGoal thing) {
+            open.removeIf(thing::isSame);
+            tell();
+        }
+
+        private void tell() {
+            self.state("%d of %d fetched".formatted(all - open.size(), all));
+        }
+    }
+}

@@ -1,0 +1,44 @@
+package rsal.agents.foraging;
+
+import java.util.List;
+import rsal.agent.AgentContext;
+import rsal.agent.ServiceDescription;
+import rsal.agents.charging.Recharging;
+import rsal.agents.parts.AgentTypeBase;
+import rsal.agents.parts.Body;
+import rsal.agents.parts.Reporter;
+import rsal.behavior.Pilot;
+import rsal.device.BlobFinder;
+import rsal.device.Gripper;
+import rsal.device.Navigator;
+import rsal.robot.Robot;
+import rsal.settings.Arguments;
+
+/// Collects things that others have found.
+public final class Collect extends AgentTypeBase {
+    private static final ServiceDescription GRIPPER = ServiceDescription.of("gripper");
+
+    public Collect() {
+        super(
+                "collect",
+                "Fetches things that others have found, and brings them to its depot.",
+                List.of(
+                        Reporter.PERIOD,
+                        Collecting.DEPOT,
+                        Collecting.DEPOT_RADIUS,
+                        Recharging.CHARGERS,
+                        Recharging.LOW,
+                        Recharging.FULL,
+                        Recharging.RANGE),
+                List.of(Navigator.class, Gripper.class, BlobFinder.class, Pilot.class));
+    }
+
+    @Override
+    protected void begin(AgentContext self, Arguments arguments) {
+        Robot robot = Body.of(self);
+        self.offer(GRIPPER);
+        var reporter = new Reporter(self, robot, arguments, _ -> {});
+        reporter.begin();
+        new Collecting(self, robot, reporter, arguments).begin();
+    }
+}

@@ -1,0 +1,30 @@
+package rsal.agents.foraging;
+
+import rsal.agent.MessageContent;
+import rsal.agent.Topic;
+import rsal.agent.message.MessageCheck;
+import rsal.data.Point2d;
+
+/// A robot brings things here: what lies here is not to be collected.
+///
+/// @param radius around the place that counts [m]
+public record Depot(String robot, Point2d mapFromDepot, double radius) implements MessageContent {
+    public static final Topic<Depot> TOPIC = new Topic<>("depot", Depot.class);
+
+    public Depot {
+        MessageCheck.given("robot", robot);
+        MessageCheck.somewhere("depot", mapFromDepot);
+        if (!(radius >= 0)) {
+            throw new IllegalArgumentException("A depot must have a radius, not (%s).".formatted(radius));
+        }
+    }
+
+    public boolean holds(Point2d mapFromThing) {
+        return mapFromDepot.distanceTo(mapFromThing) <= radius;
+    }
+
+    @Override
+    public String words() {
+        return "%s brings things to %s".formatted(robot, mapFromDepot.rounded());
+    }
+}

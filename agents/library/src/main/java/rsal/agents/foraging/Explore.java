@@ -1,0 +1,80 @@
+package rsal.agents.foraging;
+
+import java.util.List;
+import rsal.agent.AgentContext;
+import rsal.agents.driving.GoalService;
+import rsal.agents.driving.NavigationClient;
+import rsal.agents.driving.Roaming;
+import rsal.agents.exploration.Viewpoints;
+import rsal.agents.parts.AgentTypeBase;
+import rsal.agents.parts.Body;
+import rsal.agents.parts.Reporter;
+import rsal.behavior.Pilot;
+import rsal.device.BlobFinder;
+import rsal.device.Device;
+import rsal.device.Navigator;
+import rsal.device.PlaceFinder;
+import rsal.robot.Robot;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+
+/// Looks for things of a color, and has others collect them.
+public final class Explore extends AgentTypeBase {
+    private static final String LOOKOUTS = "lookouts";
+    private static final double NARROW = 0; // rad, its view: it turns all around
+
+    static final Parameter COLOR =
+            Parameter.text("color", "", "Of the things that it looks for, #rrggbb or a name; any when empty.");
+    static final Parameter RANGE =
+            Parameter.number("range", 2, 0.3, 100, "m", "How far away from its camera things may be to count.");
+
+    static final Parameter ROAM = Parameter.choice(
+            "roam",
+            "walls",
+            List.of("walls", LOOKOUTS),
+            "How it gets about: along the walls, or between places spread over the map, which takes a navigator and"
+                    + " a device of type (places).");
+
+    public Explore() {
+        super(
+                "explore",
+                "Looks for colored things, and has them collected by robots that can.",
+                List.of(Reporter.PERIOD, ROAM, Viewpoints.COUNT, COLOR, RANGE),
+                List.of(BlobFinder.class, Pilot.class));
+    }
+
+    @Override
+    protected List<Class<? extends Device>> needsBesides(Arguments arguments) {
+        return arguments.text(ROAM.name()).equals(LOOKOUTS) ? List.of(Navigator.class, PlaceFinder.class) : List.of();
+    }
+
+    @Override
+    protected void begin(AgentContext self, Arguments arguments) {
+        Robot robot = Body.of(self);
+        var reporter = new Reporter(self, robot, arguments, _ -> {});
+        reporter.begin();
+        var finds = new Detections(self);
+        finds.begin();
+        new Spotting(
+                        self,
+                        robot,
+                        reporter,
+                        Spotting.color(arguments, COLOR),
+                        arguments.number(RANGE.name()),
+                        finds::see)
+                .begin();
+        if (arguments.text(ROAM.name()).equals(LOOKOUTS)) {
+            roam(self, robot, reporter, arguments.integer(Viewpoints.COUNT.name()));
+        } else {
+            Roaming.alongWalls(self, robot).begin();
+        }
+    }
+
+    /// Between lookouts; errands come first.
+    private static void roam(AgentContext self, Robot robot, Reporter reporter, int lookouts) {
+        var driver = new NavigationClient(self, robot.require(Navigator.class));
+        var roaming = new Viewpoints(self, robot, driver, reporter::mapFromBase, lookouts, () -> NARROW);
+        new GoalService(self, robot.id(), driver, roaming::pause, roaming::goOn).begin();
+        roaming.begin();
+    }
+}

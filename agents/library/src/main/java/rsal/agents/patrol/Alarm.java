@@ -1,0 +1,30 @@
+package rsal.agents.patrol;
+
+import java.util.Optional;
+import rsal.agent.MessageContent;
+import rsal.agent.Topic;
+import rsal.agent.message.MessageCheck;
+import rsal.data.Point2d;
+
+/// A robot sees somebody who should not be there. It says so again and again while it does.
+///
+/// @param robot id of the one that sees
+public record Alarm(String robot, Point2d mapFromIntruder) implements MessageContent {
+    public static final Topic<Alarm> TOPIC = new Topic<>("alarm", Alarm.class);
+
+    public Alarm {
+        MessageCheck.given("robot", robot);
+        MessageCheck.somewhere("intruder", mapFromIntruder);
+    }
+
+    @Override
+    public String words() {
+        return "%s sees an intruder at %s".formatted(robot, mapFromIntruder.rounded());
+    }
+
+    /// It is said again and again.
+    @Override
+    public Optional<String> eventKind() {
+        return Optional.empty();
+    }
+}

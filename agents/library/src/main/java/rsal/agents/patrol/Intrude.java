@@ -1,0 +1,42 @@
+package rsal.agents.patrol;
+
+import java.util.List;
+import rsal.agent.AgentContext;
+import rsal.agent.message.PoseReport;
+import rsal.agents.driving.Roaming;
+import rsal.agents.parts.AgentTypeBase;
+import rsal.agents.parts.Body;
+import rsal.agents.parts.Reporter;
+import rsal.agents.pursuit.CaptureDetector;
+import rsal.agents.pursuit.Escape;
+import rsal.behavior.Pilot;
+import rsal.robot.Robot;
+import rsal.settings.Arguments;
+
+/// An intruder: follows the wall on its left and tells nobody where it is. What it knows of those that watch are the
+/// poses they report; it gives up when one of them comes too near.
+public final class Intrude extends AgentTypeBase {
+    public Intrude() {
+        super(
+                "intrude",
+                "Intruder: follows the wall on its left, and tells nobody where it is until it is caught.",
+                List.of(Escape.HUNTER, Escape.CATCH_DISTANCE),
+                List.of(Pilot.class));
+    }
+
+    @Override
+    protected void begin(AgentContext self, Arguments arguments) {
+        Robot robot = Body.of(self);
+        var mapFromBase = Reporter.belief(robot);
+        var wallFollowing = Roaming.alongWalls(self, robot);
+        var surrender = new CaptureDetector(
+                self,
+                robot,
+                arguments.text(Escape.HUNTER.name()),
+                arguments.number(Escape.CATCH_DISTANCE.name()),
+                false,
+                wallFollowing::end);
+        self.subscribe(PoseReport.TOPIC, message -> surrender.note(message.content(), mapFromBase.get()));
+        wallFollowing.begin();
+    }
+}

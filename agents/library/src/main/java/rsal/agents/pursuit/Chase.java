@@ -1,0 +1,23 @@
+package rsal.agents.pursuit;
+
+import rsal.agent.MessageContent;
+import rsal.agent.Topic;
+import rsal.agent.message.MessageCheck;
+
+/// A hunter goes for a prey from now on.
+///
+/// @param hunter id of its robot
+/// @param prey id of its robot
+public record Chase(String hunter, String prey) implements MessageContent {
+    public static final Topic<Chase> TOPIC = new Topic<>("chase", Chase.class);
+
+    public Chase {
+        MessageCheck.given("hunter", hunter);
+        MessageCheck.given("prey", prey);
+    }
+
+    @Override
+    public String words() {
+        return prey.isEmpty() ? "%s cuts a prey off".formatted(hunter) : "%s goes for %s".formatted(hunter, prey);
+    }
+}

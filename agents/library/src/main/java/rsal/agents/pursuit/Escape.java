@@ -1,0 +1,42 @@
+package rsal.agents.pursuit;
+
+import java.util.List;
+import rsal.agent.AgentContext;
+import rsal.agents.parts.AgentTypeBase;
+import rsal.agents.parts.Body;
+import rsal.agents.parts.Reporter;
+import rsal.behavior.Pilot;
+import rsal.device.Device;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+
+/// A prey: follows the wall on its left and says where it is, until a hunter comes too near. Then it gives up and
+/// spins on the spot.
+public final class Escape extends AgentTypeBase {
+    public static final Parameter HUNTER = Parameter.robots(
+            "hunter",
+            "",
+            List.of(""),
+            "Role of the robots that catch it, or id of the one; empty when any other robot does.");
+    /// The thesis has 1.5 m, which hunters that stop 2 m away do not come to: so the same as theirs.
+    public static final Parameter CATCH_DISTANCE =
+            Parameter.number("catchDistance", 2.0, 0.1, 100, "m", "It is caught when a hunter is nearer than this.");
+
+    public Escape() {
+        super(
+                "escape",
+                "Prey: follows the wall on its left until a hunter comes too near, then gives up.",
+                List.of(HUNTER, CATCH_DISTANCE, Sight.SEES, Reporter.PERIOD),
+                List.of(Pilot.class));
+    }
+
+    @Override
+    protected List<Class<? extends Device>> needsBesides(Arguments arguments) {
+        return Sight.needs(arguments);
+    }
+
+    @Override
+    protected void begin(AgentContext self, Arguments arguments) {
+        new Prey(self, Body.of(self), arguments).begin();
+    }
+}

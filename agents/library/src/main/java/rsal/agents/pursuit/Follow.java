@@ -1,0 +1,59 @@
+package rsal.agents.pursuit;
+
+import java.util.List;
+import rsal.agent.AgentContext;
+import rsal.agents.exploration.Viewpoints;
+import rsal.agents.parts.AgentTypeBase;
+import rsal.agents.parts.Body;
+import rsal.agents.parts.Reporter;
+import rsal.device.Device;
+import rsal.device.Navigator;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+
+/// A hunter: goes for the newest pose of a prey until that has been caught, then for the next. Driving where it is
+/// told comes first.
+public final class Follow extends AgentTypeBase {
+    static final Parameter PREY =
+            Parameter.robots("prey", "prey", List.of(), "Role of the robots to hunt, or id of the one.");
+    static final Parameter CATCH_DISTANCE =
+            Parameter.number("catchDistance", 2.0, 0.1, 100, "m", "It stops when nearer to its prey than this.");
+    /// As the thesis's real runs had it; simulated ones had 5 s.
+    static final Parameter UPDATE_INTERVAL =
+            Parameter.number("updateInterval", 2.0, 0.1, 600, "s", "How often it goes for the prey's newest pose.");
+    static final Parameter ASSIGNMENT = Parameter.choice(
+            "assignment",
+            "fixed",
+            List.of("fixed", "nearest", "bids"),
+            "How hunters divide several prey: in turn, once and for all; each time with the least distance for all; or"
+                    + " as an agent of type (hunt) allots them by what hunters bid.");
+
+    public Follow() {
+        super(
+                "follow",
+                "Hunts: goes for the newest pose of a prey until it has been caught.",
+                List.of(
+                        PREY,
+                        CATCH_DISTANCE,
+                        UPDATE_INTERVAL,
+                        ASSIGNMENT,
+                        Sight.SEES,
+                        Viewpoints.COUNT,
+                        Reporter.PERIOD),
+                List.of(Navigator.class));
+    }
+
+    @Override
+    protected List<Class<? extends Device>> needsBesides(Arguments arguments) {
+        return Search.needs(arguments);
+    }
+
+    @Override
+    protected void begin(AgentContext self, Arguments arguments) {
+        if (arguments.text(ASSIGNMENT.name()).equals("bids")) {
+            new Hunter(self, Body.of(self), arguments).begin();
+        } else {
+            new Hunt(self, Body.of(self), arguments).begin();
+        }
+    }
+}

@@ -1,0 +1,213 @@
+package rsal.agents.pursuit;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
+import rsal.agent.AgentContext;
+import rsal.agent.Directory;
+import rsal.agent.message.NewGoal;
+import rsal.agent.message.PoseReport;
+import rsal.agent.message.PoseRequest;
+import rsal.agent.team.Assignment;
+import rsal.agents.driving.GoalService;
+import rsal.agents.driving.NavigationClient;
+import rsal.agents.parts.Reporter;
+import rsal.agents.parts.TargetTracks;
+import rsal.data.Pose2d;
+import rsal.device.Navigator;
+import rsal.device.Navigator.Result;
+import rsal.device.Navigator.Tolerance;
+import rsal.robot.LineOfSight;
+import rsal.robot.Robot;
+import rsal.settings.Arguments;
+
+/// One hunter's part of a hunt. What it knows of the others are the poses they report.
+///
+/// Hunters that divide the prey among them by distance do not negotiate: each works out the same [Assignment] from
+/// what all have heard, and says which part of it it takes.
+final class Hunt {
+    private static final double NOT_WORTH_A_NEW_PLAN = 0.1; // m
+
+    private final AgentContext self;
+    private final Robot robot;
+    private final Reporter reporter;
+    private final NavigationClient driver;
+    private final GoalService errands;
+    private final TargetTracks sightings;
+    private final Search search;
+    private final String preyName;
+    private final double catchDistance;
+    private final Tolerance tolerance;
+    private final Duration updateInterval;
+    private final boolean nearest;
+    private final int turn;
+    private final SortedSet<String> everHeardOf = new TreeSet<>(); // of its prey
+    private final Set<String> caught = new HashSet<>();
+    private final Map<String, String> chases = new HashMap<>();
+    private @Nullable String target;
+
+    Hunt(AgentContext self, Robot robot, Arguments arguments) {
+        this.self = self;
+        this.robot = robot;
+        this.reporter = new Reporter(self, robot, arguments, this::note);
+        this.driver = new NavigationClient(self, robot.require(Navigator.class));
+        this.search = new Search(self, robot, driver, reporter::mapFromBase, arguments, this::note);
+        this.errands = new GoalService(self, robot.id(), driver, search::pause, this::decide);
+        this.sightings = new TargetTracks(self.blackboard());
+        this.preyName = arguments.text(Follow.PREY.name());
+        this.catchDistance = arguments.number(Follow.CATCH_DISTANCE.name());
+        this.tolerance = Tolerance.position(catchDistance / 2);
+        this.updateInterval = arguments.seconds(Follow.UPDATE_INTERVAL.name());
+        this.nearest = arguments.text(Follow.ASSIGNMENT.name()).equals("nearest");
+        this.turn = self.directory().ofRole(self.role()).stream()
+                .map(Directory.Entry::name)
+                .toList()
+                .indexOf(self.name());
+    }
+
+    void begin() {
+        search.begin();
+        self.subscribe(Chase.TOPIC, message -> note(message.content()));
+        self.subscribe(Caught.TOPIC, message -> giveUp(message.content().prey()));
+        self.directory().onDeparture(went -> forget(went.agent().robot()));
+        self.scheduler().every(updateInterval, this::decide);
+        errands.begin();
+        reporter.begin();
+        self.publish(PoseRequest.TOPIC, new PoseRequest(NewGoal.ALL)); // some may have been there for long
+        self.state("looking for prey");
+    }
+
+    private void note(PoseReport report) {
+        if (!isPrey(report) && !isHunter(report)) {
+            return;
+        }
+        if (isPrey(report)) {
+            everHeardOf.add(report.robot());
+        }
+        boolean discovered = sightings.note(report);
+        if (discovered && isPrey(report)) {
+            decide();
+        } else {
+            stopWhenNear();
+        }
+    }
+
+    private void note(Chase chase) {
+        chases.put(chase.hunter(), chase.prey());
+    }
+
+    private void giveUp(String prey) {
+        caught.add(prey);
+        decide();
+    }
+
+    private void forget(String gone) {
+        sightings.forget(gone);
+        chases.remove(gone);
+    }
+
+    /// Chooses a prey and goes where it was last seen.
+    private void decide() {
+        if (errands.busy()) {
+            return;
+        }
+        SortedMap<String, Pose2d> prey = sightings.of(report -> isPrey(report) && !caught.contains(report.robot()));
+        Optional<String> choice = nearest ? nearestOf(prey) : inTurn(prey.keySet());
+        choice.ifPresentOrElse(this::pursue, this::rest);
+    }
+
+    private Optional<String> nearestOf(SortedMap<String, Pose2d> prey) {
+        Map<String, String> preyOf = Assignment.nearest(sightings.of(this::isHunter), prey, chases);
+        return Optional.ofNullable(preyOf.get(robot.id()));
+    }
+
+    /// The prey that has this hunter's number among all prey ever heard of, or the next free one after it.
+    private Optional<String> inTurn(Set<String> free) {
+        var fromItsNumberOn = new ArrayList<>(everHeardOf);
+        Collections.rotate(fromItsNumberOn, -turn);
+        return fromItsNumberOn.stream().filter(free::contains).findFirst();
+    }
+
+    private void pursue(String prey) {
+        search.pause();
+        takeOn(prey);
+        Pose2d mapFromPrey = sightings.of(prey).orElseThrow(); // chosen among those seen
+        if (isNear(mapFromPrey)) {
+            holdAtBay(prey);
+            return;
+        }
+        self.state("hunting " + prey);
+        if (!driver.isOnItsWayTo(mapFromPrey, NOT_WORTH_A_NEW_PLAN)) {
+            driver.goTo(mapFromPrey, tolerance, result -> arrived(mapFromPrey, result));
+        }
+    }
+
+    private void takeOn(String prey) {
+        if (!prey.equals(target)) {
+            target = prey;
+            var chase = new Chase(robot.id(), prey);
+            note(chase);
+            self.publish(Chase.TOPIC, chase);
+            self.show("prey", prey);
+        }
+    }
+
+    private void rest() {
+        if (target != null || !search.roams()) {
+            target = null;
+            driver.stop();
+        }
+        search.goOn();
+        if (!search.roams()) { // else that says what it does
+            self.state(caught.isEmpty() ? "looking for prey" : "looking for more prey");
+        }
+    }
+
+    /// Goes on at once when the prey has gone on meanwhile. Whatever else ended the drive, the next update tries
+    /// again.
+    private void arrived(Pose2d mapFromGoal, Result result) {
+        boolean goneOn = Optional.ofNullable(target)
+                .flatMap(sightings::of)
+                .filter(mapFromPrey -> mapFromPrey.distanceTo(mapFromGoal) > tolerance.distance())
+                .isPresent();
+        if (result instanceof Result.Reached && goneOn) {
+            decide();
+        }
+    }
+
+    private void stopWhenNear() {
+        if (target != null && !errands.busy()) {
+            String prey = target;
+            sightings.of(prey).filter(this::isNear).ifPresent(_ -> holdAtBay(prey));
+        }
+    }
+
+    private void holdAtBay(String prey) {
+        driver.stop();
+        self.state("holding %s at bay".formatted(prey));
+    }
+
+    private boolean isNear(Pose2d mapFromPrey) {
+        return reporter.mapFromBase()
+                .filter(here -> LineOfSight.reaches(robot, here, mapFromPrey, catchDistance))
+                .isPresent();
+    }
+
+    private boolean isPrey(PoseReport report) {
+        boolean itself = report.robot().equals(robot.id());
+        return !itself && report.isFrom(preyName);
+    }
+
+    private boolean isHunter(PoseReport report) {
+        return report.role().equals(robot.role());
+    }
+}

@@ -1,0 +1,46 @@
+package rsal.agents.pursuit;
+
+import java.util.Optional;
+import rsal.agent.AgentContext;
+import rsal.agent.message.PoseReport;
+import rsal.agents.driving.Roaming;
+import rsal.agents.parts.Reporter;
+import rsal.robot.Robot;
+import rsal.settings.Arguments;
+
+/// One prey's part of a hunt: follows the wall on its left until it is caught. One that knows hunters by their markers
+/// tells nobody where it is.
+final class Prey {
+    private final AgentContext self;
+    private final Roaming wallFollowing;
+    private final Reporter reporter;
+    private final CaptureDetector surrender;
+    private final Optional<Sight> sight;
+
+    Prey(AgentContext self, Robot robot, Arguments arguments) {
+        this.self = self;
+        this.wallFollowing = Roaming.alongWalls(self, robot);
+        String hunter = arguments.text(Escape.HUNTER.name());
+        boolean byMarkers = Sight.byMarkers(arguments);
+        this.surrender = new CaptureDetector(
+                self, robot, hunter, arguments.number(Escape.CATCH_DISTANCE.name()), byMarkers, wallFollowing::end);
+        this.reporter = new Reporter(self, robot, arguments, _ -> lookAround(), !byMarkers);
+        this.sight = byMarkers
+                ? Optional.of(new Sight(self, robot, reporter::mapFromBase, hunter, seen -> hear(seen.report())))
+                : Optional.empty();
+    }
+
+    void begin() {
+        sight.ifPresentOrElse(Sight::begin, () -> self.subscribe(PoseReport.TOPIC, message -> hear(message.content())));
+        wallFollowing.begin();
+        reporter.begin();
+    }
+
+    private void hear(PoseReport report) {
+        surrender.note(report, reporter.mapFromBase());
+    }
+
+    private void lookAround() {
+        surrender.lookAround(reporter.mapFromBase());
+    }
+}

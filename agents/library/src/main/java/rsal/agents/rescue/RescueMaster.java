@@ -1,0 +1,66 @@
+package rsal.agents.rescue;
+
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import rsal.agent.AgentContext;
+import rsal.agent.team.Rules;
+import rsal.agent.team.Team;
+import rsal.agents.parts.AgentTypeBase;
+import rsal.settings.Arguments;
+
+/// Brings a helper to each victim that somebody tells of: each is a job of a team, and is never given up. Needs no
+/// robot.
+public final class RescueMaster extends AgentTypeBase {
+    public RescueMaster() {
+        super(
+                "rescue",
+                "Has a team of helpers that bid help each victim that somebody has found.",
+                List.of(),
+                List.of());
+    }
+
+    @Override
+    protected void begin(AgentContext self, Arguments arguments) {
+        new Books(self).begin();
+    }
+
+    private static final class Books {
+        private final AgentContext self;
+        private final Team team;
+        private final Set<Integer> found = new TreeSet<>();
+        private final Set<Integer> helped = new TreeSet<>();
+
+        Books(AgentContext self) {
+            this.self = self;
+            this.team = new Team(self, Rules.DEFAULT.withTries(0), this::note);
+        }
+
+        void begin() {
+            self.subscribe(VictimFound.TOPIC, message -> heard(message.sender(), message.content()));
+            team.begin();
+            tell();
+        }
+
+        private void heard(String sender, VictimFound said) {
+            if (helped.contains(said.victim())) {
+                self.send(sender, VictimHelped.TOPIC, new VictimHelped(said.victim())); // it has not heard
+            } else if (found.add(said.victim())) {
+                team.add(new Help(said.victim(), said.mapFromVictim()));
+                tell();
+            }
+        }
+
+        private void note(Team.Event event) {
+            if (event instanceof Team.Event.Done(Help job, var _, var _)) {
+                helped.add(job.victim());
+                self.publish(VictimHelped.TOPIC, new VictimHelped(job.victim()));
+                tell();
+            }
+        }
+
+        private void tell() {
+            self.state("%d victims found, %d helped".formatted(found.size(), helped.size()));
+        }
+    }
+}

@@ -1,0 +1,138 @@
+package rsal.agents.rescue;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
+import rsal.agent.AgentContext;
+import rsal.agent.team.Worker;
+import rsal.agents.driving.GoalService;
+import rsal.agents.driving.NavigationClient;
+import rsal.agents.driving.PlannedWays;
+import rsal.agents.exploration.Exploring;
+import rsal.agents.parts.AgentTypeBase;
+import rsal.agents.parts.Body;
+import rsal.agents.parts.Reporter;
+import rsal.device.FiducialFinder;
+import rsal.device.Localizer;
+import rsal.device.Navigator;
+import rsal.device.Planner;
+import rsal.robot.Robot;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+
+/// Tells of victims that its robot sees while that explores or waits. Driving where it is told comes first.
+public abstract class Rescuer extends AgentTypeBase {
+    static final Parameter RETURNS = Parameter.flag(
+            "returns",
+            true,
+            "Whether a robot drives back to where it began when nobody needs it and nothing is left to map, not to"
+                    + " wait in anybody's way.");
+
+    Rescuer(String key, String description, List<Parameter> own) {
+        super(
+                key,
+                description,
+                Stream.concat(own.stream(), Stream.of(RETURNS, Reporter.PERIOD)).toList(),
+                List.of(Navigator.class, Localizer.class, FiducialFinder.class));
+    }
+
+    @Override
+    protected void begin(AgentContext self, Arguments arguments) {
+        Robot robot = Body.of(self);
+        var parts = new Parts(
+                self,
+                robot,
+                new NavigationClient(self, robot.require(Navigator.class)),
+                new Reporter(self, robot, arguments, _ -> {}),
+                new Scouting(self, robot),
+                Exploring.of(self, robot));
+        BooleanSupplier free = work(parts, arguments);
+        parts.reporter.begin();
+        parts.scouting.begin();
+        parts.exploring.begin(free);
+        if (arguments.flag(RETURNS.name())) {
+            new Homing(
+                            self,
+                            parts.driver,
+                            parts.reporter::mapFromBase,
+                            () -> free.getAsBoolean() && parts.exploring.isDone())
+                    .begin();
+        }
+    }
+
+    /// Begins what else it does.
+    ///
+    /// @return whether nobody wants the robot
+    abstract BooleanSupplier work(Parts parts, Arguments arguments);
+
+    /// What all of them have.
+    record Parts(
+            AgentContext self,
+            Robot robot,
+            NavigationClient driver,
+            Reporter reporter,
+            Scouting scouting,
+            Exploring exploring) {}
+
+    /// Only looks for victims.
+    public static final class Scout extends Rescuer {
+        public Scout() {
+            super("scout", "Tells of victims that its robot sees while that explores.", List.of());
+        }
+
+        @Override
+        BooleanSupplier work(Parts parts, Arguments arguments) {
+            var errands = new GoalService(
+                    parts.self, parts.robot.id(), parts.driver, parts.exploring::pause, parts.exploring::goOn);
+            errands.begin();
+            return () -> !errands.busy();
+        }
+    }
+
+    /// Helps victims, too.
+    public static final class Helper extends Rescuer {
+        static final Parameter REACH = Parameter.number(
+                "reach", 1.2, 0.3, 10, "m", "How near to a victim's middle the robot's must be to help it.");
+        static final Parameter STAY =
+                Parameter.number("stay", 10, 0, 600, "s", "How long a robot stays with a victim to help it.");
+
+        public Helper() {
+            super(
+                    "helper",
+                    "Bids for victims that need help, goes to those it gets, and tells of those that it sees.",
+                    List.of(REACH, STAY));
+        }
+
+        @Override
+        BooleanSupplier work(Parts parts, Arguments arguments) {
+            AgentContext self = parts.self;
+            NavigationClient driver = parts.driver;
+            Exploring exploring = parts.exploring;
+            double reach = arguments.number(REACH.name());
+            Duration stay = arguments.seconds(STAY.name());
+            var ways = new PlannedWays(parts.robot.find(Planner.class), Helping.near(reach));
+            var worker = new Worker(self, ways, parts.reporter::mapFromBase, now -> {
+                if (now.job().isEmpty()) {
+                    exploring.say();
+                }
+            });
+            worker.learn(Help.class, new Helping(parts, reach, stay));
+            var errands = new GoalService(
+                    self,
+                    parts.robot.id(),
+                    driver,
+                    () -> {
+                        worker.unfit("on an errand");
+                        exploring.pause();
+                    },
+                    () -> {
+                        exploring.goOn();
+                        worker.fit();
+                    });
+            errands.begin();
+            worker.begin();
+            return () -> worker.job().isEmpty() && !errands.busy();
+        }
+    }
+}

@@ -1,0 +1,28 @@
+package rsal.agents.rescue;
+
+import java.util.Locale;
+import rsal.agent.MessageContent;
+import rsal.agent.Topic;
+import rsal.agent.message.MessageCheck;
+import rsal.data.Point2d;
+
+/// A robot has seen somebody who needs help. It says so again every few seconds until it hears that somebody was helped
+/// ([VictimHelped]), and where it knows better.
+///
+/// @param robot its id
+/// @param victim what the marker says that the victim wears
+/// @param mapFromVictim as far as the robot knows where it is itself
+public record VictimFound(String robot, int victim, Point2d mapFromVictim) implements MessageContent {
+    public static final Topic<VictimFound> TOPIC = new Topic<>("victim-found", VictimFound.class);
+
+    public VictimFound {
+        MessageCheck.given("robot", robot);
+        MessageCheck.somewhere("victim", mapFromVictim);
+    }
+
+    /// `victim 3 is at (3.2, -1.0)`
+    @Override
+    public String toString() {
+        return String.format(Locale.ROOT, "victim %d is at (%.1f, %.1f)", victim, mapFromVictim.x(), mapFromVictim.y());
+    }
+}

@@ -1,0 +1,103 @@
+package rsal.agents.team;
+
+import java.util.List;
+import java.util.Optional;
+import rsal.agent.AgentContext;
+import rsal.agent.team.PathCostEstimator;
+import rsal.agent.team.Worker;
+import rsal.agents.charging.Recharging;
+import rsal.agents.driving.GoalService;
+import rsal.agents.driving.NavigationClient;
+import rsal.agents.driving.PathCostService;
+import rsal.agents.driving.PlaceSearch;
+import rsal.agents.driving.PlannedWays;
+import rsal.agents.exploration.Chart;
+import rsal.agents.exploration.Charting;
+import rsal.agents.foraging.Spotting;
+import rsal.agents.parts.AgentTypeBase;
+import rsal.agents.parts.Body;
+import rsal.agents.parts.Reporter;
+import rsal.agents.patrol.IntruderDetector;
+import rsal.agents.patrol.Meet;
+import rsal.agents.patrol.Meeting;
+import rsal.agents.patrol.Visit;
+import rsal.agents.patrol.Visiting;
+import rsal.device.BlobFinder;
+import rsal.device.Device;
+import rsal.device.Mapper;
+import rsal.device.Navigator;
+import rsal.device.Planner;
+import rsal.robot.Robot;
+import rsal.settings.Arguments;
+
+/// A member of a team: bids for what the team has to do and does what it gets. Its battery comes first, then driving
+/// where it is told.
+public final class WorkerAgent extends AgentTypeBase {
+    private static final double NEAR = 0.5; // m, of a place
+
+    public WorkerAgent() {
+        super(
+                "worker",
+                "Bids for what its team has to do, does what it gets, and minds its battery.",
+                List.of(
+                        Recharging.CHARGERS,
+                        Recharging.LOW,
+                        Recharging.FULL,
+                        IntruderDetector.INTRUDER,
+                        Reporter.PERIOD),
+                List.of(Navigator.class));
+    }
+
+    @Override
+    protected List<Class<? extends Device>> needsBesides(Arguments arguments) {
+        return arguments.text(IntruderDetector.INTRUDER.name()).isEmpty() ? List.of() : List.of(BlobFinder.class);
+    }
+
+    @Override
+    protected void begin(AgentContext self, Arguments arguments) {
+        Robot robot = Body.of(self);
+        var driver = new NavigationClient(self, robot.require(Navigator.class));
+        var reporter = new Reporter(self, robot, arguments, _ -> {});
+        Optional<Charting> charting =
+                robot.find(Mapper.class).map(mapper -> new Charting(self, robot.id(), driver, mapper));
+        PathCostEstimator planned = new PlannedWays(robot.find(Planner.class), NEAR);
+        PathCostEstimator ways = charting.map(skill -> skill.ways(planned)).orElse(planned);
+        var worker = new Worker(self, ways, reporter::mapFromBase, now -> {
+            if (now.job().isEmpty()) {
+                self.state("waiting for a job");
+            }
+        });
+        worker.learn(Visit.class, new Visiting(self, robot.id(), driver));
+        var meeting = new Meeting(self, driver, reporter::mapFromBase);
+        worker.learn(Meet.class, meeting);
+        charting.ifPresent(skill -> {
+            worker.learn(Chart.class, skill);
+            skill.begin();
+        });
+        var recharging = new Recharging(
+                self,
+                robot,
+                driver,
+                reporter::mapFromBase,
+                arguments,
+                () -> true,
+                () -> worker.unfit("charging"),
+                worker::fit);
+        var errands = new GoalService(self, robot.id(), driver, () -> worker.unfit("on an errand"), () -> {
+            if (recharging.isCharging()) {
+                worker.unfit("charging");
+            } else {
+                worker.fit();
+            }
+        });
+        recharging.begin();
+        errands.begin();
+        reporter.begin();
+        PathCostService.begin(self, robot, reporter);
+        PlaceSearch.begin(self, robot, reporter);
+        Spotting.color(arguments, IntruderDetector.INTRUDER)
+                .ifPresent(color -> new IntruderDetector(self, robot, reporter, color, meeting::see).begin());
+        worker.begin();
+        self.state("waiting for a job");
+    }
+}
