@@ -8,6 +8,7 @@ module rsal.navigation {
     exports rsal.navigation.amcl;
     exports rsal.navigation.avoid;
     exports rsal.navigation.carmen;
+    exports rsal.navigation.control;
     exports rsal.navigation.dwa;
     exports rsal.navigation.explore;
     exports rsal.navigation.grid;
@@ -22,6 +23,18 @@ module rsal.navigation {
     exports rsal.navigation.vfh;
     exports rsal.navigation.wavefront;
 
+    uses rsal.navigation.control.ControllerType;
+    uses rsal.navigation.control.PlannerType;
+
+    provides rsal.navigation.control.ControllerType with
+            rsal.navigation.control.DwaControllerType,
+            rsal.navigation.control.MpcControllerType,
+            rsal.navigation.control.NdControllerType,
+            rsal.navigation.control.SndControllerType,
+            rsal.navigation.control.VfhControllerType;
+    provides rsal.navigation.control.PlannerType with
+            rsal.navigation.control.JumpPointPlannerType,
+            rsal.navigation.control.WavefrontPlannerType;
     provides rsal.robot.DeviceDriver with
             rsal.navigation.device.AmclDriver,
             rsal.navigation.device.ExploredDriver,

@@ -33,7 +33,7 @@ final class DoorRun implements AutoCloseable {
     DoorRun(String planner, long seed) {
         random = new SplittableRandom(seed);
         pioneers = new NavigatedPioneers(
-                ROOMS, ROOMS, STARTS, Map.of("local", planner), seed, random.split(), Runnable::run);
+                ROOMS, ROOMS, STARTS, Map.of("controller", planner), seed, random.split(), Runnable::run);
         pioneers.robots.forEach(
                 robot -> goals.put(robot.id(), pioneers.truth(robot).position()));
     }

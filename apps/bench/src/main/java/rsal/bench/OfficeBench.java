@@ -49,7 +49,7 @@ final class OfficeBench implements Bench {
         for (int repeat = 0; repeat < assignment.repeats(); repeat++) {
             var threads = Thread.ofPlatform().daemon().name("office-", 1).factory();
             try (var worker = Executors.newSingleThreadExecutor(threads);
-                    var run = new OfficeRun(Map.of("local", planner), repeat, worker)) {
+                    var run = new OfficeRun(Map.of("controller", planner), repeat, worker)) {
                 assignment.reach(name(planner, "runs"), repeat, assignment.repeats());
                 List<Errand> errands = run.run(GOALS);
                 List<Errand> ended = errands.stream().filter(Errand::reached).toList();

@@ -38,7 +38,7 @@ record TightTrip(OccupancyGrid floor, OccupancyGrid believed, Pose2d start, Poin
                 floor,
                 believed,
                 List.of(start),
-                Map.of("local", planner),
+                Map.of("controller", planner),
                 seed,
                 new SplittableRandom(seed),
                 Runnable::run)) {

@@ -12,7 +12,7 @@ class OfficeRunIT {
     @ParameterizedTest
     @CsvSource({"vfh, 1", "nd, 2", "snd, 2"})
     void threeRobotsReachTheirGoalsInTimeWithoutTouchingAnything(String planner, long seed) {
-        try (var run = new OfficeRun(Map.of("local", planner), seed, Runnable::run)) {
+        try (var run = new OfficeRun(Map.of("controller", planner), seed, Runnable::run)) {
             List<Errand> errands = run.run(15);
             assertThat(errands).hasSize(15).allMatch(Errand::reached);
             assertThat(run.contacts()).isZero();

@@ -16,12 +16,14 @@ import rsal.metric.QuantityType;
 import rsal.robot.DeviceDriver;
 import rsal.scenario.Providers;
 import rsal.settings.Parameter;
+import rsal.settings.Plugin;
+import rsal.settings.PluginChoice;
 import rsal.system.RobotSystemProvider;
 
 /// Something installed that scenarios name by its key and that has settings of its own.
 ///
-/// @param kind `agent`, `driver`, `metric`, `mas` or `mrs`
-/// @param makes type of the device that a driver makes
+/// @param kind `agent`, `driver`, `metric`, `mas`, `mrs`, or a kind of plugins as `controller`
+/// @param makes type of the device that a driver makes; key of the driver that a plugin is for
 /// @param needs types of devices that a robot must have for it
 /// @param quantities what conditions and measures can ask of a metric
 record Kind(
@@ -76,7 +78,7 @@ record Kind(
             return new Setting(
                     p.name(),
                     p.kind().name().toLowerCase(Locale.ROOT),
-                    p.fallback(),
+                    p.fallback().map(value -> value instanceof PluginChoice chosen ? chosen.toString() : value),
                     Optional.of(p.min()).filter(Double::isFinite),
                     Optional.of(p.max()).filter(Double::isFinite),
                     p.options(),
@@ -128,6 +130,31 @@ record Kind(
                         settings(d.parameters())));
     }
 
+    /// What device drivers can be told to use.
+    static Stream<Kind> plugins() {
+        return found(DeviceDriver.class, DeviceDriver::key)
+                .flatMap(driver -> driver.parameters().stream()
+                        .flatMap(parameter -> parameter.plugins().stream())
+                        .flatMap(kind -> kind.all().stream().map(plugin -> of(plugin, kind.word(), driver.key()))));
+    }
+
+    /// @param driver that uses it
+    private static Kind of(Plugin plugin, String word, String driver) {
+        return new Kind(
+                word,
+                plugin.key(),
+                plugin.description(),
+                Optional.of(driver),
+                List.of(),
+                List.of(),
+                settings(plugin.parameters()));
+    }
+
+    /// @param word `controller`
+    static Stream<Kind> plugins(String word) {
+        return plugins().filter(plugin -> plugin.kind.equals(word));
+    }
+
     static Stream<Kind> hosts() {
         return found(AgentHostProvider.class, AgentHostProvider::key)
                 .map(h -> new Kind(
@@ -153,7 +180,7 @@ record Kind(
     }
 
     static List<Kind> all() {
-        return Stream.of(agents(), drivers(), metrics(), hosts(), systems())
+        return Stream.of(agents(), drivers(), plugins(), metrics(), hosts(), systems())
                 .flatMap(kinds -> kinds)
                 .toList();
     }
@@ -224,7 +251,8 @@ record Kind(
             case "driver" -> "a device driver, makes a " + makes.orElseThrow();
             case "metric" -> "a metric";
             case "mas" -> "a multi-agent system";
-            default -> "a robot system";
+            case "mrs" -> "a robot system";
+            default -> "a %s for '%s'".formatted(kind, makes.orElseThrow());
         };
     }
 
@@ -233,7 +261,9 @@ record Kind(
             case "agent" -> "Arguments (agents: {NAME: {type: %s, args: {…}}})".formatted(name);
             case "metric" -> "Arguments (metrics: [{type: %s, args: {…}}])".formatted(name);
             case "driver" -> "Options (devices: {NAME: {type: %s, …}})".formatted(name);
-            default -> "Options (%s: {use: %s, …})".formatted(kind, name);
+            case "mas", "mrs" -> "Options (%s: {use: %s, …})".formatted(kind, name);
+            default ->
+                "Options (devices: {NAME: {type: %s, %s: {type: %s, …}}})".formatted(makes.orElseThrow(), kind, name);
         };
     }
 

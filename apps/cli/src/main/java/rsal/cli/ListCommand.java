@@ -31,6 +31,8 @@ final class ListCommand extends Subcommand {
         parts,
         agents,
         drivers,
+        controllers,
+        planners,
         metrics,
         mas,
         mrs,
@@ -73,6 +75,8 @@ final class ListCommand extends Subcommand {
             case parts -> named(RobotModels.builtInParts());
             case agents -> entries(Kind.agents());
             case drivers -> entries(Kind.drivers());
+            case controllers -> entries(Kind.plugins("controller"));
+            case planners -> entries(Kind.plugins("planner"));
             case metrics -> entries(Kind.metrics());
             case mas -> entries(Kind.hosts());
             case mrs -> entries(Kind.systems());

@@ -29,8 +29,8 @@ import rsal.settings.Suggestion;
 @Command(
         name = "new",
         description =
-                "Make a folder with a scenario of your own to begin with: NAME.yaml, an agent in Java (or in AgentSpeak) or a"
-                        + " metric, other files that it names, a test and a README. It runs as it is. Overwrites nothing.")
+                "Make a folder with a scenario of your own to begin with: NAME.yaml, an agent in Java (or in AgentSpeak), a"
+                        + " controller or a metric, other files that it names, a test and a README. It runs as it is. Overwrites nothing.")
 final class NewCommand extends Subcommand {
     private static final String PLAIN = "plain"; // runs agents in Java
     private static final String TEST = "test.sh";
@@ -40,6 +40,9 @@ final class NewCommand extends Subcommand {
             with RSAL. Change a file and run the scenario again. `rsal list agents` tells which agents come with RSAL, and `rsal show TYPE`
             what can be set of one. How to write your own tell `docs/tutorials/first-agent.md` and
             `docs/tutorials/first-agentspeak-robot.md` of RSAL.""";
+    private static final String ABOUT_CONTROLLERS = """
+            A navigator's `controller` names a file here, in Java (`.java`), or a controller that comes with RSAL. `rsal list controllers` tells
+            which there are. `docs/how-to/own-controller.md` of RSAL explains how to write one.""";
     private static final String ABOUT_METRICS = """
             Metrics are named by their `type` under `metrics`: a file here, in Java (`.java`), or one that comes with RSAL. Conditions
             (`when`) and measures (`from`) ask for the quantities and signals that a metric offers. `rsal list metrics` tells which metrics
@@ -70,6 +73,7 @@ final class NewCommand extends Subcommand {
 
     enum Own {
         agent,
+        controller,
         metric
     }
 
@@ -104,11 +108,11 @@ final class NewCommand extends Subcommand {
     }
 
     private Template template() {
-        if (kind == Own.metric) {
+        if (kind != Own.agent) {
             check(
                     from == null && mas == null,
-                    "--kind metric begins with a scenario of its own. Leave --from and --mas out.");
-            return Template.withMetric();
+                    "--kind %s begins with a scenario of its own. Leave --from and --mas out.".formatted(kind));
+            return Template.withPlugin(kind.name());
         }
         if (mas == null || mas.equals(PLAIN)) {
             return from == null ? Template.inLanguage("java").orElseThrow() : Template.of(from);
@@ -183,22 +187,23 @@ final class NewCommand extends Subcommand {
                 %s| `test.sh` | the test |
 
                 %s
-                """.formatted(
-                        name,
-                        template.scenario().title(),
-                        origin(),
-                        name,
-                        name,
-                        files,
-                        kind == Own.metric ? ABOUT_METRICS : ABOUT_AGENTS);
+                """.formatted(name, template.scenario().title(), origin(), name, name, files, about());
+    }
+
+    private String about() {
+        return switch (kind) {
+            case agent -> ABOUT_AGENTS;
+            case controller -> ABOUT_CONTROLLERS;
+            case metric -> ABOUT_METRICS;
+        };
     }
 
     private String origin() {
         if (from != null) {
             return "`%s`".formatted(from);
         }
-        if (kind == Own.metric) {
-            return "its template for metrics";
+        if (kind != Own.agent) {
+            return "its template for %ss".formatted(kind);
         }
         return "its template for agents in %s".formatted(mas == null || mas.equals(PLAIN) ? "Java" : "AgentSpeak");
     }
@@ -211,8 +216,8 @@ final class NewCommand extends Subcommand {
             return "an agent in Java, which listens to the others: `rsal run %s.yaml:%s`"
                     .formatted(name, Template.WATCHED);
         }
-        if (kind == Own.metric && file.endsWith(".java")) {
-            return "a metric in Java: `rsal show %s`".formatted(file);
+        if (kind != Own.agent && file.endsWith(".java")) {
+            return "a %s in Java%s".formatted(kind, kind == Own.metric ? ": `rsal show %s`".formatted(file) : "");
         }
         if (ShownAgent.is(file)) {
             return "an agent in %s: `rsal show %s`".formatted(file.endsWith(".asl") ? "AgentSpeak" : "Java", file);

@@ -160,7 +160,7 @@ record ShownScenario(
                         device.driver().needs().stream()
                                 .map(Class::getSimpleName)
                                 .toList(),
-                        device.options().asMap());
+                        device.options().written());
             }
         }
     }
@@ -171,7 +171,7 @@ record ShownScenario(
                     agent.name(),
                     agent.type().key(),
                     agent.robot(),
-                    agent.arguments().asMap());
+                    agent.arguments().written());
         }
     }
 

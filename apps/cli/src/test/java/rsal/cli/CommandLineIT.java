@@ -233,8 +233,9 @@ class CommandLineIT {
         assertThat(rsal.run("show", "mine.yaml").out()).contains("4 × 3 cells", "world: {map: mine.yaml}");
         assertThat(rsal.run("show", "urg05lx").err()).contains("Maybe (urg04lx)");
         assertThat(rsal.run("show", "nd").out())
-                .contains("avoidDist", "patience")
+                .contains("a controller for 'navigator'", "avoidDist", "controller: {type: nd, …}")
                 .doesNotContain("minGapWidth", "weightDesiredDir");
+        assertThat(rsal.run("list", "controllers").out()).containsPattern("dwa +Chooses");
     }
 
     @Test
@@ -965,7 +966,7 @@ class CommandLineIT {
     @Test
     void optionsAreThoseOfPlayerByTheirNamesHere() throws Exception {
         assertThat(rsal.run("show", "vfh").out())
-                .contains("navigator: a device driver", "safetyDist0ms", "sectorAngle");
+                .contains("vfh: a controller for 'navigator'", "safetyDist0ms", "sectorAngle");
         Files.writeString(folder.resolve("player.yaml"), """
                 rsal: 1
                 scenario: player
@@ -978,8 +979,7 @@ class CommandLineIT {
                       laser: urg04lx
                       localizer: {type: amcl}
                       navigator:
-                        local: snd
-                        min_gap_width: 0.5
+                        controller: {type: snd, min_gap_width: 0.5}
                         goal_position_tol: 0.2
                 agents: {}
                 mas: {use: plain}
@@ -991,8 +991,8 @@ class CommandLineIT {
         assertThat(ended.err() + ended.out())
                 .contains(
                         "player.yaml:13:",
-                        "(min_gap_width) is not known in (robots.r.devices.navigator)",
-                        "It is written 'minGapWidth' here.",
+                        "(min_gap_width) is not known in (robots.r.devices.navigator.controller)",
+                        "Maybe (minGapWidth) was meant?",
                         "player.yaml:14:",
                         "comes with each goal");
     }

@@ -74,6 +74,18 @@ class NewIT {
     }
 
     @Test
+    void aControllerIsWhatOneBeginsWithWhenOneSaysSo() throws Exception {
+        Ended ended = rsal.run("new", "crawl", "--kind", "controller");
+        assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(made("crawl")).containsExactly("Cautious.java", "README.md", "crawl.yaml", "test.sh");
+        assertThat(folder.resolve("crawl/README.md")).content().contains("a controller in Java", "own-controller.md");
+        Ended run = rsal.run("run", "crawl/crawl.yaml", "--headless", "--speed", "max", "--seed", "3");
+        assertThat(run.code()).as(run.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(run.out()).containsPattern("distance +[\\d.]+ m").containsPattern("wallCollisions +0");
+        assertThat(test("crawl", "1").code()).isEqualTo(Exit.SUCCESS);
+    }
+
+    @Test
     void aMetricIsWhatOneBeginsWithWhenOneSaysSo() throws Exception {
         Ended ended = rsal.run("new", "spacing", "--kind", "metric");
         assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);

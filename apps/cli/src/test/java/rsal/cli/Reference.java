@@ -8,7 +8,10 @@ import java.util.stream.Stream;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentType;
 import rsal.map.Maps;
+import rsal.metric.MetricType;
 import rsal.model.RobotModels;
+import rsal.navigation.control.ControllerType;
+import rsal.navigation.control.PlannerType;
 import rsal.robot.DeviceDriver;
 import rsal.scenario.Providers;
 import rsal.system.BridgeProvider;
@@ -24,7 +27,19 @@ final class Reference {
     /// Of the sections that must be somewhere.
     static List<String> names() {
         return Stream.concat(
-                        Stream.of("agents", "devices", "drivers", "mas", "mrs", "bridges", "models", "parts", "maps"),
+                        Stream.of(
+                                "agents",
+                                "devices",
+                                "drivers",
+                                "controllers",
+                                "planners",
+                                "metrics",
+                                "mas",
+                                "mrs",
+                                "bridges",
+                                "models",
+                                "parts",
+                                "maps"),
                         CommandReference.names())
                 .toList();
     }
@@ -34,6 +49,9 @@ final class Reference {
         return switch (name) {
             case "agents" -> kinds(Kind.agents(), AgentType.class, AgentType::key);
             case "drivers" -> kinds(Kind.drivers(), DeviceDriver.class, DeviceDriver::key);
+            case "controllers" -> kinds(Kind.plugins("controller"), ControllerType.class, ControllerType::key);
+            case "planners" -> kinds(Kind.plugins("planner"), PlannerType.class, PlannerType::key);
+            case "metrics" -> kinds(Kind.metrics(), MetricType.class, MetricType::key);
             case "mas" -> kinds(Kind.hosts(), AgentHostProvider.class, AgentHostProvider::key);
             case "mrs" -> kinds(Kind.systems(), RobotSystemProvider.class, RobotSystemProvider::key);
             case "bridges" -> bridges();
@@ -58,6 +76,7 @@ final class Reference {
     private static String kind(Kind kind) {
         var text = new StringBuilder("### %s%n%n%s".formatted(heading(kind), Markdown.text(kind.description())));
         kind.makes()
+                .filter(_ -> kind.kind().equals("driver"))
                 .ifPresent(type -> text.append(" Makes a ").append(link(type)).append('.'));
         if (!kind.needs().isEmpty()) {
             text.append(" Needs a robot with ")
@@ -65,6 +84,15 @@ final class Reference {
                     .append('.');
         }
         text.append('\n');
+        if (!kind.quantities().isEmpty()) {
+            var offered = new Markdown.Table("quantity or signal", "", "");
+            kind.quantities()
+                    .forEach(offer -> offered.row(
+                            Markdown.code(offer.written()),
+                            offer.unit().isEmpty() ? "" : Markdown.text("[" + offer.unit() + "]"),
+                            Markdown.text(offer.description())));
+            text.append('\n').append(offered);
+        }
         if (!kind.settings().isEmpty()) {
             var table = new Markdown.Table(kind.kind().equals("agent") ? "argument" : "option", "", "left out", "");
             kind.settings()

@@ -66,6 +66,10 @@ public final class Arguments {
         return Places.read(text(name)).orElseThrow(); // its parameter has accepted it
     }
 
+    public PluginChoice plugin(String name) {
+        return (PluginChoice) value(name);
+    }
+
     public boolean flag(String name) {
         return (Boolean) value(name);
     }
@@ -80,9 +84,18 @@ public final class Arguments {
         return Math.toRadians(number(name));
     }
 
-    /// All values by name, in the order of their parameters: Double, Long, String or Boolean.
+    /// All values by name, in the order of their parameters: Double, Long, String, Boolean or
+    /// [PluginChoice].
     public Map<String, Object> asMap() {
         return values;
+    }
+
+    /// The same as they are written: a plugin as its key, or as a map with that as its `type` when something of it is
+    /// set.
+    public Map<String, Object> written() {
+        var all = new LinkedHashMap<String, Object>();
+        values.forEach((name, value) -> all.put(name, value instanceof PluginChoice chosen ? chosen.written() : value));
+        return all;
     }
 
     private Object value(String name) {

@@ -1,6 +1,8 @@
 package rsal.settings;
 
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
@@ -14,6 +16,7 @@ import java.util.stream.Collectors;
 /// names
 /// @param unit `m`, `s`, `deg`; empty when it has none
 /// @param description a sentence for people
+/// @param plugins which plugins there are; of [Kind#PLUGIN] only
 public record Parameter(
         String name,
         Kind kind,
@@ -22,7 +25,8 @@ public record Parameter(
         double max,
         List<String> options,
         String unit,
-        String description) {
+        String description,
+        Optional<PluginKind> plugins) {
 
     public enum Kind {
         NUMBER,
@@ -34,11 +38,26 @@ public record Parameter(
         /// A text that names places in the map [m] where robots are to go, as [Places] reads it.
         PLACES,
         /// The same, of places where no robot has to go.
-        POINTS
+        POINTS,
+        /// A plugin by its name, or a group with its name or file as `type` and values for its own parameters.
+        PLUGIN
     }
 
     public Parameter {
         options = List.copyOf(options);
+    }
+
+    /// One that chooses no plugin.
+    public Parameter(
+            String name,
+            Kind kind,
+            Optional<Object> fallback,
+            double min,
+            double max,
+            List<String> options,
+            String unit,
+            String description) {
+        this(name, kind, fallback, min, max, options, unit, description, Optional.empty());
     }
 
     public static Parameter number(
@@ -80,6 +99,22 @@ public record Parameter(
         return new Parameter(name, Kind.POINTS, Optional.of(""), -inf(), inf(), List.of(), "", description);
     }
 
+    /// A plugin.
+    ///
+    /// @param fallback key of the one that is installed and used when none is chosen, with its defaults
+    public static Parameter plugin(String name, String fallback, PluginKind plugins, String description) {
+        return new Parameter(
+                name,
+                Kind.PLUGIN,
+                Optional.of(plugins.choose(fallback)),
+                -inf(),
+                inf(),
+                plugins.keys(),
+                "",
+                description,
+                Optional.of(plugins));
+    }
+
     public static Parameter flag(String name, boolean fallback, String description) {
         return new Parameter(name, Kind.FLAG, Optional.of(fallback), -inf(), inf(), List.of(), "", description);
     }
@@ -88,15 +123,20 @@ public record Parameter(
         return Double.POSITIVE_INFINITY;
     }
 
-    /// The value as this parameter's kind: Double, Long, String or Boolean. Integers pass for numbers.
+    /// The value as this parameter's kind: Double, Long, String, Boolean or [PluginChoice]. Integers pass for numbers;
+    /// a
+    /// key, or a map with a `type` besides values, for a plugin.
     ///
     /// @throws IllegalArgumentException with a sentence about what is wrong with it
     public Object accept(Object value) {
+        if (kind == Kind.PLUGIN) {
+            return plugin(value);
+        }
         Object converted = switch (kind) {
             case NUMBER -> value instanceof Number n ? (Object) n.doubleValue() : value;
             case INTEGER ->
                 value instanceof Integer || value instanceof Long ? (Object) ((Number) value).longValue() : value;
-            case TEXT, FLAG, ROBOTS, PLACES, POINTS -> value;
+            case TEXT, FLAG, ROBOTS, PLACES, POINTS, PLUGIN -> value;
         };
         boolean right = switch (kind) {
             case NUMBER -> converted instanceof Double d && Double.isFinite(d);
@@ -105,6 +145,7 @@ public record Parameter(
             case PLACES, POINTS ->
                 converted instanceof String s && Places.read(s).isPresent();
             case FLAG -> converted instanceof Boolean;
+            case PLUGIN -> true; // taken above
         };
         if (!right) {
             throw new IllegalArgumentException("(%s) must be %s, not (%s).".formatted(name, expected(), value));
@@ -119,6 +160,21 @@ public record Parameter(
         return converted;
     }
 
+    private PluginChoice plugin(Object value) {
+        PluginKind known = plugins.orElseThrow();
+        return switch (value) {
+            case PluginChoice chosen when known.type().isInstance(chosen.plugin()) -> chosen;
+            case String key -> known.choose(key);
+            case Map<?, ?> group -> {
+                var values = new LinkedHashMap<String, Object>();
+                group.forEach((name, each) -> values.put(String.valueOf(name), each));
+                yield known.choose(String.valueOf(values.remove("type")), values);
+            }
+            default ->
+                throw new IllegalArgumentException("(%s) must be %s, not (%s).".formatted(name, expected(), value));
+        };
+    }
+
     /// Reads a value as typed on a command line or in a form.
     ///
     /// @throws IllegalArgumentException with a sentence about what is wrong with it
@@ -130,7 +186,7 @@ public record Parameter(
                 case INTEGER -> value = Long.parseLong(typed);
                 case FLAG ->
                     value = typed.equals("true") ? (Object) true : typed.equals("false") ? (Object) false : typed;
-                case TEXT, ROBOTS, PLACES, POINTS -> {}
+                case TEXT, ROBOTS, PLACES, POINTS, PLUGIN -> {}
             }
         } catch (NumberFormatException _) {
             // stays a text, which accept refuses with the right words
@@ -152,6 +208,7 @@ public record Parameter(
             case INTEGER -> "a whole number";
             case TEXT -> options.isEmpty() ? "a text" : "one of " + String.join(", ", options);
             case FLAG -> "true or false";
+            case PLUGIN -> "one of %s, or a file of your own".formatted(String.join(", ", options));
             case PLACES, POINTS -> "places as x y; x y [m]";
             case ROBOTS -> "a role of robots or the id of one" + besides();
         };

@@ -17,6 +17,7 @@ public final class Section {
     private final String name;
     private final Value.Mapping mapping;
     private final Problems problems;
+    private final PluginFiles plugins;
     private final boolean given;
     private boolean absent; // the whole group is left out
     private final Set<String> asked = new LinkedHashSet<>();
@@ -25,14 +26,20 @@ public final class Section {
 
     /// @param name how messages call the group, `robots.prey`; empty at the top of a file
     public Section(String name, Value.Mapping mapping, Problems problems) {
-        this(name, mapping, problems, true);
+        this(name, mapping, problems, PluginFiles.NONE);
+    }
+
+    /// @param plugins where plugins come from that this and groups in it name by a file
+    public Section(String name, Value.Mapping mapping, Problems problems, PluginFiles plugins) {
+        this(name, mapping, problems, plugins, true);
     }
 
     /// @param given false in place of a value that is no group, of which no more is to be told
-    private Section(String name, Value.Mapping mapping, Problems problems, boolean given) {
+    private Section(String name, Value.Mapping mapping, Problems problems, PluginFiles plugins, boolean given) {
         this.name = name;
         this.mapping = mapping;
         this.problems = problems;
+        this.plugins = plugins;
         this.given = given;
     }
 
@@ -86,6 +93,10 @@ public final class Section {
 
     /// A value for a parameter: as it is, checked; the parameter's fallback when it isn't given.
     public Optional<Object> value(Parameter parameter) {
+        if (parameter.kind() == Parameter.Kind.PLUGIN
+                && mapping.find(parameter.name()).isPresent()) {
+            return plugin(parameter).map(Object.class::cast).or(parameter::fallback);
+        }
         return find(parameter.name())
                 .map(value -> {
                     try {
@@ -104,6 +115,50 @@ public final class Section {
                     }
                     return parameter.fallback();
                 });
+    }
+
+    /// A plugin as it is written: its name or file, or a group with that as its `type`.
+    private Optional<PluginChoice> plugin(Parameter parameter) {
+        PluginKind kind = parameter.plugins().orElseThrow();
+        String key = parameter.name();
+        if (!isMapping(key)) {
+            return chosen(kind, text(key), locationOf(key))
+                    .flatMap(plugin ->
+                            set(plugin, new Section(path(key), Value.Mapping.empty(locationOf(key)), problems)));
+        }
+        Section group = section(key);
+        Optional<Plugin> chosen = chosen(kind, group.text("type"), group.locationOf("type"));
+        return chosen.flatMap(plugin -> set(plugin, group));
+    }
+
+    private Optional<Plugin> chosen(PluginKind kind, String name, Location at) {
+        if (name.isEmpty()) {
+            return Optional.empty(); // told
+        }
+        try {
+            Optional<Plugin> found = kind.find(name).or(() -> plugins.read(kind, name, at));
+            if (found.isEmpty()) {
+                problem(at, "There is no %s '%s'.".formatted(kind.word(), name), Suggestion.among(name, kind.keys()));
+            }
+            return found;
+        } catch (InvalidSettings e) {
+            problems.addAll(e);
+            return Optional.empty();
+        }
+    }
+
+    private Optional<PluginChoice> set(Plugin plugin, Section group) {
+        int before = problems.all().size();
+        Map<String, Object> values = group.values(plugin.parameters());
+        group.done();
+        if (problems.all().size() > before) {
+            return Optional.empty();
+        }
+        Arguments arguments = Arguments.of(plugin.parameters(), values);
+        Optional<String> refusal = plugin.refusal(arguments);
+        refusal.ifPresent(
+                why -> problem(group.location(), "'%s' can't work with these values.".formatted(plugin.key()), why));
+        return refusal.isPresent() ? Optional.empty() : Optional.of(new PluginChoice(plugin, arguments));
     }
 
     /// All values for a list of parameters. Only to be used when [Problems#isEmpty] at the end.
@@ -166,6 +221,7 @@ public final class Section {
                 path(key),
                 group.orElse(Value.Mapping.empty(location())),
                 problems,
+                plugins,
                 given && (value.isEmpty() || group.isPresent()));
         if (value.isEmpty()) {
             section.absent = true;

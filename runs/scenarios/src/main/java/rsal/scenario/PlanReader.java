@@ -70,7 +70,7 @@ final class PlanReader {
         Value.Mapping merged = chosen(scenario.settings(configuration));
         Value.Mapping body =
                 ArgumentReader.replace(merged.without("arguments"), scenario.arguments(), arguments, problems);
-        var root = new Section("", body, problems);
+        var root = new Section("", body, problems, new PluginReader(catalog, scenario.files()));
         for (String read : List.of("rsal", "scenario", "title", "description", "arguments", "configurations")) {
             root.has(read); // by Scenario
         }

@@ -19,6 +19,8 @@ import rsal.scenario.condition.Condition;
 import rsal.scenario.condition.Measure;
 import rsal.scene.Scene;
 import rsal.settings.Arguments;
+import rsal.settings.Plugin;
+import rsal.settings.PluginChoice;
 import rsal.settings.Problem;
 import rsal.system.RobotSystemProvider;
 
@@ -86,9 +88,9 @@ public record RunPlan(
         return Notes.of(this);
     }
 
-    /// Files of those agents and metrics that are programs from who knows where, and so will not be run.
+    /// Files of those agents, metrics and other plugins that are programs from who knows where, and so will not be run.
     public List<String> untrusted() {
-        return Stream.concat(
+        return Stream.of(
                         agents.stream()
                                 .map(PlannedAgent::type)
                                 .filter(UntrustedType.class::isInstance)
@@ -96,7 +98,15 @@ public record RunPlan(
                         metrics.stream()
                                 .map(PlannedMetric::type)
                                 .filter(UntrustedMetric.class::isInstance)
-                                .map(MetricType::key))
+                                .map(MetricType::key),
+                        robots.stream()
+                                .flatMap(robot -> robot.drivers().stream())
+                                .flatMap(made -> made.options().asMap().values().stream())
+                                .filter(PluginChoice.class::isInstance)
+                                .map(value -> ((PluginChoice) value).plugin())
+                                .filter(PluginReader::isStandIn)
+                                .map(Plugin::key))
+                .flatMap(files -> files)
                 .distinct()
                 .toList();
     }

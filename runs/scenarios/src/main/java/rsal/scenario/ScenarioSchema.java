@@ -13,6 +13,8 @@ import rsal.agent.AgentLanguage;
 import rsal.agent.AgentType;
 import rsal.robot.DeviceDriver;
 import rsal.settings.Parameter;
+import rsal.settings.Plugin;
+import rsal.settings.PluginKind;
 import rsal.system.RobotSystemProvider;
 import tools.jackson.databind.SerializationFeature;
 import tools.jackson.databind.json.JsonMapper;
@@ -563,7 +565,33 @@ public final class ScenarioSchema {
                 .toList();
     }
 
+    /// A plugin by its name or file, or a group with its parameters.
+    private static Map<String, Object> plugin(Parameter parameter) {
+        PluginKind kind = parameter.plugins().orElseThrow();
+        var file = described(fields("type", "string", "pattern", "\\.java$"), "A file beside the scenario.");
+        var choices = new ArrayList<Object>(List.of(
+                enumeration(kind.keys()),
+                file,
+                fields("type", "object", "properties", fields("type", file), "required", List.of("type"))));
+        for (Plugin plugin : kind.all()) {
+            var required = new ArrayList<>(List.of("type"));
+            required.addAll(required(plugin.parameters()));
+            choices.add(described(
+                    group(
+                            with(fields("type", fields("const", plugin.key())), parameters(plugin.parameters())),
+                            required),
+                    plugin.description()));
+        }
+        choices.add(reference());
+        var schema = anyOf(choices);
+        parameter.fallback().ifPresent(fallback -> schema.put("default", fallback.toString()));
+        return described(schema, description(parameter));
+    }
+
     private static Map<String, Object> parameter(Parameter parameter) {
+        if (parameter.kind() == Parameter.Kind.PLUGIN) {
+            return plugin(parameter);
+        }
         var value = new LinkedHashMap<String, Object>();
         value.put(
                 "type",
@@ -572,6 +600,7 @@ public final class ScenarioSchema {
                     case INTEGER -> "integer";
                     case TEXT, ROBOTS, PLACES, POINTS -> "string";
                     case FLAG -> "boolean";
+                    case PLUGIN -> throw new IllegalArgumentException("It has no one type.");
                 });
         if (Double.isFinite(parameter.min())) {
             value.put("minimum", parameter.min());

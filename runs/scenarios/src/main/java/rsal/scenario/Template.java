@@ -67,9 +67,11 @@ public final class Template {
         return new Template(watched, all);
     }
 
-    /// One with a metric in Java.
-    public static Template withMetric() {
-        return read(TEMPLATES + "metric/");
+    /// One with a plugin in Java.
+    ///
+    /// @param kind `metric` or `controller`
+    public static Template withPlugin(String kind) {
+        return read(TEMPLATES + kind + "/");
     }
 
     /// One with agents in a language; empty where there is none.

@@ -26,7 +26,7 @@ final class ForeignOptions {
     private static ForeignOptions navigators() {
         return new ForeignOptions()
                 .and(
-                        "It keeps distances, not sums of a certainty grid: 'windowDiameter', 'safetyDist0ms', 'safetyDist1ms'.",
+                        "It keeps distances, not sums of a certainty grid: 'windowDiameter', 'safetyDist0ms', 'safetyDist1ms' of controller vfh.",
                         "free_space_cutoff_0ms",
                         "free_space_cutoff_1ms",
                         "obs_cutoff_0ms",
@@ -55,15 +55,17 @@ final class ForeignOptions {
                 .and("Its laws slow it down to a fifth of 'maxSpeed' at most.", "min_speed", "min_vel_x")
                 .and("It turns away as it turns otherwise, no faster than 'maxTurnRate'.", "escape_max_turnrate")
                 .and("It always backs off from what it has run into.", "wait_on_stall")
+                .and("It is 'controller' here: 'controller: {type: vfh}'.", "local")
+                .and("It is 'planner' here: 'planner: {type: wavefront}'.", "global")
                 .and("Give the robot other sonars.", "sonar_bad_transducers")
                 .and("It runs ten times a second.", "synchronous", "update_rate", "controller_frequency")
                 .and("It is 'replanPeriod' here.", "replan_min_time", "expected_planner_frequency")
                 .and("It plans anew every 'replanPeriod', and at once when it is off its way.", "replan_dist_thresh")
                 .and("It turns by itself where that is needed.", "add_rotational_waypoints")
-                .and("It is 'safetyDist0ms' here.", "safetyDistance")
-                .and("It is 'safetyDist1ms' here.", "safetyDistanceAtSpeed")
+                .and("It is 'safetyDist0ms' of controller vfh here.", "safetyDistance")
+                .and("It is 'safetyDist1ms' of controller vfh here.", "safetyDistanceAtSpeed")
                 .and(
-                        "That of Player's nd is 'safetyDist' here, that of its wavefront 'wallDistance'; for vfh see 'safetyDist0ms'.",
+                        "That of Player's nd is 'safetyDist' of controller nd here, that of its wavefront 'wallDistance'; for vfh see 'safetyDist0ms'.",
                         "safety_dist")
                 .and(
                         "Its ways end at the goal, or as near as the goal's tolerance allows; 'goalDistance' is of planners.",
@@ -139,6 +141,11 @@ final class ForeignOptions {
     private ForeignOptions and(String sentence, String... options) {
         List.of(options).forEach(option -> advice.put(plain(option), sentence));
         return this;
+    }
+
+    /// Whether both are the same but for underscores and capitals.
+    static boolean isSame(String one, String other) {
+        return plain(one).equals(plain(other));
     }
 
     /// Without underscores and capitals: `min_gap_width` is `minGapWidth` is `mingapwidth`.

@@ -3,9 +3,9 @@ package rsal.navigation.device;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.ServiceLoader;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import rsal.data.Footprint;
 import rsal.device.Device;
 import rsal.device.DeviceInfo;
 import rsal.device.DriveBase;
@@ -15,26 +15,33 @@ import rsal.device.Navigator;
 import rsal.device.RangeSensor;
 import rsal.device.SonarArray;
 import rsal.navigation.avoid.DriveLimits;
-import rsal.navigation.avoid.LocalPlanner;
 import rsal.navigation.avoid.MultiPointTurn;
-import rsal.navigation.avoid.Outline;
-import rsal.navigation.dwa.Dwa;
-import rsal.navigation.mpc.Mpc;
-import rsal.navigation.nd.Nd;
-import rsal.navigation.snd.Snd;
+import rsal.navigation.control.ControllerType;
+import rsal.navigation.control.PlannerType;
 import rsal.navigation.spread.ReachableSpace;
-import rsal.navigation.vfh.Vfh;
 import rsal.robot.DeviceDriver;
 import rsal.robot.RobotModel;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
+import rsal.settings.PluginChoice;
+import rsal.settings.PluginKind;
 
-/// Makes navigators: a [rsal.navigation.wavefront.Wavefront] plans the way, a [LocalPlanner] drives along it.
+/// Makes navigators: a global planner plans the way, a controller drives along it. Both are plugins ([PlannerType],
+/// [ControllerType]).
 public final class NavigatorDriver implements DeviceDriver {
     private static final double LOOKAHEAD_TIME = 2.0; // s
     private static final double LEAST_LOOKAHEAD = 0.6; // m
-    private static final double VIEW = 5; // m
     private static final double REACTION = 2 * PathNavigator.BEAT_SECONDS;
+
+    private static final PluginKind CONTROLLERS =
+            PluginKind.of("controller", ControllerType.class, ServiceLoader.load(ControllerType.class));
+    private static final Parameter CONTROLLER =
+            Parameter.plugin("controller", "vfh", CONTROLLERS, "drives along the way and around what is in it");
+
+    private static final PluginKind PLANNERS =
+            PluginKind.of("planner", PlannerType.class, ServiceLoader.load(PlannerType.class));
+    private static final Parameter PLANNER =
+            Parameter.plugin("planner", "wavefront", PLANNERS, "plans the way over the map");
 
     private final Ways ways = new Ways();
 
@@ -62,24 +69,11 @@ public final class NavigatorDriver implements DeviceDriver {
     @Override
     public List<Parameter> parameters() {
         var parameters = new ArrayList<Parameter>();
-        parameters.add(Parameter.choice(
-                "global",
-                "wavefront",
-                List.of("wavefront"),
-                "plans the way; a jumppoint planner is a device of its own, which agents ask for ways"));
-        parameters.add(Parameter.choice("local", "vfh", List.of("vfh", "nd", "snd", "dwa", "mpc"), "drives along it"));
+        parameters.add(PLANNER);
+        parameters.add(CONTROLLER);
         parameters.add(Parameter.number("maxSpeed", 0.4, 0.05, 3, "m/s", "never faster"));
         parameters.add(Parameter.number("maxTurnRate", 70, 5, 360, "deg/s", "never turns faster"));
         parameters.add(Parameter.number("maxAcceleration", 10, 0.05, 10, "m/s²", "never speeds up or brakes harder"));
-        parameters.addAll(VfhOptions.parameters());
-        parameters.add(Parameter.number(
-                "avoidDist", 0.5, 0.05, 3, "m", "from what is nearer to its edge nd turns away and slows down"));
-        parameters.add(Parameter.number("safetyDist", 0, 0, 1, "m", "room around it that nd counts as part of it"));
-        parameters.add(Parameter.number("obstacleAvoidDist", 0.6, 0.05, 5, "m", "what avoidDist is, for snd"));
-        parameters.add(Parameter.number(
-                "minGapWidth", 0.5, 0.05, 3, "m", "by how much ranges must jump where snd sees a gap"));
-        parameters.add(Parameter.number(
-                "robotRadius", 0, 0, 3, "m", "of the circle that snd takes it for; 0: one as large as it is"));
         parameters.add(Parameter.number("replanPeriod", 4, 0.2, 60, "s", "how often it looks for a better way"));
         parameters.add(Parameter.number("escapeSpeed", 0.1, 0.02, 0.5, "m/s", "how fast it backs off when blocked"));
         parameters.add(Parameter.number("escapeTime", 5, 0.5, 30, "s", "how long it does so at most"));
@@ -90,7 +84,17 @@ public final class NavigatorDriver implements DeviceDriver {
 
     @Override
     public Optional<String> advice(String option) {
-        return ForeignOptions.OF_NAVIGATORS.advice(option, parameters());
+        return ForeignOptions.OF_NAVIGATORS.advice(option, parameters()).or(() -> adviceOfControllers(option));
+    }
+
+    /// What can be set of a controller stands in its own group.
+    private static Optional<String> adviceOfControllers(String option) {
+        return CONTROLLERS.all().stream()
+                .flatMap(controller -> controller.parameters().stream()
+                        .filter(parameter -> ForeignOptions.isSame(parameter.name(), option))
+                        .map(parameter -> "It belongs to the controller: 'controller: {type: %s, %s: …}'."
+                                .formatted(controller.key(), parameter.name())))
+                .findFirst();
     }
 
     @Override
@@ -99,11 +103,6 @@ public final class NavigatorDriver implements DeviceDriver {
                 ? Optional.empty()
                 : Optional.of(
                         "It plans ways for robots that turn in place, which a car (%s) can't.".formatted(model.name()));
-    }
-
-    @Override
-    public Optional<String> refusal(Arguments arguments) {
-        return arguments.text("local").equals("vfh") ? VfhOptions.refusal(arguments) : Optional.empty();
     }
 
     @Override
@@ -134,6 +133,10 @@ public final class NavigatorDriver implements DeviceDriver {
                 Math.min(arguments.number("maxAcceleration"), model.drive().maxAcceleration()),
                 model.drive().maxTurnAcceleration());
         double lookahead = LEAST_LOOKAHEAD + LOOKAHEAD_TIME * speed;
+        var driven =
+                new ControllerType.Driven(model.footprint(), limits, lookahead, PathNavigator.BEAT_SECONDS, REACTION);
+        PluginChoice chosen = arguments.plugin(CONTROLLER.name());
+        ControllerType controller = chosen.as(ControllerType.class);
         var navigator = new PathNavigator(
                 new DeviceInfo(context.robot().id(), context.name(), key()),
                 new PathNavigator.Parts(
@@ -141,14 +144,16 @@ public final class NavigatorDriver implements DeviceDriver {
                         context.robot().require(Localizer.class),
                         laser,
                         sonars,
-                        avoidance(arguments, model.footprint(), limits, lookahead),
+                        controller.create(chosen.arguments(), driven),
                         new MultiPointTurn(model.footprint(), limits, REACTION),
-                        ways.of(context.map(), model.footprint(), arguments),
+                        ways.planner(context.map(), model.footprint(), arguments, arguments.plugin(PLANNER.name())),
                         ways.field(context.map())),
                 new PathNavigator.Settings(
                         limits,
                         lookahead,
-                        view(arguments, lookahead + 2 * model.footprint().circumscribedRadius()),
+                        Math.max(
+                                controller.view(chosen.arguments(), driven),
+                                lookahead + 2 * model.footprint().circumscribedRadius()),
                         model.footprint().circumscribedRadius(),
                         arguments.seconds("replanPeriod"),
                         arguments.number("escapeSpeed"),
@@ -158,38 +163,5 @@ public final class NavigatorDriver implements DeviceDriver {
                 context.random());
         navigator.start();
         return navigator;
-    }
-
-    /// Planners that look for gaps or ahead see farther than the next step.
-    private static double view(Arguments arguments, double atLeast) {
-        return arguments.text("local").equals("vfh")
-                ? Math.max(atLeast, VfhOptions.window(arguments, atLeast) + atLeast)
-                : Math.max(atLeast, VIEW);
-    }
-
-    private static LocalPlanner avoidance(
-            Arguments arguments, Footprint footprint, DriveLimits limits, double lookahead) {
-        return switch (arguments.text("local")) {
-            case "dwa" -> new Dwa(footprint, limits, Dwa.Settings.of(0.25, lookahead), REACTION);
-            case "nd" ->
-                new Nd(
-                        footprint,
-                        limits,
-                        new Nd.Settings(arguments.number("avoidDist"), arguments.number("safetyDist")),
-                        REACTION);
-            case "snd" ->
-                new Snd(
-                        footprint,
-                        limits,
-                        new Snd.Settings(
-                                arguments.number("robotRadius") > 0
-                                        ? arguments.number("robotRadius")
-                                        : Outline.radius(footprint),
-                                arguments.number("minGapWidth"),
-                                arguments.number("obstacleAvoidDist")),
-                        REACTION);
-            case "mpc" -> new Mpc(footprint, limits, Mpc.Settings.DEFAULT, REACTION, PathNavigator.BEAT_SECONDS);
-            default -> new Vfh(footprint, limits, VfhOptions.settings(arguments, lookahead), REACTION);
-        };
     }
 }

@@ -32,7 +32,7 @@ import rsal.navigation.avoid.MultiPointTurn;
 import rsal.navigation.avoid.ObstacleMemory;
 import rsal.navigation.avoid.Obstacles;
 import rsal.navigation.grid.DistanceField;
-import rsal.navigation.wavefront.Wavefront;
+import rsal.navigation.wavefront.GlobalPlanner;
 import rsal.time.Phase;
 import rsal.time.Scheduler;
 
@@ -64,7 +64,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
             Optional<SonarArray> sonars,
             LocalPlanner avoidance,
             MultiPointTurn shunting,
-            Wavefront ways,
+            GlobalPlanner ways,
             DistanceField toNotFree) {}
 
     /// @param lookahead how far ahead on the way it aims [m]
@@ -124,7 +124,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
     }
 
     /// Gives it another map, from its next goal on.
-    void on(Wavefront ways, DistanceField toNotFree) {
+    void on(GlobalPlanner ways, DistanceField toNotFree) {
         parts = new Parts(
                 parts.base(),
                 parts.localizer(),

@@ -589,7 +589,7 @@ final class Trip {
                 return around;
             }
         }
-        return parts.ways().plan(start, goal, slack);
+        return parts.ways().plan(start, goal, slack, List.of());
     }
 
     private void adopt(Plan plan) {

@@ -4,13 +4,16 @@ import java.util.List;
 import rsal.data.Footprint;
 import rsal.data.OccupancyGrid;
 import rsal.navigation.avoid.VelocityFilter;
+import rsal.navigation.control.PlannerType;
 import rsal.navigation.grid.DistanceField;
 import rsal.navigation.jumppoint.JumpPoints;
 import rsal.navigation.wavefront.CostMap;
 import rsal.navigation.wavefront.CostMap.Clearance;
+import rsal.navigation.wavefront.GlobalPlanner;
 import rsal.navigation.wavefront.Wavefront;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
+import rsal.settings.PluginChoice;
 
 /// Who plans for robots of some size, shared by those of the same size and settings.
 final class Ways {
@@ -22,6 +25,10 @@ final class Ways {
     private final Shared<OccupancyGrid, DistanceField> fields = new Shared<>();
     private final Shared<Key, Wavefront> ways = new Shared<>();
     private final Shared<Key, JumpPoints> shortest = new Shared<>();
+    private final Shared<Key, CostMap> costs = new Shared<>();
+    private final Shared<Planned, GlobalPlanner> planners = new Shared<>();
+
+    private record Planned(Key key, PluginChoice planner) {}
 
     static List<Parameter> parameters() {
         return List.of(
@@ -48,6 +55,14 @@ final class Ways {
     Wavefront of(OccupancyGrid map, Footprint footprint, Arguments arguments) {
         Clearance clearance = clearance(footprint, arguments);
         return ways.of(new Key(map, clearance), _ -> new Wavefront(CostMap.of(map, field(map), clearance)));
+    }
+
+    /// A planner that somebody chose, for a robot with such a [#clearance].
+    GlobalPlanner planner(OccupancyGrid map, Footprint footprint, Arguments arguments, PluginChoice chosen) {
+        var key = new Key(map, clearance(footprint, arguments));
+        CostMap cost = costs.of(key, _ -> CostMap.of(map, field(map), key.clearance));
+        return planners.of(
+                new Planned(key, chosen), _ -> chosen.as(PlannerType.class).create(chosen.arguments(), cost));
     }
 
     /// Who looks for shortest ways for such a robot.

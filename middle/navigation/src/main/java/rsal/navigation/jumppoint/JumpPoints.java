@@ -2,6 +2,7 @@ package rsal.navigation.jumppoint;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.Collections;
 import java.util.List;
 import java.util.PriorityQueue;
@@ -11,6 +12,7 @@ import rsal.data.Path2d;
 import rsal.data.Point2d;
 import rsal.navigation.wavefront.CostMap;
 import rsal.navigation.wavefront.Ends;
+import rsal.navigation.wavefront.GlobalPlanner;
 import rsal.navigation.wavefront.OpenParts;
 import rsal.navigation.wavefront.Plan;
 
@@ -29,7 +31,7 @@ import rsal.navigation.wavefront.Plan;
 /// [rsal.navigation.wavefront.Wavefront] plans ways that keep off.
 ///
 /// May be asked on any thread; one search at a time. What it finds does not depend on what it found before.
-public final class JumpPoints {
+public final class JumpPoints implements GlobalPlanner {
     private static final int SIDE = 10;
     private static final int DIAGONAL = 14;
     private static final int UNREACHED = Integer.MAX_VALUE;
@@ -38,6 +40,7 @@ public final class JumpPoints {
     private static final int ALL = 0xff;
 
     private final CostMap map;
+    private final BitSet blocked;
     private final OccupancyGrid grid;
     private final OpenCells cells;
     private final int[] reached;
@@ -59,20 +62,45 @@ public final class JumpPoints {
     }
 
     public JumpPoints(CostMap map) {
+        this(map, new BitSet());
+    }
+
+    /// @param blocked cells where the robot can't be besides those of the map
+    private JumpPoints(CostMap map, BitSet blocked) {
         this.map = map;
+        this.blocked = blocked;
         this.grid = map.grid();
-        this.cells = new OpenCells(grid.width(), grid.height(), map::isOpen);
+        this.cells = new OpenCells(grid.width(), grid.height(), this::isOpen);
         this.reached = new int[grid.width() * grid.height()];
         this.from = new int[reached.length];
         this.taken = new byte[reached.length];
         Arrays.fill(reached, UNREACHED);
     }
 
+    private boolean isOpen(int cell) {
+        return map.isOpen(cell) && !blocked.get(cell);
+    }
+
+    @Override
+    public CostMap map() {
+        return map;
+    }
+
+    @Override
+    public Plan plan(Point2d start, Point2d goal, double slack, List<Point2d> obstacles) {
+        if (obstacles.isEmpty()) {
+            return plan(start, goal, slack);
+        }
+        var around = new BitSet();
+        obstacles.forEach(obstacle -> map.around(obstacle, around::set));
+        return new JumpPoints(map, around).plan(start, goal, slack);
+    }
+
     /// Plans a shortest way. A start too near to obstacles is left for the nearest place where the robot can be. A
     /// goal where it can't get is replaced by the nearest place where it can, when that is no farther away than
     /// `slack` [m].
     public synchronized Plan plan(Point2d start, Point2d goal, double slack) {
-        var ends = Ends.of(map, start, goal, slack);
+        var ends = Ends.of(map, start, goal, slack, this::isOpen);
         if (ends instanceof Ends.None(var why)) {
             return why;
         }
@@ -121,7 +149,7 @@ public final class JumpPoints {
     private OpenParts parts() {
         OpenParts known = parts;
         if (known == null) {
-            known = new OpenParts(map);
+            known = new OpenParts(map, this::isOpen);
             parts = known;
         }
         return known;
@@ -236,12 +264,28 @@ public final class JumpPoints {
         while (shorter) {
             shorter = false;
             for (int i = points.size() - 2; i > 0; i--) {
-                if (Double.isFinite(map.straightCost(points.get(i - 1), points.get(i + 1)))) {
+                if (isStraight(points.get(i - 1), points.get(i + 1))) {
                     points.remove(i);
                     shorter = true;
                 }
             }
         }
         return new Path2d(points);
+    }
+
+    private boolean isStraight(Point2d from, Point2d to) {
+        if (!Double.isFinite(map.straightCost(from, to))) {
+            return false;
+        }
+        int steps = blocked.isEmpty() ? 0 : (int) Math.ceil(2 * from.distanceTo(to) / grid.resolution());
+        for (int i = 1; i < steps; i++) {
+            double share = (double) i / steps;
+            double x = from.x() + share * (to.x() - from.x());
+            double y = from.y() + share * (to.y() - from.y());
+            if (blocked.get(grid.row(y) * grid.width() + grid.column(x))) {
+                return false;
+            }
+        }
+        return true;
     }
 }

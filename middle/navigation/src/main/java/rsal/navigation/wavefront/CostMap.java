@@ -141,7 +141,7 @@ public final class CostMap {
     }
 
     /// Does something with each cell that the robot can't be in because of an obstacle that is not on the map [m].
-    void around(Point2d obstacle, IntConsumer cells) {
+    public void around(Point2d obstacle, IntConsumer cells) {
         int column = grid.column(obstacle.x());
         int row = grid.row(obstacle.y());
         double radius = clearance.radius();

@@ -1,6 +1,7 @@
 package rsal.navigation.wavefront;
 
 import java.util.Arrays;
+import java.util.function.IntPredicate;
 
 /// The parts of a map between which no way leads: as ways cut no corners, cells that are connected along sides.
 /// Numbered by their first cells, row by row. Immutable.
@@ -9,17 +10,24 @@ public final class OpenParts {
     public static final int NONE = -1;
 
     private final CostMap map;
+    private final IntPredicate isOpen;
     private final int[] partOf;
     private int[] sizes = new int[16];
     private int count;
 
     public OpenParts(CostMap map) {
+        this(map, map::isOpen);
+    }
+
+    /// @param isOpen where the robot can be; of the map's open cells none or more are left out
+    public OpenParts(CostMap map, IntPredicate isOpen) {
         this.map = map;
+        this.isOpen = isOpen;
         this.partOf = new int[map.grid().cells().length];
         Arrays.fill(partOf, NONE);
         var queue = new int[partOf.length];
         for (int cell = 0; cell < partOf.length; cell++) {
-            if (partOf[cell] == NONE && map.isOpen(cell)) {
+            if (partOf[cell] == NONE && isOpen.test(cell)) {
                 if (count == sizes.length) {
                     sizes = Arrays.copyOf(sizes, 2 * count);
                 }
@@ -46,7 +54,7 @@ public final class OpenParts {
                             case 2 -> width;
                             default -> -width;
                         };
-                if (partOf[neighbor] == NONE && map.isOpen(neighbor)) {
+                if (partOf[neighbor] == NONE && isOpen.test(neighbor)) {
                     partOf[neighbor] = count;
                     queue[end++] = neighbor;
                 }

@@ -20,7 +20,7 @@ import rsal.navigation.wavefront.Wave.Guide;
 /// has changed a little, waves are mended ([#over]). What is planned never depends on what was planned before.
 ///
 /// May be asked on any thread, by several at once.
-public final class Wavefront {
+public final class Wavefront implements GlobalPlanner {
     private static final double NO_DEARER = 1.02;
     private static final int STRIDE = 4; // cells; how closely corners are looked for
 
@@ -52,6 +52,7 @@ public final class Wavefront {
         return waves.kept();
     }
 
+    @Override
     public CostMap map() {
         return map;
     }
@@ -78,7 +79,7 @@ public final class Wavefront {
                         waves.borrow(wave -> fromStart(wave, cells, straightTo(cells.goal()), start, goal, slack)));
     }
 
-    /// Plans a way that keeps the robot's radius off obstacles that are not on the map [m].
+    @Override
     public Plan plan(Point2d start, Point2d goal, double slack, List<Point2d> obstacles) {
         try {
             return obstacles.isEmpty() ? find(start, goal, slack) : around(obstacles, start, goal, slack);

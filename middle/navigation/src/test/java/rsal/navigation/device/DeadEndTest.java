@@ -81,7 +81,7 @@ class DeadEndTest {
         return new NavigationRun(HALL.grid(), 1, Runnable::run, List.of(spec))
                 .on(believed)
                 .with(new AmclDriver(), Map.of())
-                .with(new NavigatorDriver(), Map.of("local", planner));
+                .with(new NavigatorDriver(), Map.of("controller", planner));
     }
 
     /// Within five minutes.

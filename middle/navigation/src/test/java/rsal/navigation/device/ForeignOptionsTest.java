@@ -1,7 +1,6 @@
 package rsal.navigation.device;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.within;
 
 import java.util.Map;
 import java.util.Optional;
@@ -68,7 +67,8 @@ class ForeignOptionsTest {
 
     @Test
     void advicesNameWhatThereIs() {
-        assertThat(driver.advice("min_gap_width")).hasValue("It is written 'minGapWidth' here.");
+        assertThat(driver.advice("min_gap_width"))
+                .hasValue("It belongs to the controller: 'controller: {type: snd, minGapWidth: …}'.");
         assertThat(driver.advice("max_radius").orElseThrow()).contains("comfortDistance");
         assertThat(driver.parameters()).extracting(Parameter::name).contains("comfortDistance", "wallCost", "patience");
         assertThat(driver.advice("safety_dist").orElseThrow())
@@ -98,30 +98,9 @@ class ForeignOptionsTest {
     }
 
     @Test
-    void theWindowIsCountedInCells() {
-        var given = Arguments.of(driver.parameters(), Map.of("windowDiameter", 61, "cellSize", 0.1));
-        assertThat(VfhOptions.settings(given, 1.4).lookahead()).isCloseTo(3.05, within(1e-9));
-        assertThat(VfhOptions.settings(Arguments.defaults(driver.parameters()), 1.4)
-                        .lookahead())
-                .isEqualTo(1.4);
-    }
-
-    @Test
-    void weightsAreAsThePaperWantsThem() {
-        assertThat(driver.refusal(weights("vfh", 5, 3, 2)).orElseThrow())
-                .contains("to the target (5.0)", "(3.0)", "(2.0)", "Raise (weightDesiredDir)");
-        assertThat(driver.refusal(weights("nd", 5, 3, 2))).isEmpty();
-        assertThat(driver.refusal(weights("vfh", 5, 3, 0))).as("Player's own").isEmpty();
-        assertThat(driver.refusal(Arguments.defaults(driver.parameters()))).isEmpty();
-    }
-
-    private Arguments weights(String local, double desired, double current, double previous) {
-        return Arguments.of(
-                driver.parameters(),
-                Map.of(
-                        "local", local,
-                        "weightDesiredDir", desired,
-                        "weightCurrentDir", current,
-                        "weightPreviousDir", previous));
+    void whatIsOfAControllerStandsInItsGroup() {
+        assertThat(driver.advice("local")).hasValue("It is 'controller' here: 'controller: {type: vfh}'.");
+        assertThat(driver.advice("avoidDist"))
+                .hasValue("It belongs to the controller: 'controller: {type: nd, avoidDist: …}'.");
     }
 }

@@ -67,7 +67,7 @@ class NarrowDoorTest {
                         Runnable::run,
                         List.of(NavigationRun.robot("r0", model, left), NavigationRun.robot("r1", model, right)))
                 .with(new AmclDriver(), Map.of())
-                .with(new NavigatorDriver(), Map.of("local", planner));
+                .with(new NavigatorDriver(), Map.of("controller", planner));
     }
 
     /// Sends each to where the other is; within three minutes.

@@ -186,7 +186,7 @@ class StuckTest {
         var spec = NavigationRun.robot("r", model, NOOK.pose('r', 0));
         NavigationRun run = new NavigationRun(NOOK.grid(), 1, Runnable::run, List.of(spec))
                 .with(new AmclDriver(), Map.of())
-                .with(new NavigatorDriver(), Map.of("local", planner));
+                .with(new NavigatorDriver(), Map.of("controller", planner));
         var results = new ArrayList<Result>();
         run.navigator("r")
                 .goTo(NOOK.pose('g', 0), Tolerance.position(0.4))
@@ -207,7 +207,7 @@ class StuckTest {
                         Runnable::run,
                         List.of(NavigationRun.robot("r", NavigationRun.pioneer("urg04lx"), map.pose('r', 0))))
                 .with(new AmclDriver(), Map.of())
-                .with(new NavigatorDriver(), Map.of("local", planner));
+                .with(new NavigatorDriver(), Map.of("controller", planner));
     }
 
     private static void add(NavigationRun run, String name, Pose2d mapFromMiddle, double halfLength, double halfWidth) {

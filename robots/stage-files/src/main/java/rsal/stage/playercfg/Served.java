@@ -13,6 +13,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import rsal.scene.Service;
 import rsal.scene.Service.Software;
+import rsal.settings.Location;
 import rsal.settings.Problem;
 import rsal.settings.Value;
 import rsal.stage.Findings;
@@ -25,6 +26,7 @@ import rsal.stage.StageWorld;
 /// Stage or others serve.
 final class Served {
     private static final int MOST_NAMED = 8; // of models in a message
+    private static final String CONTROLLER = "controller";
     private static final String LOCALIZER = "localizer";
     private static final String NAVIGATOR = "navigator";
 
@@ -295,9 +297,26 @@ final class Served {
         if (navigation.avoiding().isEmpty()) {
             return settings;
         }
-        Driver local = navigation.avoiding().get();
-        var entries = Map.<String, Value>of("local", new Value.Scalar(local.location(), local.name()));
-        return settings.merge(new Value.Mapping(local.location(), entries, Map.of("local", local.location())));
+        return controller(settings, navigation.avoiding().get());
+    }
+
+    /// Of what a driver is set to, the navigator takes what each has; the rest belongs to its controller.
+    private static Value.Mapping controller(Value.Mapping settings, Driver driver) {
+        var own = new LinkedHashMap<String, Value>();
+        var keys = new LinkedHashMap<String, Location>();
+        Value.Mapping navigators = settings;
+        for (String name : Options.OF_CONTROLLERS) {
+            settings.find(name).ifPresent(value -> {
+                own.put(name, value);
+                keys.put(name, settings.keys().getOrDefault(name, value.location()));
+            });
+            navigators = navigators.without(name);
+        }
+        own.put("type", new Value.Scalar(driver.location(), driver.name()));
+        keys.put("type", driver.location());
+        var group = new Value.Mapping(driver.location(), own, keys);
+        return navigators.merge(
+                new Value.Mapping(driver.location(), Map.of(CONTROLLER, group), Map.of(CONTROLLER, driver.location())));
     }
 
     private Optional<StageModel> model(Driver driver) {

@@ -216,11 +216,11 @@ class PlayerFormatTest {
                         entry("initialAngleDeviation", 360.0));
         assertThat(values(software.getLast()))
                 .containsOnly(
-                        entry("local", "vfh"),
-                        entry("safetyDist0ms", 0.1),
-                        entry("safetyDist1ms", 0.4),
+                        entry("controller.type", "vfh"),
+                        entry("controller.safetyDist0ms", 0.1),
+                        entry("controller.safetyDist1ms", 0.4),
                         entry("maxSpeed", 0.4),
-                        entry("maxSpeedNarrowOpening", 0.1),
+                        entry("controller.maxSpeedNarrowOpening", 0.1),
                         entry("escapeSpeed", 0.1),
                         entry("escapeTime", 5.0),
                         entry("wallDistance", 0.3));
@@ -231,12 +231,12 @@ class PlayerFormatTest {
     void vfhHasNoMoreWeightsThanInPlayer() {
         assertThat(weighed("weight_desired_dir 5.0 weight_current_dir 3.0"))
                 .contains(
-                        entry("weightDesiredDir", 5.0),
-                        entry("weightCurrentDir", 3.0),
-                        entry("weightPreviousDir", 0.0));
+                        entry("controller.weightDesiredDir", 5.0),
+                        entry("controller.weightCurrentDir", 3.0),
+                        entry("controller.weightPreviousDir", 0.0));
         assertThat(weighed("weight_desired_dir 4.0"))
-                .contains(entry("weightDesiredDir", 4.0), entry("weightPreviousDir", 0.0));
-        assertThat(weighed("max_speed 0.4")).doesNotContainKey("weightPreviousDir");
+                .contains(entry("controller.weightDesiredDir", 4.0), entry("controller.weightPreviousDir", 0.0));
+        assertThat(weighed("max_speed 0.4")).doesNotContainKey("controller.weightPreviousDir");
     }
 
     private static Map<String, Object> weighed(String options) {
@@ -248,8 +248,19 @@ class PlayerFormatTest {
 
     private static Map<String, Object> values(Software software) {
         var values = new LinkedHashMap<String, Object>();
-        software.settings().entries().forEach((name, value) -> values.put(name, ((Value.Scalar) value).value()));
+        note("", software.settings(), values);
         return values;
+    }
+
+    /// @param group its name with a point
+    private static void note(String group, Value.Mapping settings, Map<String, Object> values) {
+        settings.entries().forEach((name, value) -> {
+            if (value instanceof Value.Mapping own) {
+                note(group + name + ".", own, values);
+            } else {
+                values.put(group + name, ((Value.Scalar) value).value());
+            }
+        });
     }
 
     @Test

@@ -228,13 +228,14 @@ public abstract class ArchitectureRules {
                 .dependOnClassesThat(within(with(APPS, with(AGENTS, NAVIGATION)))));
     }
 
+    /// What makes devices and plugins of them sees devices and settings.
     @Test
     void navigationsAlgorithmsSeeOnlyValues() {
         check(noClasses()
                 .that()
                 .resideInAPackage(NAVIGATION)
                 .and()
-                .resideOutsideOfPackage("rsal.navigation.device..")
+                .resideOutsideOfPackages("rsal.navigation.device..", "rsal.navigation.control..")
                 .should()
                 .dependOnClassesThat(outside("rsal.data..", NAVIGATION)));
         check(noClasses()

@@ -1,4 +1,4 @@
-package rsal.navigation.device;
+package rsal.navigation.control;
 
 import java.util.List;
 import java.util.Optional;
@@ -16,46 +16,46 @@ final class VfhOptions {
 
     static List<Parameter> parameters() {
         return List.of(
-                Parameter.number("safetyDist0ms", 0.1, 0, 1, "m", "room that vfh keeps from obstacles while standing"),
-                Parameter.number("safetyDist1ms", 0.4, 0, 2, "m", "room that vfh keeps from obstacles at 1 m/s"),
+                Parameter.number("safetyDist0ms", 0.1, 0, 1, "m", "room that it keeps from obstacles while standing"),
+                Parameter.number("safetyDist1ms", 0.4, 0, 2, "m", "room that it keeps from obstacles at 1 m/s"),
                 Parameter.number(
                         "windowDiameter",
                         0,
                         0,
                         200,
                         "cells",
-                        "vfh looks so far to all sides together; 0: twice 0.6 m" + " and what it drives in 2 s"),
-                Parameter.number("cellSize", 0.1, 0.01, 1, "m", "what windowDiameter of vfh is counted in"),
-                Parameter.number("sectorAngle", 5, 1, 30, "deg", "between directions that vfh tells apart"),
+                        "it looks so far to all sides together; 0: twice 0.6 m" + " and what it drives in 2 s"),
+                Parameter.number("cellSize", 0.1, 0.01, 1, "m", "what windowDiameter is counted in"),
+                Parameter.number("sectorAngle", 5, 1, 30, "deg", "between directions that it tells apart"),
                 Parameter.number(
                         "maxSpeedNarrowOpening",
                         NO_LIMIT,
                         0.05,
                         NO_LIMIT,
                         "m/s",
-                        "vfh is never faster in openings of" + " less than 80°"),
+                        "it is never faster in openings of" + " less than 80°"),
                 Parameter.number(
-                        "maxSpeedWideOpening", NO_LIMIT, 0.05, NO_LIMIT, "m/s", "vfh is never faster in wider ones"),
+                        "maxSpeedWideOpening", NO_LIMIT, 0.05, NO_LIMIT, "m/s", "it is never faster in wider ones"),
                 Parameter.number(
                         "maxTurnRate0ms",
                         NO_TURN_LIMIT,
                         5,
                         NO_TURN_LIMIT,
                         "deg/s",
-                        "vfh never turns faster while" + " standing"),
+                        "it never turns faster while" + " standing"),
                 Parameter.number(
-                        "maxTurnRate1ms", NO_TURN_LIMIT, 5, NO_TURN_LIMIT, "deg/s", "vfh never turns faster at 1 m/s"),
+                        "maxTurnRate1ms", NO_TURN_LIMIT, 5, NO_TURN_LIMIT, "deg/s", "it never turns faster at 1 m/s"),
                 Parameter.number(
-                        "minTurnRadiusSafetyFactor", 1, 0.1, 10, "", "vfh reckons with curves so many times wider"),
+                        "minTurnRadiusSafetyFactor", 1, 0.1, 10, "", "it reckons with curves so many times wider"),
                 Parameter.number(
                         "weightDesiredDir",
                         5,
                         0,
                         100,
                         "",
-                        "what it is worth to vfh to go to the target; more" + " than the other two weights together"),
-                Parameter.number("weightCurrentDir", 2, 0, 100, "", "what it is worth to vfh to go straight on"),
-                Parameter.number("weightPreviousDir", 2, 0, 100, "", "what it is worth to vfh to keep its choice"));
+                        "what it is worth to go to the target; more" + " than the other two weights together"),
+                Parameter.number("weightCurrentDir", 2, 0, 100, "", "what it is worth to go straight on"),
+                Parameter.number("weightPreviousDir", 2, 0, 100, "", "what it is worth to keep its choice"));
     }
 
     /// How far it looks [m].

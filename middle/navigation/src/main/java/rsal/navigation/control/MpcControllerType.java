@@ -1,0 +1,23 @@
+package rsal.navigation.control;
+
+import rsal.navigation.avoid.LocalPlanner;
+import rsal.navigation.mpc.Mpc;
+import rsal.settings.Arguments;
+
+/// Makes controllers by [Mpc].
+public final class MpcControllerType implements ControllerType {
+    @Override
+    public String key() {
+        return "mpc";
+    }
+
+    @Override
+    public String description() {
+        return "Plans speeds some seconds ahead through where obstacles will be (model predictive control).";
+    }
+
+    @Override
+    public LocalPlanner create(Arguments arguments, Driven driven) {
+        return new Mpc(driven.footprint(), driven.limits(), Mpc.Settings.DEFAULT, driven.reaction(), driven.period());
+    }
+}

@@ -1,0 +1,49 @@
+package rsal.navigation.control;
+
+import java.util.List;
+import rsal.navigation.avoid.LocalPlanner;
+import rsal.navigation.avoid.Outline;
+import rsal.navigation.snd.Snd;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+
+/// Makes controllers by [Snd].
+public final class SndControllerType implements ControllerType {
+    @Override
+    public String key() {
+        return "snd";
+    }
+
+    @Override
+    public String description() {
+        return "Turns away from all that is near the more the nearer it is (smooth nearness diagram), as Player's snd does.";
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        return List.of(
+                Parameter.number(
+                        "obstacleAvoidDist", 0.6, 0.05, 5, "m", "from what is nearer to its edge it turns away"),
+                Parameter.number("minGapWidth", 0.5, 0.05, 3, "m", "by how much ranges must jump where it sees a gap"),
+                Parameter.number(
+                        "robotRadius",
+                        0,
+                        0,
+                        3,
+                        "m",
+                        "of the circle that it takes the robot for; 0: one as large as it is"));
+    }
+
+    @Override
+    public LocalPlanner create(Arguments arguments, Driven driven) {
+        double radius = arguments.number("robotRadius");
+        return new Snd(
+                driven.footprint(),
+                driven.limits(),
+                new Snd.Settings(
+                        radius > 0 ? radius : Outline.radius(driven.footprint()),
+                        arguments.number("minGapWidth"),
+                        arguments.number("obstacleAvoidDist")),
+                driven.reaction());
+    }
+}
