@@ -48,7 +48,18 @@ public final class RobotModels {
 
     /// Names of the models that come with the program.
     public static List<String> builtIn() {
-        return List.of("pioneer2dx", "pioneer3at");
+        return List.of(
+                "pioneer2dx",
+                "pioneer3at",
+                "turtlebot3-burger",
+                "turtlebot3-waffle",
+                "turtlebot4",
+                "jackal",
+                "husky",
+                "amr-890",
+                "robotino",
+                "e-puck",
+                "kilobot");
     }
 
     /// Names of the parts that come with the program.
@@ -56,14 +67,21 @@ public final class RobotModels {
         return List.of(
                 "urg04lx",
                 "utm30lx",
+                "lds-01",
+                "rplidar-a1",
+                "lms111",
+                "s300-ring",
                 "front8",
                 "front8rear8",
                 "front8rear8dx",
+                "robotino-ir",
+                "e-puck-ir",
                 "blob-camera",
                 "fiducials180",
                 "fiducials360",
                 "pioneer-gripper",
                 "pioneer2dx-bumpers",
+                "create3-bumper",
                 "turntable",
                 "pioneer-battery",
                 "small-battery",

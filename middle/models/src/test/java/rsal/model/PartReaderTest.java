@@ -33,6 +33,13 @@ class PartReaderTest {
     private static final Map<String, String> DEVICES = Map.ofEntries(
             Map.entry("urg04lx", "laser"),
             Map.entry("utm30lx", "laser"),
+            Map.entry("lds-01", "laser"),
+            Map.entry("rplidar-a1", "laser"),
+            Map.entry("lms111", "laser"),
+            Map.entry("s300-ring", "laser"),
+            Map.entry("robotino-ir", "sonar"),
+            Map.entry("e-puck-ir", "sonar"),
+            Map.entry("create3-bumper", "bumper"),
             Map.entry("front8", "sonar"),
             Map.entry("front8rear8", "sonar"),
             Map.entry("front8rear8dx", "sonar"),
