@@ -2,7 +2,9 @@
 module rsal.models {
     requires transitive rsal.devices;
     requires transitive rsal.yaml;
+    requires java.xml; // URDF
     requires static org.jspecify;
 
     exports rsal.model;
+    exports rsal.model.urdf;
 }

@@ -14,9 +14,12 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
+import rsal.model.RobotModels;
+import rsal.model.urdf.UrdfModel;
 import rsal.scenario.Counted;
 import rsal.scenario.Scenario;
 import rsal.scene.Scene;
+import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.settings.Problem;
@@ -26,16 +29,21 @@ import rsal.world.yaml.YamlFormat;
 /// `rsal convert`
 @Command(
         name = "convert",
-        description = "Write a world of Stage as the same world in YAML, its floor plans as images beside it.")
+        description =
+                "Write a world of Stage as the same world in YAML, its floor plans as images beside it; or a robot model"
+                        + " of a robot description of ROS (URDF), with parts for its lasers beside it.")
 final class ConvertCommand extends Subcommand {
-    @Parameters(index = "0", paramLabel = "FILE.world", description = "The world's file.")
+    @Parameters(
+            index = "0",
+            paramLabel = "FILE.world|ROBOT.urdf",
+            description = "The world's or the robot's file; a .xacro file must be expanded first.")
     private String file = "";
 
     @Parameters(
             index = "1",
             arity = "0..1",
-            paramLabel = "OUT" + YamlFormat.SUFFIX,
-            description = "Where to write it; beside the world, when left out.")
+            paramLabel = "OUT.yaml",
+            description = "Where to write it (a world: OUT" + YamlFormat.SUFFIX + "); beside the file, when left out.")
     private @Nullable String out;
 
     @Option(names = "--force", description = "Overwrite files that are there.")
@@ -44,13 +52,21 @@ final class ConvertCommand extends Subcommand {
     /// @param files that were written, the world's first
     record Converted(String file, List<String> files, int things, int robots, List<ValidateCommand.Mistake> warnings) {}
 
+    /// @param files that were written, the model's first
+    record Model(String file, List<String> files, List<ValidateCommand.Mistake> notes) {}
+
     @Override
     int run() {
+        if (file.endsWith(".urdf")) {
+            return model();
+        }
         if (!file.endsWith(".world")) {
             throw new InvalidSettings(
-                    Location.of(file), "This is no world that can be converted.", "Those of Stage can: FILE.world.");
+                    Location.of(file),
+                    "This is no file that can be converted.",
+                    "Worlds of Stage can (FILE.world), and robot descriptions of ROS (ROBOT.urdf).");
         }
-        Path target = target();
+        Path target = target("\\.world$", YamlFormat.SUFFIX);
         Scene scene = Scenario.scene(file);
         String name = String.valueOf(target.getFileName());
         var written = SceneWriter.write(scene, name.substring(0, name.length() - YamlFormat.SUFFIX.length()));
@@ -64,13 +80,60 @@ final class ConvertCommand extends Subcommand {
         return Exit.SUCCESS;
     }
 
-    private Path target() {
+    /// A robot model of a URDF file.
+    private int model() {
+        Path target = target("\\.urdf$", ".yaml");
+        String name = String.valueOf(target.getFileName()).replaceFirst("\\.yaml$", "");
+        String text = FileSource.disk().text(file, UrdfModel.MOST_CHARACTERS, Location.of(file));
+        UrdfModel made = UrdfModel.read(text, file, name);
+        var contents = new LinkedHashMap<Path, byte[]>();
+        contents.put(target, made.model().getBytes(StandardCharsets.UTF_8));
+        made.parts()
+                .forEach((part, yaml) ->
+                        contents.put(target.resolveSibling(part), yaml.getBytes(StandardCharsets.UTF_8)));
+        checkModel(name + ".yaml", made);
+        checkFree(contents);
+        write(contents);
+        List<String> files = contents.keySet().stream().map(Path::toString).toList();
+        if (json) {
+            printJson(new Model(file, files, ValidateCommand.Mistake.of(made.notes())));
+            return Exit.SUCCESS;
+        }
+        made.notes().forEach(note -> err().println(note));
+        files.forEach(out()::println);
+        out().println("%nIn a scenario: robots: {NAME: {model: %s}}.".formatted(name + ".yaml"));
+        out().flush();
+        return Exit.SUCCESS;
+    }
+
+    /// What can't be read again is not worth writing.
+    private void checkModel(String name, UrdfModel made) {
+        FileSource written = (path, _, askedAt) -> {
+            String text = path.equals(name) ? made.model() : made.parts().get(path);
+            if (text == null) {
+                throw new InvalidSettings(askedAt, "There is no file '%s'.".formatted(path), "");
+            }
+            return text.getBytes(StandardCharsets.UTF_8);
+        };
         try {
-            Path target = Path.of(out != null ? out : file.replaceFirst("\\.world$", YamlFormat.SUFFIX));
-            if (!target.toString().endsWith(YamlFormat.SUFFIX)) {
-                throw new ParameterException(
-                        spec.commandLine(),
-                        "(%s) must end with %s, as worlds in YAML do.".formatted(target, YamlFormat.SUFFIX));
+            new RobotModels(written, Map.of()).read(name, Location.of(name));
+        } catch (InvalidSettings e) {
+            throw new InvalidSettings(e.problems().stream()
+                    .map(problem -> new Problem(
+                            Location.of(file),
+                            "No robot model can be made of this: " + problem.message(),
+                            problem.remedy()))
+                    .toList());
+        }
+    }
+
+    /// @param ending of the file, a pattern
+    /// @param wanted ending of what is written
+    private Path target(String ending, String wanted) {
+        try {
+            Path target = Path.of(out != null ? out : file.replaceFirst(ending, wanted));
+            if (!target.toString().endsWith(wanted)) {
+                throw new ParameterException(spec.commandLine(), "'%s' must end with %s.".formatted(target, wanted));
             }
             return target;
         } catch (InvalidPathException e) {
@@ -138,7 +201,7 @@ final class ConvertCommand extends Subcommand {
                 Files.move(part.getValue(), part.getKey(), java.nio.file.StandardCopyOption.REPLACE_EXISTING);
             }
         } catch (IOException e) {
-            throw new Unreachable("The world can't be written: %s.".formatted(e));
+            throw new Unreachable("It can't be written: %s.".formatted(e));
         } finally {
             parts.values().forEach(ConvertCommand::deleteQuietly);
         }

@@ -990,10 +990,10 @@ class CommandLineIT {
         assertThat(ended.code()).isEqualTo(Exit.INVALID);
         assertThat(ended.err() + ended.out())
                 .contains(
-                        "player.yaml:13:",
+                        "player.yaml:12:",
                         "(min_gap_width) is not known in (robots.r.devices.navigator.controller)",
                         "Maybe (minGapWidth) was meant?",
-                        "player.yaml:14:",
+                        "player.yaml:13:",
                         "comes with each goal");
     }
 
@@ -1050,7 +1050,7 @@ class CommandLineIT {
         assertThat(nobody.code()).as("it can be looked at: %s", nobody.err()).isZero();
         Ended converted = rsal.run("convert", "lab.cfg");
         assertThat(converted.code()).isEqualTo(Exit.INVALID);
-        assertThat(converted.err()).contains("no world that can be converted");
+        assertThat(converted.err()).contains("no file that can be converted");
     }
 
     @Test
@@ -1232,6 +1232,30 @@ class CommandLineIT {
     }
 
     @Test
+    void convertMakesARobotModelOfAUrdfFile() throws Exception {
+        Files.copy(
+                Path.of("../../middle/models/src/test/resources/rsal/model/urdf/cart.urdf"),
+                folder.resolve("cart.urdf"));
+        Ended converted = rsal.run("convert", "cart.urdf");
+        assertThat(converted.code()).as(converted.err()).isZero();
+        assertThat(converted.out()).contains("cart.yaml", "cart-laser.yaml", "robots: {NAME: {model: cart.yaml}}");
+        assertThat(converted.err()).contains("cart.urdf:21:", "no box, cylinder or sphere");
+        assertThat(rsal.run("show", "cart.yaml").out()).contains("Cart of a lab", "mounts:");
+        Files.writeString(folder.resolve("carts.yaml"), """
+                rsal: 1
+                scenario: carts
+                world: {map: office}
+                robots: {cart: {model: cart.yaml, pose: [0, -1, 0], devices: {pilot: {}}}}
+                agents: {wander: {type: wander, robot: cart}}
+                run: {stop: [{when: time >= 20, outcome: success}]}
+                measure: [{name: way, unit: m, from: distance, bound: {min: 1}}]
+                """);
+        Ended run = rsal.run("run", "carts.yaml", "--headless", "--speed", "max");
+        assertThat(run.code()).as(run.err()).isZero();
+        assertThat(rsal.run("convert", "cart.urdf").err()).contains("Say --force to overwrite it.");
+    }
+
+    @Test
     void convertOverwritesNothingUnlessItIsTold() throws Exception {
         writeStageWorld();
         Path image = Files.writeString(folder.resolve("own-1.png"), "precious");
@@ -1253,7 +1277,7 @@ class CommandLineIT {
             convert                              | 2 | FILE.world
             convert none.world                   | 3 | There is no file (none.world)
             convert broken.world                 | 3 | broken.world:1:
-            convert guard.yaml                   | 3 | no world that can be converted
+            convert guard.yaml                   | 3 | no file that can be converted
             convert good.world out.yaml          | 2 | must end with .world.yaml
             convert good.world no/out.world.yaml | 3 | There is no such folder
             """)

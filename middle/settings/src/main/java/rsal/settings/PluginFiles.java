@@ -13,4 +13,9 @@ public interface PluginFiles {
     /// @return empty when this is not the name of a plugin's file
     /// @throws InvalidSettings with the mistakes in the file, or when it can't be read
     Optional<Plugin> read(PluginKind kind, String name, Location askedAt);
+
+    /// Whether a plugin stands in place of one that is not read, so that nobody knows what can be set of it.
+    default boolean isStandIn(Plugin plugin) {
+        return false;
+    }
 }

@@ -148,6 +148,9 @@ public final class Section {
     }
 
     private Optional<PluginChoice> set(Plugin plugin, Section group) {
+        if (plugins.isStandIn(plugin)) {
+            return Optional.of(new PluginChoice(plugin, Arguments.defaults(List.of())));
+        }
         int before = problems.all().size();
         Map<String, Object> values = group.values(plugin.parameters());
         group.done();

@@ -178,9 +178,8 @@ class OwnControllerTest {
 
     @Test
     void programsFromARecordingAreNotRun() throws Exception {
-        Scenario scenario =
-                Scenario.load(Files.writeString(folder.resolve("scenario.yaml"), SCENARIO.replace(", speed: 0.1", ""))
-                        .toString());
+        Scenario scenario = Scenario.load(
+                Files.writeString(folder.resolve("scenario.yaml"), SCENARIO).toString());
         scenario.plan(RunOptions.NONE);
         RunPlan plan = Scenario.again(scenario.location().file(), scenario.readFiles(), false)
                 .plan(RunOptions.NONE);

@@ -44,8 +44,13 @@ final class PluginReader implements PluginFiles {
                         (_, method, arguments) -> answer(kind, file, method, arguments)));
     }
 
+    @Override
+    public boolean isStandIn(Plugin plugin) {
+        return isNotRun(plugin);
+    }
+
     /// Whether this stands in place of a program that is not run.
-    static boolean isStandIn(Plugin plugin) {
+    static boolean isNotRun(Plugin plugin) {
         return Proxy.isProxyClass(plugin.getClass());
     }
 
@@ -58,7 +63,7 @@ final class PluginReader implements PluginFiles {
             case "hashCode" -> file.hashCode();
             case "equals" ->
                 arguments[0] instanceof Plugin other
-                        && isStandIn(other)
+                        && isNotRun(other)
                         && other.key().equals(file);
             default ->
                 throw new IllegalStateException(

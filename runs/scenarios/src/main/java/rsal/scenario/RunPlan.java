@@ -104,7 +104,7 @@ public record RunPlan(
                                 .flatMap(made -> made.options().asMap().values().stream())
                                 .filter(PluginChoice.class::isInstance)
                                 .map(value -> ((PluginChoice) value).plugin())
-                                .filter(PluginReader::isStandIn)
+                                .filter(PluginReader::isNotRun)
                                 .map(Plugin::key))
                 .flatMap(files -> files)
                 .distinct()

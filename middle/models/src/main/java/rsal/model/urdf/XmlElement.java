@@ -1,0 +1,159 @@
+package rsal.model.urdf;
+
+import java.io.StringReader;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Deque;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import javax.xml.stream.XMLInputFactory;
+import javax.xml.stream.XMLStreamConstants;
+import javax.xml.stream.XMLStreamException;
+import javax.xml.stream.XMLStreamReader;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
+
+/// An element of an XML file, with the place where it begins.
+///
+/// @param text of its own, without that of its children, stripped
+record XmlElement(
+        String name, Map<String, String> attributes, List<XmlElement> children, String text, Location location) {
+    private static final Pattern SPACES = Pattern.compile("\\s+");
+    private static final int DEEPEST = 50;
+    private static final int MOST = 100_000; // elements
+
+    XmlElement {
+        attributes = Collections.unmodifiableMap(new LinkedHashMap<>(attributes));
+        children = List.copyOf(children);
+    }
+
+    /// Reads a whole file. Other files that it names are not read, nor are declarations of its own (DTD).
+    ///
+    /// @throws InvalidSettings when it is no XML, or too deep or too large
+    static XmlElement read(String text, String file) {
+        XMLInputFactory factory = XMLInputFactory.newDefaultFactory();
+        factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);
+        factory.setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false);
+        factory.setProperty(XMLInputFactory.IS_NAMESPACE_AWARE, false);
+        try {
+            return read(factory.createXMLStreamReader(new StringReader(text)), file);
+        } catch (XMLStreamException e) {
+            javax.xml.stream.Location at = e.getLocation();
+            String message = String.valueOf(e.getMessage());
+            throw new InvalidSettings(
+                    at == null
+                            ? Location.of(file)
+                            : new Location(file, Math.max(1, at.getLineNumber()), Math.max(1, at.getColumnNumber())),
+                    "This is no XML: %s"
+                            .formatted(message.substring(message.lastIndexOf('\n') + 1)
+                                    .replaceFirst("^Message: ", "")),
+                    "A .xacro file must be expanded first: xacro FILE > ROBOT.urdf.");
+        }
+    }
+
+    /// An element that is not closed yet.
+    private record Open(
+            String name, Map<String, String> attributes, List<XmlElement> children, StringBuilder text, Location at) {
+        XmlElement close() {
+            return new XmlElement(name, attributes, children, text.toString().strip(), at);
+        }
+    }
+
+    private static XmlElement read(XMLStreamReader xml, String file) throws XMLStreamException {
+        Deque<Open> open = new ArrayDeque<>();
+        int count = 0;
+        while (xml.hasNext()) {
+            switch (xml.next()) {
+                case XMLStreamConstants.START_ELEMENT -> {
+                    var at = new Location(
+                            file,
+                            Math.max(1, xml.getLocation().getLineNumber()),
+                            Math.max(1, xml.getLocation().getColumnNumber()));
+                    if (open.size() == DEEPEST || ++count > MOST) {
+                        throw new InvalidSettings(
+                                at,
+                                "This file is nested deeper than %d, or has more than %d elements."
+                                        .formatted(DEEPEST, MOST),
+                                "");
+                    }
+                    open.push(
+                            new Open(xml.getLocalName(), attributes(xml), new ArrayList<>(), new StringBuilder(), at));
+                }
+                case XMLStreamConstants.CHARACTERS -> {
+                    if (!open.isEmpty()) {
+                        open.peek().text.append(xml.getText());
+                    }
+                }
+                case XMLStreamConstants.END_ELEMENT -> {
+                    XmlElement closed = open.pop().close();
+                    if (open.isEmpty()) {
+                        return closed;
+                    }
+                    open.peek().children.add(closed);
+                }
+                default -> {} // comments and the like
+            }
+        }
+        throw new InvalidSettings(Location.of(file), "There is nothing in this file.", "");
+    }
+
+    private static Map<String, String> attributes(XMLStreamReader xml) {
+        var attributes = new LinkedHashMap<String, String>();
+        for (int i = 0; i < xml.getAttributeCount(); i++) {
+            attributes.put(xml.getAttributeLocalName(i), xml.getAttributeValue(i));
+        }
+        return attributes;
+    }
+
+    Stream<XmlElement> all(String child) {
+        return children.stream().filter(each -> each.name.equals(child));
+    }
+
+    Optional<XmlElement> first(String... path) {
+        Optional<XmlElement> found = Optional.of(this);
+        for (String step : path) {
+            found = found.flatMap(each -> each.all(step).findFirst());
+        }
+        return found;
+    }
+
+    String attribute(String key) {
+        return attributes.getOrDefault(key, "");
+    }
+
+    /// Numbers in an attribute; the fallback when there is no such attribute.
+    ///
+    /// @throws InvalidSettings when there are others than so many finite ones
+    double[] numbers(String key, double... fallback) {
+        return attributes.containsKey(key) ? numbers(key, attribute(key), fallback.length) : fallback;
+    }
+
+    /// The number that is its text.
+    double number() {
+        return numbers(name, text, 1)[0];
+    }
+
+    private double[] numbers(String what, String written, int count) {
+        String[] words = SPACES.split(written.strip(), -1);
+        var numbers = new double[count];
+        boolean right = words.length == count;
+        for (int i = 0; right && i < count; i++) {
+            try {
+                numbers[i] = Double.parseDouble(words[i]);
+                right = Double.isFinite(numbers[i]);
+            } catch (NumberFormatException _) {
+                right = false;
+            }
+        }
+        if (!right) {
+            throw new InvalidSettings(
+                    location, "'%s' must be %d numbers, not '%s'.".formatted(what, count, written), "");
+        }
+        return numbers;
+    }
+}
