@@ -1,0 +1,100 @@
+package rsal.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/// Holds what has been reached of plain English in the documentation: counts of long sentences and of words that
+/// readers
+/// stumble over may only get smaller. Who makes one smaller lowers its limit here.
+class ProseTest {
+    private static final Path ROOT = Path.of("../..");
+    private static final int LONG = 35; // words of a sentence
+    private static final int MOST_LONG = 80;
+    private static final int SLACK = 10; // by which a limit may be too high
+    private static final Pattern CODE = Pattern.compile("(?ms)^```.*?^```|<!--.*?-->");
+    private static final Pattern BLOCK = Pattern.compile("\\n\\s*\\n|\\n(?=[#*|>-]|\\d+\\.)|\\|");
+    private static final Pattern LINK = Pattern.compile("\\[([^\\]]*)]\\([^)]*\\)");
+    private static final Pattern SENTENCE = Pattern.compile("(?<=[.!?:;])\\s+");
+    private static final Pattern SPACES = Pattern.compile("\\s+");
+    private static final Pattern SPELLING =
+            Pattern.compile("(?i)\\b(colour|metre|centre|behaviour|neighbour)(s|ed|ing)?\\b");
+
+    /// By path, without code.
+    private static Map<Path, String> pages() {
+        var pages = new TreeMap<Path, String>();
+        for (String folder : List.of("docs", "runs/scenarios/src/main/resources")) {
+            try (Stream<Path> files = Files.walk(ROOT.resolve(folder))) {
+                files.filter(file -> file.toString().endsWith(".md"))
+                        .filter(file -> !file.toString().matches(".*/(node_modules|target|plans)/.*"))
+                        .forEach(file -> pages.put(file, prose(file)));
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+        }
+        pages.put(ROOT.resolve("README.md"), prose(ROOT.resolve("README.md")));
+        return pages;
+    }
+
+    private static String prose(Path file) {
+        try {
+            return CODE.matcher(Files.readString(file)).replaceAll("");
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static Stream<String> sentences(String prose) {
+        return BLOCK.splitAsStream(LINK.matcher(prose).replaceAll("$1"))
+                .flatMap(SENTENCE::splitAsStream)
+                .map(String::strip);
+    }
+
+    private static void check(String what, List<String> found, int most) {
+        assertThat(found.size())
+                .as("There are more %s than before: write it in another way. They are: %s", what, found)
+                .isLessThanOrEqualTo(most);
+        assertThat(found.size())
+                .as("There are fewer %s than before: lower the limit", what)
+                .isGreaterThanOrEqualTo(most - SLACK);
+    }
+
+    @Test
+    void sentencesAreShort() {
+        var found = new ArrayList<String>();
+        pages().forEach((file, prose) -> sentences(prose)
+                .filter(sentence -> SPACES.splitAsStream(sentence).count() > LONG)
+                .forEach(sentence -> found.add(file + ": " + sentence)));
+        check("sentences of more than %d words".formatted(LONG), found, MOST_LONG);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"anew, 40", "likewise, 25", "whoever, 65", "lest, 0", "by custom, 1", "sees to it, 1", "what came of, 9"
+    })
+    void wordsThatReadersStumbleOverGetFewer(String word, int most) {
+        Pattern whole = Pattern.compile("(?i)\\b%s\\b".formatted(word));
+        var found = new ArrayList<String>();
+        pages().forEach((file, prose) -> whole.matcher(prose).results().forEach(_ -> found.add(file.toString())));
+        check("uses of '%s'".formatted(word), found, most);
+    }
+
+    @Test
+    void spellingIsAmerican() {
+        var found = new ArrayList<String>();
+        pages().forEach((file, prose) ->
+                SPELLING.matcher(prose).results().forEach(word -> found.add("%s: %s".formatted(file, word.group()))));
+        assertThat(found).isEmpty();
+    }
+}
