@@ -2,22 +2,12 @@ package rsal.metric;
 
 import java.util.List;
 import rsal.settings.Arguments;
-import rsal.settings.Parameter;
+import rsal.settings.Plugin;
 
-/// A kind of metric. Those of an installation are found by [java.util.ServiceLoader] and are part of every run; others
-/// are files that a scenario names (`metrics: [{type: Spacing.java}]`).
-public interface MetricType {
-    /// What scenarios call it, as `capture`; unique in an installation.
-    String key();
-
-    /// A sentence about what it measures.
-    String description();
-
-    /// What can be set. A metric that is installed is part of every run when each of these has a default.
-    default List<Parameter> parameters() {
-        return List.of();
-    }
-
+/// A kind of metric. Those of an installation are found by [java.util.ServiceLoader], and are part of every run when
+/// each
+/// of their parameters has a default. Others are files that a scenario names (`metrics: [{type: Spacing.java}]`).
+public interface MetricType extends Plugin {
     /// What conditions can compare. Their words are unique in a run.
     default List<QuantityType> quantities() {
         return List.of();

@@ -16,25 +16,26 @@ import rsal.settings.Arguments;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
-import rsal.settings.PluginLanguage;
+import rsal.settings.PluginKind;
 import rsal.settings.Problems;
 import rsal.settings.Section;
-import rsal.yaml.Yaml;
 
 /// Reads the metrics of a scenario: those that are installed, with what the scenario sets of them, and those in files
 /// of its author's own.
 final class MetricReader {
     static final String KEY = "metrics";
 
+    private static final PluginKind KIND = PluginKind.of("metric", MetricType.class, List.of());
+
     private final Catalog catalog;
-    private final FileSource files;
+    private final PluginReader plugins;
     private final RobotNames robots;
     private final Problems problems;
     private boolean isIncomplete;
 
     MetricReader(Catalog catalog, FileSource files, RobotNames robots, Problems problems) {
         this.catalog = catalog;
-        this.files = files;
+        this.plugins = new PluginReader(catalog, files);
         this.robots = robots;
         this.problems = problems;
     }
@@ -52,7 +53,7 @@ final class MetricReader {
     /// The words of metrics that were read. Any word may be of one that could not be read.
     MetricWords words(List<PlannedMetric> metrics) {
         List<MetricType> types = metrics.stream().map(PlannedMetric::type).toList();
-        return MetricWords.of(types, isIncomplete || types.stream().anyMatch(UntrustedMetric.class::isInstance));
+        return MetricWords.of(types, isIncomplete || types.stream().anyMatch(PluginReader::isNotRun));
     }
 
     List<PlannedMetric> read(Section root) {
@@ -60,16 +61,20 @@ final class MetricReader {
         var metrics = new ArrayList<PlannedMetric>();
         for (Section section : Format.groups(root, KEY)) {
             Optional<MetricType> read = type(section);
-            isIncomplete |= read.isEmpty();
+            if (read.isEmpty()) {
+                isIncomplete = true;
+                section.has("args"); // nobody knows what can be set
+            }
             read.ifPresent(type -> {
                 if (!named.add(type.key())) {
                     section.problem("type", "Metric '%s' is named twice.".formatted(type.key()), "Leave one out.");
                 }
-                Section args = section.section("args");
-                if (type instanceof UntrustedMetric) {
+                if (PluginReader.isNotRun(type)) {
+                    section.has("args");
                     metrics.add(new PlannedMetric(type, Arguments.defaults(List.of())));
                     return;
                 }
+                Section args = section.section("args");
                 PlanReader.settings(args, type.parameters()).ifPresent(arguments -> {
                     robots.check(args, type.parameters(), arguments);
                     metrics.add(new PlannedMetric(type, arguments));
@@ -83,31 +88,17 @@ final class MetricReader {
         return all;
     }
 
-    /// One that is installed, or that the scenario's author wrote.
+    /// One that is installed, or that the scenario's author wrote; empty when it can't be read.
     private Optional<MetricType> type(Section section) {
         String name = section.text("type");
         if (name.isEmpty()) {
-            section.has("args");
             return Optional.empty();
         }
         Location at = section.locationOf("type");
-        Optional<PluginLanguage> language = catalog.pluginLanguage(name);
-        if (language.isEmpty()) {
-            Optional<MetricType> known = Catalog.find("metric", catalog.metrics(), name, at, problems);
-            if (known.isEmpty()) {
-                section.has("args");
-            }
-            return known;
-        }
-        if (language.get().runsCode() && !files.isTrusted()) {
-            files.read(name, Yaml.MAX_CHARACTERS, at); // it must be there
-            section.has("args");
-            return Optional.of(new UntrustedMetric(name));
-        }
         try {
-            return Optional.of(language.get().read(MetricType.class, "metric", name, files, at));
+            Optional<MetricType> own = plugins.read(KIND, name, at).map(MetricType.class::cast);
+            return own.isPresent() ? own : Catalog.find("metric", catalog.metrics(), name, at, problems);
         } catch (InvalidSettings e) {
-            section.has("args");
             problems.addAll(e);
             return Optional.empty();
         }

@@ -12,7 +12,6 @@ import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentType;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
-import rsal.metric.MetricType;
 import rsal.robot.DeviceDriver;
 import rsal.robot.RobotSpec;
 import rsal.scenario.condition.Condition;
@@ -97,8 +96,8 @@ public record RunPlan(
                                 .map(AgentType::key),
                         metrics.stream()
                                 .map(PlannedMetric::type)
-                                .filter(UntrustedMetric.class::isInstance)
-                                .map(MetricType::key),
+                                .filter(PluginReader::isNotRun)
+                                .map(Plugin::key),
                         robots.stream()
                                 .flatMap(robot -> robot.drivers().stream())
                                 .flatMap(made -> made.options().asMap().values().stream())
