@@ -14,7 +14,7 @@ import java.util.stream.Stream;
 import rsal.bench.BarnRun.Outcome;
 import rsal.bench.Plot.Shares.Share;
 import rsal.data.Twist2d;
-import rsal.navigation.avoid.LocalPlanner;
+import rsal.navigation.avoid.Controller;
 import rsal.navigation.avoid.Obstacles;
 import rsal.navigation.dwa.Dwa;
 import rsal.navigation.mpc.Mpc;
@@ -47,7 +47,7 @@ final class BarnBench implements Bench {
         MPC;
 
         /// A planner of its own for each run.
-        LocalPlanner planner() {
+        Controller planner() {
             var footprint = BarnRun.FOOTPRINT;
             var limits = BarnRun.LIMITS;
             double reaction = BarnRun.REACTION;
@@ -104,12 +104,12 @@ final class BarnBench implements Bench {
     private record Run(BarnWorld world, Outcome outcome, double milliseconds) {}
 
     /// Notes how long another planner takes.
-    private static final class Timed implements LocalPlanner {
-        private final LocalPlanner planner;
+    private static final class Timed implements Controller {
+        private final Controller planner;
         private double seconds;
         private int drives;
 
-        Timed(LocalPlanner planner) {
+        Timed(Controller planner) {
             this.planner = planner;
         }
 

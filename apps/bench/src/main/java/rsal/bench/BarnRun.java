@@ -21,10 +21,10 @@ import rsal.data.Twist2d;
 import rsal.device.DriveBase;
 import rsal.device.LaserScanner;
 import rsal.device.SimulationControl;
+import rsal.navigation.avoid.Controller;
+import rsal.navigation.avoid.Controller.Motion;
+import rsal.navigation.avoid.Controller.Target;
 import rsal.navigation.avoid.DriveLimits;
-import rsal.navigation.avoid.LocalPlanner;
-import rsal.navigation.avoid.LocalPlanner.Motion;
-import rsal.navigation.avoid.LocalPlanner.Target;
 import rsal.navigation.avoid.ObstacleMemory;
 import rsal.navigation.avoid.Obstacles;
 import rsal.robot.Robot;
@@ -61,7 +61,7 @@ final class BarnRun {
     private final SimulationControl truth;
     private final DriveBase base;
     private final LaserScanner laser;
-    private final LocalPlanner planner;
+    private final Controller planner;
     private final Obstacles obstacles = new Obstacles(VIEW);
     private final ObstacleMemory blindSpot = new ObstacleMemory(1.5, Duration.ofSeconds(5));
     private double turnRate;
@@ -75,7 +75,7 @@ final class BarnRun {
     /// @param meters driven
     record Outcome(boolean reached, boolean touched, double seconds, double roughness, double meters) {}
 
-    BarnRun(BarnWorld world, LocalPlanner planner, long seed) {
+    BarnRun(BarnWorld world, Controller planner, long seed) {
         this.planner = planner;
         var simulator = ServiceLoader.load(RobotSystemProvider.class).stream()
                 .map(ServiceLoader.Provider::get)

@@ -14,7 +14,7 @@ import rsal.bench.BarnRun.Outcome;
 import rsal.bench.BarnWorld.Cylinder;
 import rsal.data.Point2d;
 import rsal.data.Twist2d;
-import rsal.navigation.avoid.LocalPlanner;
+import rsal.navigation.avoid.Controller;
 import rsal.navigation.avoid.Obstacles;
 import rsal.navigation.mpc.Mpc;
 
@@ -67,11 +67,11 @@ class BarnRunTest {
                         List.of(new Point2d(1, 5.5), new Point2d(1, 6))));
     }
 
-    private static LocalPlanner mpc() {
+    private static Controller mpc() {
         return new Mpc(BarnRun.FOOTPRINT, BarnRun.LIMITS, Mpc.Settings.DEFAULT, BarnRun.REACTION, BarnRun.BEAT);
     }
 
-    private static final class Blind implements LocalPlanner {
+    private static final class Blind implements Controller {
         @Override
         public Twist2d drive(Obstacles obstacles, Target target, Motion motion) {
             return Twist2d.drive(1, 0);

@@ -57,9 +57,9 @@ class OwnControllerTest {
                 public List<Parameter> parameters() {
                     return List.of(Parameter.number("speed", 0.2, 0.01, 1, "m/s", "How fast it crawls."));
                 }
-                public LocalPlanner create(Arguments arguments, Driven driven) {
+                public Controller create(Arguments arguments, Driven driven) {
                     double speed = Math.min(arguments.number("speed"), driven.limits().speed());
-                    return new LocalPlanner() {
+                    return new Controller() {
                         public Twist2d drive(Obstacles obstacles, Target target, Motion motion) {
                             double bearing = target.bearing();
                             return Twist2d.drive(Math.abs(bearing) < 0.5 ? speed : 0, bearing);

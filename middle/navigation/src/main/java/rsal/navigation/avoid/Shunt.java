@@ -4,7 +4,7 @@ import java.util.List;
 import rsal.data.Angles;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
-import rsal.navigation.avoid.LocalPlanner.Motion;
+import rsal.navigation.avoid.Controller.Motion;
 import rsal.navigation.avoid.MultiPointTurn.Leg;
 
 /// Drives the legs that [MultiPointTurn] found, one after the other, by odometry. Each robot needs its own.

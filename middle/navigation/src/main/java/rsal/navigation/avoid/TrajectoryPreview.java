@@ -46,14 +46,14 @@ final class TrajectoryPreview {
         this.longest = longest;
     }
 
-    /// Places of the base, in its frame of now [m]; as [LocalPlanner#way] has them.
+    /// Places of the base, in its frame of now [m]; as [Controller#way] has them.
     List<Point2d> points() {
         double speed = Math.abs(command.vx());
         if (speed < STANDING || longest <= 0) {
             return List.of();
         }
         double seconds = Math.min(SECONDS, longest / speed);
-        int pieces = Math.clamp((long) Math.ceil(Math.abs(turned(seconds)) / BEND), 1, LocalPlanner.WAY_POINTS - 1);
+        int pieces = Math.clamp((long) Math.ceil(Math.abs(turned(seconds)) / BEND), 1, Controller.WAY_POINTS - 1);
         double length = command.vx() * seconds / pieces;
         var points = new ArrayList<Point2d>(pieces + 1);
         double x = 0;

@@ -4,8 +4,8 @@ import java.util.List;
 import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Twist2d;
-import rsal.navigation.avoid.LocalPlanner.Motion;
-import rsal.navigation.avoid.LocalPlanner.Target;
+import rsal.navigation.avoid.Controller.Motion;
+import rsal.navigation.avoid.Controller.Target;
 
 /// The last word of a local planner: a [CollisionMonitor], turning in place, and what to do where the robot is
 /// too long to turn. So it knows where the robot goes on. Each robot needs its own.
@@ -115,7 +115,7 @@ public final class VelocityFilter {
         }
     }
 
-    /// Where what it let through last leads within 2 s, as [LocalPlanner#way] has it: on its arc, or into the direction
+    /// Where what it let through last leads within 2 s, as [Controller#way] has it: on its arc, or into the direction
     /// that it turns to.
     public List<Point2d> way() {
         return ahead.points();

@@ -1,8 +1,8 @@
 package rsal.navigation.control;
 
 import rsal.data.Footprint;
+import rsal.navigation.avoid.Controller;
 import rsal.navigation.avoid.DriveLimits;
-import rsal.navigation.avoid.LocalPlanner;
 import rsal.settings.Arguments;
 import rsal.settings.Plugin;
 
@@ -27,5 +27,5 @@ public interface ControllerType extends Plugin {
     /// One for each robot.
     ///
     /// @param arguments for [#parameters]
-    LocalPlanner create(Arguments arguments, Driven driven);
+    Controller create(Arguments arguments, Driven driven);
 }

@@ -1,6 +1,6 @@
 package rsal.navigation.control;
 
-import rsal.navigation.avoid.LocalPlanner;
+import rsal.navigation.avoid.Controller;
 import rsal.navigation.dwa.Dwa;
 import rsal.settings.Arguments;
 
@@ -19,7 +19,7 @@ public final class DwaControllerType implements ControllerType {
     }
 
     @Override
-    public LocalPlanner create(Arguments arguments, Driven driven) {
+    public Controller create(Arguments arguments, Driven driven) {
         return new Dwa(
                 driven.footprint(), driven.limits(), Dwa.Settings.of(HORIZON, driven.lookahead()), driven.reaction());
     }

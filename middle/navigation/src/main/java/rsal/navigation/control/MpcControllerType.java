@@ -1,6 +1,6 @@
 package rsal.navigation.control;
 
-import rsal.navigation.avoid.LocalPlanner;
+import rsal.navigation.avoid.Controller;
 import rsal.navigation.mpc.Mpc;
 import rsal.settings.Arguments;
 
@@ -17,7 +17,7 @@ public final class MpcControllerType implements ControllerType {
     }
 
     @Override
-    public LocalPlanner create(Arguments arguments, Driven driven) {
+    public Controller create(Arguments arguments, Driven driven) {
         return new Mpc(driven.footprint(), driven.limits(), Mpc.Settings.DEFAULT, driven.reaction(), driven.period());
     }
 }

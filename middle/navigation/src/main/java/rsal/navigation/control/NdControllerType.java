@@ -1,7 +1,7 @@
 package rsal.navigation.control;
 
 import java.util.List;
-import rsal.navigation.avoid.LocalPlanner;
+import rsal.navigation.avoid.Controller;
 import rsal.navigation.nd.Nd;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
@@ -27,7 +27,7 @@ public final class NdControllerType implements ControllerType {
     }
 
     @Override
-    public LocalPlanner create(Arguments arguments, Driven driven) {
+    public Controller create(Arguments arguments, Driven driven) {
         return new Nd(
                 driven.footprint(),
                 driven.limits(),

@@ -1,7 +1,7 @@
 package rsal.navigation.control;
 
 import java.util.List;
-import rsal.navigation.avoid.LocalPlanner;
+import rsal.navigation.avoid.Controller;
 import rsal.navigation.avoid.Outline;
 import rsal.navigation.snd.Snd;
 import rsal.settings.Arguments;
@@ -35,7 +35,7 @@ public final class SndControllerType implements ControllerType {
     }
 
     @Override
-    public LocalPlanner create(Arguments arguments, Driven driven) {
+    public Controller create(Arguments arguments, Driven driven) {
         double radius = arguments.number("robotRadius");
         return new Snd(
                 driven.footprint(),

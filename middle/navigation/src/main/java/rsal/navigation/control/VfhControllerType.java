@@ -2,7 +2,7 @@ package rsal.navigation.control;
 
 import java.util.List;
 import java.util.Optional;
-import rsal.navigation.avoid.LocalPlanner;
+import rsal.navigation.avoid.Controller;
 import rsal.navigation.vfh.Vfh;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
@@ -36,7 +36,7 @@ public final class VfhControllerType implements ControllerType {
     }
 
     @Override
-    public LocalPlanner create(Arguments arguments, Driven driven) {
+    public Controller create(Arguments arguments, Driven driven) {
         return new Vfh(
                 driven.footprint(),
                 driven.limits(),

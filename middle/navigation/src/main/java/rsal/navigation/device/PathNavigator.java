@@ -25,9 +25,9 @@ import rsal.device.Localizer;
 import rsal.device.Navigator;
 import rsal.device.Sensor;
 import rsal.device.SonarArray;
+import rsal.navigation.avoid.Controller;
+import rsal.navigation.avoid.Controller.Motion;
 import rsal.navigation.avoid.DriveLimits;
-import rsal.navigation.avoid.LocalPlanner;
-import rsal.navigation.avoid.LocalPlanner.Motion;
 import rsal.navigation.avoid.MultiPointTurn;
 import rsal.navigation.avoid.ObstacleMemory;
 import rsal.navigation.avoid.Obstacles;
@@ -62,7 +62,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
             Localizer localizer,
             Optional<LaserScanner> laser,
             Optional<SonarArray> sonars,
-            LocalPlanner avoidance,
+            Controller avoidance,
             MultiPointTurn shunting,
             GlobalPlanner ways,
             DistanceField toNotFree) {}

@@ -20,7 +20,7 @@ import rsal.device.GoalSource;
 import rsal.device.Navigator.Progress;
 import rsal.device.Navigator.Result;
 import rsal.device.Navigator.Tolerance;
-import rsal.navigation.avoid.LocalPlanner.Target;
+import rsal.navigation.avoid.Controller.Target;
 import rsal.navigation.avoid.MultiPointTurn.Leg;
 import rsal.navigation.avoid.Obstacles;
 import rsal.navigation.avoid.Shunt;

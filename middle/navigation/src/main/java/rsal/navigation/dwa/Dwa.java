@@ -6,8 +6,8 @@ import rsal.data.Angles;
 import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Twist2d;
+import rsal.navigation.avoid.Controller;
 import rsal.navigation.avoid.DriveLimits;
-import rsal.navigation.avoid.LocalPlanner;
 import rsal.navigation.avoid.Obstacles;
 import rsal.navigation.avoid.Outline;
 import rsal.navigation.avoid.VelocityFilter;
@@ -22,7 +22,7 @@ import rsal.navigation.avoid.VelocityFilter;
 /// * Clearance and speed count as shares of how far it looks and of the highest speed.
 /// * Where the best is to stand, it turns towards the target, or on in the sense that it has begun.
 /// * The last word has [VelocityFilter].
-public final class Dwa implements LocalPlanner {
+public final class Dwa implements Controller {
     private static final int SPEEDS = 11;
     private static final int TURNS = 21;
     private static final double STANDING = 0.02; // m/s

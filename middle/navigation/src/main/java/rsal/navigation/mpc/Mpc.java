@@ -8,8 +8,8 @@ import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
+import rsal.navigation.avoid.Controller;
 import rsal.navigation.avoid.DriveLimits;
-import rsal.navigation.avoid.LocalPlanner;
 import rsal.navigation.avoid.Obstacles;
 import rsal.navigation.avoid.VelocityFilter;
 
@@ -37,7 +37,7 @@ import rsal.navigation.avoid.VelocityFilter;
 /// plans four pieces of a way of more than a second, not one arc.
 ///
 /// The random numbers are its own and the same in each call. The last word has [VelocityFilter].
-public final class Mpc implements LocalPlanner {
+public final class Mpc implements Controller {
     private static final int KNOTS = 4;
     private static final int STEPS_PER_KNOT = 6;
     private static final int STEPS = KNOTS * STEPS_PER_KNOT;

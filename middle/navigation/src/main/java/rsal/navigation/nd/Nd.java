@@ -6,8 +6,8 @@ import rsal.data.Angles;
 import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Twist2d;
+import rsal.navigation.avoid.Controller;
 import rsal.navigation.avoid.DriveLimits;
-import rsal.navigation.avoid.LocalPlanner;
 import rsal.navigation.avoid.Obstacles;
 import rsal.navigation.avoid.Outline;
 import rsal.navigation.avoid.VelocityFilter;
@@ -29,7 +29,7 @@ import rsal.navigation.nd.NearnessDiagram.Region;
 /// * It is never slowed down below a fifth of its speed by the laws, as the authors' own program for Player
 ///   does.
 /// * With no region it turns towards the goal.
-public final class Nd implements LocalPlanner {
+public final class Nd implements Controller {
     private static final double WIDE = Math.PI / 2;
     private static final double SLOWEST = 0.2; // of the highest speed
 

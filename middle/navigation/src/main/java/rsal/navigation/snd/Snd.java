@@ -6,8 +6,8 @@ import rsal.data.Angles;
 import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Twist2d;
+import rsal.navigation.avoid.Controller;
 import rsal.navigation.avoid.DriveLimits;
-import rsal.navigation.avoid.LocalPlanner;
 import rsal.navigation.avoid.Obstacles;
 import rsal.navigation.avoid.Outline;
 import rsal.navigation.avoid.VelocityFilter;
@@ -27,7 +27,7 @@ import rsal.navigation.nd.NearnessDiagram.Region;
 ///   narrow places at a fifth of its speed.
 /// * The robot is a circle for the law. Its true outline counts for [VelocityFilter], which has the last word.
 /// * With no region it turns towards the goal.
-public final class Snd implements LocalPlanner {
+public final class Snd implements Controller {
     private static final double SHRINKING = 5; // safety distance per room
 
     /// Named as the options of Player's `snd`.

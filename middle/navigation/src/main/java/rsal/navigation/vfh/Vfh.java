@@ -6,8 +6,8 @@ import rsal.data.Angles;
 import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Twist2d;
+import rsal.navigation.avoid.Controller;
 import rsal.navigation.avoid.DriveLimits;
-import rsal.navigation.avoid.LocalPlanner;
 import rsal.navigation.avoid.Obstacles;
 import rsal.navigation.avoid.VelocityFilter;
 
@@ -34,7 +34,7 @@ import rsal.navigation.avoid.VelocityFilter;
 /// * The last word has [VelocityFilter].
 ///
 /// Keeps the last histogram and direction, so each robot needs its own.
-public final class Vfh implements LocalPlanner {
+public final class Vfh implements Controller {
     private static final double WIDE = Math.toRadians(80); // s_max in the paper
     private static final double OPENS = 1.15; // hysteresis: a closed direction opens at so many times the distance
     private static final double STEERING = 2.0; // 1/s; turn rate per angle that is missing

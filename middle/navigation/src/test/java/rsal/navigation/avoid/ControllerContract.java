@@ -17,8 +17,8 @@ import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.RangeArray;
 import rsal.data.Twist2d;
-import rsal.navigation.avoid.LocalPlanner.Motion;
-import rsal.navigation.avoid.LocalPlanner.Target;
+import rsal.navigation.avoid.Controller.Motion;
+import rsal.navigation.avoid.Controller.Target;
 import rsal.navigation.grid.DistanceField;
 import rsal.navigation.wavefront.CostMap;
 import rsal.navigation.wavefront.CostMap.Clearance;
@@ -27,8 +27,8 @@ import rsal.navigation.wavefront.Route;
 import rsal.navigation.wavefront.Wavefront;
 import rsal.testkit.DrawnMap;
 
-/// What every local planner keeps to.
-public abstract class LocalPlannerContract {
+/// What every controller keeps to.
+public abstract class ControllerContract {
     protected static final DriveLimits LIMITS = new DriveLimits(0.6, 1.5, 0.8, 3);
     protected static final Footprint BOX = Footprint.box(0.44, 0.38, new Point2d(-0.04, 0));
     private static final Footprint WEDGE =
@@ -84,9 +84,9 @@ public abstract class LocalPlannerContract {
             ..................................................
             ..................................................""");
 
-    protected abstract LocalPlanner planner(Footprint footprint, double reaction, double beat);
+    protected abstract Controller planner(Footprint footprint, double reaction, double beat);
 
-    private LocalPlanner planner(Footprint footprint) {
+    private Controller planner(Footprint footprint) {
         return planner(footprint, 2 * BEAT, BEAT);
     }
 
@@ -116,7 +116,7 @@ public abstract class LocalPlannerContract {
 
     @Test
     void tellsTheWayThatItMeansToGo() {
-        LocalPlanner planner = planner(BOX);
+        Controller planner = planner(BOX);
         assertThat(planner.way()).isEmpty();
         var nothing = new Obstacles(VIEW);
         var target = new Point2d(2, 0.5);
@@ -332,7 +332,7 @@ public abstract class LocalPlannerContract {
 
     /// A robot with the dynamics of its limits among posts and people, which fails when it touches one.
     protected final class Drive {
-        private final LocalPlanner planner;
+        private final Controller planner;
         private final Outline body;
         private final List<Point2d> posts;
         private final List<Walker> people = new ArrayList<>();
@@ -420,7 +420,7 @@ public abstract class LocalPlannerContract {
                 assertThat(Math.abs(command.vx())).isLessThan(0.03);
                 return;
             }
-            assertThat(told).hasSizeBetween(2, LocalPlanner.WAY_POINTS);
+            assertThat(told).hasSizeBetween(2, Controller.WAY_POINTS);
             assertThat(told.getFirst()).isEqualTo(new Point2d(0, 0));
             assertThat(told.get(1).x() * command.vx()).isPositive();
             assertThat(new Path2d(told).length()).isLessThan(LIMITS.speed() * 2 + 0.01);

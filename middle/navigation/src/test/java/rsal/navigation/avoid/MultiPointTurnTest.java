@@ -12,7 +12,7 @@ import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
-import rsal.navigation.avoid.LocalPlanner.Motion;
+import rsal.navigation.avoid.Controller.Motion;
 import rsal.navigation.avoid.MultiPointTurn.Leg;
 
 class MultiPointTurnTest {

@@ -15,10 +15,10 @@ import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
+import rsal.navigation.avoid.Controller;
+import rsal.navigation.avoid.Controller.Motion;
+import rsal.navigation.avoid.Controller.Target;
 import rsal.navigation.avoid.DriveLimits;
-import rsal.navigation.avoid.LocalPlanner;
-import rsal.navigation.avoid.LocalPlanner.Motion;
-import rsal.navigation.avoid.LocalPlanner.Target;
 import rsal.navigation.avoid.Obstacles;
 import rsal.navigation.control.ControllerType.Driven;
 import rsal.settings.Arguments;
@@ -38,7 +38,7 @@ class ControllersTest {
         return ServiceLoader.load(ControllerType.class).stream().map(ServiceLoader.Provider::get);
     }
 
-    private static LocalPlanner make(ControllerType type) {
+    private static Controller make(ControllerType type) {
         return type.create(Arguments.defaults(type.parameters()), DRIVEN);
     }
 

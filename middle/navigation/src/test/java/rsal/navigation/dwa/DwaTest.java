@@ -3,12 +3,12 @@ package rsal.navigation.dwa;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Footprint;
-import rsal.navigation.avoid.LocalPlanner;
-import rsal.navigation.avoid.LocalPlannerContract;
+import rsal.navigation.avoid.Controller;
+import rsal.navigation.avoid.ControllerContract;
 
-class DwaTest extends LocalPlannerContract {
+class DwaTest extends ControllerContract {
     @Override
-    protected LocalPlanner planner(Footprint footprint, double reaction, double beat) {
+    protected Controller planner(Footprint footprint, double reaction, double beat) {
         return new Dwa(footprint, LIMITS, Dwa.Settings.of(0.25, 3), reaction);
     }
 

@@ -11,15 +11,15 @@ import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
-import rsal.navigation.avoid.LocalPlanner;
-import rsal.navigation.avoid.LocalPlanner.Motion;
-import rsal.navigation.avoid.LocalPlanner.Target;
-import rsal.navigation.avoid.LocalPlannerContract;
+import rsal.navigation.avoid.Controller;
+import rsal.navigation.avoid.Controller.Motion;
+import rsal.navigation.avoid.Controller.Target;
+import rsal.navigation.avoid.ControllerContract;
 import rsal.navigation.avoid.Obstacles;
 
-class MpcTest extends LocalPlannerContract {
+class MpcTest extends ControllerContract {
     @Override
-    protected LocalPlanner planner(Footprint footprint, double reaction, double beat) {
+    protected Controller planner(Footprint footprint, double reaction, double beat) {
         return new Mpc(footprint, LIMITS, new Mpc.Settings(8, 0.05, 0.5, 4), reaction, beat);
     }
 

@@ -1,12 +1,12 @@
 package rsal.navigation.nd;
 
 import rsal.data.Footprint;
-import rsal.navigation.avoid.LocalPlanner;
-import rsal.navigation.avoid.LocalPlannerContract;
+import rsal.navigation.avoid.Controller;
+import rsal.navigation.avoid.ControllerContract;
 
-class NdTest extends LocalPlannerContract {
+class NdTest extends ControllerContract {
     @Override
-    protected LocalPlanner planner(Footprint footprint, double reaction, double beat) {
+    protected Controller planner(Footprint footprint, double reaction, double beat) {
         return new Nd(footprint, LIMITS, Nd.Settings.DEFAULT, reaction);
     }
 }

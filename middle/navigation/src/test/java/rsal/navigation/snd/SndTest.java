@@ -1,12 +1,12 @@
 package rsal.navigation.snd;
 
 import rsal.data.Footprint;
-import rsal.navigation.avoid.LocalPlanner;
-import rsal.navigation.avoid.LocalPlannerContract;
+import rsal.navigation.avoid.Controller;
+import rsal.navigation.avoid.ControllerContract;
 
-class SndTest extends LocalPlannerContract {
+class SndTest extends ControllerContract {
     @Override
-    protected LocalPlanner planner(Footprint footprint, double reaction, double beat) {
+    protected Controller planner(Footprint footprint, double reaction, double beat) {
         return new Snd(footprint, LIMITS, Snd.Settings.of(footprint), reaction);
     }
 }

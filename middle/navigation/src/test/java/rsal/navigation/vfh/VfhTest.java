@@ -9,9 +9,9 @@ import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
+import rsal.navigation.avoid.Controller.Motion;
+import rsal.navigation.avoid.Controller.Target;
 import rsal.navigation.avoid.DriveLimits;
-import rsal.navigation.avoid.LocalPlanner.Motion;
-import rsal.navigation.avoid.LocalPlanner.Target;
 import rsal.navigation.avoid.Obstacles;
 
 class VfhTest {

@@ -1,7 +1,7 @@
 import java.util.List;
 import rsal.data.Twist2d;
 import rsal.navigation.control.ControllerType;
-import rsal.navigation.avoid.LocalPlanner;
+import rsal.navigation.avoid.Controller;
 import rsal.navigation.avoid.Obstacles;
 import rsal.navigation.avoid.VelocityFilter;
 import rsal.settings.Arguments;
@@ -25,12 +25,12 @@ public final class Cautious implements ControllerType {
     }
 
     @Override
-    public LocalPlanner create(Arguments arguments, Driven driven) {
+    public Controller create(Arguments arguments, Driven driven) {
         return new Cautiously(driven, arguments.number("room"));
     }
 
     /// The controller of one robot. Poses and points are in its base frame: x ahead, y to the left [m].
-    private static final class Cautiously implements LocalPlanner {
+    private static final class Cautiously implements Controller {
         private static final double AHEAD = Math.toRadians(40); // to each side
 
         private final double front; // from the base's origin [m]
