@@ -24,6 +24,7 @@ module rsal.navigation {
     exports rsal.navigation.wavefront;
 
     uses rsal.navigation.control.ControllerType;
+    uses rsal.navigation.control.GoalCheckerType;
     uses rsal.navigation.control.PlannerType;
 
     provides rsal.navigation.control.ControllerType with
@@ -32,6 +33,9 @@ module rsal.navigation {
             rsal.navigation.control.NdControllerType,
             rsal.navigation.control.SndControllerType,
             rsal.navigation.control.VfhControllerType;
+    provides rsal.navigation.control.GoalCheckerType with
+            rsal.navigation.control.StoppedGoalCheckerType,
+            rsal.navigation.control.ToleranceGoalCheckerType;
     provides rsal.navigation.control.PlannerType with
             rsal.navigation.control.JumpPointPlannerType,
             rsal.navigation.control.WavefrontPlannerType;

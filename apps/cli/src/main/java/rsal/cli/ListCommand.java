@@ -33,6 +33,7 @@ final class ListCommand extends Subcommand {
         drivers,
         controllers,
         planners,
+        goalCheckers,
         metrics,
         mas,
         mrs,
@@ -77,6 +78,7 @@ final class ListCommand extends Subcommand {
             case drivers -> entries(Kind.drivers());
             case controllers -> entries(Kind.plugins("controller"));
             case planners -> entries(Kind.plugins("planner"));
+            case goalCheckers -> entries(Kind.plugins("goalChecker"));
             case metrics -> entries(Kind.metrics());
             case mas -> entries(Kind.hosts());
             case mrs -> entries(Kind.systems());

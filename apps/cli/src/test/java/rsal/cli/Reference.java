@@ -11,6 +11,7 @@ import rsal.map.Maps;
 import rsal.metric.MetricType;
 import rsal.model.RobotModels;
 import rsal.navigation.control.ControllerType;
+import rsal.navigation.control.GoalCheckerType;
 import rsal.navigation.control.PlannerType;
 import rsal.robot.DeviceDriver;
 import rsal.scenario.Providers;
@@ -51,6 +52,7 @@ final class Reference {
             case "drivers" -> kinds(Kind.drivers(), DeviceDriver.class, DeviceDriver::key);
             case "controllers" -> kinds(Kind.plugins("controller"), ControllerType.class, ControllerType::key);
             case "planners" -> kinds(Kind.plugins("planner"), PlannerType.class, PlannerType::key);
+            case "goalCheckers" -> kinds(Kind.plugins("goalChecker"), GoalCheckerType.class, GoalCheckerType::key);
             case "metrics" -> kinds(Kind.metrics(), MetricType.class, MetricType::key);
             case "mas" -> kinds(Kind.hosts(), AgentHostProvider.class, AgentHostProvider::key);
             case "mrs" -> kinds(Kind.systems(), RobotSystemProvider.class, RobotSystemProvider::key);

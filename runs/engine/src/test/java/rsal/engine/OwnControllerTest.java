@@ -139,7 +139,17 @@ class OwnControllerTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"dwa", "mpc", "nd", "snd", "vfh", "{type: nd, avoidDist: 0.4}", "vfh, planner: jumppoint"})
+    @ValueSource(
+            strings = {
+                "dwa",
+                "mpc",
+                "nd",
+                "snd",
+                "vfh",
+                "{type: nd, avoidDist: 0.4}",
+                "vfh, planner: jumppoint",
+                "vfh, goalChecker: stopped"
+            })
     void installedOnesAreNamed(String controller) throws Exception {
         assertThat(seconds(plan(SCENARIO.replace("{type: Crawler.java, speed: 0.1}", controller))))
                 .isBetween(4.0, 20.0);

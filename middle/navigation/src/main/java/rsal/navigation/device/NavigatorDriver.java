@@ -17,6 +17,7 @@ import rsal.device.SonarArray;
 import rsal.navigation.avoid.DriveLimits;
 import rsal.navigation.avoid.MultiPointTurn;
 import rsal.navigation.control.ControllerType;
+import rsal.navigation.control.GoalCheckerType;
 import rsal.navigation.control.PlannerType;
 import rsal.navigation.spread.ReachableSpace;
 import rsal.robot.DeviceDriver;
@@ -42,6 +43,11 @@ public final class NavigatorDriver implements DeviceDriver {
             PluginKind.of("planner", PlannerType.class, ServiceLoader.load(PlannerType.class));
     private static final Parameter PLANNER =
             Parameter.plugin("planner", "wavefront", PLANNERS, "plans the way over the map");
+
+    private static final PluginKind GOAL_CHECKERS =
+            PluginKind.of("goalChecker", GoalCheckerType.class, ServiceLoader.load(GoalCheckerType.class));
+    private static final Parameter GOAL_CHECKER =
+            Parameter.plugin("goalChecker", "tolerance", GOAL_CHECKERS, "decides when a goal counts as reached");
 
     private final Ways ways = new Ways();
 
@@ -71,6 +77,7 @@ public final class NavigatorDriver implements DeviceDriver {
         var parameters = new ArrayList<Parameter>();
         parameters.add(PLANNER);
         parameters.add(CONTROLLER);
+        parameters.add(GOAL_CHECKER);
         parameters.add(Parameter.number("maxSpeed", 0.4, 0.05, 3, "m/s", "never faster"));
         parameters.add(Parameter.number("maxTurnRate", 70, 5, 360, "deg/s", "never turns faster"));
         parameters.add(Parameter.number("maxAcceleration", 10, 0.05, 10, "m/s²", "never speeds up or brakes harder"));
@@ -137,6 +144,7 @@ public final class NavigatorDriver implements DeviceDriver {
                 new ControllerType.Driven(model.footprint(), limits, lookahead, PathNavigator.BEAT_SECONDS, REACTION);
         PluginChoice chosen = arguments.plugin(CONTROLLER.name());
         ControllerType controller = chosen.as(ControllerType.class);
+        PluginChoice checker = arguments.plugin(GOAL_CHECKER.name());
         var navigator = new PathNavigator(
                 new DeviceInfo(context.robot().id(), context.name(), key()),
                 new PathNavigator.Parts(
@@ -147,6 +155,8 @@ public final class NavigatorDriver implements DeviceDriver {
                         controller.create(chosen.arguments(), driven),
                         new MultiPointTurn(model.footprint(), limits, REACTION),
                         ways.planner(context.map(), model.footprint(), arguments, arguments.plugin(PLANNER.name())),
+                        (mapFromGoal, tolerance) ->
+                                checker.as(GoalCheckerType.class).create(checker.arguments(), mapFromGoal, tolerance),
                         ways.field(context.map())),
                 new PathNavigator.Settings(
                         limits,

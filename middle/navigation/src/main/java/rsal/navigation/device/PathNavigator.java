@@ -3,6 +3,7 @@ package rsal.navigation.device;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.Optional;
+import java.util.function.BiFunction;
 import java.util.random.RandomGenerator;
 import org.jspecify.annotations.Nullable;
 import rsal.data.LaserScan;
@@ -31,6 +32,7 @@ import rsal.navigation.avoid.DriveLimits;
 import rsal.navigation.avoid.MultiPointTurn;
 import rsal.navigation.avoid.ObstacleMemory;
 import rsal.navigation.avoid.Obstacles;
+import rsal.navigation.control.GoalChecker;
 import rsal.navigation.grid.DistanceField;
 import rsal.navigation.wavefront.GlobalPlanner;
 import rsal.time.Phase;
@@ -56,6 +58,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
 
     /// What it is made of.
     ///
+    /// @param goalCheckers makes one for each goal
     /// @param toNotFree how far the next wall of the map is
     record Parts(
             DriveBase base,
@@ -65,6 +68,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
             Controller avoidance,
             MultiPointTurn shunting,
             GlobalPlanner ways,
+            BiFunction<Pose2d, Tolerance, GoalChecker> goalCheckers,
             DistanceField toNotFree) {}
 
     /// @param lookahead how far ahead on the way it aims [m]
@@ -133,6 +137,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
                 parts.avoidance(),
                 parts.shunting(),
                 ways,
+                parts.goalCheckers(),
                 toNotFree);
     }
 

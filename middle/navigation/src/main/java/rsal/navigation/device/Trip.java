@@ -24,6 +24,7 @@ import rsal.navigation.avoid.Controller.Target;
 import rsal.navigation.avoid.MultiPointTurn.Leg;
 import rsal.navigation.avoid.Obstacles;
 import rsal.navigation.avoid.Shunt;
+import rsal.navigation.control.GoalChecker;
 import rsal.navigation.device.PathNavigator.Parts;
 import rsal.navigation.device.PathNavigator.Settings;
 import rsal.navigation.device.PathNavigator.Situation;
@@ -70,6 +71,7 @@ final class Trip {
     private final RandomGenerator random;
     private final Pose2d mapFromGoal;
     private final Tolerance tolerance;
+    private final GoalChecker goalChecker;
     private final Consumer<Trip> onEnd;
     private final GoalSource<Progress, Result> source = new GoalSource<>(() -> end(Result.Cancelled.asked()));
     private final Instant started;
@@ -129,6 +131,7 @@ final class Trip {
         this.random = random;
         this.mapFromGoal = mapFromGoal;
         this.tolerance = tolerance;
+        this.goalChecker = parts.goalCheckers().apply(mapFromGoal, tolerance);
         this.onEnd = onEnd;
         this.started = scheduler.instant();
         this.nearer = started;
@@ -221,9 +224,8 @@ final class Trip {
         if (unsure) {
             return lookAround(now);
         }
-        double distance = mapFromBase.distanceTo(mapFromGoal);
         boolean wasThere = arrived;
-        arrived = distance <= (arrived ? 1.3 : 1.0) * tolerance.distance();
+        arrived = goalChecker.isAtPlace(mapFromBase, now.motion().velocity());
         if (arrived) {
             if (!wasThere && manoeuvre == Manoeuvre.SHUNT) {
                 endManoeuvre(now); // it would lead on, past the goal
@@ -272,7 +274,7 @@ final class Trip {
 
     private Twist2d turnToGoal(Situation now) {
         double angle = Angles.difference(mapFromBase.theta(), mapFromGoal.theta());
-        if (Math.abs(angle) <= tolerance.angle()) {
+        if (goalChecker.isReached(mapFromBase, now.motion().velocity())) {
             if (!isLost(now)) {
                 end(Result.Reached.by(now.estimate()));
             }
