@@ -255,8 +255,8 @@ class ScenarioTest {
                         "It needs a localizer of type (slam) and a navigator of type (navigator), not (amcl)"),
                 List.of(
                         "localizer: {type: truthful, error: 0.1}",
-                        "localizer: amcl, navigator: {weightPreviousDir: 3}",
-                        "good.yaml:14:59: Device driver (navigator) can't work with these options.",
+                        "localizer: amcl, navigator: {controller: {type: vfh, weightPreviousDir: 3}}",
+                        "good.yaml:14:72: 'vfh' can't work with these values.",
                         "(5.0) must weigh more than going straight on (2.0) and keeping the choice (3.0)"),
                 List.of(
                         "localizer: {type: truthful, error: 0.1}",
