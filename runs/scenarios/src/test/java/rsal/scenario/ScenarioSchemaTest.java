@@ -108,7 +108,8 @@ class ScenarioSchemaTest {
             "[least, most]",
             "must be at most (range)",
             "must be an agent",
-            "can't work with these options"); // one against others
+            "can't work with these options", // one against others
+            "can't work with these values");
 
     static List<List<String>> wrong() {
         return ScenarioTest.wrong().stream()
