@@ -558,10 +558,18 @@ public final class LiveRun implements AutoCloseable {
             try {
                 ending.get(PATIENCE.toMillis(), TimeUnit.MILLISECONDS);
             } catch (TimeoutException _) {
-                watchdog.look().ifPresent(agent -> giveUp(agent, patience));
+                look(watchdog, patience);
             } catch (InterruptedException | ExecutionException e) {
                 throw new AssertionError("Nobody interrupts it, and both endings are handled.", e);
             }
+        }
+    }
+
+    private void look(Watchdog watchdog, int patience) {
+        try {
+            watchdog.look().ifPresent(agent -> giveUp(agent, patience));
+        } catch (OutOfMemoryError _) {
+            // what the run does about it is its own matter; the next look may have enough
         }
     }
 
