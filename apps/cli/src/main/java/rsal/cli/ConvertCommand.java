@@ -73,7 +73,7 @@ final class ConvertCommand extends Subcommand {
         var contents = new LinkedHashMap<Path, byte[]>();
         contents.put(target, written.yaml().getBytes(StandardCharsets.UTF_8));
         written.images().forEach((image, bytes) -> contents.put(target.resolveSibling(image), bytes));
-        checkReadable(name, written);
+        checkReadable(name, written, contents);
         checkFree(contents);
         write(contents);
         tell(scene, contents);
@@ -91,7 +91,7 @@ final class ConvertCommand extends Subcommand {
         made.parts()
                 .forEach((part, yaml) ->
                         contents.put(target.resolveSibling(part), yaml.getBytes(StandardCharsets.UTF_8)));
-        checkModel(name + ".yaml", made);
+        checkModel(name + ".yaml", contents);
         checkFree(contents);
         write(contents);
         List<String> files = contents.keySet().stream().map(Path::toString).toList();
@@ -107,16 +107,9 @@ final class ConvertCommand extends Subcommand {
     }
 
     /// What can't be read again is not worth writing.
-    private void checkModel(String name, UrdfModel made) {
-        FileSource written = (path, _, askedAt) -> {
-            String text = path.equals(name) ? made.model() : made.parts().get(path);
-            if (text == null) {
-                throw new InvalidSettings(askedAt, "There is no file '%s'.".formatted(path), "");
-            }
-            return text.getBytes(StandardCharsets.UTF_8);
-        };
+    private void checkModel(String name, Map<Path, byte[]> contents) {
         try {
-            new RobotModels(written, Map.of()).read(name, Location.of(name));
+            new RobotModels(files(contents), Map.of()).read(name, Location.of(name));
         } catch (InvalidSettings e) {
             throw new InvalidSettings(e.problems().stream()
                     .map(problem -> new Problem(
@@ -142,21 +135,9 @@ final class ConvertCommand extends Subcommand {
     }
 
     /// What can't be read again is not worth writing.
-    private void checkReadable(String name, SceneWriter.Written written) {
+    private void checkReadable(String name, SceneWriter.Written written, Map<Path, byte[]> contents) {
         try {
-            new YamlFormat()
-                    .read(
-                            name,
-                            (path, _, askedAt) -> {
-                                byte[] image = path.equals(name)
-                                        ? written.yaml().getBytes(StandardCharsets.UTF_8)
-                                        : written.images().get(path);
-                                if (image == null) {
-                                    throw new InvalidSettings(askedAt, "There is no file (%s).".formatted(path), "");
-                                }
-                                return image;
-                            },
-                            0);
+            new YamlFormat().read(name, files(contents), 0);
         } catch (InvalidSettings e) {
             List<String> lines = written.yaml().lines().toList();
             throw new InvalidSettings(e.problems().stream()
@@ -166,6 +147,15 @@ final class ConvertCommand extends Subcommand {
                             where(problem.location(), lines)))
                     .toList());
         }
+    }
+
+    /// What is to be written, by name, as if it were there.
+    private static FileSource files(Map<Path, byte[]> contents) {
+        return (path, _, askedAt) -> contents.entrySet().stream()
+                .filter(file -> file.getKey().endsWith(path))
+                .map(Map.Entry::getValue)
+                .findFirst()
+                .orElseThrow(() -> new InvalidSettings(askedAt, "There is no file (%s).".formatted(path), ""));
     }
 
     /// What would have been written there.

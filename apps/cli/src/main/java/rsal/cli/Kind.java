@@ -157,26 +157,16 @@ record Kind(
 
     static Stream<Kind> hosts() {
         return found(AgentHostProvider.class, AgentHostProvider::key)
-                .map(h -> new Kind(
-                        "mas",
-                        h.key(),
-                        h.description(),
-                        Optional.empty(),
-                        List.of(),
-                        List.of(),
-                        settings(h.parameters())));
+                .map(h -> settable("mas", h.key(), h.description(), h.parameters()));
     }
 
     static Stream<Kind> systems() {
         return found(RobotSystemProvider.class, RobotSystemProvider::key)
-                .map(s -> new Kind(
-                        "mrs",
-                        s.key(),
-                        s.description(),
-                        Optional.empty(),
-                        List.of(),
-                        List.of(),
-                        settings(s.parameters())));
+                .map(s -> settable("mrs", s.key(), s.description(), s.parameters()));
+    }
+
+    private static Kind settable(String kind, String key, String description, List<Parameter> parameters) {
+        return new Kind(kind, key, description, Optional.empty(), List.of(), List.of(), settings(parameters));
     }
 
     static List<Kind> all() {

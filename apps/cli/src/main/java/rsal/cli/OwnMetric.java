@@ -1,7 +1,5 @@
 package rsal.cli;
 
-import java.nio.file.InvalidPathException;
-import java.nio.file.Path;
 import java.util.Optional;
 import rsal.metric.MetricType;
 import rsal.scenario.Providers;
@@ -25,12 +23,11 @@ final class OwnMetric {
 
     private static Optional<Kind> read(PluginLanguage language, String path) {
         try {
-            Path file = Path.of(path).toAbsolutePath().normalize();
-            FileSource folder = FileSource.folder(file.resolveSibling("."));
-            String name = file.getFileName().toString();
+            String name = ShownAgent.name(path);
+            FileSource folder = FileSource.folder(ShownAgent.folder(path));
             return Optional.of(Kind.of(language.read(MetricType.class, "metric", name, folder, Location.of(path)))
                     .named(name));
-        } catch (InvalidSettings | InvalidPathException _) {
+        } catch (InvalidSettings _) {
             return Optional.empty();
         }
     }

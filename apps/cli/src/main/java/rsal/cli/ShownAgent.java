@@ -90,11 +90,13 @@ record ShownAgent(
                 Line.of(outline.says()));
     }
 
-    private static String name(String path) {
+    /// Of a file.
+    static String name(String path) {
         return path.substring(path.lastIndexOf('/') + 1);
     }
 
-    private static Path folder(String path) {
+    /// In which a file is.
+    static Path folder(String path) {
         try {
             return Path.of(path).toAbsolutePath().resolveSibling(".").normalize();
         } catch (InvalidPathException e) {

@@ -16,9 +16,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/// Holds what has been reached of plain English in the documentation: counts of long sentences and of words that
-/// readers
-/// stumble over may only get smaller. Who makes one smaller lowers its limit here.
+/// Holds what has been reached of plain English in the documentation: counts of long sentences and of words
+/// that readers stumble over may only get smaller. Who makes one smaller lowers its limit here.
 class ProseTest {
     private static final Path ROOT = Path.of("../..");
     private static final int LONG = 35; // words of a sentence

@@ -90,8 +90,8 @@ public final class Arguments {
         return values;
     }
 
-    /// The same as they are written: a plugin as its key, or as a map with that as its `type` when something of it is
-    /// set.
+    /// The same as they are written: a plugin as its key, or as a map with that as its `type` when something of
+    /// it is set.
     public Map<String, Object> written() {
         var all = new LinkedHashMap<String, Object>();
         values.forEach((name, value) -> all.put(name, value instanceof PluginChoice chosen ? chosen.written() : value));

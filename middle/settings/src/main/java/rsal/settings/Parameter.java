@@ -12,8 +12,8 @@ import java.util.stream.Collectors;
 /// @param fallback the value when none is given; empty when one must be
 /// @param min least value of a number or integer; −∞ when there is none
 /// @param max greatest value; +∞ when there is none
-/// @param options allowed values of a text, empty when any will do; of robots, words that are allowed besides their
-/// names
+/// @param options allowed values of a text, empty when any will do; of robots, words that are allowed besides
+///         their names
 /// @param unit `m`, `s`, `deg`; empty when it has none
 /// @param description a sentence for people
 /// @param plugins which plugins there are; of [Kind#PLUGIN] only
@@ -123,9 +123,8 @@ public record Parameter(
         return Double.POSITIVE_INFINITY;
     }
 
-    /// The value as this parameter's kind: Double, Long, String, Boolean or [PluginChoice]. Integers pass for numbers;
-    /// a
-    /// key, or a map with a `type` besides values, for a plugin.
+    /// The value as this parameter's kind: Double, Long, String, Boolean or [PluginChoice]. Integers pass for
+    /// numbers; a key, or a map with a `type` besides values, for a plugin.
     ///
     /// @throws IllegalArgumentException with a sentence about what is wrong with it
     public Object accept(Object value) {

@@ -3,8 +3,8 @@ package rsal.settings;
 import java.util.List;
 import java.util.Optional;
 
-/// A part that people choose by its name, or write themselves, as a controller of a navigator. It declares what can be
-/// set of it. Those of an installation are found by [java.util.ServiceLoader].
+/// A part that people choose by its name, or write themselves, as a controller of a navigator. It declares what
+/// can be set of it. Those of an installation are found by [java.util.ServiceLoader].
 public interface Plugin {
     /// What people call it, as `dwa`; unique among those of its kind.
     String key();

@@ -1,7 +1,6 @@
 package rsal.settings;
 
 import java.util.LinkedHashMap;
-import java.util.Map;
 
 /// A plugin that somebody chose, with values for its parameters. As text it is its key.
 public record PluginChoice(Plugin plugin, Arguments arguments) {
@@ -12,24 +11,21 @@ public record PluginChoice(Plugin plugin, Arguments arguments) {
 
     /// As it is written: its key, or a map with that as its `type` when something is not as usual.
     Object written() {
-        Map<String, Object> set = arguments.written();
-        if (set.equals(usual())) {
+        if (isUsual()) {
             return plugin.key();
         }
         var group = new LinkedHashMap<String, Object>();
         group.put("type", plugin.key());
-        group.putAll(set);
+        group.putAll(arguments.written());
         return group;
     }
 
-    private Map<String, Object> usual() {
-        var usual = new LinkedHashMap<String, Object>();
-        plugin.parameters()
-                .forEach(parameter -> parameter
+    private boolean isUsual() {
+        return plugin.parameters().stream()
+                .allMatch(parameter -> parameter
                         .fallback()
-                        .ifPresent(value -> usual.put(
-                                parameter.name(), value instanceof PluginChoice chosen ? chosen.written() : value)));
-        return usual;
+                        .filter(value -> value.equals(arguments.asMap().get(parameter.name())))
+                        .isPresent());
     }
 
     @Override

@@ -151,17 +151,20 @@ public final class Section {
         if (plugins.isStandIn(plugin)) {
             return Optional.of(new PluginChoice(plugin, Arguments.defaults(List.of())));
         }
+        return group.arguments(plugin.parameters()).flatMap(arguments -> {
+            Optional<String> refusal = plugin.refusal(arguments);
+            refusal.ifPresent(why ->
+                    problem(group.location(), "'%s' can't work with these values.".formatted(plugin.key()), why));
+            return refusal.isPresent() ? Optional.empty() : Optional.of(new PluginChoice(plugin, arguments));
+        });
+    }
+
+    /// All that is set in this group, when it is right; nothing else may stand in it.
+    public Optional<Arguments> arguments(List<Parameter> parameters) {
         int before = problems.all().size();
-        Map<String, Object> values = group.values(plugin.parameters());
-        group.done();
-        if (problems.all().size() > before) {
-            return Optional.empty();
-        }
-        Arguments arguments = Arguments.of(plugin.parameters(), values);
-        Optional<String> refusal = plugin.refusal(arguments);
-        refusal.ifPresent(
-                why -> problem(group.location(), "'%s' can't work with these values.".formatted(plugin.key()), why));
-        return refusal.isPresent() ? Optional.empty() : Optional.of(new PluginChoice(plugin, arguments));
+        Map<String, Object> values = values(parameters);
+        done();
+        return problems.all().size() == before ? Optional.of(Arguments.of(parameters, values)) : Optional.empty();
     }
 
     /// All values for a list of parameters. Only to be used when [Problems#isEmpty] at the end.

@@ -78,8 +78,8 @@ final class MetricsObserver implements Facts {
     private final DepotMetrics depots;
     private final ReachedMetrics reached;
     private final MappingMetrics mapped;
-    private final Map<String, ToDoubleFunction<List<String>>> own = new HashMap<>(); // by word of a quantity
-    private final Map<String, NamedMetric> offered = new HashMap<>(); // likewise
+    private final Map<String, ToDoubleFunction<List<String>>> values = new HashMap<>(); // by word of a quantity
+    private final Map<String, NamedMetric> offered = new HashMap<>(); // by words of their quantities
     private final List<NamedMetric> metrics = new ArrayList<>();
     private final Map<String, Samples> ofRun = new HashMap<>(); // by word of a signal
     private final ObservedRun run;
@@ -127,7 +127,10 @@ final class MetricsObserver implements Facts {
         for (PlannedMetric planned : plan.metrics()) {
             var metric = NamedMetric.of(planned, run);
             metrics.add(metric);
-            planned.type().quantities().forEach(type -> offered.put(type.word(), metric));
+            for (QuantityType type : planned.type().quantities()) {
+                offered.put(type.word(), metric);
+                offer(type, names -> metric.value(type.word(), names));
+            }
         }
     }
 
@@ -153,7 +156,7 @@ final class MetricsObserver implements Facts {
     }
 
     private void offer(QuantityType type, ToDoubleFunction<List<String>> value) {
-        own.put(type.word(), value);
+        values.put(type.word(), value);
     }
 
     /// Says where robots and things are, before the first step.
@@ -431,11 +434,7 @@ final class MetricsObserver implements Facts {
 
     @Override
     public double value(Quantity quantity) {
-        String word = quantity.type().word();
-        ToDoubleFunction<List<String>> value = own.get(word);
-        return value != null
-                ? value.applyAsDouble(quantity.names())
-                : Objects.requireNonNull(offered.get(word)).value(word, quantity.names());
+        return Objects.requireNonNull(values.get(quantity.type().word())).applyAsDouble(quantity.names());
     }
 
     @Override

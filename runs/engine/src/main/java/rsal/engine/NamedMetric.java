@@ -14,19 +14,11 @@ record NamedMetric(String name, Metric metric) {
     }
 
     void onMessage(String sender, Object content) {
-        try {
-            metric.onMessage(sender, content);
-        } catch (RuntimeException | Error e) {
-            throw new RunBroken(name, e);
-        }
+        RunBroken.blaming(name, () -> metric.onMessage(sender, content));
     }
 
     void onStep() {
-        try {
-            metric.onStep();
-        } catch (RuntimeException | Error e) {
-            throw new RunBroken(name, e);
-        }
+        RunBroken.blaming(name, metric::onStep);
     }
 
     double value(String quantity, List<String> names) {

@@ -21,7 +21,7 @@ final class ObservedRun implements RunState {
     private final Walls walls;
     private final EventLog eventLog;
     private final Map<String, String> groups = new HashMap<>(); // by name of a thing
-    private final Map<String, OptionalInt> markers = new HashMap<>(); // likewise
+    private final Map<String, OptionalInt> markers = new HashMap<>(); // also by name of a thing
 
     /// @param things that the scenario puts into the world
     ObservedRun(MetricsObserver observer, Walls walls, EventLog eventLog, List<PlannedThings> things) {

@@ -37,6 +37,14 @@ public final class RunBroken extends RuntimeException {
         }
     }
 
+    /// The same of what gives nothing back.
+    static void blaming(String owner, Runnable work) {
+        blaming(owner, () -> {
+            work.run();
+            return Optional.empty();
+        });
+    }
+
     private static String words(Throwable cause) {
         String message = cause.getMessage();
         return message == null ? cause.getClass().getSimpleName() : message;

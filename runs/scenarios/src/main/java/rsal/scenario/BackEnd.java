@@ -46,7 +46,7 @@ record BackEnd<P>(P provider, Arguments settings) {
                             .formatted(kind.what, key, whose),
                     "Set (run.clock.mode) to wall, as --clock wall does, or use another %s.".formatted(kind.what));
         }
-        return PlanReader.settings(section, kind.parameters.apply(provider.get()))
+        return section.arguments(kind.parameters.apply(provider.get()))
                 .map(settings -> new BackEnd<>(provider.get(), settings));
     }
 }

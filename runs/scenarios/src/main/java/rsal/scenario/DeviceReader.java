@@ -117,7 +117,7 @@ final class DeviceReader {
                 options.problem(place, "(%s) is not known in (%s).".formatted(option, devices.path(name)), advice);
             });
         }
-        return PlanReader.settings(options, driver.parameters());
+        return options.arguments(driver.parameters());
     }
 
     private Optional<RobotModel> model(Section robot, Map<String, RobotModels.Choice> parts) {

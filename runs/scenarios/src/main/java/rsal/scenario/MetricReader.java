@@ -20,8 +20,8 @@ import rsal.settings.PluginKind;
 import rsal.settings.Problems;
 import rsal.settings.Section;
 
-/// Reads the metrics of a scenario: those that are installed, with what the scenario sets of them, and those in files
-/// of its author's own.
+/// Reads the metrics of a scenario: those that are installed, with what the scenario sets of them, and those in
+/// files of its author's own.
 final class MetricReader {
     static final String KEY = "metrics";
 
@@ -75,7 +75,7 @@ final class MetricReader {
                     return;
                 }
                 Section args = section.section("args");
-                PlanReader.settings(args, type.parameters()).ifPresent(arguments -> {
+                args.arguments(type.parameters()).ifPresent(arguments -> {
                     robots.check(args, type.parameters(), arguments);
                     metrics.add(new PlannedMetric(type, arguments));
                 });

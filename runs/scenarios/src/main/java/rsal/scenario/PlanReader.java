@@ -264,16 +264,6 @@ final class PlanReader {
         return BackEnd.read(kind, section, "", clock).map(chosen -> new Mas(chosen.provider(), chosen.settings()));
     }
 
-    /// All that is set in a section, when it is right.
-    static Optional<Arguments> settings(Section section, List<Parameter> parameters) {
-        int before = section.problems().all().size();
-        Map<String, Object> values = section.values(parameters);
-        section.done();
-        return section.problems().all().size() == before
-                ? Optional.of(Arguments.of(parameters, values))
-                : Optional.empty();
-    }
-
     /// That of the first robot system that has one.
     private static Duration step(Mrs mrs, List<PlannedRobot> robots) {
         return RunPlan.systems(mrs, robots).stream()
@@ -378,7 +368,7 @@ final class PlanReader {
             if (type.isEmpty()) {
                 continue;
             }
-            Optional<Arguments> given = settings(args, type.get().parameters());
+            Optional<Arguments> given = args.arguments(type.get().parameters());
             checkNeeds(agent, new Needs(type.get(), given), Optional.empty());
             given.ifPresent(read -> {
                 other.checkPlaces(name, type.get(), read, map, problems);
@@ -486,7 +476,7 @@ final class PlanReader {
         if (type.isEmpty()) {
             return List.of();
         }
-        Optional<Arguments> arguments = settings(args, type.get().parameters());
+        Optional<Arguments> arguments = args.arguments(type.get().parameters());
         checkNeeds(section, new Needs(type.get(), arguments), role);
         if (arguments.isEmpty()) {
             return List.of();

@@ -87,7 +87,8 @@ public record RunPlan(
         return Notes.of(this);
     }
 
-    /// Files of those agents, metrics and other plugins that are programs from who knows where, and so will not be run.
+    /// Files of those agents, metrics and other plugins that are programs from who knows where, and so will not
+    /// be run.
     public List<String> untrusted() {
         return Stream.of(
                         agents.stream()

@@ -143,7 +143,7 @@ final class WorldReader {
                 service.location(), "(%s) can't work on robot (%s).".formatted(service.driver(), spec.id()), why));
         var section = new Section(wanted.name(), wanted.settings(), problems);
         return driver.filter(_ -> refusal.isEmpty())
-                .flatMap(own -> PlanReader.settings(section, own.parameters())
+                .flatMap(own -> section.arguments(own.parameters())
                         .map(options -> new PlannedDevice(
                                 wanted.name(),
                                 own,

@@ -46,7 +46,7 @@ final class VfhOptions {
                 Parameter.number(
                         "maxTurnRate1ms", NO_TURN_LIMIT, 5, NO_TURN_LIMIT, "deg/s", "it never turns faster at 1 m/s"),
                 Parameter.number(
-                        "minTurnRadiusSafetyFactor", 1, 0.1, 10, "", "it reckons with curves so many times wider"),
+                        "minTurnRadiusSafetyFactor", 1, 0.1, 10, "", "it takes curves for so many times wider"),
                 Parameter.number(
                         "weightDesiredDir",
                         5,

@@ -25,7 +25,6 @@ final class Ways {
     private final Shared<OccupancyGrid, DistanceField> fields = new Shared<>();
     private final Shared<Key, Wavefront> ways = new Shared<>();
     private final Shared<Key, JumpPoints> shortest = new Shared<>();
-    private final Shared<Key, CostMap> costs = new Shared<>();
     private final Shared<Planned, GlobalPlanner> planners = new Shared<>();
 
     private record Planned(Key key, PluginChoice planner) {}
@@ -60,9 +59,10 @@ final class Ways {
     /// A planner that somebody chose, for a robot with such a [#clearance].
     GlobalPlanner planner(OccupancyGrid map, Footprint footprint, Arguments arguments, PluginChoice chosen) {
         var key = new Key(map, clearance(footprint, arguments));
-        CostMap cost = costs.of(key, _ -> CostMap.of(map, field(map), key.clearance));
         return planners.of(
-                new Planned(key, chosen), _ -> chosen.as(PlannerType.class).create(chosen.arguments(), cost));
+                new Planned(key, chosen),
+                _ -> chosen.as(PlannerType.class)
+                        .create(chosen.arguments(), CostMap.of(map, field(map), key.clearance)));
     }
 
     /// Who looks for shortest ways for such a robot.

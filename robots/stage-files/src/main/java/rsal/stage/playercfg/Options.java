@@ -104,26 +104,9 @@ final class Options {
                     "dist_penalty", List.of(Own.of("wallCost")),
                     "replan_min_time", List.of(Own.of("replanPeriod"))));
 
-    /// Options of ours that are of the navigator's controller.
-    static final List<String> OF_CONTROLLERS = List.of(
-            "cellSize",
-            "windowDiameter",
-            "sectorAngle",
-            "safetyDist0ms",
-            "safetyDist1ms",
-            "maxSpeedNarrowOpening",
-            "maxSpeedWideOpening",
-            "maxTurnRate0ms",
-            "maxTurnRate1ms",
-            "minTurnRadiusSafetyFactor",
-            "weightDesiredDir",
-            "weightCurrentDir",
-            "weightPreviousDir",
-            "avoidDist",
-            "safetyDist",
-            "robotRadius",
-            "minGapWidth",
-            "obstacleAvoidDist");
+    /// Options of ours that any controller's navigator has; others belong to the controller.
+    static final Set<String> OF_NAVIGATORS =
+            Set.of("maxSpeed", "maxTurnRate", "maxAcceleration", "escapeSpeed", "escapeTime");
 
     private final PlayerConfig config;
     private final Findings findings;

@@ -287,36 +287,33 @@ final class Served {
     }
 
     private Value.Mapping navigator(Navigation navigation) {
-        Driver any = navigation.all().toList().getLast();
-        Value.Mapping settings = Value.Mapping.empty(any.location());
-        for (Driver driver : Stream.of(navigation.avoiding(), navigation.planning())
-                .flatMap(Optional::stream)
-                .toList()) {
-            settings = settings.merge(options.settings(driver));
-        }
-        if (navigation.avoiding().isEmpty()) {
-            return settings;
-        }
-        return controller(settings, navigation.avoiding().get());
+        Value.Mapping planned = navigation
+                .planning()
+                .map(options::settings)
+                .orElseGet(() ->
+                        Value.Mapping.empty(navigation.avoiding().orElseThrow().location()));
+        return navigation
+                .avoiding()
+                .map(driver -> avoiding(driver).merge(planned))
+                .orElse(planned);
     }
 
     /// Of what a driver is set to, the navigator takes what each has; the rest belongs to its controller.
-    private static Value.Mapping controller(Value.Mapping settings, Driver driver) {
-        var own = new LinkedHashMap<String, Value>();
-        var keys = new LinkedHashMap<String, Location>();
-        Value.Mapping navigators = settings;
-        for (String name : Options.OF_CONTROLLERS) {
-            settings.find(name).ifPresent(value -> {
-                own.put(name, value);
-                keys.put(name, settings.keys().getOrDefault(name, value.location()));
-            });
-            navigators = navigators.without(name);
+    private Value.Mapping avoiding(Driver driver) {
+        Value.Mapping settings = options.settings(driver);
+        Value.Mapping own = settings;
+        Value.Mapping controllers = settings;
+        for (String name : settings.entries().keySet()) {
+            if (Options.OF_NAVIGATORS.contains(name)) {
+                controllers = controllers.without(name);
+            } else {
+                own = own.without(name);
+            }
         }
-        own.put("type", new Value.Scalar(driver.location(), driver.name()));
-        keys.put("type", driver.location());
-        var group = new Value.Mapping(driver.location(), own, keys);
-        return navigators.merge(
-                new Value.Mapping(driver.location(), Map.of(CONTROLLER, group), Map.of(CONTROLLER, driver.location())));
+        Location at = driver.location();
+        var type = Map.<String, Value>of("type", new Value.Scalar(at, driver.name()));
+        Value.Mapping group = controllers.merge(new Value.Mapping(at, type, Map.of("type", at)));
+        return own.merge(new Value.Mapping(at, Map.of(CONTROLLER, group), Map.of(CONTROLLER, at)));
     }
 
     private Optional<StageModel> model(Driver driver) {

@@ -5,6 +5,7 @@ public interface Facts {
     /// What a quantity is now; NaN while it is not known.
     double value(Quantity quantity);
 
-    /// Whether a quantity that counts robots of a role or things of a group counts all that there are and will be.
+    /// Whether a quantity that counts robots of a role or things of a group counts all that there are and will
+    /// be.
     boolean holdsForAll(Quantity quantity);
 }

@@ -29,8 +29,8 @@ import rsal.settings.Suggestion;
 /// sampled    = signal ["(" role ")"] | quantity
 /// ```
 ///
-/// Words of quantities and signals, and what stands in their parentheses, are those of [RunQuantities] and of the
-/// scenario's metrics ([rsal.metric.MetricType]).
+/// Words of quantities and signals, and what stands in their parentheses, are those of [RunQuantities] and of
+/// the scenario's metrics ([rsal.metric.MetricType]).
 ///
 /// Topics and names of metrics that are no words stand in quotes: `messages("fleet/tasks")`.
 public final class Grammar {
