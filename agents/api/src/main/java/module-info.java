@@ -1,6 +1,6 @@
-/// What an agent is, what it is given, and what it says; the contracts of agent platforms and agent languages. What
-/// runs are judged by: metrics see what agents say and where robots truly are.
-/// Knows robots only as devices of the middle layer.
+/// What an agent is, what it is given, and what it says; the contracts of agent platforms and agent languages.
+/// What runs are judged by: metrics see what agents say and where robots truly are. Knows robots only as
+/// devices of the middle layer.
 module rsal.agent.api {
     requires transitive rsal.devices;
     requires static org.jspecify;

@@ -1,5 +1,5 @@
-/// Agents and plugins written in Java, in files beside a scenario (`type: Hunter.java`), which are compiled when the
-/// scenario is read. Knows nothing of scenarios.
+/// Agents and plugins written in Java, in files beside a scenario (`type: Hunter.java`), which are compiled
+/// when the scenario is read. Knows nothing of scenarios.
 module rsal.java {
     requires transitive rsal.agent.api;
     requires java.compiler;

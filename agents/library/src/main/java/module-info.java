@@ -1,5 +1,6 @@
-/// The agents that come with RSAL, a package for each task, with its messages and metrics. Scenarios name its agents by
-/// their keys. Only agents that work together with these depend on this module, as they use the same messages.
+/// The agents that come with RSAL, a package for each task, with its messages and metrics. Scenarios name its
+/// agents by their keys. Only agents that work together with these depend on this module, as they use the same
+/// messages.
 module rsal.agent.library {
     requires transitive rsal.agent.platform;
     requires rsal.behaviors;

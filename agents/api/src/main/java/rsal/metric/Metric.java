@@ -4,8 +4,8 @@ import java.util.List;
 
 /// A metric in a run. All calls on the run's thread. What it throws ends the run, with its words.
 public interface Metric {
-    /// An agent or the operator has said something. In conversations, what comes again because it may have been lost is
-    /// not told again.
+    /// An agent or the operator has said something. In conversations, what comes again because it may have been
+    /// lost is not told again.
     ///
     /// @param sender name of the agent, or `operator`
     /// @param content of the message; in conversations by FIPA's protocols, what they are about

@@ -4,9 +4,9 @@ import java.util.List;
 import rsal.settings.Arguments;
 import rsal.settings.Plugin;
 
-/// A kind of metric. Those of an installation are found by [java.util.ServiceLoader], and are part of every run when
-/// each
-/// of their parameters has a default. Others are files that a scenario names (`metrics: [{type: Spacing.java}]`).
+/// A kind of metric. Those of an installation are found by [java.util.ServiceLoader], and are part of every run
+/// when each of their parameters has a default. Others are files that a scenario names:
+/// `metrics: [{type: Spacing.java}]`.
 public interface MetricType extends Plugin {
     /// What conditions can compare. Their words are unique in a run.
     default List<QuantityType> quantities() {

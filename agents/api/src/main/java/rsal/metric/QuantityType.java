@@ -12,8 +12,8 @@ import java.util.regex.Pattern;
 /// @param description for people, in a few words
 /// @param names what stands in its parentheses; empty when it is of the whole run
 /// @param namesAreOptional whether it may be written without parentheses, too
-/// @param countsAll whether it counts robots of a role or things of a group, so that a condition can ask for all of
-/// them: `allCaught(prey)`
+/// @param countsAll whether it counts robots of a role or things of a group, so that a condition can ask for
+///         all of them: `allCaught(prey)`
 public record QuantityType(
         String word,
         String unit,

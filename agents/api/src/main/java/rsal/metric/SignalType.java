@@ -1,7 +1,7 @@
 package rsal.metric;
 
-/// What there are samples of, as measures write it: `poseError`, `idleTime`. They take the mean, a percentile, … of all
-/// samples.
+/// What there are samples of, as measures write it: `poseError`, `idleTime`. They take the mean, a percentile,
+/// … of all samples.
 ///
 /// @param word letters, digits, `_` and `-`, a letter first
 /// @param unit as `m`; empty for a number without one

@@ -5,8 +5,8 @@ import rsal.settings.FileSource;
 import rsal.settings.Location;
 import rsal.settings.PluginLanguage;
 
-/// Plugins in Java, in files of people's own: each has a public class of its name. Files of one folder see the same
-/// classes, agents and plugins, so that a metric knows the messages of its scenario's agents.
+/// Plugins in Java, in files of people's own: each has a public class of its name. Files of one folder see the
+/// same classes, agents and plugins, so that a metric knows the messages of its scenario's agents.
 public final class JavaPlugins implements PluginLanguage {
     @Override
     public String suffix() {

@@ -123,7 +123,8 @@ class MessagesTest {
                 .toList();
     }
 
-    /// A topic that is not installed has no event in AgentSpeak, and somebody may use its name for something else.
+    /// A topic that is not installed has no event in AgentSpeak, and somebody may use its name for something
+    /// else.
     @Test
     void allTopicsAreInstalled() throws IOException {
         var sources = new ArrayList<String>();

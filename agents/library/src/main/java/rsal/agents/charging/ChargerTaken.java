@@ -6,8 +6,8 @@ import rsal.agent.Topic;
 import rsal.agent.message.MessageCheck;
 import rsal.data.Point2d;
 
-/// A robot goes to a charger, or is charged there. It says so again and again; what it has not said for ten seconds is
-/// so no more.
+/// A robot goes to a charger, or is charged there. It says so again and again; what it has not said for ten
+/// seconds is so no more.
 ///
 /// @param robot its id
 public record ChargerTaken(String robot, Point2d mapFromCharger) implements MessageContent {

@@ -15,8 +15,8 @@ import rsal.metric.RunState;
 import rsal.metric.SignalType;
 import rsal.settings.Arguments;
 
-/// How well robots keep a formation: where they should be now, as who leads them said last, and for how long they were
-/// not yet in place. Between two messages places move as the last one foretold.
+/// How well robots keep a formation: where they should be now, as who leads them said last, and for how long
+/// they were not yet in place. Between two messages places move as the last one foretold.
 public final class FormationMetric implements MetricType {
     static final QuantityType FORMING =
             QuantityType.of("forming", "s", "how long so far a formation was not yet in place");

@@ -12,7 +12,8 @@ import rsal.metric.RunState;
 import rsal.metric.SignalType;
 import rsal.settings.Arguments;
 
-/// Places that a team watches, and for how long nobody has really been at each of them (instantaneous idleness).
+/// Places that a team watches, and for how long nobody has really been at each of them (instantaneous
+/// idleness).
 public final class IdlenessMetric implements MetricType {
     static final SignalType IDLE_TIME = SignalType.ofRun(
             "idleTime", "s", "for how long nobody has been at a place that is watched, once a second for each place");

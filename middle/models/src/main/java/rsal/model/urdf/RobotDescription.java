@@ -9,8 +9,8 @@ import java.util.Optional;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Suggestion;
 
-/// What a URDF file says: links, where they are in the frame of the first one while all joints are at 0, and the joints
-/// that lead to them.
+/// What a URDF file says: links, where they are in the frame of the first one while all joints are at 0, and
+/// the joints that lead to them.
 ///
 /// @param links by name, in their order in the file
 /// @param joints by the link that each leads to

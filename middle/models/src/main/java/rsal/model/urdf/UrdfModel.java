@@ -19,10 +19,9 @@ import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.settings.Problem;
 
-/// A robot model as text, made of a URDF file: its body from the collision shapes of its links, its drive from its
-/// wheels,
-/// and places for devices from its laser and camera links. The base's origin is the middle between the wheels, on the
-/// floor, x ahead, as robot models have it.
+/// A robot model as text, made of a URDF file: its body from the collision shapes of its links, its drive from
+/// its wheels, and places for devices from its laser and camera links. The base's origin is the middle between
+/// the wheels, on the floor, x ahead, as robot models have it.
 ///
 /// @param model YAML of the model
 /// @param parts YAML of parts for its lasers, by file name

@@ -5,8 +5,8 @@ import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
 
-/// A controller, or local planner: says what to command now, so that a robot comes nearer to where it is sent and
-/// collides with nothing on its path. All points are in the robot's base frame [m].
+/// A controller, or local planner: says what to command now, so that a robot comes nearer to where it is sent
+/// and collides with nothing on its path. All points are in the robot's base frame [m].
 ///
 /// Keeps what it did last, so each robot needs its own, on one thread.
 public interface Controller {

@@ -6,9 +6,9 @@ import rsal.navigation.avoid.DriveLimits;
 import rsal.settings.Arguments;
 import rsal.settings.Plugin;
 
-/// A kind of controllers (local planners): what drives a robot along its planned way and around what is in the way.
-/// Found
-/// by [java.util.ServiceLoader], or a Java file that a scenario names (`navigator: {controller: Mine.java}`).
+/// A kind of controllers (local planners): what drives a robot along its planned way and around what is in the
+/// way. Found by [java.util.ServiceLoader], or a Java file that a scenario names:
+/// `navigator: {controller: Mine.java}`.
 public interface ControllerType extends Plugin {
     /// What a controller drives.
     ///

@@ -5,8 +5,8 @@ import rsal.navigation.wavefront.GlobalPlanner;
 import rsal.settings.Arguments;
 import rsal.settings.Plugin;
 
-/// A kind of global planners: what plans the way that a controller drives along. Found by [java.util.ServiceLoader], or
-/// a Java file that a scenario names (`navigator: {planner: Mine.java}`).
+/// A kind of global planners: what plans the way that a controller drives along. Found by
+/// [java.util.ServiceLoader], or a Java file that a scenario names (`navigator: {planner: Mine.java}`).
 public interface PlannerType extends Plugin {
     /// One for all robots that plan over a map with the same settings.
     ///

@@ -27,8 +27,8 @@ import rsal.settings.Parameter;
 import rsal.settings.PluginChoice;
 import rsal.settings.PluginKind;
 
-/// Makes navigators: a global planner plans the way, a controller drives along it. Both are plugins ([PlannerType],
-/// [ControllerType]).
+/// Makes navigators: a global planner plans the way, a controller drives along it. Both are plugins
+/// ([PlannerType], [ControllerType]).
 public final class NavigatorDriver implements DeviceDriver {
     private static final double LOOKAHEAD_TIME = 2.0; // s
     private static final double LEAST_LOOKAHEAD = 0.6; // m

@@ -115,9 +115,8 @@ class ControllersTest {
         assertThat(speed * DRIVEN.reaction()).isLessThanOrEqualTo(0.05);
     }
 
-    /// Left and right are worth the same: what is mirrored is driven mirrored, but for the width of sectors and cells
-    /// by
-    /// which some look around.
+    /// Left and right are worth the same: what is mirrored is driven mirrored, but for the width of sectors and
+    /// cells by which some look around.
     @ParameterizedTest
     @MethodSource("controllers")
     void whatIsMirroredIsDrivenMirrored(ControllerType type) {

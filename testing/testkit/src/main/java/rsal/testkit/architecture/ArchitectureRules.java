@@ -202,8 +202,8 @@ public abstract class ArchitectureRules {
                 .dependOnClassesThat(within(with(APPS, NAVIGATION))));
     }
 
-    /// What an agent is and what runs it are two things, and both know none of those that come with RSAL. Only agents
-    /// that work together with those use their messages.
+    /// What an agent is and what runs it are two things, and both know none of those that come with RSAL. Only
+    /// agents that work together with those use their messages.
     @Test
     void agentsContractsKnowNoPlatformAndNoAgent() {
         check(noClasses()
