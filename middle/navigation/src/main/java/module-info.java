@@ -15,6 +15,7 @@ module rsal.navigation {
     exports rsal.navigation.jumppoint;
     exports rsal.navigation.mpc;
     exports rsal.navigation.nd;
+    exports rsal.navigation.recovery;
     exports rsal.navigation.replay;
     exports rsal.navigation.scanmatch;
     exports rsal.navigation.slam;
@@ -26,6 +27,8 @@ module rsal.navigation {
     uses rsal.navigation.control.ControllerType;
     uses rsal.navigation.control.GoalCheckerType;
     uses rsal.navigation.control.PlannerType;
+    uses rsal.navigation.control.ProgressCheckerType;
+    uses rsal.navigation.recovery.RecoveryType;
 
     provides rsal.navigation.control.ControllerType with
             rsal.navigation.control.DwaControllerType,
@@ -39,6 +42,16 @@ module rsal.navigation {
     provides rsal.navigation.control.PlannerType with
             rsal.navigation.control.JumpPointPlannerType,
             rsal.navigation.control.WavefrontPlannerType;
+    provides rsal.navigation.control.ProgressCheckerType with
+            rsal.navigation.control.MovementProgressCheckerType,
+            rsal.navigation.control.PathProgressCheckerType;
+    provides rsal.navigation.recovery.RecoveryType with
+            rsal.navigation.recovery.BackUpRecoveryType,
+            rsal.navigation.recovery.LookAroundRecoveryType,
+            rsal.navigation.recovery.MultiPointTurnRecoveryType,
+            rsal.navigation.recovery.SpinRecoveryType,
+            rsal.navigation.recovery.TurnAroundRecoveryType,
+            rsal.navigation.recovery.WaitRecoveryType;
     provides rsal.robot.DeviceDriver with
             rsal.navigation.device.AmclDriver,
             rsal.navigation.device.ExploredDriver,

@@ -17,7 +17,6 @@ import rsal.robot.DeviceDriver;
 import rsal.scenario.Providers;
 import rsal.settings.Parameter;
 import rsal.settings.Plugin;
-import rsal.settings.PluginChoice;
 import rsal.system.RobotSystemProvider;
 
 /// Something installed that scenarios name by its key and that has settings of its own.
@@ -78,7 +77,7 @@ record Kind(
             return new Setting(
                     p.name(),
                     p.kind().name().toLowerCase(Locale.ROOT),
-                    p.fallback().map(value -> value instanceof PluginChoice chosen ? chosen.toString() : value),
+                    p.fallback().map(Parameter::shown),
                     Optional.of(p.min()).filter(Double::isFinite),
                     Optional.of(p.max()).filter(Double::isFinite),
                     p.options(),

@@ -34,6 +34,8 @@ final class ListCommand extends Subcommand {
         controllers,
         planners,
         goalCheckers,
+        progressCheckers,
+        recoveries,
         metrics,
         mas,
         mrs,
@@ -79,6 +81,8 @@ final class ListCommand extends Subcommand {
             case controllers -> entries(Kind.plugins("controller"));
             case planners -> entries(Kind.plugins("planner"));
             case goalCheckers -> entries(Kind.plugins("goalChecker"));
+            case progressCheckers -> entries(Kind.plugins("progressChecker"));
+            case recoveries -> entries(Kind.plugins("recovery"));
             case metrics -> entries(Kind.metrics());
             case mas -> entries(Kind.hosts());
             case mrs -> entries(Kind.systems());

@@ -13,6 +13,8 @@ import rsal.model.RobotModels;
 import rsal.navigation.control.ControllerType;
 import rsal.navigation.control.GoalCheckerType;
 import rsal.navigation.control.PlannerType;
+import rsal.navigation.control.ProgressCheckerType;
+import rsal.navigation.recovery.RecoveryType;
 import rsal.robot.DeviceDriver;
 import rsal.scenario.Providers;
 import rsal.system.BridgeProvider;
@@ -53,6 +55,9 @@ final class Reference {
             case "controllers" -> kinds(Kind.plugins("controller"), ControllerType.class, ControllerType::key);
             case "planners" -> kinds(Kind.plugins("planner"), PlannerType.class, PlannerType::key);
             case "goalCheckers" -> kinds(Kind.plugins("goalChecker"), GoalCheckerType.class, GoalCheckerType::key);
+            case "progressCheckers" ->
+                kinds(Kind.plugins("progressChecker"), ProgressCheckerType.class, ProgressCheckerType::key);
+            case "recoveries" -> kinds(Kind.plugins("recovery"), RecoveryType.class, RecoveryType::key);
             case "metrics" -> kinds(Kind.metrics(), MetricType.class, MetricType::key);
             case "mas" -> kinds(Kind.hosts(), AgentHostProvider.class, AgentHostProvider::key);
             case "mrs" -> kinds(Kind.systems(), RobotSystemProvider.class, RobotSystemProvider::key);

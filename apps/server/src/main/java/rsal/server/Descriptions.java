@@ -200,7 +200,7 @@ final class Descriptions {
             case NUMBER -> ArgumentKind.NUMBER;
             case INTEGER -> ArgumentKind.INTEGER;
             case FLAG -> ArgumentKind.FLAG;
-            case TEXT, ROBOTS, PLACES, POINTS, PLUGIN -> ArgumentKind.TEXT;
+            case TEXT, ROBOTS, PLACES, POINTS, PLUGIN, PLUGINS -> ArgumentKind.TEXT;
         };
     }
 

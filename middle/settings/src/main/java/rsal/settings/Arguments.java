@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import rsal.data.Point2d;
 
 /// Values for a list of parameters, checked, with fallbacks filled in. Asking for what was not declared is a
@@ -70,6 +71,20 @@ public final class Arguments {
         return (PluginChoice) value(name);
     }
 
+    /// All plugins among the values.
+    public List<PluginChoice> plugins() {
+        return values.values().stream()
+                .flatMap(value -> value instanceof List<?> several ? several.stream() : Stream.of(value))
+                .filter(PluginChoice.class::isInstance)
+                .map(PluginChoice.class::cast)
+                .toList();
+    }
+
+    /// Plugins in their order.
+    public List<PluginChoice> plugins(String name) {
+        return ((List<?>) value(name)).stream().map(PluginChoice.class::cast).toList();
+    }
+
     public boolean flag(String name) {
         return (Boolean) value(name);
     }
@@ -84,8 +99,8 @@ public final class Arguments {
         return Math.toRadians(number(name));
     }
 
-    /// All values by name, in the order of their parameters: Double, Long, String, Boolean or
-    /// [PluginChoice].
+    /// All values by name, in the order of their parameters: Double, Long, String, Boolean,
+    /// [PluginChoice] or a list of these.
     public Map<String, Object> asMap() {
         return values;
     }
@@ -94,8 +109,16 @@ public final class Arguments {
     /// it is set.
     public Map<String, Object> written() {
         var all = new LinkedHashMap<String, Object>();
-        values.forEach((name, value) -> all.put(name, value instanceof PluginChoice chosen ? chosen.written() : value));
+        values.forEach((name, value) -> all.put(name, written(value)));
         return all;
+    }
+
+    private static Object written(Object value) {
+        return switch (value) {
+            case PluginChoice chosen -> chosen.written();
+            case List<?> several -> several.stream().map(Arguments::written).toList();
+            default -> value;
+        };
     }
 
     private Object value(String name) {

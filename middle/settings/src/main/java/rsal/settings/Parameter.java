@@ -16,7 +16,7 @@ import java.util.stream.Collectors;
 ///         their names
 /// @param unit `m`, `s`, `deg`; empty when it has none
 /// @param description a sentence for people
-/// @param plugins which plugins there are; of [Kind#PLUGIN] only
+/// @param plugins which plugins there are; of [Kind#PLUGIN] and [Kind#PLUGINS] only
 public record Parameter(
         String name,
         Kind kind,
@@ -40,7 +40,9 @@ public record Parameter(
         /// The same, of places where no robot has to go.
         POINTS,
         /// A plugin by its name, or a group with its name or file as `type` and values for its own parameters.
-        PLUGIN
+        PLUGIN,
+        /// Several plugins in an order, each as [#PLUGIN] has it; one alone needs no list.
+        PLUGINS
     }
 
     public Parameter {
@@ -115,6 +117,31 @@ public record Parameter(
                 Optional.of(plugins));
     }
 
+    /// Plugins in an order.
+    ///
+    /// @param fallback keys of those that are used when none is chosen, with their defaults
+    public static Parameter plugins(String name, List<String> fallback, PluginKind plugins, String description) {
+        return new Parameter(
+                name,
+                Kind.PLUGINS,
+                Optional.of(fallback.stream().map(plugins::choose).toList()),
+                -inf(),
+                inf(),
+                plugins.keys(),
+                "",
+                description,
+                Optional.of(plugins));
+    }
+
+    /// The value as people write it when it is short: keys of plugins, anything else as it is.
+    public static Object shown(Object value) {
+        return switch (value) {
+            case PluginChoice chosen -> chosen.toString();
+            case List<?> several -> several.stream().map(String::valueOf).collect(Collectors.joining(", "));
+            default -> value;
+        };
+    }
+
     public static Parameter flag(String name, boolean fallback, String description) {
         return new Parameter(name, Kind.FLAG, Optional.of(fallback), -inf(), inf(), List.of(), "", description);
     }
@@ -123,19 +150,23 @@ public record Parameter(
         return Double.POSITIVE_INFINITY;
     }
 
-    /// The value as this parameter's kind: Double, Long, String, Boolean or [PluginChoice]. Integers pass for
-    /// numbers; a key, or a map with a `type` besides values, for a plugin.
+    /// The value as this parameter's kind: Double, Long, String, Boolean, [PluginChoice] or a list of these.
+    /// Integers pass for numbers; a key, or a map with a `type` besides values, for a plugin.
     ///
     /// @throws IllegalArgumentException with a sentence about what is wrong with it
     public Object accept(Object value) {
         if (kind == Kind.PLUGIN) {
             return plugin(value);
         }
+        if (kind == Kind.PLUGINS) {
+            return (value instanceof List<?> several ? several : List.of(value))
+                    .stream().map(this::plugin).toList();
+        }
         Object converted = switch (kind) {
             case NUMBER -> value instanceof Number n ? (Object) n.doubleValue() : value;
             case INTEGER ->
                 value instanceof Integer || value instanceof Long ? (Object) ((Number) value).longValue() : value;
-            case TEXT, FLAG, ROBOTS, PLACES, POINTS, PLUGIN -> value;
+            case TEXT, FLAG, ROBOTS, PLACES, POINTS, PLUGIN, PLUGINS -> value;
         };
         boolean right = switch (kind) {
             case NUMBER -> converted instanceof Double d && Double.isFinite(d);
@@ -144,7 +175,7 @@ public record Parameter(
             case PLACES, POINTS ->
                 converted instanceof String s && Places.read(s).isPresent();
             case FLAG -> converted instanceof Boolean;
-            case PLUGIN -> true; // taken above
+            case PLUGIN, PLUGINS -> true; // taken above
         };
         if (!right) {
             throw new IllegalArgumentException("(%s) must be %s, not (%s).".formatted(name, expected(), value));
@@ -185,6 +216,7 @@ public record Parameter(
                 case INTEGER -> value = Long.parseLong(typed);
                 case FLAG ->
                     value = typed.equals("true") ? (Object) true : typed.equals("false") ? (Object) false : typed;
+                case PLUGINS -> value = List.of(typed.split("\\s*,\\s*", -1));
                 case TEXT, ROBOTS, PLACES, POINTS, PLUGIN -> {}
             }
         } catch (NumberFormatException _) {
@@ -208,6 +240,7 @@ public record Parameter(
             case TEXT -> options.isEmpty() ? "a text" : "one of " + String.join(", ", options);
             case FLAG -> "true or false";
             case PLUGIN -> "one of %s, or a file of your own".formatted(String.join(", ", options));
+            case PLUGINS -> "one or several of %s, or files of your own".formatted(String.join(", ", options));
             case PLACES, POINTS -> "places as x y; x y [m]";
             case ROBOTS -> "a role of robots or the id of one" + besides();
         };

@@ -97,6 +97,10 @@ public final class Section {
                 && mapping.find(parameter.name()).isPresent()) {
             return plugin(parameter).map(Object.class::cast).or(parameter::fallback);
         }
+        if (parameter.kind() == Parameter.Kind.PLUGINS
+                && mapping.find(parameter.name()).isPresent()) {
+            return Optional.of(plugins(parameter));
+        }
         return find(parameter.name())
                 .map(value -> {
                     try {
@@ -121,12 +125,32 @@ public final class Section {
     private Optional<PluginChoice> plugin(Parameter parameter) {
         PluginKind kind = parameter.plugins().orElseThrow();
         String key = parameter.name();
-        if (!isMapping(key)) {
-            return chosen(kind, text(key), locationOf(key))
-                    .flatMap(plugin ->
-                            set(plugin, new Section(path(key), Value.Mapping.empty(locationOf(key)), problems)));
+        return isMapping(key) ? plugin(kind, section(key)) : plugin(kind, key, text(key), locationOf(key));
+    }
+
+    /// Several, or one. Those that can't be read are left out; the problems tell of them.
+    private List<PluginChoice> plugins(Parameter parameter) {
+        PluginKind kind = parameter.plugins().orElseThrow();
+        String key = parameter.name();
+        if (!(find(key).orElseThrow() instanceof Value.Sequence sequence)) {
+            return plugin(parameter).stream().toList();
         }
-        Section group = section(key);
+        var chosen = new ArrayList<PluginChoice>();
+        for (Value item : sequence.items()) {
+            Optional<PluginChoice> plugin = item instanceof Value.Mapping group
+                    ? plugin(kind, new Section(path(key), group, problems, plugins))
+                    : asText(key, item).flatMap(name -> plugin(kind, key, name, item.location()));
+            plugin.ifPresent(chosen::add);
+        }
+        return chosen;
+    }
+
+    private Optional<PluginChoice> plugin(PluginKind kind, String key, String name, Location at) {
+        return chosen(kind, name, at)
+                .flatMap(plugin -> set(plugin, new Section(path(key), Value.Mapping.empty(at), problems)));
+    }
+
+    private Optional<PluginChoice> plugin(PluginKind kind, Section group) {
         Optional<Plugin> chosen = chosen(kind, group.text("type"), group.locationOf("type"));
         return chosen.flatMap(plugin -> set(plugin, group));
     }

@@ -101,9 +101,8 @@ public record RunPlan(
                                 .map(Plugin::key),
                         robots.stream()
                                 .flatMap(robot -> robot.drivers().stream())
-                                .flatMap(made -> made.options().asMap().values().stream())
-                                .filter(PluginChoice.class::isInstance)
-                                .map(value -> ((PluginChoice) value).plugin())
+                                .flatMap(made -> made.options().plugins().stream())
+                                .map(PluginChoice::plugin)
                                 .filter(PluginReader::isNotRun)
                                 .map(Plugin::key))
                 .flatMap(files -> files)

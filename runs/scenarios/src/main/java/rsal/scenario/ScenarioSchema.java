@@ -567,7 +567,24 @@ public final class ScenarioSchema {
 
     /// A plugin by its name or file, or a group with its parameters.
     private static Map<String, Object> plugin(Parameter parameter) {
-        PluginKind kind = parameter.plugins().orElseThrow();
+        var schema = plugin(parameter.plugins().orElseThrow());
+        parameter.fallback().ifPresent(fallback -> schema.put("default", fallback.toString()));
+        return described(schema, description(parameter));
+    }
+
+    /// One plugin, or several in an order.
+    private static Map<String, Object> plugins(Parameter parameter) {
+        var one = plugin(parameter.plugins().orElseThrow());
+        var schema = anyOf(List.of(one, fields("type", "array", "items", one)));
+        parameter.fallback().ifPresent(fallback -> schema.put("default", keys(fallback)));
+        return described(schema, description(parameter));
+    }
+
+    private static List<String> keys(Object choices) {
+        return ((List<?>) choices).stream().map(String::valueOf).toList();
+    }
+
+    private static Map<String, Object> plugin(PluginKind kind) {
         var file = described(fields("type", "string", "pattern", "\\.java$"), "A file beside the scenario.");
         var choices = new ArrayList<Object>(List.of(
                 enumeration(kind.keys()),
@@ -583,14 +600,15 @@ public final class ScenarioSchema {
                     plugin.description()));
         }
         choices.add(reference());
-        var schema = anyOf(choices);
-        parameter.fallback().ifPresent(fallback -> schema.put("default", fallback.toString()));
-        return described(schema, description(parameter));
+        return anyOf(choices);
     }
 
     private static Map<String, Object> parameter(Parameter parameter) {
         if (parameter.kind() == Parameter.Kind.PLUGIN) {
             return plugin(parameter);
+        }
+        if (parameter.kind() == Parameter.Kind.PLUGINS) {
+            return plugins(parameter);
         }
         var value = new LinkedHashMap<String, Object>();
         value.put(
@@ -600,7 +618,7 @@ public final class ScenarioSchema {
                     case INTEGER -> "integer";
                     case TEXT, ROBOTS, PLACES, POINTS -> "string";
                     case FLAG -> "boolean";
-                    case PLUGIN -> throw new IllegalArgumentException("It has no one type.");
+                    case PLUGIN, PLUGINS -> throw new IllegalArgumentException("It has no one type.");
                 });
         if (Double.isFinite(parameter.min())) {
             value.put("minimum", parameter.min());

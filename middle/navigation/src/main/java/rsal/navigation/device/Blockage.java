@@ -2,37 +2,38 @@ package rsal.navigation.device;
 
 import java.time.Duration;
 import java.util.Locale;
+import java.util.Map;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import rsal.data.Point2d;
 import rsal.navigation.avoid.Obstacles;
 
 /// Says why a robot gives up: what it tried, what is left, and what is near it.
 ///
-/// @param patience for how long it got no nearer
-/// @param backedOff how often
-/// @param shunted how often it turned to and fro
-/// @param detours ways that it took because of what is not on the map
-record Blockage(Duration patience, int backedOff, int shunted, int detours) {
-    /// @param left of the way [m]
-    String onTheWay(double left, Obstacles around, Predicate<Point2d> onMap) {
-        return sentence("%.1f m of way are left".formatted(left), around, onMap);
-    }
-
-    /// @param left of the turn at the goal [rad]
-    String turning(double left, Obstacles around, Predicate<Point2d> onMap) {
-        return sentence("it is there, but has %.0f° to turn".formatted(Math.toDegrees(left)), around, onMap);
-    }
-
-    private String sentence(String left, Obstacles around, Predicate<Point2d> onMap) {
+/// @param patience for how long it made no progress
+/// @param recoveries how often each was tried
+/// @param detours paths that it took because of what is not on the map
+record Blockage(Duration patience, Map<String, Integer> recoveries, int detours) {
+    /// @param atGoal whether only the turn at the goal is missing
+    /// @param left of that turn [rad], else of the path [m]
+    /// @param onMap whether a place in the base frame is on the map
+    String sentence(boolean atGoal, double left, Obstacles around, Predicate<Point2d> onMap) {
         return String.format(
                 Locale.ROOT,
-                "It got no nearer for %d s: backed off %s,%s took %d detours; %s. %s",
+                "The robot made no progress for %d s: %s It took %s and tried %s. %s",
                 patience.toSeconds(),
-                times(backedOff),
-                shunted == 0 ? "" : " turned to and fro %s,".formatted(times(shunted)),
-                detours,
-                left,
+                atGoal
+                        ? "it is at the goal, but has %.0f° to turn.".formatted(Math.toDegrees(left))
+                        : "%.1f m of its path are left.".formatted(left),
+                detours == 1 ? "1 detour" : detours + " detours",
+                recoveries.isEmpty() ? "no recovery" : tried(),
                 nearest(around, onMap));
+    }
+
+    private String tried() {
+        return recoveries.entrySet().stream()
+                .map(entry -> "'%s' %s".formatted(entry.getKey(), times(entry.getValue())))
+                .collect(Collectors.joining(", "));
     }
 
     private static String times(int count) {
@@ -50,12 +51,12 @@ record Blockage(Duration patience, int backedOff, int shunted, int detours) {
             }
         }
         if (nearest < 0) {
-            return "Nothing is near it.";
+            return "No obstacle is near.";
         }
         Point2d place = around.at(nearest);
         return String.format(
                 Locale.ROOT,
-                "Nearest is something that is %son the map, %.2f m %s its middle.",
+                "The nearest obstacle is %son the map, %.2f m %s its center.",
                 onMap.test(place) ? "" : "not ",
                 least,
                 side(Math.toDegrees(Math.atan2(place.y(), place.x()))));

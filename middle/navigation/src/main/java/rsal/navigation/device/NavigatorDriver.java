@@ -14,11 +14,13 @@ import rsal.device.Localizer;
 import rsal.device.Navigator;
 import rsal.device.RangeSensor;
 import rsal.device.SonarArray;
+import rsal.navigation.avoid.Controller;
 import rsal.navigation.avoid.DriveLimits;
-import rsal.navigation.avoid.MultiPointTurn;
 import rsal.navigation.control.ControllerType;
 import rsal.navigation.control.GoalCheckerType;
 import rsal.navigation.control.PlannerType;
+import rsal.navigation.control.ProgressCheckerType;
+import rsal.navigation.recovery.RecoveryType;
 import rsal.navigation.spread.ReachableSpace;
 import rsal.robot.DeviceDriver;
 import rsal.robot.RobotModel;
@@ -27,8 +29,8 @@ import rsal.settings.Parameter;
 import rsal.settings.PluginChoice;
 import rsal.settings.PluginKind;
 
-/// Makes navigators: a global planner plans the way, a controller drives along it. Both are plugins
-/// ([PlannerType], [ControllerType]).
+/// Makes navigators: a global planner plans the way, a controller drives along it. Recoveries
+/// drive when it makes no progress. All are plugins, as what decides about goals and progress is.
 public final class NavigatorDriver implements DeviceDriver {
     private static final double LOOKAHEAD_TIME = 2.0; // s
     private static final double LEAST_LOOKAHEAD = 0.6; // m
@@ -48,6 +50,24 @@ public final class NavigatorDriver implements DeviceDriver {
             PluginKind.of("goalChecker", GoalCheckerType.class, ServiceLoader.load(GoalCheckerType.class));
     private static final Parameter GOAL_CHECKER =
             Parameter.plugin("goalChecker", "tolerance", GOAL_CHECKERS, "decides when a goal counts as reached");
+
+    private static final PluginKind PROGRESS_CHECKERS =
+            PluginKind.of("progressChecker", ProgressCheckerType.class, ServiceLoader.load(ProgressCheckerType.class));
+    private static final Parameter PROGRESS_CHECKER = Parameter.plugin(
+            "progressChecker",
+            "path",
+            PROGRESS_CHECKERS,
+            "decides what counts as progress; without it a recovery begins");
+
+    private static final PluginKind RECOVERY_TYPES =
+            PluginKind.of("recovery", RecoveryType.class, ServiceLoader.load(RecoveryType.class));
+    private static final Parameter RECOVERIES = Parameter.plugins(
+            "recoveries",
+            List.of("multiPointTurn", "turnAround", "backUp"),
+            RECOVERY_TYPES,
+            "what to do without progress: of these, the first one that fits");
+    private static final Parameter LOST_RECOVERY = Parameter.plugin(
+            "lostRecovery", "lookAround", RECOVERY_TYPES, "what to do while the robot does not know where it is");
 
     private final Ways ways = new Ways();
 
@@ -78,13 +98,16 @@ public final class NavigatorDriver implements DeviceDriver {
         parameters.add(PLANNER);
         parameters.add(CONTROLLER);
         parameters.add(GOAL_CHECKER);
+        parameters.add(PROGRESS_CHECKER);
+        parameters.add(RECOVERIES);
+        parameters.add(LOST_RECOVERY);
         parameters.add(Parameter.number("maxSpeed", 0.4, 0.05, 3, "m/s", "never faster"));
         parameters.add(Parameter.number("maxTurnRate", 70, 5, 360, "deg/s", "never turns faster"));
         parameters.add(Parameter.number("maxAcceleration", 10, 0.05, 10, "m/s²", "never speeds up or brakes harder"));
         parameters.add(Parameter.number("replanPeriod", 4, 0.2, 60, "s", "how often it looks for a better way"));
-        parameters.add(Parameter.number("escapeSpeed", 0.1, 0.02, 0.5, "m/s", "how fast it backs off when blocked"));
-        parameters.add(Parameter.number("escapeTime", 5, 0.5, 30, "s", "how long it does so at most"));
-        parameters.add(Parameter.number("patience", 45, 5, 600, "s", "without getting nearer, until it is stuck"));
+        parameters.add(Parameter.number("escapeSpeed", 0.1, 0.02, 0.5, "m/s", "how fast recoveries back up"));
+        parameters.add(Parameter.number("escapeTime", 5, 0.5, 30, "s", "how long recoveries back up at most"));
+        parameters.add(Parameter.number("patience", 45, 5, 600, "s", "without progress, until it gives up"));
         parameters.addAll(Ways.parameters());
         return parameters;
     }
@@ -143,8 +166,8 @@ public final class NavigatorDriver implements DeviceDriver {
         var driven =
                 new ControllerType.Driven(model.footprint(), limits, lookahead, PathNavigator.BEAT_SECONDS, REACTION);
         PluginChoice chosen = arguments.plugin(CONTROLLER.name());
-        ControllerType controller = chosen.as(ControllerType.class);
-        PluginChoice checker = arguments.plugin(GOAL_CHECKER.name());
+        ControllerType type = chosen.as(ControllerType.class);
+        Controller controller = type.create(chosen.arguments(), driven);
         var navigator = new PathNavigator(
                 new DeviceInfo(context.robot().id(), context.name(), key()),
                 new PathNavigator.Parts(
@@ -152,26 +175,40 @@ public final class NavigatorDriver implements DeviceDriver {
                         context.robot().require(Localizer.class),
                         laser,
                         sonars,
-                        controller.create(chosen.arguments(), driven),
-                        new MultiPointTurn(model.footprint(), limits, REACTION),
+                        controller,
                         ways.planner(context.map(), model.footprint(), arguments, arguments.plugin(PLANNER.name())),
-                        (mapFromGoal, tolerance) ->
-                                checker.as(GoalCheckerType.class).create(checker.arguments(), mapFromGoal, tolerance),
+                        plugins(context, arguments, driven, controller),
                         ways.field(context.map())),
                 new PathNavigator.Settings(
                         limits,
                         lookahead,
                         Math.max(
-                                controller.view(chosen.arguments(), driven),
+                                type.view(chosen.arguments(), driven),
                                 lookahead + 2 * model.footprint().circumscribedRadius()),
                         model.footprint().circumscribedRadius(),
                         arguments.seconds("replanPeriod"),
-                        arguments.number("escapeSpeed"),
-                        arguments.seconds("escapeTime"),
                         arguments.seconds("patience")),
-                context.scheduler(),
-                context.random());
+                context.scheduler());
         navigator.start();
         return navigator;
+    }
+
+    private static TaskPlugins plugins(
+            Context context, Arguments arguments, ControllerType.Driven driven, Controller controller) {
+        return new TaskPlugins(
+                arguments.plugin(GOAL_CHECKER.name()),
+                arguments.plugin(PROGRESS_CHECKER.name()),
+                arguments.plugins(RECOVERIES.name()),
+                arguments.plugin(LOST_RECOVERY.name()),
+                new RecoveryType.Driven(
+                        driven.footprint(),
+                        driven.limits(),
+                        driven.lookahead(),
+                        driven.reaction(),
+                        arguments.number("escapeSpeed"),
+                        arguments.seconds("escapeTime"),
+                        controller,
+                        context.scheduler(),
+                        context.random()));
     }
 }

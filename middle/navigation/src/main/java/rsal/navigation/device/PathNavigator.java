@@ -3,8 +3,6 @@ package rsal.navigation.device;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.Optional;
-import java.util.function.BiFunction;
-import java.util.random.RandomGenerator;
 import org.jspecify.annotations.Nullable;
 import rsal.data.LaserScan;
 import rsal.data.OccupancyGrid;
@@ -29,17 +27,15 @@ import rsal.device.SonarArray;
 import rsal.navigation.avoid.Controller;
 import rsal.navigation.avoid.Controller.Motion;
 import rsal.navigation.avoid.DriveLimits;
-import rsal.navigation.avoid.MultiPointTurn;
 import rsal.navigation.avoid.ObstacleMemory;
 import rsal.navigation.avoid.Obstacles;
-import rsal.navigation.control.GoalChecker;
 import rsal.navigation.grid.DistanceField;
 import rsal.navigation.wavefront.GlobalPlanner;
 import rsal.time.Phase;
 import rsal.time.Scheduler;
 
 /// Drives along planned ways: looks ten times a second at where the robot is and what is around it, and asks the
-/// [Trip] under way what to command. Without a goal, and while paused, it commands nothing, so others may drive.
+/// [NavigationTask] what to command. Without a goal, and while paused, it commands nothing, so others may drive.
 /// A new goal does not end a pause. While motors are off it waits as if paused: that is nobody's failure.
 final class PathNavigator extends DeviceCore implements Navigator {
     static final double BEAT_SECONDS = 0.1;
@@ -58,7 +54,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
 
     /// What it is made of.
     ///
-    /// @param goalCheckers makes one for each goal
+    /// @param plugins of which each goal has its own
     /// @param toNotFree how far the next wall of the map is
     record Parts(
             DriveBase base,
@@ -66,16 +62,13 @@ final class PathNavigator extends DeviceCore implements Navigator {
             Optional<LaserScanner> laser,
             Optional<SonarArray> sonars,
             Controller avoidance,
-            MultiPointTurn shunting,
             GlobalPlanner ways,
-            BiFunction<Pose2d, Tolerance, GoalChecker> goalCheckers,
+            TaskPlugins plugins,
             DistanceField toNotFree) {}
 
     /// @param lookahead how far ahead on the way it aims [m]
     /// @param view how far around what it sees counts [m]
     /// @param bodyRadius of the circle that the robot turns in [m]
-    /// @param escapeSpeed for backing off [m/s]
-    /// @param escapeTime for backing off, at most
     /// @param patience how long it tries without getting nearer to the goal
     record Settings(
             DriveLimits limits,
@@ -83,8 +76,6 @@ final class PathNavigator extends DeviceCore implements Navigator {
             double view,
             double bodyRadius,
             Duration replanPeriod,
-            double escapeSpeed,
-            Duration escapeTime,
             Duration patience) {}
 
     /// What a beat sees.
@@ -105,20 +96,18 @@ final class PathNavigator extends DeviceCore implements Navigator {
     private Parts parts;
     private final Settings settings;
     private final Scheduler scheduler;
-    private final RandomGenerator random;
     private final Obstacles obstacles;
     private final ObstacleMemory blindSpot;
-    private @Nullable Trip trip;
+    private @Nullable NavigationTask task;
     private boolean paused;
     private boolean held; // as motors were off
     private boolean driving; // by its last command, not only turning
 
-    PathNavigator(DeviceInfo info, Parts parts, Settings settings, Scheduler scheduler, RandomGenerator random) {
+    PathNavigator(DeviceInfo info, Parts parts, Settings settings, Scheduler scheduler) {
         super(info);
         this.parts = parts;
         this.settings = settings;
         this.scheduler = scheduler;
-        this.random = random;
         this.obstacles = new Obstacles(settings.view());
         this.blindSpot = new ObstacleMemory(3 * settings.bodyRadius(), STRANGERS_FADE);
     }
@@ -135,9 +124,8 @@ final class PathNavigator extends DeviceCore implements Navigator {
                 parts.laser(),
                 parts.sonars(),
                 parts.avoidance(),
-                parts.shunting(),
                 ways,
-                parts.goalCheckers(),
+                parts.plugins(),
                 toNotFree);
     }
 
@@ -146,9 +134,9 @@ final class PathNavigator extends DeviceCore implements Navigator {
         if (!mapFromGoal.isFinite()) {
             throw new IllegalArgumentException("A goal must be finite, not (%s).".formatted(mapFromGoal));
         }
-        Trip old = trip;
-        var next = new Trip(parts, settings, scheduler, random, mapFromGoal, tolerance, this::onEnd);
-        trip = next;
+        NavigationTask old = task;
+        var next = new NavigationTask(parts, settings, scheduler, mapFromGoal, tolerance, this::onEnd);
+        task = next;
         if (old == null) {
             parts.avoidance().reset();
         } else {
@@ -160,7 +148,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
 
     @Override
     public void pause() {
-        if (!paused && trip != null) {
+        if (!paused && task != null) {
             parts.base().command(Twist2d.STOP);
         }
         paused = true;
@@ -168,8 +156,8 @@ final class PathNavigator extends DeviceCore implements Navigator {
 
     @Override
     public void resume() {
-        if (paused && trip != null) {
-            trip.resume();
+        if (paused && task != null) {
+            task.resume();
         }
         paused = false;
     }
@@ -181,7 +169,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
 
     @Override
     public Optional<Pose2d> goal() {
-        return Optional.ofNullable(trip).map(Trip::mapFromGoal);
+        return Optional.ofNullable(task).map(NavigationTask::mapFromGoal);
     }
 
     @Override
@@ -191,23 +179,23 @@ final class PathNavigator extends DeviceCore implements Navigator {
 
     @Override
     public Path2d path() {
-        return trip == null ? Path2d.EMPTY : trip.path();
+        return task == null ? Path2d.EMPTY : task.path();
     }
 
     @Override
     public Path2d localPath() {
-        return trip == null || paused || !driving ? Path2d.EMPTY : trip.localPath();
+        return task == null || paused || !driving ? Path2d.EMPTY : task.localPath();
     }
 
-    private void onEnd(Trip ended) {
-        if (ended.equals(trip)) {
-            trip = null;
+    private void onEnd(NavigationTask ended) {
+        if (ended.equals(task)) {
+            task = null;
             parts.base().command(Twist2d.STOP);
         }
     }
 
     private void beat() {
-        Trip now = trip;
+        NavigationTask now = task;
         boolean off = !parts.base().enabled();
         if (now == null || paused || off) {
             held |= off;
@@ -224,7 +212,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
         Optional<Situation> situation = look();
         Twist2d command = situation.map(now::beat).orElseGet(now::blindBeat);
         driving = command.vx() != 0;
-        if (now.equals(trip)) {
+        if (now.equals(task)) {
             parts.base().command(command);
         }
     }

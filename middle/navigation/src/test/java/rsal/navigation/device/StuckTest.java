@@ -280,6 +280,6 @@ class StuckTest {
                 .isInstanceOfSatisfying(
                         Result.Stuck.class,
                         stuck -> assertThat(stuck.why())
-                                .contains("45 s", "m of way", "backed off", "Nearest is something that is"));
+                                .contains("45 s", "m of its path are left", "tried '", "The nearest obstacle is"));
     }
 }

@@ -235,7 +235,8 @@ public abstract class ArchitectureRules {
                 .that()
                 .resideInAPackage(NAVIGATION)
                 .and()
-                .resideOutsideOfPackages("rsal.navigation.device..", "rsal.navigation.control..")
+                .resideOutsideOfPackages(
+                        "rsal.navigation.device..", "rsal.navigation.control..", "rsal.navigation.recovery..")
                 .should()
                 .dependOnClassesThat(outside("rsal.data..", NAVIGATION)));
         check(noClasses()

@@ -1,0 +1,49 @@
+package rsal.navigation.control;
+
+import java.util.List;
+import rsal.data.Pose2d;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+
+/// Progress is less of the path that is left, or of the turn at the goal.
+public final class PathProgressCheckerType implements ProgressCheckerType {
+    private static final Parameter NEARER = Parameter.number(
+            "nearer", 0.1, 0.01, 10, "m", "less of the path that is left; as an angle [rad] at the goal");
+
+    @Override
+    public String key() {
+        return "path";
+    }
+
+    @Override
+    public String description() {
+        return "A robot makes progress when less of its path is left.";
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        return List.of(NEARER);
+    }
+
+    @Override
+    public ProgressChecker create(Arguments arguments) {
+        double nearer = arguments.number(NEARER.name());
+        return new ProgressChecker() {
+            private double least = Double.POSITIVE_INFINITY;
+
+            @Override
+            public boolean isProgress(Pose2d mapFromBase, double left) {
+                if (left >= least - nearer) {
+                    return false;
+                }
+                least = left;
+                return true;
+            }
+
+            @Override
+            public void onNewPath(double left) {
+                least = left;
+            }
+        };
+    }
+}
