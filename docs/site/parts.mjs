@@ -39,7 +39,7 @@ export const parts = [
           'jadex',
         ),
       },
-      { title: 'Experiments', pages: docs('how-to', 'side-by-side', 'compare', 'record', 'foxglove', 'metrics', 'own-metric') },
+      { title: 'Experiments', pages: docs('how-to', 'side-by-side', 'compare', 'record', 'foxglove', 'metrics', 'own-metric', 'own-device') },
     ],
   },
   {

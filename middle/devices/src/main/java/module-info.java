@@ -5,6 +5,9 @@ module rsal.devices {
     requires static org.jspecify;
 
     exports rsal.device;
+    exports rsal.device.camera;
+    exports rsal.device.gnss;
+    exports rsal.device.imu;
     exports rsal.fault;
     exports rsal.robot;
     exports rsal.scene;
@@ -12,6 +15,12 @@ module rsal.devices {
     exports rsal.time;
 
     uses rsal.robot.DeviceDriver;
+    uses rsal.robot.DeviceKind;
     uses rsal.system.BridgeProvider;
     uses rsal.system.RobotSystemProvider;
+
+    provides rsal.robot.DeviceKind with
+            rsal.device.camera.CameraKind,
+            rsal.device.gnss.GnssKind,
+            rsal.device.imu.ImuKind;
 }

@@ -14,6 +14,7 @@ import rsal.device.Device;
 import rsal.metric.MetricType;
 import rsal.metric.QuantityType;
 import rsal.robot.DeviceDriver;
+import rsal.robot.DeviceKind;
 import rsal.scenario.Providers;
 import rsal.settings.Parameter;
 import rsal.settings.Plugin;
@@ -134,7 +135,21 @@ record Kind(
         return found(DeviceDriver.class, DeviceDriver::key)
                 .flatMap(driver -> driver.parameters().stream()
                         .flatMap(parameter -> parameter.plugins().stream())
-                        .flatMap(kind -> kind.all().stream().map(plugin -> of(plugin, kind.word(), driver.key()))));
+                        .flatMap(kind -> kind.all().stream().map(plugin -> of(plugin, kind.word(), driver.key()))))
+                .distinct(); // a driver may use some for several things
+    }
+
+    /// Kinds of devices that parts of robots can be.
+    static Stream<Kind> devices() {
+        return found(DeviceKind.class, DeviceKind::key)
+                .map(d -> new Kind(
+                        "device",
+                        d.key(),
+                        d.description(),
+                        Optional.of(d.makes().getSimpleName()),
+                        List.of(),
+                        List.of(),
+                        settings(d.parameters())));
     }
 
     /// @param driver that uses it
@@ -169,7 +184,7 @@ record Kind(
     }
 
     static List<Kind> all() {
-        return Stream.of(agents(), drivers(), plugins(), metrics(), hosts(), systems())
+        return Stream.of(agents(), drivers(), plugins(), devices(), metrics(), hosts(), systems())
                 .flatMap(kinds -> kinds)
                 .toList();
     }
@@ -238,6 +253,7 @@ record Kind(
         return switch (kind) {
             case "agent" -> "a type of agents";
             case "driver" -> "a device driver, makes a " + makes.orElseThrow();
+            case "device" -> "a kind of devices, a " + makes.orElseThrow();
             case "metric" -> "a metric";
             case "mas" -> "a multi-agent system";
             case "mrs" -> "a robot system";
@@ -249,6 +265,7 @@ record Kind(
         return switch (kind) {
             case "agent" -> "Arguments (agents: {NAME: {type: %s, args: {…}}})".formatted(name);
             case "metric" -> "Arguments (metrics: [{type: %s, args: {…}}])".formatted(name);
+            case "device" -> "Settings of a part (a file with 'type: %s', 'period: SECONDS' and these)".formatted(name);
             case "driver" -> "Options (devices: {NAME: {type: %s, …}})".formatted(name);
             case "mas", "mrs" -> "Options (%s: {use: %s, …})".formatted(kind, name);
             default ->

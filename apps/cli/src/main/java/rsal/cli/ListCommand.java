@@ -31,6 +31,7 @@ final class ListCommand extends Subcommand {
         parts,
         agents,
         drivers,
+        deviceKinds,
         controllers,
         planners,
         goalCheckers,
@@ -78,6 +79,7 @@ final class ListCommand extends Subcommand {
             case parts -> named(RobotModels.builtInParts());
             case agents -> entries(Kind.agents());
             case drivers -> entries(Kind.drivers());
+            case deviceKinds -> entries(Kind.devices());
             case controllers -> entries(Kind.plugins("controller"));
             case planners -> entries(Kind.plugins("planner"));
             case goalCheckers -> entries(Kind.plugins("goalChecker"));

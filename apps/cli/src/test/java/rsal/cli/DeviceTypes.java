@@ -19,6 +19,8 @@ import rsal.device.Device;
 import rsal.device.Sensor;
 import rsal.model.RobotModels;
 import rsal.robot.DeviceDriver;
+import rsal.robot.DeviceKind;
+import rsal.robot.DeviceKinds;
 import rsal.robot.RobotModel.Part;
 import rsal.scenario.Providers;
 import rsal.settings.Location;
@@ -34,7 +36,9 @@ final class DeviceTypes {
     private DeviceTypes() {}
 
     static String all() {
-        return Stream.concat(interfaces(), drivers().<Class<? extends Device>>map(DeviceDriver::makes))
+        return Stream.concat(
+                        Stream.concat(interfaces(), DeviceKinds.all().stream().map(DeviceKind::makes)),
+                        drivers().<Class<? extends Device>>map(DeviceDriver::makes))
                 .distinct()
                 .sorted((one, other) -> one.getSimpleName().compareTo(other.getSimpleName()))
                 .map(DeviceTypes::section)
@@ -59,6 +63,7 @@ final class DeviceTypes {
     private static Stream<Class<? extends Device>> interfaces() {
         try (Stream<Path> files = Files.list(SOURCES.resolve("rsal/device"))) {
             return files
+                    .filter(Files::isRegularFile)
                     .map(file -> "rsal.device." + file.getFileName().toString().replace(".java", ""))
                     .filter(name -> !name.endsWith("package-info"))
                     .<Class<?>>map(DeviceTypes::load)

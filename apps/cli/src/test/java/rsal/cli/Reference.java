@@ -16,6 +16,7 @@ import rsal.navigation.control.PlannerType;
 import rsal.navigation.control.ProgressCheckerType;
 import rsal.navigation.recovery.RecoveryType;
 import rsal.robot.DeviceDriver;
+import rsal.robot.DeviceKind;
 import rsal.scenario.Providers;
 import rsal.system.BridgeProvider;
 import rsal.system.RobotSystemProvider;
@@ -36,6 +37,10 @@ final class Reference {
                                 "drivers",
                                 "controllers",
                                 "planners",
+                                "goalCheckers",
+                                "progressCheckers",
+                                "recoveries",
+                                "deviceKinds",
                                 "metrics",
                                 "mas",
                                 "mrs",
@@ -58,6 +63,7 @@ final class Reference {
             case "progressCheckers" ->
                 kinds(Kind.plugins("progressChecker"), ProgressCheckerType.class, ProgressCheckerType::key);
             case "recoveries" -> kinds(Kind.plugins("recovery"), RecoveryType.class, RecoveryType::key);
+            case "deviceKinds" -> kinds(Kind.devices(), DeviceKind.class, DeviceKind::key);
             case "metrics" -> kinds(Kind.metrics(), MetricType.class, MetricType::key);
             case "mas" -> kinds(Kind.hosts(), AgentHostProvider.class, AgentHostProvider::key);
             case "mrs" -> kinds(Kind.systems(), RobotSystemProvider.class, RobotSystemProvider::key);

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.random.RandomGenerator;
 import rsal.data.Blobs;
 import rsal.data.Blobs.Blob;
+import rsal.data.Erring;
 import rsal.data.Fiducials;
 import rsal.data.Fiducials.Fiducial;
 import rsal.data.LaserScan;
@@ -82,6 +83,7 @@ final class Mistaken {
                     case Odometry odometry ->
                         new Odometry(moved(odometry.odomFromBase(), miss), odometry.velocity(), odometry.stalled());
                     case PoseEstimate estimate -> estimate(estimate, miss);
+                    case Erring<?> other -> other.withError(miss.range(), miss.left(), miss.angle());
                     default -> throw new IllegalArgumentException("Nothing is measured in (%s).".formatted(value));
                 };
     }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.random.RandomGenerator;
 import org.jspecify.annotations.Nullable;
+import rsal.data.Erring;
 import rsal.data.Stamped;
 import rsal.device.Battery;
 import rsal.device.BlobFinder;
@@ -16,6 +17,8 @@ import rsal.device.LaserScanner;
 import rsal.device.Localizer;
 import rsal.device.SonarArray;
 import rsal.device.Subscription;
+import rsal.robot.DeviceKind;
+import rsal.robot.DeviceKinds;
 
 /// What is wrong with one sensor now, between what it measures and what it shows. For those who make sensors.
 public final class SensorFaults<T> {
@@ -42,6 +45,10 @@ public final class SensorFaults<T> {
     ///
     /// @param type the contract that it fulfils
     public static Optional<String> refusal(Class<? extends Device> type, Fault.OfSensor fault) {
+        Optional<DeviceKind> registered = DeviceKinds.of(type);
+        if (registered.isPresent()) {
+            return refusal(registered.get(), fault);
+        }
         if (!isOf(RANGES, type) && !isOf(PLACES, type) && !isOf(STATES, type)) {
             return Optional.of("It is no sensor.");
         }
@@ -55,6 +62,13 @@ public final class SensorFaults<T> {
             return Optional.of("It measures ranges only, so that there is no error of its angles.");
         }
         return Optional.empty();
+    }
+
+    private static Optional<String> refusal(DeviceKind kind, Fault.OfSensor fault) {
+        boolean error = fault instanceof Fault.Biased || fault instanceof Fault.Noisy;
+        return error && !Erring.class.isAssignableFrom(kind.reads())
+                ? Optional.of("No errors can be added to its readings, so that it can only be dead or frozen.")
+                : Optional.empty();
     }
 
     private static boolean isOf(List<Class<? extends Device>> contracts, Class<? extends Device> type) {

@@ -16,6 +16,7 @@ import rsal.data.Twist2d;
 import rsal.device.Device;
 import rsal.device.LaserScanner;
 import rsal.device.SonarArray;
+import rsal.settings.Arguments;
 
 /// What a kind of robot is like: a file in `rsal/model/models`, read by the module `models`. All that actuators carry
 /// is
@@ -256,6 +257,18 @@ public record RobotModel(
         /// What a robot has where its robot system has such, and knows best: a localizer, a navigator, a map of its
         /// own, something to draw on.
         record Own(String name, Class<? extends Device> makes) implements Part {}
+
+        /// A device of a kind that is registered ([DeviceKind]).
+        ///
+        /// @param arguments for the kind's parameters
+        /// @param period between readings
+        record Registered(String name, DeviceKind kind, Pose2d baseFromDevice, Arguments arguments, Duration period)
+                implements Part {
+            @Override
+            public Class<? extends Device> makes() {
+                return kind.makes();
+            }
+        }
 
         /// A planar laser scanner, beams from `angleMin` counter-clockwise.
         ///

@@ -84,6 +84,7 @@ public final class SimulationLimits {
                     positive(problems, its + "capacity [J]", battery.capacity());
                 }
                 case Part.Light light -> positive(problems, its + "period [s]", seconds(light.period()));
+                case Part.Registered other -> positive(problems, its + "period [s]", seconds(other.period()));
                 case Part.Own own ->
                     problems.add("Simulated robots have no computers of their own, and so no (%s). %s"
                             .formatted(own.name(), INSTEAD.getOrDefault(own.makes(), "Leave it out.")));

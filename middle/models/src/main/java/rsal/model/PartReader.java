@@ -3,7 +3,9 @@ package rsal.model;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import rsal.data.ActuatorState.Joint;
 import rsal.data.Interval;
 import rsal.data.LightState.Signal;
@@ -12,8 +14,11 @@ import rsal.device.Canvas;
 import rsal.device.Localizer;
 import rsal.device.Mapper;
 import rsal.device.Navigator;
+import rsal.robot.DeviceKind;
+import rsal.robot.DeviceKinds;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotModel.RangeNoise;
+import rsal.settings.Arguments;
 import rsal.settings.ColorNames;
 import rsal.settings.Parameter;
 import rsal.settings.Section;
@@ -22,7 +27,7 @@ import rsal.settings.Value;
 
 /// Reads part files. What is wrong is noted, and something harmless taken for it.
 final class PartReader {
-    static final List<String> TYPES = List.of(
+    private static final List<String> TYPES = List.of(
             "laser",
             "sonars",
             "blob-finder",
@@ -39,6 +44,12 @@ final class PartReader {
     private static final int MAX_SAMPLES = 10_000;
     private static final int MAX_SENSORS = 1_000;
     private static final double MAX_ENERGY = 1e15; // [J], [W]; batteries of Stage's worlds are no larger
+
+    /// All types that part files can have: those that are read here, and registered kinds of devices.
+    static List<String> types() {
+        return Stream.concat(TYPES.stream(), DeviceKinds.all().stream().map(DeviceKind::key))
+                .toList();
+    }
 
     private final String name;
     private final Pose2d mount;
@@ -67,17 +78,31 @@ final class PartReader {
             case "navigator" -> Optional.of(new Part.Own(name, Navigator.class));
             case "map" -> Optional.of(new Part.Own(name, Mapper.class));
             case "canvas" -> Optional.of(new Part.Own(name, Canvas.class));
-            default -> Optional.empty();
+            default -> DeviceKinds.find(type).map(reader::registered);
         };
         if (part.isEmpty()) {
             if (!type.isEmpty()) {
                 section.problem(
-                        "type", "There is no type of part (%s).".formatted(type), Suggestion.among(type, TYPES));
+                        "type", "There is no type of part (%s).".formatted(type), Suggestion.among(type, types()));
             }
             return new Part.Bumper(name, List.of(), Duration.ofSeconds(1));
         }
         section.done();
         return part.get();
+    }
+
+    private Part registered(DeviceKind kind) {
+        Duration period = period();
+        Arguments arguments = part.arguments(kind.parameters())
+                .filter(values -> isPossible(kind, values))
+                .orElseGet(() -> Arguments.of(List.of(), Map.of())); // told; nobody makes a device of it
+        return new Part.Registered(name, kind, mount, arguments, period);
+    }
+
+    private boolean isPossible(DeviceKind kind, Arguments values) {
+        Optional<String> refusal = kind.refusal(values);
+        refusal.ifPresent(why -> part.problem(part.location(), why, ""));
+        return refusal.isEmpty();
     }
 
     private Part laser() {

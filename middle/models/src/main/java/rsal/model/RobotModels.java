@@ -86,6 +86,9 @@ public final class RobotModels {
                 "pioneer-battery",
                 "small-battery",
                 "beacon",
+                "depth-camera",
+                "imu-bmi088",
+                "gnss-m8",
                 "own-localizer",
                 "own-navigator",
                 "own-map",
@@ -151,7 +154,8 @@ public final class RobotModels {
             Optional<Mount> mount = Optional.ofNullable(mounts.get(device));
             var itsProblems = new ArrayList<Problem>();
             Optional<Part> part = part(choice, mount, itsProblems);
-            boolean somewhere = part.filter(Part.Own.class::isInstance).isEmpty();
+            boolean somewhere = part.filter(made -> made instanceof Part.Own || made instanceof Part.Registered)
+                    .isEmpty(); // else it is nowhere, or in the base's origin if the model has no place for it
             if (mount.isEmpty() && somewhere) {
                 problems.add(
                         choice.writtenAt(),

@@ -7,12 +7,19 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.ServiceLoader;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import rsal.device.Device;
 import rsal.device.DeviceInfo;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotModel.RangeNoise;
 import rsal.robot.RobotSpec;
+import rsal.robot.SimulationLimits;
 import rsal.settings.Arguments;
+import rsal.sim.device.SimulatedKind;
+import rsal.sim.device.SimulatedSensor;
 import rsal.sim.world.Beams;
 import rsal.sim.world.Body;
 import rsal.sim.world.View;
@@ -28,6 +35,11 @@ final class RobotFactory {
     private final Things things;
     private final Map<Kind, Beams> beams = new HashMap<>();
     private final Map<Kind, View> views = new HashMap<>();
+
+    private static final Map<Class<? extends Device>, SimulatedKind> KINDS =
+            ServiceLoader.load(SimulatedKind.class).stream()
+                    .map(ServiceLoader.Provider::get)
+                    .collect(Collectors.toUnmodifiableMap(SimulatedKind::makes, kind -> kind));
 
     /// @param height above the base [m]
     private record Kind(Part part, double height) {}
@@ -142,8 +154,38 @@ final class RobotFactory {
             case Part.Actuator _ -> site.actuator(name);
             case Part.Battery battery -> new SimBattery(info, battery, site.body, site.drive);
             case Part.Light light -> new SimLight(info, light, scheduler);
+            case Part.Registered other -> registered(info, other, site, height, mount);
             case Part.Own own -> throw new IllegalArgumentException("(%s) is refused before.".formatted(own.name()));
         };
+    }
+
+    private SimSensor<?> registered(DeviceInfo info, Part.Registered part, Site site, double height, Mount mount) {
+        SimulatedKind kind =
+                Objects.requireNonNull(KINDS.get(part.makes()), part.kind().key());
+        var robot = new TrueRobot(
+                world,
+                site.body,
+                mount,
+                part.baseFromDevice(),
+                height,
+                seeds.stream(info.id()),
+                settings.number(SimProvider.SENSOR_NOISE.name()));
+        SimulatedSensor<?> sensor = kind.create(info, part, robot);
+        return sensor.rays() == 0
+                ? new SimRegistered<>(sensor, part.period())
+                : new SimRegisteredEye<>(sensor, part.period(), mount);
+    }
+
+    /// What keeps a model from being simulated, one sentence for each: its limits, and kinds of devices that
+    /// are registered, but not for the simulator.
+    static List<String> problems(RobotModel model) {
+        return Stream.concat(
+                        SimulationLimits.problems(model).stream(),
+                        model.sensors().values().stream()
+                                .filter(Part.Registered.class::isInstance)
+                                .filter(part -> !KINDS.containsKey(part.makes()))
+                                .map(part -> "The simulator has no device for '%s'.".formatted(part.name())))
+                .toList();
     }
 
     private Duration watchdog() {

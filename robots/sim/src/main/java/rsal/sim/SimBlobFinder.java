@@ -1,5 +1,6 @@
 package rsal.sim;
 
+import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 import rsal.data.Blobs;
 import rsal.data.Rgb;
@@ -37,7 +38,7 @@ final class SimBlobFinder extends SimRangeSensor<Blobs> implements BlobFinder {
     }
 
     @Override
-    Blobs measure(World world, Body robot) {
+    Blobs measure(World world, Body robot, Instant now) {
         ColumnRenderer sight = view.look(world, robot, shift(), part.rangeMax());
         BlobExtractor patches = BlobExtractor.ofThisThread();
         for (int i = 0; i < sight.count(); i++) {

@@ -18,7 +18,6 @@ import rsal.device.DeviceInfo;
 import rsal.device.Health;
 import rsal.device.SimulationControl;
 import rsal.robot.RobotSpec;
-import rsal.robot.SimulationLimits;
 import rsal.scene.Block;
 import rsal.scene.Entity;
 import rsal.scene.Surface;
@@ -299,7 +298,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
 
     /// As [RobotSystem#addRobot].
     Placement addRobot(RobotSpec robot) {
-        List<String> problems = SimulationLimits.problems(robot.model());
+        List<String> problems = RobotFactory.problems(robot.model());
         if (!problems.isEmpty()) {
             return new Placement.Refused(String.join(" ", problems));
         }

@@ -58,16 +58,18 @@ final class SimFaults implements FaultInjection {
         });
         SimRobot broken = team.find(robot).orElseThrow();
         return switch (fault) {
-            case Fault.OfSensor ofSensor -> begin(device(broken, device).orElseThrow(), ofSensor, random);
+            case Fault.OfSensor ofSensor -> begin(broken, device, ofSensor, random);
             case Fault.MotorDead _, Fault.Slip _ -> broken.drive().begin(fault);
             case Fault.Gone(boolean stays) -> leave(broken, stays);
         };
     }
 
-    private static Subscription begin(Device device, Fault.OfSensor fault, RandomGenerator random) {
-        return device instanceof SimDrive drive
-                ? drive.begin(fault, random)
-                : ((SimSensor<?>) device).begin(fault, random);
+    private static Subscription begin(SimRobot robot, String device, Fault.OfSensor fault, RandomGenerator random) {
+        return robot.devices().stream()
+                .filter(sensor -> sensor.info().name().equals(device))
+                .findFirst()
+                .map(sensor -> sensor.begin(fault, random))
+                .orElseGet(() -> robot.drive().begin(fault, random));
     }
 
     private Subscription leave(SimRobot robot, boolean stays) {

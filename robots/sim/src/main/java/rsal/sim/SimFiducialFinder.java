@@ -1,5 +1,6 @@
 package rsal.sim;
 
+import java.time.Instant;
 import java.util.List;
 import java.util.OptionalInt;
 import rsal.data.Fiducials;
@@ -34,7 +35,7 @@ final class SimFiducialFinder extends SimRangeSensor<Fiducials> implements Fiduc
     }
 
     @Override
-    Fiducials measure(World world, Body robot) {
+    Fiducials measure(World world, Body robot, Instant now) {
         Pose2d mapFromBase = robot.seenPose();
         Pose2d baseFromMap = mapFromBase.inverse();
         Pose2d baseFromFinder = shift().moved(part.baseFromFinder());

@@ -1,5 +1,6 @@
 package rsal.sim;
 
+import java.time.Instant;
 import java.util.List;
 import rsal.data.Fan;
 import rsal.data.LaserScan;
@@ -35,7 +36,7 @@ final class SimLaser extends RangeSensor<LaserScan> implements LaserScanner {
     }
 
     @Override
-    LaserScan measure(World world, Body robot) {
+    LaserScan measure(World world, Body robot, Instant now) {
         double[] ways = beams.cast(
                 world, robot, shift(), laser.rangeMax(), noise().size().angle(), noise()::turn);
         float[] ranges = new float[beams.count()];

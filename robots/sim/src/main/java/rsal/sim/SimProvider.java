@@ -8,7 +8,6 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 import rsal.robot.RobotSpec;
-import rsal.robot.SimulationLimits;
 import rsal.scene.Raster;
 import rsal.scene.Scene;
 import rsal.settings.Parameter;
@@ -121,7 +120,7 @@ public final class SimProvider implements RobotSystemProvider {
                         "Robots run into what is called (%s); one of this id could not be told from it. Maybe (%s-1)?"
                                 .formatted(World.WALL, spec.role())));
             }
-            for (String message : SimulationLimits.problems(spec.model())) {
+            for (String message : RobotFactory.problems(spec.model())) {
                 problems.add(new Problem(spec.id(), "model", message));
             }
         }

@@ -25,9 +25,9 @@ abstract class SimRangeSensor<T> extends SimSensor<T> {
     abstract int rays();
 
     /// A reading of the world as it was last looked at. Touches nothing that others write meanwhile.
-    abstract T measure(World world, Body robot);
+    abstract T measure(World world, Body robot, Instant now);
 
     final void look(World world, Body robot, Instant now) {
-        take(measure(world, robot), now);
+        take(measure(world, robot, now), now);
     }
 }

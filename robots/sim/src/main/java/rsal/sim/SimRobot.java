@@ -53,7 +53,7 @@ record SimRobot(
     Robot robot() {
         var all = new ArrayList<Device>();
         all.add(drive);
-        all.addAll(devices);
+        devices.forEach(device -> all.add(device.device()));
         return new Robot(spec.id(), spec.role(), spec.model(), spec.marker(), all);
     }
 

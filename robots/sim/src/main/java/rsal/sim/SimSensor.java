@@ -5,6 +5,7 @@ import java.time.Instant;
 import java.util.random.RandomGenerator;
 import org.jspecify.annotations.Nullable;
 import rsal.data.Stamped;
+import rsal.device.Device;
 import rsal.device.DeviceInfo;
 import rsal.device.Health;
 import rsal.device.SensorCore;
@@ -72,6 +73,11 @@ abstract class SimSensor<T> extends SensorCore<T> {
     /// @return ends it
     final Subscription begin(Fault.OfSensor fault, RandomGenerator random) {
         return faults.add(fault, random);
+    }
+
+    /// What agents get to see of it.
+    Device device() {
+        return this;
     }
 
     /// What else to do with a reading that was told.

@@ -1,5 +1,6 @@
 package rsal.sim;
 
+import java.time.Instant;
 import java.util.List;
 import rsal.data.Fan;
 import rsal.data.Pose2d;
@@ -41,7 +42,7 @@ final class SimSonar extends RangeSensor<RangeArray> implements SonarArray {
     }
 
     @Override
-    RangeArray measure(World world, Body robot) {
+    RangeArray measure(World world, Body robot, Instant now) {
         float[] ranges = new float[sonars.baseFromSensors().size()];
         double[] ways = cones.cast(world, robot, shift(), sonars.rangeMax());
         for (int i = 0; i < ranges.length; i++) {

@@ -1,6 +1,7 @@
 package rsal.engine;
 
 import java.util.List;
+import java.util.Set;
 import rsal.behavior.Pilot;
 import rsal.device.Actuator;
 import rsal.device.Battery;
@@ -18,6 +19,8 @@ import rsal.device.Mapper;
 import rsal.device.Navigator;
 import rsal.device.PlaceFinder;
 import rsal.device.Planner;
+import rsal.device.RangeSensor;
+import rsal.device.Sensor;
 import rsal.device.SimulationControl;
 import rsal.device.SonarArray;
 
@@ -47,6 +50,8 @@ public record DeviceView(String name, String driver, String type, Health health)
             Pilot.class,
             SimulationControl.class);
 
+    private static final Set<Class<?>> GENERAL = Set.of(Device.class, Sensor.class, RangeSensor.class);
+
     /// The contract that devices of a class fulfil: `LaserScanner`.
     private static final ClassValue<String> TYPES = new ClassValue<>() {
         @Override
@@ -55,9 +60,22 @@ public record DeviceView(String name, String driver, String type, Health health)
                     .filter(contract -> contract.isAssignableFrom(device))
                     .map(Class::getSimpleName)
                     .findFirst()
-                    .orElse("Device");
+                    .orElseGet(() -> own(device));
         }
     };
+
+    /// Of a kind that nobody thought of here: the first of its interfaces that says more than that it is a
+    /// device.
+    private static String own(Class<?> device) {
+        for (Class<?> type = device; type != null; type = type.getSuperclass()) {
+            for (Class<?> contract : type.getInterfaces()) {
+                if (Device.class.isAssignableFrom(contract) && !GENERAL.contains(contract)) {
+                    return contract.getSimpleName();
+                }
+            }
+        }
+        return "Device";
+    }
 
     static DeviceView of(Device device) {
         return new DeviceView(

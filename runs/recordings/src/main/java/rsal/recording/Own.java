@@ -266,7 +266,7 @@ final class Own {
 
     private Own() {}
 
-    private static MessageType reading(String name) {
+    static MessageType reading(String name) {
         return MessageType.named(name).with(1, "timestamp", Foxglove.TIMESTAMP).with(2, "frame_id", Kind.STRING);
     }
 

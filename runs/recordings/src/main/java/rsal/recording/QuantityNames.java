@@ -5,9 +5,11 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import rsal.data.ActuatorState;
+import rsal.data.Unit;
 
-/// What people call the [Quantities] in what devices tell, and the units these have: the only place that says so, as a
-/// number in Java has its unit in a comment. Parts that nobody thought of here are called as in Java.
+/// What people call the [Quantities] in what devices tell, and the units these have: the only place that says
+/// so, as a number in Java has its unit in a comment. Parts that nobody thought of here are called as in Java
+/// and have the [Unit] that is written there.
 final class QuantityNames {
     private static final String ANGLE = "rad";
     private static final String TURN = "rad/s";
@@ -109,7 +111,8 @@ final class QuantityNames {
 
     /// Whether it stays the same, so that there is nothing to plot.
     static boolean isSetting(RecordComponent component) {
-        return SETTINGS.contains(key(component));
+        Unit unit = component.getAnnotation(Unit.class);
+        return SETTINGS.contains(key(component)) || (unit != null && unit.isFixed());
     }
 
     private static String key(RecordComponent component) {
@@ -118,7 +121,12 @@ final class QuantityNames {
 
     static Words of(RecordComponent component) {
         Words known = KNOWN.get(key(component));
-        return known == null ? guessed(component.getName()) : known;
+        if (known != null) {
+            return known;
+        }
+        Words guessed = guessed(component.getName());
+        Unit unit = component.getAnnotation(Unit.class);
+        return unit == null ? guessed : guessed.in(unit.value());
     }
 
     /// What a joint turns is an angle, else it is a length.

@@ -10,6 +10,7 @@ import java.util.OptionalInt;
 import java.util.TreeMap;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import rsal.behavior.Decision;
 import rsal.behavior.Decision.Opinion;
 import rsal.data.ActuatorState;
@@ -35,6 +36,7 @@ import rsal.device.Planner;
 import rsal.engine.NavigatorState;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.ProtoWriter;
+import rsal.robot.DeviceKinds;
 
 /// How what a device tells is written and read again. Names of fields and their meanings are those of the records, and
 /// of scans Foxglove's.
@@ -81,8 +83,8 @@ record ReadingType<T>(
     private static final String LEAST = "range_min"; // of what channels of lasers tell
     private static final String MOST = "range_max";
 
-    /// All there are.
-    static final List<ReadingType<?>> ALL = List.of(
+    /// Those that are written here.
+    static final List<ReadingType<?>> WRITTEN = List.of(
             ACTUATOR,
             BATTERY,
             BLOBS,
@@ -99,6 +101,16 @@ record ReadingType<T>(
             ESTIMATE,
             ODOMETRY,
             QUANTITIES);
+
+    /// All there are, those of registered kinds of devices last.
+    static final List<ReadingType<?>> ALL = Stream.concat(
+                    WRITTEN.stream(), DeviceKinds.all().stream().map(kind -> of(kind.reads())))
+            .toList();
+
+    private static <T> ReadingType<T> of(Class<T> told) {
+        RecordCodec<T> codec = RecordCodec.of(told, Own.reading(told.getName()), 3);
+        return new ReadingType<>(told, codec.message(), codec::write, codec::read);
+    }
 
     /// Of what a device tells; empty when nobody thought of that here.
     static Optional<ReadingType<?>> of(Object value) {

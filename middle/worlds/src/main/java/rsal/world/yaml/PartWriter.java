@@ -99,6 +99,11 @@ final class PartWriter {
                 told.put("dutyCycle", light.signal().dutyCycle());
                 yield light.baseFromLight();
             }
+            case Part.Registered other -> {
+                told.put("type", other.kind().key());
+                told.putAll(other.arguments().written());
+                yield other.baseFromDevice();
+            }
             case Part.Own own -> {
                 told.put("type", own(own.makes()));
                 yield Pose2d.ORIGIN;
@@ -204,6 +209,7 @@ final class PartWriter {
             case Part.Actuator actuator -> Optional.of(actuator.period());
             case Part.Battery battery -> Optional.of(battery.period());
             case Part.Light light -> Optional.of(light.period());
+            case Part.Registered other -> Optional.of(other.period());
             case Part.Own _ -> Optional.empty();
         };
     }

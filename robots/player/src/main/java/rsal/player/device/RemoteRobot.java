@@ -84,7 +84,7 @@ public final class RemoteRobot {
                 case Part.Gripper its -> this == GRIPPER || this == INPUTS || (this == JOINT && its.hasLift());
                 case Part.Actuator _ -> this == JOINT;
                 case Part.Own own -> this == OWN.get(own.makes());
-                case Part.Light _ -> false;
+                case Part.Light _, Part.Registered _ -> false;
             };
         }
 
@@ -146,7 +146,7 @@ public final class RemoteRobot {
 
     /// Whether Player has something like a part.
     public static boolean has(Part part) {
-        return !(part instanceof Part.Light);
+        return !(part instanceof Part.Light || part instanceof Part.Registered);
     }
 
     private void add(String name, Part part) throws IOException {
@@ -184,7 +184,8 @@ public final class RemoteRobot {
                         Kind.PLANNER,
                         name,
                         (info, at) -> new PlayerNavigator(info, at.address, at.server, base, scheduler));
-            case Part.Light _ -> throw new IllegalArgumentException("(%s) is refused before.".formatted(part.name()));
+            case Part.Light _, Part.Registered _ ->
+                throw new IllegalArgumentException("(%s) is refused before.".formatted(part.name()));
         }
     }
 

@@ -2,6 +2,7 @@ package rsal.sim.world;
 
 import java.util.Arrays;
 import java.util.List;
+import rsal.data.Rgb;
 import rsal.scene.Surface;
 
 /// What blob finders tell of in an image of a [View]: patches of rows one above the other in a column, in each of which
@@ -18,7 +19,10 @@ public final class ColumnRenderer {
     private int columns;
     private int rowsAbove; // which show nothing
     private double[] slopes = NO_ROWS; // of the rows below those, height over way; falling
-    private double apart; // columns [rad]
+    private double apart; // columns [rad]; where they are evenly so
+    private double[] clockwise = NO_ROWS; // columns from the first one [rad]; empty where they are evenly apart
+    private double[] stretch = NO_ROWS; // by column, of ways along its plane over depth along the optical axis
+    private boolean tellsAll; // else only of blobs
     private double z; // of the camera above ground [m]
     private double reach;
     double fromX; // the camera, in the map frame [m]
@@ -49,18 +53,33 @@ public final class ColumnRenderer {
     private int[] patchEnd = {};
     private int[] patchMet = {};
     private double[] patchWays = {};
+    private int[] patchRows = {}; // where its rows are in:
+    private double[] rowWays = {};
+    private int rowCount;
 
     private ColumnRenderer() {}
 
+    /// How columns and rows of an image lie.
+    ///
+    /// @param apart columns [rad], where they are evenly so
+    /// @param clockwise angles of columns from the first one [rad]; empty where they are evenly apart
+    /// @param stretch of each column: how many times as far a ray goes along its plane as along the optical
+    ///         axis
+    /// @param rowsAbove beyond the zenith
+    /// @param slopes of the rows under those, height over depth, falling
+    record Optics(double apart, double[] clockwise, double[] stretch, int rowsAbove, double[] slopes) {}
+
     /// That of this thread, of a camera that sees nothing yet.
-    static ColumnRenderer ofThisThread(
-            int columns, double apart, int rowsAbove, double[] slopes, double z, double reach) {
+    static ColumnRenderer ofThisThread(Optics optics, double z, double reach) {
         ColumnRenderer sight = OF_THIS_THREAD.get();
-        sight.begin(columns, slopes.length);
-        sight.rowsAbove = rowsAbove;
-        sight.slopes = slopes;
-        sight.columns = columns;
-        sight.apart = apart;
+        sight.begin(optics.stretch.length, optics.slopes.length);
+        sight.rowsAbove = optics.rowsAbove;
+        sight.slopes = optics.slopes;
+        sight.columns = optics.stretch.length;
+        sight.apart = optics.apart;
+        sight.clockwise = optics.clockwise;
+        sight.stretch = optics.stretch;
+        sight.tellsAll = false;
         sight.z = z;
         sight.reach = reach;
         return sight;
@@ -82,6 +101,16 @@ public final class ColumnRenderer {
         Arrays.fill(farthest, 0, itsColumns, -1);
         met = 0;
         count = 0;
+        rowCount = 0;
+    }
+
+    /// Tells of all that there is, not only of what blob finders tell of.
+    void tellAll() {
+        tellsAll = true;
+    }
+
+    private boolean tells(Surface its) {
+        return tellsAll || its.blob();
     }
 
     /// How many patches there are.
@@ -136,11 +165,28 @@ public final class ColumnRenderer {
         double halfWidth = RoughAngles.asinAtLeast(piece.radius() / Math.sqrt(square)) + RoughAngles.ERROR;
         double bearing = RoughAngles.atan2(toX * dy[0] - toY * dx[0], toX * dx[0] + toY * dy[0]); // clockwise
         double start = bearing - halfWidth - TURN * Math.floor((bearing + halfWidth) / TURN); // its end is in [0, 2π)
-        for (double turned = start; turned <= (columns - 1) * apart; turned += TURN) {
-            int from = Math.max(0, (int) Math.ceil(turned / apart));
-            int to = Math.min(columns - 1, (int) Math.floor((turned + 2 * halfWidth) / apart));
-            meet(piece, toX, toY, from, to);
+        double last = clockwise.length == 0 ? (columns - 1) * apart : clockwise[columns - 1];
+        for (double turned = start; turned <= last; turned += TURN) {
+            meet(piece, toX, toY, firstColumn(turned), lastColumn(turned + 2 * halfWidth));
         }
+    }
+
+    /// The first column at least so far clockwise [rad].
+    private int firstColumn(double angle) {
+        if (clockwise.length == 0) {
+            return Math.max(0, (int) Math.ceil(angle / apart));
+        }
+        int found = Arrays.binarySearch(clockwise, angle);
+        return found < 0 ? -found - 1 : found;
+    }
+
+    /// The last column at most so far clockwise [rad].
+    private int lastColumn(double angle) {
+        if (clockwise.length == 0) {
+            return Math.min(columns - 1, (int) Math.floor(angle / apart));
+        }
+        int found = Arrays.binarySearch(clockwise, angle);
+        return found < 0 ? -found - 2 : found;
     }
 
     private void meet(PlacedShape piece, double toX, double toY, int from, int to) {
@@ -162,8 +208,8 @@ public final class ColumnRenderer {
         if (to <= 0) {
             return;
         }
-        int firstRow = rowsDownTo(highest > 0 ? highest / from : highest / to);
-        int endRow = rowsDownTo(lowest < 0 ? lowest / from : lowest / to);
+        int firstRow = rowsDownTo(stretch[column] * (highest > 0 ? highest / from : highest / to));
+        int endRow = rowsDownTo(stretch[column] * (lowest < 0 ? lowest / from : lowest / to));
         if (firstRow >= endRow) {
             return;
         }
@@ -172,7 +218,7 @@ public final class ColumnRenderer {
         end[here] = endRow;
         before[here] = last[column];
         last[column] = here;
-        if (its.blob()) {
+        if (tells(its)) {
             farthest[column] = Math.max(farthest[column], to);
         }
     }
@@ -216,18 +262,18 @@ public final class ColumnRenderer {
     void meetWalls(List<Walls> all) {
         everywhere = false;
         for (Walls walls : all) {
-            everywhere |= walls.surface().blob() && !walls.isAt(z);
+            everywhere |= tells(walls.surface()) && !walls.isAt(z);
         }
         if (everywhere) {
             Arrays.fill(farthest, 0, columns, reach);
         }
         for (Walls walls : all) {
-            if (walls.surface().blob() && walls.isAt(z)) {
+            if (tells(walls.surface()) && walls.isAt(z)) {
                 meet(walls);
             }
         }
         for (Walls walls : all) {
-            if (!walls.surface().blob() && walls.isAt(z)) {
+            if (!tells(walls.surface()) && walls.isAt(z)) {
                 meet(walls);
             }
         }
@@ -237,10 +283,10 @@ public final class ColumnRenderer {
         Rays rays = Rays.ofThisThread(columns);
         rays.count = 0;
         for (int column = 0; column < columns; column++) {
-            if (walls.surface().blob() || farthest[column] >= 0) {
+            if (tells(walls.surface()) || farthest[column] >= 0) {
                 chosen[rays.count] = column;
                 put(rays, rays.count++, column, 0);
-                if (!walls.surface().blob()) {
+                if (!tells(walls.surface())) {
                     rays.range[rays.count - 1] = farthest[column];
                 }
             }
@@ -278,7 +324,7 @@ public final class ColumnRenderer {
         int from = everywhere ? 0 : slopes.length;
         int to = everywhere ? slopes.length : 0;
         for (int i = last[column]; i != NONE; i = before[i]) {
-            if (surface[i].blob()) {
+            if (tells(surface[i])) {
                 from = Math.min(from, first[i]);
                 to = Math.max(to, end[i]);
             }
@@ -286,7 +332,7 @@ public final class ColumnRenderer {
         Arrays.fill(way, from, to, Double.POSITIVE_INFINITY);
         Arrays.fill(shows, from, to, NONE);
         for (int i = last[column]; i != NONE; i = before[i]) {
-            show(i, Math.max(from, first[i]), Math.min(to, end[i]));
+            show(i, column, Math.max(from, first[i]), Math.min(to, end[i]));
         }
         for (Walls some : walls) {
             if (some.highest() <= z) {
@@ -302,18 +348,18 @@ public final class ColumnRenderer {
             while (row < to && shows[row] == shows[start]) {
                 ways += way[row++];
             }
-            if (shows[start] != NONE && surface[shows[start]].blob()) {
+            if (shows[start] != NONE && tells(surface[shows[start]])) {
                 addPatch(column, start, row, shows[start], ways);
             }
         }
     }
 
     /// Shows what was met in those rows in which nothing is nearer.
-    private void show(int its, int from, int to) {
+    private void show(int its, int column, int from, int to) {
         double face = low[its] > 0 ? low[its] : high[its]; // which a ray may meet farther away than the near side
         boolean level = low[its] <= 0 && high[its] >= 0;
         for (int row = from; row < to; row++) {
-            double itsWay = level ? enters[its] : Math.max(enters[its], face / slopes[row]);
+            double itsWay = level ? enters[its] : Math.max(enters[its], stretch[column] * face / slopes[row]);
             show(its, row, itsWay);
         }
     }
@@ -332,12 +378,12 @@ public final class ColumnRenderer {
         int its = note(0, 0, 0, walls.surface());
         double found = -1;
         for (int row = to - 1; row >= from && slopes[row] < 0; row--) {
-            double begins = (walls.highest() - z) / slopes[row];
+            double begins = stretch[column] * (walls.highest() - z) / slopes[row];
             found = found < begins ? solidFrom(walls, column, begins) : found;
             if (found > reach) {
                 return;
             }
-            if (found <= (walls.lowest() - z) / slopes[row]) {
+            if (found <= stretch[column] * (walls.lowest() - z) / slopes[row]) {
                 show(its, row, found);
             }
         }
@@ -348,12 +394,12 @@ public final class ColumnRenderer {
         int its = note(0, 0, 0, walls.surface());
         double found = -1;
         for (int row = from; row < to && slopes[row] > 0; row++) {
-            double begins = (walls.lowest() - z) / slopes[row];
+            double begins = stretch[column] * (walls.lowest() - z) / slopes[row];
             found = found < begins ? solidFrom(walls, column, begins) : found;
             if (found > reach) {
                 return;
             }
-            if (found <= (walls.highest() - z) / slopes[row]) {
+            if (found <= stretch[column] * (walls.highest() - z) / slopes[row]) {
                 show(its, row, found);
             }
         }
@@ -370,6 +416,26 @@ public final class ColumnRenderer {
         return from + rays.range[0];
     }
 
+    /// Paints what patches show, and how far away that is. What shows nothing stays as it was.
+    ///
+    /// @param colors by pixel, row by row: 0xRRGGBB
+    /// @param depths by pixel, along the optical axis [m]
+    void paint(int[] colors, float[] depths) {
+        for (int patch = 0; patch < count; patch++) {
+            int column = patchColumn[patch];
+            int color = rgb(surface(patch).color());
+            for (int row = patchFirst[patch]; row < patchEnd[patch]; row++) {
+                colors[row * columns + column] = color;
+                depths[row * columns + column] =
+                        (float) (rowWays[patchRows[patch] + row - patchFirst[patch]] / stretch[column]);
+            }
+        }
+    }
+
+    private static int rgb(Rgb color) {
+        return color.red() << 16 | color.green() << 8 | color.blue();
+    }
+
     private void addPatch(int column, int firstRow, int endRow, int its, double ways) {
         if (count == patchColumn.length) {
             int size = Math.max(64, 2 * count);
@@ -384,6 +450,23 @@ public final class ColumnRenderer {
         patchEnd[count] = rowsAbove + endRow;
         patchMet[count] = its;
         patchWays[count] = ways;
+        if (tellsAll) {
+            noteRows(firstRow, endRow);
+        }
         count++;
+    }
+
+    /// Keeps how far each row of the patch looks, which are as many as pixels.
+    private void noteRows(int firstRow, int endRow) {
+        if (patchRows.length < patchColumn.length) {
+            patchRows = Arrays.copyOf(patchRows, patchColumn.length);
+        }
+        int rows = endRow - firstRow;
+        if (rowCount + rows > rowWays.length) {
+            rowWays = Arrays.copyOf(rowWays, Math.max(1024, 2 * (rowCount + rows)));
+        }
+        patchRows[count] = rowCount;
+        System.arraycopy(way, firstRow, rowWays, rowCount, rows);
+        rowCount += rows;
     }
 }

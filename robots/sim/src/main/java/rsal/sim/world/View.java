@@ -1,5 +1,7 @@
 package rsal.sim.world;
 
+import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 import rsal.data.Pose2d;
 import rsal.robot.Shift;
 
@@ -16,9 +18,8 @@ public final class View {
     private final double x; // of the camera in the base frame [m]
     private final double y;
     private final double height; // above the base [m]
-    private final double apart; // columns, and rows [rad]
-    private final int rowsAbove; // beyond the zenith
-    private final double[] slopes; // of the rows under those, height over way, from the highest to the lowest
+    private final ColumnRenderer.Optics optics;
+    private final @Nullable Pinhole pinhole;
     private final double[] cos; // of each column, in the base frame
     private final double[] sin;
 
@@ -27,16 +28,19 @@ public final class View {
         this.x = baseFromCamera.x();
         this.y = baseFromCamera.y();
         this.height = height;
-        apart = fieldOfView / columns;
+        double apart = fieldOfView / columns;
         int above = 0;
         while (above < rows / 2 && elevation(above, rows, apart) >= Math.PI / 2) {
             above++;
         }
-        rowsAbove = above;
-        slopes = new double[rows - 2 * above];
+        double[] slopes = new double[rows - 2 * above];
         for (int i = 0; i < slopes.length; i++) {
-            slopes[i] = StrictMath.tan(elevation(rowsAbove + i, rows, apart));
+            slopes[i] = StrictMath.tan(elevation(above + i, rows, apart));
         }
+        double[] stretch = new double[columns];
+        Arrays.fill(stretch, 1);
+        pinhole = null;
+        optics = new ColumnRenderer.Optics(apart, new double[0], stretch, above, slopes);
         cos = new double[columns];
         sin = new double[columns];
         for (int i = 0; i < columns; i++) {
@@ -45,6 +49,46 @@ public final class View {
             sin[i] = StrictMath.sin(angle);
         }
     }
+
+    /// Of a camera without distortion, which looks along its x axis.
+    ///
+    /// @param height of the camera above the base [m]
+    public View(Pose2d baseFromCamera, Pinhole pinhole, double height) {
+        x = baseFromCamera.x();
+        y = baseFromCamera.y();
+        this.height = height;
+        this.pinhole = pinhole;
+        int columns = pinhole.columns();
+        double[] slopes = new double[pinhole.rows()];
+        for (int i = 0; i < slopes.length; i++) {
+            slopes[i] = (pinhole.rows() / 2.0 - i - 0.5) / pinhole.focalLength();
+        }
+        cos = new double[columns];
+        sin = new double[columns];
+        double[] stretch = new double[columns];
+        double[] clockwise = new double[columns];
+        double first = StrictMath.atan((columns / 2.0 - 0.5) / pinhole.focalLength());
+        for (int i = 0; i < columns; i++) {
+            double aside = (columns / 2.0 - i - 0.5) / pinhole.focalLength();
+            double left = StrictMath.atan(aside);
+            cos[i] = StrictMath.cos(baseFromCamera.theta() + left);
+            sin[i] = StrictMath.sin(baseFromCamera.theta() + left);
+            stretch[i] = Math.sqrt(1 + aside * aside);
+            clockwise[i] = first - left;
+        }
+        optics = new ColumnRenderer.Optics(0, clockwise, stretch, 0, slopes);
+    }
+
+    /// Whether it is that of such a camera.
+    public boolean isOf(Pinhole other) {
+        return other.equals(pinhole);
+    }
+
+    /// A camera without distortion: the ray of column c and row r goes (columns / 2 - c - 1/2) / f to the left and
+    /// (rows / 2 - r - 1/2) / f upwards for each meter ahead.
+    ///
+    /// @param focalLength f [px]
+    public record Pinhole(int columns, int rows, double focalLength) {}
 
     private static double elevation(int row, int rows, double apart) {
         return (rows / 2.0 - row - 0.5) * apart;
@@ -65,9 +109,24 @@ public final class View {
 
     /// The same, of a camera that has been carried along.
     public ColumnRenderer look(World world, Body self, Shift shift, double reach) {
+        return look(world, self, shift, reach, false);
+    }
+
+    /// Paints all that there is, blobs or not, over what is in two arrays.
+    ///
+    /// @param colors by pixel, row by row: 0xRRGGBB
+    /// @param depths by pixel, along the optical axis [m]
+    public void paint(World world, Body self, Shift shift, double reach, int[] colors, float[] depths) {
+        look(world, self, shift, reach, true).paint(colors, depths);
+    }
+
+    private ColumnRenderer look(World world, Body self, Shift shift, double reach, boolean all) {
         Figure base = self.seen.shifted(shift);
         double z = base.height() + height;
-        ColumnRenderer sight = ColumnRenderer.ofThisThread(cos.length, apart, rowsAbove, slopes, z, reach);
+        ColumnRenderer sight = ColumnRenderer.ofThisThread(optics, z, reach);
+        if (all) {
+            sight.tellAll();
+        }
         sight.fromX = base.pose().x() + base.cos() * x - base.sin() * y;
         sight.fromY = base.pose().y() + base.sin() * x + base.cos() * y;
         for (int i = 0; i < cos.length; i++) {

@@ -39,7 +39,7 @@ class ViewTest {
     }
 
     /// One ray a pixel, which asks everything there is.
-    private record Eye(World world, List<Body> others, Pose2d mapFromCamera, double z, double reach) {
+    private record Eye(World world, List<Body> others, Pose2d mapFromCamera, double z, double reach, boolean all) {
         /// @param elevation upwards [rad]
         Shown look(double direction, double elevation) {
             if (Math.abs(elevation) >= Math.PI / 2) {
@@ -73,7 +73,7 @@ class ViewTest {
                     shown = way <= Math.min(to, most) ? shown.or(piece.surface, way) : shown;
                 }
             }
-            return shown.surface != null && shown.surface.blob() ? shown : Shown.NOTHING;
+            return shown.surface != null && (all || shown.surface.blob()) ? shown : Shown.NOTHING;
         }
 
         /// Whether a pixel shows the same a hair beside, and no two things that it is inside of, of which either will
@@ -139,6 +139,75 @@ class ViewTest {
         return walls;
     }
 
+    private static World world(RandomWorld random, long seed) {
+        List<Walls> walls = walls(random, seed);
+        var extent = new Extent(
+                random.map.originX(),
+                random.map.originY(),
+                random.map.originX() + random.map.width() * random.map.resolution(),
+                random.map.originY() + random.map.height() * random.map.resolution());
+        return new World(walls, extent);
+    }
+
+    private static List<Body> bodies(World world, RandomWorld random) {
+        var bodies = new ArrayList<Body>();
+        for (int i = 0; i < 25; i++) {
+            double height = i == 0 ? 0 : random.random.nextDouble(-0.5, 1.5);
+            bodies.add(world.add("b" + i, random.chunks(), random.anywhere(), height));
+        }
+        world.look();
+        return bodies;
+    }
+
+    /// Of a pinhole, whatever it is, with its depth.
+    @Test
+    void everyPixelOfAPinholeIsPaintedWithWhatItsRayMeetsFirst() {
+        int shown = 0;
+        int unsure = 0;
+        for (long seed = 0; seed < 150; seed++) {
+            var random = new RandomWorld(seed, 0.1, 0.005);
+            World world = world(random, seed);
+            List<Body> bodies = bodies(world, random);
+            Body self = bodies.getFirst();
+            var pinhole = new View.Pinhole(
+                    random.random.nextInt(1, 60), random.random.nextInt(1, 60), random.random.nextDouble(3, 60));
+            double reach = random.random.nextDouble(0.5, 6);
+            var shift = seed % 2 == 0 ? Shift.NONE : new Shift(new Pose2d(0.5, 0.1, 0.3), 0.2);
+            var baseFromCamera = new Pose2d(0.1, 0.1, 1);
+            Pose2d from = self.pose().compose(shift.baseFromMoved()).compose(baseFromCamera);
+            var eye = new Eye(world, bodies.subList(1, bodies.size()), from, HEIGHT + shift.rise(), reach, true);
+            int[] colors = new int[pinhole.columns() * pinhole.rows()];
+            float[] depths = new float[colors.length];
+            Arrays.fill(colors, -1);
+            new View(baseFromCamera, pinhole, HEIGHT).paint(world, self, shift, reach, colors, depths);
+            for (int pixel = 0; pixel < colors.length; pixel++) {
+                double left = (pinhole.columns() / 2.0 - pixel % pinhole.columns() - 0.5) / pinhole.focalLength();
+                int row = pixel / pinhole.columns();
+                double up = (pinhole.rows() / 2.0 - row - 0.5) / pinhole.focalLength();
+                double direction = from.theta() + Math.atan(left);
+                double elevation = Math.atan2(up, Math.hypot(1, left));
+                Shown right = eye.look(direction, elevation);
+                if (eye.isSure(right, direction, elevation)) {
+                    int color = right.surface == null
+                            ? -1
+                            : Integer.decode(right.surface.color().toString());
+                    assertThat(colors[pixel])
+                            .as("seed %d, pixel %d", seed, pixel)
+                            .isEqualTo(color);
+                    if (right.surface != null) {
+                        double depth = right.way / Math.hypot(1, left);
+                        assertThat(depths[pixel]).isCloseTo((float) depth, within(1e-4f));
+                    }
+                } else {
+                    unsure += right.way == 0 ? 0 : 1;
+                }
+                shown += right.surface == null ? 0 : 1;
+            }
+        }
+        assertThat(shown).isGreaterThan(20_000);
+        assertThat(unsure).isLessThan(shown / 20);
+    }
+
     @Test
     void everyPixelShowsWhatItsRayMeetsFirst() {
         int shown = 0;
@@ -146,19 +215,8 @@ class ViewTest {
         int unsure = 0;
         for (long seed = 0; seed < 150; seed++) {
             var random = new RandomWorld(seed, 0.1, 0.005);
-            List<Walls> walls = walls(random, seed);
-            var extent = new Extent(
-                    random.map.originX(),
-                    random.map.originY(),
-                    random.map.originX() + random.map.width() * random.map.resolution(),
-                    random.map.originY() + random.map.height() * random.map.resolution());
-            var world = new World(walls, extent);
-            var bodies = new ArrayList<Body>();
-            for (int i = 0; i < 25; i++) {
-                double height = i == 0 ? 0 : random.random.nextDouble(-0.5, 1.5);
-                bodies.add(world.add("b" + i, random.chunks(), random.anywhere(), height));
-            }
-            world.look();
+            World world = world(random, seed);
+            List<Body> bodies = bodies(world, random);
             Body self = bodies.getFirst();
             int columns = random.random.nextInt(1, 60);
             int rows = random.random.nextInt(1, 60);
@@ -167,7 +225,7 @@ class ViewTest {
             var shift = seed % 2 == 0 ? Shift.NONE : new Shift(new Pose2d(0.5, 0.1, 0.3), 0.2);
             var baseFromCamera = new Pose2d(0.1, 0.1, 1);
             Pose2d from = self.pose().compose(shift.baseFromMoved()).compose(baseFromCamera);
-            var eye = new Eye(world, bodies.subList(1, bodies.size()), from, HEIGHT + shift.rise(), reach);
+            var eye = new Eye(world, bodies.subList(1, bodies.size()), from, HEIGHT + shift.rise(), reach, false);
             var sight = new View(baseFromCamera, columns, rows, fieldOfView, HEIGHT).look(world, self, shift, reach);
             int[][] patches = patches(sight, columns, rows);
             double apart = fieldOfView / columns;

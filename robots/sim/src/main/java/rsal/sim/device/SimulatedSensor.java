@@ -1,0 +1,51 @@
+package rsal.sim.device;
+
+import java.time.Instant;
+import rsal.data.Stamped;
+import rsal.device.DeviceInfo;
+import rsal.device.Health;
+import rsal.device.SensorCore;
+
+/// A simulated sensor. Whoever writes one says what it measures; when, faults and health are the simulator's
+/// matter. All calls on the run's thread, after all robots have moved, but those of [#rays].
+public abstract class SimulatedSensor<T> extends SensorCore<T> {
+    /// Frame of its readings: `<robot>/<device>` unless it says otherwise.
+    private final String frame;
+
+    protected SimulatedSensor(DeviceInfo info) {
+        this(info, info.id());
+    }
+
+    protected SimulatedSensor(DeviceInfo info, String frame) {
+        super(info);
+        this.frame = frame;
+    }
+
+    public final String frame() {
+        return frame;
+    }
+
+    /// How many rays a reading casts. Whoever casts some is asked to measure by itself, maybe on another thread
+    /// than the run's, beside others, and is told of no steps. It must touch nothing that they touch.
+    public int rays() {
+        return 0;
+    }
+
+    /// One step of the simulation has passed. Called before [#measure].
+    ///
+    /// @param dt how long it was [s]
+    public void step(double dt) {}
+
+    /// What it reads now. Called when a reading is due.
+    public abstract T measure(Instant now);
+
+    /// Hands out a reading. The simulator calls it.
+    public final void show(Stamped<T> reading) {
+        deliver(reading);
+    }
+
+    /// Says how it is. The simulator calls it.
+    public final void isNow(Health health) {
+        health(health);
+    }
+}
