@@ -290,6 +290,7 @@ export const texts = {
     untold: 'has told nothing',
     unrecorded: 'nothing of it is in the recording',
     more: (count: number) => `and ${count} more`,
+    image: (device: string) => `What ${device} sees`,
   },
   plots: {
     title: 'Plots',

@@ -283,6 +283,12 @@ export interface HostInfo {
   realTime: boolean;
 }
 
+export interface ImageInfo {
+  width: number;
+  height: number;
+  rgb: string;
+}
+
 export type Kind = 'DOES' | 'BELIEVES' | 'WANTS';
 
 export interface LightInfo {
@@ -459,6 +465,7 @@ export interface ReadingInfo {
   facts: Fact[];
   left: number;
   age: number;
+  image: ImageInfo | null;
 }
 
 export interface Readings {

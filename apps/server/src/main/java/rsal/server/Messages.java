@@ -757,7 +757,11 @@ final class Messages {
     /// @param facts in words; only the first few of something that can be many
     /// @param left how many more there are
     /// @param age how long ago it was taken [s], by the run's clock; below zero when a robot's clock is ahead
-    record ReadingInfo(String device, List<Fact> facts, int left, double age) {}
+    /// @param image of a camera, made smaller
+    record ReadingInfo(String device, List<Fact> facts, int left, double age, Optional<ImageInfo> image) {}
+
+    /// @param rgb red, green and blue of each pixel, row by row from the top, in Base64
+    record ImageInfo(int width, int height, String rgb) {}
 
     /// @param value for people to read
     /// @param color that it is about, `#rrggbb`

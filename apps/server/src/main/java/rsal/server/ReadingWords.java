@@ -3,6 +3,7 @@ package rsal.server;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
+import java.util.Base64;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
@@ -25,6 +26,7 @@ import rsal.data.LaserScan;
 import rsal.data.LightState;
 import rsal.data.OccupancyGrid;
 import rsal.data.Odometry;
+import rsal.data.Picture;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
@@ -34,6 +36,7 @@ import rsal.device.Planner;
 import rsal.engine.NavigatorState;
 import rsal.engine.Reading;
 import rsal.server.Messages.Fact;
+import rsal.server.Messages.ImageInfo;
 import rsal.server.Messages.NumberInfo;
 import rsal.server.Messages.ReadingInfo;
 import rsal.server.Messages.Readings;
@@ -42,6 +45,8 @@ import rsal.server.Messages.Readings;
 final class ReadingWords {
     /// Of one device.
     static final int MOST_FACTS = 12;
+
+    private static final int MOST_PIXELS = 200; // of an image, each way
 
     private static final Point2d HERE = new Point2d(0, 0);
     private static final MathContext FOUR_DIGITS = new MathContext(4);
@@ -53,12 +58,32 @@ final class ReadingWords {
     }
 
     private static ReadingInfo info(Reading reading) {
-        List<Fact> facts = facts(reading.value().value());
+        Object told = reading.value().value();
+        List<Fact> facts = facts(told);
         return new ReadingInfo(
                 reading.device(),
                 facts.stream().limit(MOST_FACTS).toList(),
                 Math.max(0, facts.size() - MOST_FACTS),
-                reading.age().toMillis() / 1e3);
+                reading.age().toMillis() / 1e3,
+                told instanceof Picture picture ? Optional.of(image(picture)) : Optional.empty());
+    }
+
+    /// Every n-th pixel each way, so that it is small enough to be sent several times a second.
+    private static ImageInfo image(Picture picture) {
+        int step = Math.max(1, Math.ceilDiv(Math.max(picture.width(), picture.height()), MOST_PIXELS));
+        int width = Math.ceilDiv(picture.width(), step);
+        int height = Math.ceilDiv(picture.height(), step);
+        byte[] rgb = new byte[3 * width * height];
+        int at = 0;
+        for (int row = 0; row < height; row++) {
+            for (int column = 0; column < width; column++) {
+                int color = picture.color(column * step, row * step);
+                rgb[at++] = (byte) (color >> 16);
+                rgb[at++] = (byte) (color >> 8);
+                rgb[at++] = (byte) color;
+            }
+        }
+        return new ImageInfo(width, height, Base64.getEncoder().encodeToString(rgb));
     }
 
     private static List<Fact> facts(Object value) {
@@ -80,6 +105,7 @@ final class ReadingWords {
             case Decision decision -> decision(decision);
             case NavigatorState navigator -> navigator(navigator);
             case Planner.Asked asked -> asked(asked);
+            case Picture picture -> List.of(fact("image", "%d × %d px".formatted(picture.width(), picture.height())));
             default -> Numbers.of(value).stream().map(ReadingWords::number).toList();
         };
     }
@@ -197,13 +223,11 @@ final class ReadingWords {
         return fact(
                 number.title(),
                 number.value()
-                        .map(value -> "%s %s"
-                                .formatted(
-                                        new BigDecimal(value, FOUR_DIGITS)
-                                                .stripTrailingZeros()
-                                                .toPlainString(),
-                                        number.unit())
-                                .strip())
+                        .map(value -> new BigDecimal(value, FOUR_DIGITS)
+                                        .stripTrailingZeros()
+                                        .toPlainString()
+                                + (number.unit().isEmpty() || number.unit().startsWith("°") ? "" : " ")
+                                + number.unit())
                         .orElse("none"));
     }
 
