@@ -11,9 +11,16 @@ final class TestCommand extends Subcommand {
             description = "Also what takes too long for each change: all seeds, comparisons over many runs.")
     private boolean all;
 
+    @Option(
+            names = "--mutation",
+            description =
+                    "Only this: break code on purpose, one place at a time, and count what tests notice. Takes long.")
+    private boolean mutation;
+
     @Override
     int run() {
-        throw new Unreachable(
-                "Tests are run by the launcher in the project's folder: ./rsal test" + (all ? " --all" : ""));
+        throw new Unreachable("Tests are run by the launcher in the project's folder: ./rsal test"
+                + (all ? " --all" : "")
+                + (mutation ? " --mutation" : ""));
     }
 }

@@ -110,6 +110,101 @@ class SectorFusionTest {
         assertThat(later.range(Surroundings.sector(Math.toRadians(-89)))).isNaN();
     }
 
+    /// A wall 1 m to the left, which a laser sees, too. What a sonar hears up to 0.1 m and 5 % nearer is the same;
+    /// nearer
+    /// than that is glass.
+    @Test
+    void whatASonarHearsNearerThanTheLaserSeesIsThereToo() {
+        float[] ranges = new float[721];
+        for (int i = 0; i < ranges.length; i++) {
+            double up = Math.sin(Math.toRadians(-180 + 0.5 * i));
+            ranges[i] = up > 0.1 ? (float) (1 / up) : Float.POSITIVE_INFINITY;
+        }
+        var scan = new LaserScan(Pose2d.ORIGIN, -Math.PI, Math.toRadians(0.5), 0.05, 30, ranges);
+        for (double x : new double[] {-0.3, 0, 0.4}) {
+            for (double y : new double[] {-0.2, 0.1}) {
+                var baseFromSonar = new Pose2d(x, y, Math.PI / 2);
+                for (float range = 0.4f; range < 1.4f; range += 0.02f) {
+                    var round = new RangeArray(List.of(baseFromSonar), 0.3, 0.1, 5, new float[] {range});
+                    boolean same = 1 - y <= range + 0.1 + 0.05 * range;
+                    boolean sure = Math.abs(1 - y - (range + 0.1 + 0.05 * range)) > 0.02; // sectors are coarse
+                    Surroundings around = fuse(scan, round);
+                    double bearing = Math.atan2(y + range, x);
+                    double seen = around.nearest(bearing - 0.02, bearing + 0.02);
+                    double nearer = Math.hypot(x, y + range);
+                    if (sure && !same) {
+                        assertThat(seen).as("%s, %s, %s", x, y, range).isCloseTo(nearer, within(0.06));
+                    } else if (sure && y + range < 0.97) {
+                        assertThat(seen).as("%s, %s, %s", x, y, range).isGreaterThan(nearer);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Half of its cone to each side of its axis.
+    @Test
+    void aSonarFillsAllSectorsOfItsConesInnerHalf() {
+        for (double fieldOfView : new double[] {0.2, 0.6, 1.4}) {
+            var round = new RangeArray(List.of(new Pose2d(0, 0, 1)), fieldOfView, 0.1, 5, new float[] {2});
+            Surroundings around = fuse(null, round);
+            for (double angle = -1; angle <= 1; angle += 0.01) {
+                boolean inside = Math.abs(angle) < fieldOfView / 4 - Surroundings.WIDTH;
+                boolean outside = Math.abs(angle) > fieldOfView / 4 + Surroundings.WIDTH;
+                float range = around.range(Surroundings.sector(1 + angle));
+                if (inside || outside) {
+                    assertThat(Float.isNaN(range))
+                            .as("%s, %s", fieldOfView, angle)
+                            .isEqualTo(outside);
+                }
+            }
+        }
+    }
+
+    /// A beam of a coarse scanner stands for all between it and half way to the next ones.
+    @Test
+    void beamsOfACoarseScannerFillWhatIsBetweenThem() {
+        float[] ranges = {2, 3, 4};
+        var scan = new LaserScan(Pose2d.ORIGIN, Math.toRadians(-20), Math.toRadians(20), 0.05, 30, ranges);
+        Surroundings around = fuse(scan, null);
+        for (double degrees = -29; degrees <= 29; degrees += 1) {
+            float expected = degrees < -10 ? 2 : degrees < 10 ? 3 : 4;
+            if (Math.abs(Math.abs(degrees) - 10) > 1) {
+                assertThat(around.range(Surroundings.sector(Math.toRadians(degrees))))
+                        .as("%s°", degrees)
+                        .isCloseTo(expected, within(1e-5f));
+            }
+        }
+        assertThat(around.range(Surroundings.sector(Math.toRadians(33)))).isNaN();
+        assertThat(around.range(Surroundings.sector(Math.toRadians(-33)))).isNaN();
+    }
+
+    /// What was seen stays where it is in the world while the robot drives and turns.
+    @Test
+    void remembersWhereThingsAreWhileItDrivesAndTurns() {
+        var random = new Random(5);
+        for (int draw = 0; draw < 200; draw++) {
+            int beam = random.nextInt(361);
+            float range = 1 + random.nextFloat();
+            float[] ranges = ranges(Float.POSITIVE_INFINITY);
+            ranges[beam] = range;
+            var scan = new LaserScan(Pose2d.ORIGIN, Math.toRadians(-90), Math.toRadians(0.5), 0.05, 30, ranges);
+            Pose2d before = new Pose2d(random.nextDouble() * 4, random.nextDouble() * 4, random.nextDouble() * 6);
+            var move = new Pose2d(random.nextDouble() - 0.5, random.nextDouble() - 0.5, random.nextDouble() * 6 - 3);
+            var fusion = new SectorFusion(5);
+            fusion.fuse(Instant.EPOCH, before, Optional.of(scan), Optional.empty());
+            Surroundings later =
+                    fusion.fuse(Instant.ofEpochSecond(2), before.compose(move), Optional.empty(), Optional.empty());
+            double angle = Math.toRadians(-90 + 0.5 * beam);
+            Pose2d there = move.inverse().compose(new Pose2d(range * Math.cos(angle), range * Math.sin(angle), 0));
+            double bearing = Math.atan2(there.y(), there.x());
+            assertThat(later.things()).isEqualTo(1);
+            assertThat(later.nearest(bearing - 0.03, bearing + 0.03))
+                    .as("draw %d", draw)
+                    .isCloseTo(Math.hypot(there.x(), there.y()), within(0.03));
+        }
+    }
+
     /// Whoever has fused readings of other sensors before sees the same as one who has not.
     @Test
     void sensorsMayBeOthersThanBefore() {
