@@ -7,13 +7,17 @@ import static rsal.sim.SimRun.robot;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import rsal.data.LaserScan;
 import rsal.data.Pose2d;
 import rsal.data.RangeArray;
 import rsal.data.Stamped;
+import rsal.device.DeviceInfo;
 import rsal.device.LaserScanner;
 import rsal.device.SonarArray;
+import rsal.robot.RobotModel.Part;
+import rsal.robot.RobotModel.RangeNoise;
 
 class SimSensorsTest {
     private static final int AHEAD = 90; // of beams from −90° to 90°
@@ -96,6 +100,72 @@ class SimSensorsTest {
                 .value()
                 .ranges()[1];
         assertThat(nearest).isCloseTo(0.2f, within(1e-5f));
+    }
+
+    /// As REP 117 has it: below the least -∞, above the most +∞.
+    @Test
+    void shownRangesAreThoseThatCanBeMeasured() {
+        var exact = new RangeSensor.Noise(RangeNoise.of(0), new SplittableRandom(1));
+        RangeSensor<?> sensor = sensor(exact);
+        double[][] table = {
+            {0.5, 0.5},
+            {0.3, 0.3},
+            {0.299, Float.NEGATIVE_INFINITY},
+            {0, Float.NEGATIVE_INFINITY},
+            {5, 5},
+            {5.001, Float.POSITIVE_INFINITY},
+            {Double.POSITIVE_INFINITY, Float.POSITIVE_INFINITY}
+        };
+        for (double[] row : table) {
+            assertThat(sensor.shown(row[0], 0.3, 5)).as("%s m", row[0]).isEqualTo((float) row[1]);
+        }
+    }
+
+    /// A true range below the least is never shown as a hit, whatever its error; nor is one shown out of the range.
+    @Test
+    void noErrorMakesAHitOfWhatCannotBeMeasured() {
+        RangeSensor<?> sensor = sensor(new RangeSensor.Noise(new RangeNoise(0.2, 0.1, 0), new SplittableRandom(2)));
+        for (int draw = 0; draw < 2000; draw++) {
+            assertThat(sensor.shown(0.29, 0.3, 5)).isEqualTo(Float.NEGATIVE_INFINITY);
+            assertThat(sensor.shown(5.01, 0.3, 5)).isEqualTo(Float.POSITIVE_INFINITY);
+            float near = sensor.shown(0.35, 0.3, 5);
+            assertThat(near == Float.NEGATIVE_INFINITY || near >= 0.3f).isTrue();
+            float far = sensor.shown(4.95, 0.3, 5);
+            assertThat(far == Float.POSITIVE_INFINITY || far <= 5f).isTrue();
+        }
+    }
+
+    private static RangeSensor<?> sensor(RangeSensor.Noise noise) {
+        Part.Sonars sonars = Models.SONARS;
+        return new SimSonar(
+                new DeviceInfo("r1", "sonar", "sim"), sonars, SimSonar.cones(sonars, 0.2), Mount.BASE, noise);
+    }
+
+    /// From one edge of its cone to the other a sonar sees a post, and not beyond.
+    @Test
+    void aSonarSeesToBothEdgesOfItsCone() {
+        double half = Math.toRadians(15); // of 30°
+        for (double side : new double[] {1, -1}) {
+            for (double beyond : new double[] {0, 2}) { // degrees
+                var run = SimRun.of(SimRun.room(8, 6), robot("r1", Models.box(), new Pose2d(2, 3, 0)));
+                double angle = side * (half + Math.toRadians(beyond));
+                double distance = 2;
+                run.simulation.add(SimThings.can(
+                        "post", 2.1 + distance * Math.cos(angle), 3 + distance * Math.sin(angle), 0.02, 1));
+                run.advance(0.2);
+                float range = run.robot("r1")
+                        .require(SonarArray.class)
+                        .latest()
+                        .orElseThrow()
+                        .value()
+                        .ranges()[0];
+                if (beyond == 0) {
+                    assertThat(range).as("at the edge, %s", side).isCloseTo(1.98f, within(0.01f));
+                } else {
+                    assertThat(range).as("%s° outside", beyond).isGreaterThan(2.1f);
+                }
+            }
+        }
     }
 
     @Test

@@ -89,6 +89,58 @@ class OdometryModelTest {
         assertThat(Math.sqrt(across / COUNT)).isCloseTo(0.1, within(0.005));
     }
 
+    /// A turn t1, a way L and a turn t2 have turns with variances v1 = α2² L/2 + α1² |t1|, and v2 likewise. The
+    /// heading then has the variance v1 + v2. What is across the way has L² v1 (of small errors), and both
+    /// covary by L v1.
+    @Test
+    void eachTurnErrsByItsOwnAngle() {
+        for (double[] turns : new double[][] {{1.2, -0.2}, {-0.2, 1.2}, {0.1, 0.1}, {-1.4, 0.9}}) {
+            double length = 0.5;
+            Pose2d way =
+                    new Pose2d(0, 0, turns[0]).compose(new Pose2d(length, 0, 0)).compose(new Pose2d(0, 0, turns[1]));
+            var model = new OdometryModel(0, 0.03, 0.05);
+            Particles particles = at(Pose2d.ORIGIN, COUNT);
+            model.move(Pose2d.ORIGIN, way, particles, new SplittableRandom(6));
+            double first = 0.03 * 0.03 * length / 2 + 0.05 * 0.05 * Math.abs(turns[0]);
+            double second = 0.03 * 0.03 * length / 2 + 0.05 * 0.05 * Math.abs(turns[1]);
+            double heading = 0;
+            double across = 0;
+            double both = 0;
+            for (int i = 0; i < COUNT; i++) {
+                double wrong = Angles.difference(way.theta(), particles.theta[i]);
+                double aside = Math.cos(turns[0]) * particles.y[i] - Math.sin(turns[0]) * particles.x[i];
+                heading += wrong * wrong / COUNT;
+                across += aside * aside / COUNT;
+                both += aside * wrong / COUNT;
+            }
+            assertThat(heading).isCloseTo(first + second, within(0.06 * (first + second)));
+            assertThat(across).isCloseTo(length * length * first, within(0.06 * length * length * first));
+            assertThat(both).isCloseTo(length * first, within(0.08 * length * (first + second)));
+        }
+    }
+
+    /// It turned wrong on its way: of a heading's error half counts for the direction of the way.
+    @Test
+    void anOmnidirectionalBaseGoesAsideByHalfOfItsHeadingsError() {
+        var model = new OdometryModel(0, 0.05, 0.1, 0, Base.OMNIDIRECTIONAL);
+        for (double bearing : new double[] {0, 1, -2}) {
+            var way = new Pose2d(2 * Math.cos(bearing), 2 * Math.sin(bearing), 0.4);
+            Particles particles = at(Pose2d.ORIGIN, COUNT);
+            model.move(Pose2d.ORIGIN, way, particles, new SplittableRandom(7));
+            double variance = 0.05 * 0.05 * 2 + 0.1 * 0.1 * 0.4;
+            double heading = 0;
+            double both = 0;
+            for (int i = 0; i < COUNT; i++) {
+                double wrong = Angles.difference(0.4, particles.theta[i]);
+                double aside = Math.cos(bearing) * particles.y[i] - Math.sin(bearing) * particles.x[i];
+                heading += wrong * wrong / COUNT;
+                both += aside * wrong / COUNT;
+            }
+            assertThat(heading).isCloseTo(variance, within(0.05 * variance));
+            assertThat(both).isCloseTo(2 * variance / 2, within(0.06 * variance));
+        }
+    }
+
     private static double deviationAlong(Pose2d step, int steps) {
         Particles particles = at(Pose2d.ORIGIN, COUNT);
         var random = new SplittableRandom(2);
