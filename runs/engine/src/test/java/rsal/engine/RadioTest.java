@@ -66,6 +66,16 @@ class RadioTest {
         assertThat(asked).isZero();
     }
 
+    /// A message waits until what its sender said before is sent, and is late by the delay besides.
+    @Test
+    void whatWaitsForBandwidthIsDelayedBesides() {
+        Radio radio = radio(new Communication(
+                Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 0, Span.of(0.25, 0.25), Optional.of(2.0), 5));
+        for (int said = 0; said < 3; said++) { // two a second
+            assertThat(copies(radio)).containsExactly(Duration.ofMillis(500L * said + 250));
+        }
+    }
+
     @Test
     void rangeIsShorterBehindWalls() {
         Radio radio = radio(reaching(6, 3));

@@ -49,6 +49,28 @@ class VfhTest {
         assertThat(Math.signum(second)).isEqualTo(Math.signum(first));
     }
 
+    /// A direction that was closed opens only where an obstacle is 15 % farther away than where it closes
+    /// (section 2.2).
+    @Test
+    void whatWasClosedOpensLater() {
+        double closes = 0;
+        for (double distance = 2.2; distance > 0.8 && closes == 0; distance -= 0.01) {
+            obstacles.clear();
+            vfh.reset();
+            obstacles.add(distance, 0);
+            closes = drive(obstacles, 0, 3, false, 0).omega() != 0 ? distance : 0;
+        }
+        assertThat(closes).isGreaterThan(1);
+        double opens = 0;
+        for (double distance = closes; distance < 2.4 && opens == 0; distance += 0.01) {
+            obstacles.clear();
+            obstacles.add(distance, 0);
+            opens = drive(obstacles, 0, 3, false, 0).omega() == 0 ? distance : 0;
+        }
+        double radius = closes - 1.4; // of the circle; it looks 1.4 m beyond that
+        assertThat(opens - radius).isCloseTo(1.15 * 1.4, within(0.03));
+    }
+
     @Test
     void whatLiesBehindTheTargetDoesNotMatter() {
         obstacles.add(1.3, 0);

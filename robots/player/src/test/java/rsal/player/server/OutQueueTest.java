@@ -9,6 +9,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import rsal.player.message.Interface;
 import rsal.player.message.Maps;
 import rsal.player.message.Session;
@@ -92,6 +94,54 @@ class OutQueueTest {
         assertThat(sent()).startsWith(measured(2).get(1), measured(2).get(2)).hasSize(3);
         queue.round(ANSWER);
         assertThat(sent()).startsWith(ANSWER).containsAll(measured(3)).hasSize(5);
+    }
+
+    /// A rule holds for what is as it says in all that it names; what differs in one of these is queued.
+    @ParameterizedTest
+    @CsvSource({
+        "4, 2, 1, 7, true",
+        "4, 2, 1, -1, true",
+        "4, 2, -1, 7, true",
+        "4, -1, 1, 7, true",
+        "-1, 2, 1, 7, true",
+        "5, 2, 1, 7, false",
+        "4, 3, 1, 7, false",
+        "4, 2, 4, 7, false",
+        "4, 2, 1, 8, false"
+    })
+    void aRuleHoldsForWhatIsAsItSays(int interf, int index, int type, int subtype, boolean holds) throws Exception {
+        queue.add(new Session.ReplaceRule(interf, index, type, subtype, Session.REPLACE));
+        Packet first = Packet.of(Address.of(4, 2), Kind.DATA, 7, 1);
+        Packet second = Packet.of(Address.of(4, 2), Kind.DATA, 7, 2);
+        queue.data(List.of(first));
+        queue.data(List.of(second));
+        assertThat(sent()).isEqualTo(holds ? List.of(second) : List.of(first, second));
+    }
+
+    /// What is replaced is like the new one in device, kind and subtype.
+    @Test
+    void onlyWhatIsLikeItIsReplaced() throws Exception {
+        queue.add(new Session.ReplaceRule(Session.ANY, Session.ANY, Session.ANY, Session.ANY, Session.REPLACE));
+        List<Packet> others = List.of(
+                Packet.of(Address.of(5, 2), Kind.DATA, 7, 1),
+                Packet.of(Address.of(4, 3), Kind.DATA, 7, 1),
+                Packet.of(Address.of(4, 2), Kind.COMMAND, 7, 1),
+                Packet.of(Address.of(4, 2), Kind.DATA, 8, 1));
+        queue.data(others);
+        queue.data(List.of(Packet.of(Address.of(4, 2), Kind.DATA, 7, 1)));
+        Packet newest = Packet.of(Address.of(4, 2), Kind.DATA, 7, 2);
+        queue.data(List.of(newest));
+        assertThat(sent())
+                .isEqualTo(Stream.concat(others.stream(), Stream.of(newest)).toList());
+    }
+
+    @Test
+    void theFirstRuleThatHoldsCounts() throws Exception {
+        queue.add(new Session.ReplaceRule(4, 2, Session.ANY, Session.ANY, Session.IGNORE));
+        queue.add(new Session.ReplaceRule(Session.ANY, Session.ANY, Session.ANY, Session.ANY, Session.REPLACE));
+        Packet other = Packet.of(Address.of(5, 2), Kind.DATA, 7, 1);
+        queue.data(List.of(Packet.of(Address.of(4, 2), Kind.DATA, 7, 1), other));
+        assertThat(sent()).containsExactly(other);
     }
 
     private static CompletableFuture<Boolean> waiting(Waiting what) {
