@@ -3,6 +3,7 @@ package rsal.navigation.avoid;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import rsal.data.Footprint;
@@ -59,5 +60,14 @@ class OutlineTest {
                 assertThat(way).as("(%s, %s), curvature %s", x, y, curvature).isGreaterThan(full - 0.05);
             }
         }
+    }
+
+    /// A circle of the same area.
+    @Test
+    void itsRadiusIsThatOfACircleThatCoversAsMuch() {
+        Footprint box = Footprint.box(0.6, 0.4, new Point2d(0.3, -0.2));
+        assertThat(Outline.radius(box)).isCloseTo(Math.sqrt(0.24 / Math.PI), within(1e-9));
+        var triangle = new Footprint(List.of(new Point2d(-0.1, -0.1), new Point2d(0.5, -0.1), new Point2d(-0.1, 0.3)));
+        assertThat(Outline.radius(triangle)).isCloseTo(Math.sqrt(0.12 / Math.PI), within(1e-9));
     }
 }
