@@ -2,6 +2,7 @@ package rsal.navigation.wavefront;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
 import java.util.List;
@@ -127,5 +128,20 @@ class CostMapTest {
         }
         Difference none = Difference.between(alike, alike).orElseThrow();
         assertThat(map.over(none, toNotFree).ground()).isEqualTo(map.ground());
+    }
+
+    /// 1 + w ((comfort - d) / (comfort - radius))², between the radius and comfort.
+    @Test
+    void costsRiseWithTheSquareOfWhatIsMissingToComfort() {
+        for (double weight : new double[] {0, 1, 5}) {
+            var clearance = new CostMap.Clearance(0.2, 0.7, weight);
+            double most = clearance.cost(0.7);
+            for (double distance = 0.2; distance <= 1; distance += 0.05) {
+                double missing = Math.max(0, (0.7 - distance) / 0.5);
+                assertThat(clearance.cost(distance) / most)
+                        .as("%s m, weight %s", distance, weight)
+                        .isCloseTo(1 + weight * missing * missing, within(0.6 / most));
+            }
+        }
     }
 }
