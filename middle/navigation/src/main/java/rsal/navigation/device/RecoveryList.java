@@ -40,7 +40,12 @@ final class RecoveryList {
     }
 
     boolean isAnyDue(Situation situation) {
-        return all.stream().anyMatch(named -> named.recovery().isDue(situation));
+        for (Named named : all) { // ten times a second for each robot: no stream
+            if (named.recovery().isDue(situation)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /// Begins the first that is due; nothing when none is.
