@@ -142,23 +142,16 @@ record Kind(
     /// Kinds of devices that parts of robots can be.
     static Stream<Kind> devices() {
         return found(DeviceKind.class, DeviceKind::key)
-                .map(d -> new Kind(
-                        "device",
-                        d.key(),
-                        d.description(),
-                        Optional.of(d.makes().getSimpleName()),
-                        List.of(),
-                        List.of(),
-                        settings(d.parameters())));
+                .map(d -> of(d, "device", d.makes().getSimpleName()));
     }
 
-    /// @param driver that uses it
-    private static Kind of(Plugin plugin, String word, String driver) {
+    /// @param made the driver that uses it; of a kind of devices, what they are
+    private static Kind of(Plugin plugin, String word, String made) {
         return new Kind(
                 word,
                 plugin.key(),
                 plugin.description(),
-                Optional.of(driver),
+                Optional.of(made),
                 List.of(),
                 List.of(),
                 settings(plugin.parameters()));

@@ -277,7 +277,7 @@ class PilotTest {
         assertThat(decisions).isEmpty();
     }
 
-    /// So that whoever is engaged next knows what is beside the tail.
+    /// So that the next stack knows what is beside the tail.
     @Test
     void looksAroundWithoutAStack() {
         now = now.plus(Pilot.PERIOD);

@@ -4,7 +4,6 @@ import java.time.Duration;
 import java.time.Instant;
 import rsal.data.Stamped;
 import rsal.device.Device;
-import rsal.device.Health;
 import rsal.sim.device.SimulatedSensor;
 
 /// Lets a device of a registered kind work as those do that the simulator knows: periods, faults, health.
@@ -33,11 +32,5 @@ final class SimRegistered<T> extends SimActuatedDevice<T> {
     @Override
     Device device() {
         return sensor;
-    }
-
-    @Override
-    void close(Health.Lost why) {
-        super.close(why);
-        sensor.isNow(why);
     }
 }

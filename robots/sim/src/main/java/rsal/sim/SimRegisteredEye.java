@@ -4,7 +4,6 @@ import java.time.Duration;
 import java.time.Instant;
 import rsal.data.Stamped;
 import rsal.device.Device;
-import rsal.device.Health;
 import rsal.sim.device.SimulatedSensor;
 import rsal.sim.world.Body;
 import rsal.sim.world.World;
@@ -37,11 +36,5 @@ final class SimRegisteredEye<T> extends SimRangeSensor<T> {
     @Override
     Device device() {
         return sensor;
-    }
-
-    @Override
-    void close(Health.Lost why) {
-        super.close(why);
-        sensor.isNow(why);
     }
 }

@@ -16,7 +16,6 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.Executors;
 import org.junit.jupiter.api.Test;
 import rsal.data.Pose2d;
-import rsal.data.Rgb;
 import rsal.device.camera.Camera;
 import rsal.device.camera.CameraImage;
 import rsal.device.camera.CameraKind;
@@ -89,17 +88,13 @@ class SimCameraTest {
         CameraImage image = image(run);
         var rows = new ArrayList<Integer>();
         for (int row = 0; row < image.height(); row++) {
-            if (image.color(50, row) == rgb(RED)) {
+            if (image.color(50, row) == RED.packed()) {
                 rows.add(row);
                 assertThat(image.depth(50, row)).isBetween(1.89, 2.11);
             }
         }
         assertThat(rows).isNotEmpty().allMatch(row -> row > 39);
-        assertThat(image.color(20, rows.getFirst())).isNotEqualTo(rgb(RED));
-    }
-
-    private static int rgb(Rgb color) {
-        return color.red() << 16 | color.green() << 8 | color.blue();
+        assertThat(image.color(20, rows.getFirst())).isNotEqualTo(RED.packed());
     }
 
     @Test

@@ -13,7 +13,7 @@ import rsal.recording.proto.MessageType.Kind;
 import rsal.recording.proto.ProtoWriter;
 
 /// Writes and reads records of a class by their components, each a field of its name in lower case
-/// (`accelerationX`: `acceleration_x`). So whoever adds a kind of devices says nowhere else how its readings
+/// (`accelerationX`: `acceleration_x`). So a new kind of devices says nowhere else how its readings
 /// are recorded.
 ///
 /// Components are numbers, flags, texts, words of an enumeration, poses, arrays of numbers or bytes, records of
@@ -25,12 +25,18 @@ final class RecordCodec<T> {
 
     private record Field(RecordComponent component, int number, String name, Type type) {}
 
-    /// How a component is written and read.
-    private interface Type {
+    /// How a component is declared, written and read.
+    private record Type(Declaration declaration, Writer writer, Reader reader) {}
+
+    private interface Declaration {
         MessageType with(MessageType message, int number, String name);
+    }
 
-        void write(ProtoWriter out, int number, Object value);
+    private interface Writer {
+        void write(ProtoWriter out, int field, Object value);
+    }
 
+    private interface Reader {
         Object read(Fields fields, String name);
     }
 
@@ -56,7 +62,7 @@ final class RecordCodec<T> {
             Type type = type(component);
             fields.add(new Field(component, number, name, type));
             types.add(component.getType());
-            message = type.with(message, number, name);
+            message = type.declaration.with(message, number, name);
         }
         try {
             return new RecordCodec<>(
@@ -72,7 +78,7 @@ final class RecordCodec<T> {
 
     void write(ProtoWriter out, Object value) {
         for (Field field : fields) {
-            field.type.write(out, field.number, component(field.component, value));
+            field.type.writer.write(out, field.number, component(field.component, value));
         }
     }
 
@@ -88,7 +94,7 @@ final class RecordCodec<T> {
     T read(Fields values) {
         Object[] arguments = new Object[fields.size()];
         for (int i = 0; i < arguments.length; i++) {
-            arguments[i] = fields.get(i).type.read(values, fields.get(i).name);
+            arguments[i] = fields.get(i).type.reader.read(values, fields.get(i).name);
         }
         try {
             return constructor.newInstance(arguments);
@@ -139,7 +145,7 @@ final class RecordCodec<T> {
                     (fields, name) -> word(type, fields.text(name)));
         }
         if (type == Pose2d.class) {
-            return new Within(
+            return within(
                     Own.POSE,
                     (out, field, value) -> Own.pose(out, field, (Pose2d) value),
                     (fields, name) -> fields.pose(name).orElse(Pose2d.ORIGIN));
@@ -166,81 +172,31 @@ final class RecordCodec<T> {
         throw new IllegalArgumentException("There is no '%s' among '%s'.".formatted(text, type.getSimpleName()));
     }
 
-    private interface Writer {
-        void write(ProtoWriter out, int field, Object value);
-    }
-
-    private interface Reader {
-        Object read(Fields fields, String name);
-    }
-
-    private record Simple(Kind kind, boolean repeated, Writer writer, Reader reader) implements Type {
-        @Override
-        public MessageType with(MessageType message, int number, String name) {
-            return repeated ? message.withMany(number, name, kind) : message.with(number, name, kind);
-        }
-
-        @Override
-        public void write(ProtoWriter out, int number, Object value) {
-            writer.write(out, number, value);
-        }
-
-        @Override
-        public Object read(Fields fields, String name) {
-            return reader.read(fields, name);
-        }
-    }
-
-    private record Within(MessageType type, Writer writer, Reader reader) implements Type {
-        @Override
-        public MessageType with(MessageType message, int number, String name) {
-            return message.with(number, name, type);
-        }
-
-        @Override
-        public void write(ProtoWriter out, int number, Object value) {
-            writer.write(out, number, value);
-        }
-
-        @Override
-        public Object read(Fields fields, String name) {
-            return reader.read(fields, name);
-        }
-    }
-
     private static Type simple(Kind kind, Writer writer, Reader reader) {
-        return new Simple(kind, false, writer, reader);
+        return new Type((message, number, name) -> message.with(number, name, kind), writer, reader);
     }
 
     private static Type many(Writer writer, Reader reader) {
-        return new Simple(Kind.DOUBLE, true, writer, reader);
+        return new Type((message, number, name) -> message.withMany(number, name, Kind.DOUBLE), writer, reader);
+    }
+
+    private static Type within(MessageType type, Writer writer, Reader reader) {
+        return new Type((message, number, name) -> message.with(number, name, type), writer, reader);
     }
 
     private static Type one(RecordCodec<?> codec) {
-        return new Within(
+        return within(
                 codec.message,
-                (out, field, value) -> codec.within(out, field, value),
+                codec::within,
                 (fields, name) -> codec.read(fields.within(name)
                         .orElseThrow(() -> new IllegalArgumentException("There is no '%s'.".formatted(name)))));
     }
 
     private static Type several(RecordCodec<?> codec) {
-        return new Type() {
-            @Override
-            public MessageType with(MessageType message, int number, String name) {
-                return message.withMany(number, name, codec.message);
-            }
-
-            @Override
-            public void write(ProtoWriter out, int number, Object value) {
-                ((List<?>) value).forEach(each -> codec.within(out, number, each));
-            }
-
-            @Override
-            public Object read(Fields fields, String name) {
-                return fields.all(name).stream().map(codec::read).toList();
-            }
-        };
+        return new Type(
+                (message, number, name) -> message.withMany(number, name, codec.message),
+                (out, field, value) -> ((List<?>) value).forEach(each -> codec.within(out, field, each)),
+                (fields, name) -> fields.all(name).stream().map(codec::read).toList());
     }
 
     private void within(ProtoWriter out, int field, Object value) {

@@ -9,8 +9,8 @@ import rsal.data.Unit;
 /// @param orientation heading, counter-clockwise from east (REP 103) [rad]; of an IMU without a compass, turned
 ///         since the start from the heading then, so that it drifts
 /// @param angularVelocity around the vertical axis, counter-clockwise [rad/s]; mean since the last reading
-/// @param accelerationX ahead [m/s²], likewise
-/// @param accelerationY to the left [m/s²], likewise
+/// @param accelerationX ahead [m/s²]; mean since the last reading
+/// @param accelerationY to the left [m/s²]; mean since the last reading
 public record ImuReading(
         @Unit("rad") double orientation,
         @Unit("rad/s") double angularVelocity,

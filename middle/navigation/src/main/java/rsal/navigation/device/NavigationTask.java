@@ -291,7 +291,7 @@ final class NavigationTask {
                     }
                 })
                 .whenComplete((_, error) -> {
-                    if (error != null) { // of the search, or of what came of it
+                    if (error != null) { // of the search, or of adopting its result
                         end(new Result.NoPath("Planning failed: %s".formatted(error)));
                     }
                 });

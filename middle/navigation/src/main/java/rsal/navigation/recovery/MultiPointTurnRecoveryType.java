@@ -56,7 +56,7 @@ public final class MultiPointTurnRecoveryType implements RecoveryType {
         private final Driven driven;
         private final Duration after;
         private final Duration again;
-        private final MultiPointTurn turns;
+        private @Nullable MultiPointTurn turns; // made when first needed: most goals are reached without
         private @Nullable Shunt shunt; // what it found
         private @Nullable Throwable error; // of the search
         private boolean inVain; // the search
@@ -71,7 +71,6 @@ public final class MultiPointTurnRecoveryType implements RecoveryType {
             this.driven = driven;
             this.after = after;
             this.again = again;
-            this.turns = new MultiPointTurn(driven.footprint(), driven.limits(), driven.reaction());
         }
 
         @Override
@@ -116,13 +115,22 @@ public final class MultiPointTurnRecoveryType implements RecoveryType {
             double ahead = Math.min(ONWARD, situation.ahead());
             Pose2d odomFromBase = situation.motion().odomFromBase();
             driven.scheduler()
-                    .compute(turns.search(situation.obstacles(), situation.turn(), ahead))
+                    .compute(turns().search(situation.obstacles(), situation.turn(), ahead))
                     .whenComplete((legs, failure) -> {
                         if (search == searches) {
                             error = failure;
                             adopt(failure == null ? legs : Optional.empty(), ahead, odomFromBase);
                         }
                     });
+        }
+
+        private MultiPointTurn turns() {
+            MultiPointTurn known = turns;
+            if (known == null) {
+                known = new MultiPointTurn(driven.footprint(), driven.limits(), driven.reaction());
+                turns = known;
+            }
+            return known;
         }
 
         /// Drives on by what the search found open, too: a controller that wants more room would stand there.
@@ -164,8 +172,8 @@ public final class MultiPointTurnRecoveryType implements RecoveryType {
             if (shunt == null) {
                 return Twist2d.STOP;
             }
-            Twist2d safe = turns.guarded(
-                    shunt.drive(situation.motion()), situation.motion().velocity(), situation.obstacles());
+            Twist2d safe = turns().guarded(
+                            shunt.drive(situation.motion()), situation.motion().velocity(), situation.obstacles());
             refused = safe.equals(Twist2d.STOP) ? refused + 1 : 0;
             return safe;
         }

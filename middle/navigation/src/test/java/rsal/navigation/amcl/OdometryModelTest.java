@@ -89,7 +89,7 @@ class OdometryModelTest {
         assertThat(Math.sqrt(across / COUNT)).isCloseTo(0.1, within(0.005));
     }
 
-    /// A turn t1, a way L and a turn t2 have turns with variances v1 = α2² L/2 + α1² |t1|, and v2 likewise. The
+    /// A turn t1, a way L and a turn t2 have turns with variances v1 = α2² L/2 + α1² |t1|, and v2 of t2. The
     /// heading then has the variance v1 + v2. What is across the way has L² v1 (of small errors), and both
     /// covary by L v1.
     @Test

@@ -6,8 +6,8 @@ import rsal.device.DeviceInfo;
 import rsal.device.Health;
 import rsal.device.SensorCore;
 
-/// A simulated sensor. Whoever writes one says what it measures; when, faults and health are the simulator's
-/// matter. All calls on the run's thread, after all robots have moved, but those of [#rays].
+/// A simulated sensor. It says what it measures; when it does, faults and health are the simulator's part. All calls
+/// on the run's thread, after all robots have moved, except for sensors with [#rays].
 public abstract class SimulatedSensor<T> extends SensorCore<T> {
     /// Frame of its readings: `<robot>/<device>` unless it says otherwise.
     private final String frame;
@@ -25,8 +25,8 @@ public abstract class SimulatedSensor<T> extends SensorCore<T> {
         return frame;
     }
 
-    /// How many rays a reading casts. Whoever casts some is asked to measure by itself, maybe on another thread
-    /// than the run's, beside others, and is told of no steps. It must touch nothing that they touch.
+    /// How many rays a reading casts. A sensor that casts some may measure on another thread than the run's, beside
+    /// others, and gets no [#step]. It must touch nothing that others touch.
     public int rays() {
         return 0;
     }

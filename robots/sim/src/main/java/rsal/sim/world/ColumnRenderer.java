@@ -2,7 +2,6 @@ package rsal.sim.world;
 
 import java.util.Arrays;
 import java.util.List;
-import rsal.data.Rgb;
 import rsal.scene.Surface;
 
 /// What blob finders tell of in an image of a [View]: patches of rows one above the other in a column, in each of which
@@ -423,17 +422,13 @@ public final class ColumnRenderer {
     void paint(int[] colors, float[] depths) {
         for (int patch = 0; patch < count; patch++) {
             int column = patchColumn[patch];
-            int color = rgb(surface(patch).color());
+            int color = surface(patch).color().packed();
             for (int row = patchFirst[patch]; row < patchEnd[patch]; row++) {
                 colors[row * columns + column] = color;
                 depths[row * columns + column] =
                         (float) (rowWays[patchRows[patch] + row - patchFirst[patch]] / stretch[column]);
             }
         }
-    }
-
-    private static int rgb(Rgb color) {
-        return color.red() << 16 | color.green() << 8 | color.blue();
     }
 
     private void addPatch(int column, int firstRow, int endRow, int its, double ways) {
