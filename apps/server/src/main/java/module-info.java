@@ -2,6 +2,7 @@
 /// [rsal.scenario.LiveRun], or as [rsal.recording.Playback] when they were recorded; knows nothing of simulators, agent
 /// hosts or the command line. Sweeps that are begun in a page it leaves to [rsal.experiment].
 module rsal.server {
+    requires rsal.models;
     requires rsal.worlds;
     requires rsal.behaviors;
     requires rsal.experiments;

@@ -10,4 +10,5 @@ module rsal.engine {
     requires static org.jspecify;
 
     exports rsal.engine;
+    exports rsal.engine.report;
 }

@@ -11,10 +11,10 @@ import java.util.concurrent.TimeoutException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import rsal.agent.bdi.Mind.GoalState;
-import rsal.engine.AgentInspection;
-import rsal.engine.Answer;
 import rsal.engine.LiveRun;
-import rsal.engine.RunResult;
+import rsal.engine.report.AgentInspection;
+import rsal.engine.report.Answer;
+import rsal.engine.report.RunResult;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 
@@ -63,7 +63,7 @@ class JadexIT {
     /// Completes with what is in a hunter when its mind shows that it is after that.
     private static CompletableFuture<AgentInspection> untilItWants(LiveRun run, String goal) {
         var wanted = new CompletableFuture<AgentInspection>();
-        run.onEvents(() -> run.inside("follow-1").thenAccept(answer -> {
+        run.onEvents(() -> run.inspector().inside("follow-1").thenAccept(answer -> {
             if (answer instanceof Answer.Seen(AgentInspection hunter)
                     && hunter.mind().stream()
                             .flatMap(mind -> mind.goals().stream())

@@ -16,9 +16,9 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.TypeConversionException;
-import rsal.engine.Answer;
 import rsal.engine.LiveRun;
-import rsal.engine.RunResult;
+import rsal.engine.report.Answer;
+import rsal.engine.report.RunResult;
 import rsal.scenario.Providers;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
@@ -144,7 +144,12 @@ final class BridgeCommand extends Subcommand {
     }
 
     private void offer(LiveRun run, BridgeProvider provider, InetSocketAddress at) throws Exception {
-        tell(at, run.bridge(provider, at, timeout.limit()).toCompletableFuture().get());
+        tell(
+                at,
+                run.operator()
+                        .bridge(provider, at, timeout.limit())
+                        .toCompletableFuture()
+                        .get());
     }
 
     private void tell(RunPlan plan, RunResult result) {

@@ -19,7 +19,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.UnmatchedArgumentException;
-import rsal.engine.RunBroken;
+import rsal.engine.report.RunBroken;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Suggestion;
 

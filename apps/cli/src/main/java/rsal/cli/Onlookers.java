@@ -7,7 +7,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Optional;
 import rsal.engine.LiveRun;
-import rsal.engine.RunObserver;
+import rsal.engine.report.RunObserver;
 import rsal.foxglove.FoxgloveServer;
 import rsal.recording.Origin;
 import rsal.recording.Recorder;
@@ -57,7 +57,9 @@ final class Onlookers implements AutoCloseable {
         var witnesses = new ArrayList<RunObserver>();
         recorder.begin(origin).ifPresent(witnesses::add);
         foxglove.ifPresent(server -> witnesses.add(server.next(origin)));
-        LiveRun run = witnesses.isEmpty() ? LiveRun.start(plan) : LiveRun.start(plan, RunObserver.all(witnesses));
+        LiveRun run = witnesses.isEmpty()
+                ? LiveRun.start(plan)
+                : LiveRun.of(plan).observer(RunObserver.all(witnesses)).start();
         recorder.began(run);
         foxglove.ifPresent(server -> server.began(run));
         return run;

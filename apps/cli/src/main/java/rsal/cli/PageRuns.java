@@ -12,7 +12,7 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import rsal.engine.LiveRun;
-import rsal.engine.RunResult;
+import rsal.engine.report.RunResult;
 import rsal.recording.Recorder;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;

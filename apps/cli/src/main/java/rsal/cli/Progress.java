@@ -9,9 +9,9 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import rsal.engine.LiveRun;
-import rsal.engine.RunEvent;
-import rsal.engine.RunResult;
-import rsal.engine.Snapshot;
+import rsal.engine.report.RunEvent;
+import rsal.engine.report.RunResult;
+import rsal.engine.report.Snapshot;
 import rsal.scenario.RunPlan;
 import rsal.time.AllowedToReadWallClock;
 

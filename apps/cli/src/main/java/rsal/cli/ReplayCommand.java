@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import rsal.engine.RunEvent;
+import rsal.engine.report.RunEvent;
 import rsal.recording.Playback;
 import rsal.recording.Recording;
 import rsal.recording.Verification;

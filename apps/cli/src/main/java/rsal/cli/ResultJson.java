@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import rsal.engine.Reception;
-import rsal.engine.RunResult;
-import rsal.engine.TopicTraffic;
+import rsal.engine.report.Reception;
+import rsal.engine.report.RunResult;
+import rsal.engine.report.TopicTraffic;
 import rsal.scenario.RunPlan;
 
 /// A run's result for programs. Part of what users build on: names and order stay.

@@ -14,7 +14,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.TypeConversionException;
 import rsal.engine.LiveRun;
-import rsal.engine.RunResult;
+import rsal.engine.report.RunResult;
 import rsal.recording.Recorder;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
@@ -144,7 +144,7 @@ final class RunCommand extends Subcommand {
 
     private void armIfWanted(LiveRun run) {
         if (arm) {
-            run.rearm();
+            run.operator().rearm();
         }
     }
 

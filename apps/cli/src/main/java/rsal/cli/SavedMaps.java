@@ -10,7 +10,7 @@ import rsal.data.OccupancyGrid;
 import rsal.data.Stamped;
 import rsal.device.Mapper;
 import rsal.engine.LiveRun;
-import rsal.engine.RobotView;
+import rsal.engine.report.RobotView;
 import rsal.map.RosMap;
 import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.PlannedRobot;

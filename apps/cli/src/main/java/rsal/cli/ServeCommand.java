@@ -9,7 +9,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import rsal.engine.LiveRun;
-import rsal.engine.RunResult;
+import rsal.engine.report.RunResult;
 import rsal.recording.Recorder;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;

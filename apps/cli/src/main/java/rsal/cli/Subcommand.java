@@ -6,7 +6,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
-import rsal.engine.RunResult;
+import rsal.engine.report.RunResult;
 import rsal.scenario.RunPlan;
 import tools.jackson.databind.MapperFeature;
 import tools.jackson.databind.json.JsonMapper;

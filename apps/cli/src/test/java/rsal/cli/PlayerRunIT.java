@@ -24,9 +24,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import rsal.data.Pose2d;
 import rsal.engine.LiveRun;
-import rsal.engine.RobotView;
-import rsal.engine.RunEvent;
-import rsal.engine.RunResult;
+import rsal.engine.report.RobotView;
+import rsal.engine.report.RunEvent;
+import rsal.engine.report.RunResult;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 import rsal.testkit.LongTest;
@@ -129,7 +129,7 @@ class PlayerRunIT {
         }
         var options = RunOptions.NONE.withConfiguration("real").withSeed(7).withArguments(Map.of("servers", servers));
         try (LiveRun hunt = LiveRun.start(Scenario.load("hunt-and-prey").plan(options))) {
-            hunt.rearm().toCompletableFuture().join();
+            hunt.operator().rearm().toCompletableFuture().join();
             until(hunt, event -> event.kind().equals("message"), 1);
             Ended.signal("KILL", robots);
             until(hunt, event -> event.kind().equals("fault") && event.text().startsWith("is gone: "), 3);
@@ -170,10 +170,10 @@ class PlayerRunIT {
         var scenario = Scenario.load(ROOM.resolve("own-planner.yaml").toString());
         try (LiveRun run = LiveRun.start(scenario.plan(options))) {
             var goal = new Pose2d(2.5, -2, 0); // on the other side of the wall
-            run.rearm().toCompletableFuture().join();
-            run.goTo("robot-1", goal).toCompletableFuture().join();
+            run.operator().rearm().toCompletableFuture().join();
+            run.operator().goTo("robot-1", goal).toCompletableFuture().join();
             until(run, robot -> robot.estimate().isPresent() && velocity(robot) > 0.2);
-            run.estop().toCompletableFuture().join();
+            run.operator().estop().toCompletableFuture().join();
             until(run, robot -> velocity(robot) == 0);
             Pose2d there = until(run, robot -> velocity(robot) == 0)
                     .estimate()
@@ -181,7 +181,7 @@ class PlayerRunIT {
                     .value()
                     .mapFromBase();
             assertThat(there.distanceTo(goal)).isGreaterThan(2);
-            run.rearm().toCompletableFuture().join();
+            run.operator().rearm().toCompletableFuture().join();
             until( // by itself
                     run,
                     robot -> robot.estimate()
@@ -225,10 +225,10 @@ class PlayerRunIT {
         var options =
                 RunOptions.NONE.withConfiguration("display").withSeed(5).withArguments(Map.of("servers", servers));
         try (LiveRun run = LiveRun.start(Scenario.load("teleop").plan(options))) {
-            run.rearm().toCompletableFuture().join();
+            run.operator().rearm().toCompletableFuture().join();
             Pose2d begin = standIn(run, _ -> true);
             var goal = new Pose2d(begin.x() + (begin.x() < 0 ? 3 : -3), begin.y(), 0); // along the corridor
-            run.goTo("robot-1", goal).toCompletableFuture().join();
+            run.operator().goTo("robot-1", goal).toCompletableFuture().join();
             standIn(run, mapFromBase -> mapFromBase.distanceTo(goal) < 0.5);
         } finally {
             robots.destroy();

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import rsal.engine.RunEvent;
+import rsal.engine.report.RunEvent;
 
 class ProgressTest {
     @Test

@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import rsal.data.Pose2d;
-import rsal.engine.RunResult;
+import rsal.engine.report.RunResult;
 import rsal.experiment.Row;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;

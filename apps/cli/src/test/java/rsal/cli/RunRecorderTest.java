@@ -54,7 +54,8 @@ class RunRecorderTest {
 
     private static LiveRun record(RunPlan plan, RunRecorder recorder) throws Exception {
         var origin = new Origin(plan, "rsal test", "rsal run", Instant.EPOCH);
-        LiveRun run = LiveRun.start(plan, recorder.begin(origin).orElseThrow());
+        LiveRun run =
+                LiveRun.of(plan).observer(recorder.begin(origin).orElseThrow()).start();
         recorder.began(run);
         run.result().toCompletableFuture().get(100, TimeUnit.SECONDS);
         return run;

@@ -11,7 +11,7 @@ import org.eclipse.jetty.websocket.api.Session;
 import org.eclipse.jetty.websocket.api.StatusCode;
 import org.jspecify.annotations.Nullable;
 import rsal.data.Pose2d;
-import rsal.engine.Answer;
+import rsal.engine.report.Answer;
 import rsal.foxglove.FoxgloveServer.Showing;
 import rsal.foxglove.ServerMessages.ServerInfo;
 import rsal.foxglove.ServerMessages.Status;
@@ -146,7 +146,9 @@ public final class Connection extends Session.Listener.AbstractAutoDemanding imp
             Pose2d pose = Wish.pose(message);
             String robot = robot(wish);
             var run = showing.run().orElseThrow(() -> new Unclear("The run has not begun."));
-            var answer = wish.kind() == Wish.Kind.GOAL ? run.goTo(robot, pose) : run.place(robot, pose);
+            var answer = wish.kind() == Wish.Kind.GOAL
+                    ? run.operator().goTo(robot, pose)
+                    : run.operator().place(robot, pose);
             var _ = answer.handle((said, failure) -> {
                 tell(
                         switch (said) {

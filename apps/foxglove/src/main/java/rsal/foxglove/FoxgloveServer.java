@@ -33,7 +33,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import rsal.engine.LiveRun;
-import rsal.engine.RunObserver;
+import rsal.engine.report.RunObserver;
 import rsal.recording.Backlog;
 import rsal.recording.Backlog.Behind;
 import rsal.recording.Backlog.Entry;

@@ -117,7 +117,7 @@ class ClientTest {
 
     private static List<Entry> entries(RunPlan plan) throws Exception {
         var backlog = new Backlog(Behind.WAIT);
-        LiveRun run = LiveRun.start(plan, backlog);
+        LiveRun run = LiveRun.of(plan).observer(backlog).start();
         var entries = new ArrayList<Entry>();
         while (!run.result().toCompletableFuture().isDone()) {
             backlog.take().ifPresent(entries::add);

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import rsal.data.Pose2d;
 import rsal.engine.LiveRun;
-import rsal.engine.RunResult;
+import rsal.engine.report.RunResult;
 import rsal.recording.Origin;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
@@ -273,7 +273,8 @@ class FoxgloveServerTest {
             ByteBuffer still = before;
             Pose2d there = truth(run);
             String robot = run.plan().robots().getFirst().spec().id();
-            run.place(robot, new Pose2d(there.x() + 0.25, there.y(), there.theta()))
+            run.operator()
+                    .place(robot, new Pose2d(there.x() + 0.25, there.y(), there.theta()))
                     .toCompletableFuture()
                     .join();
             watcher.await(message -> message.get(0) == 1
@@ -347,7 +348,7 @@ class FoxgloveServerTest {
 
     private LiveRun start(RunPlan plan) {
         var origin = new Origin(plan, "rsal test", "rsal run", Instant.EPOCH);
-        LiveRun run = LiveRun.start(plan, server.next(origin));
+        LiveRun run = LiveRun.of(plan).observer(server.next(origin)).start();
         server.began(run);
         return run;
     }

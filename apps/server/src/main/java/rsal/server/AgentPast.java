@@ -5,11 +5,11 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
-import rsal.engine.MindChange;
-import rsal.engine.ReceivedMessage;
-import rsal.engine.RunEvent;
-import rsal.engine.SentMessage;
-import rsal.engine.SpeechAct;
+import rsal.engine.report.MindChange;
+import rsal.engine.report.ReceivedMessage;
+import rsal.engine.report.RunEvent;
+import rsal.engine.report.SentMessage;
+import rsal.engine.report.SpeechAct;
 
 /// What events of a run tell of an agent's past: what it did, what was said to it by name, and what it talked about.
 /// Whom it reached what is said to all is no event. Of each kind it has the last [#MOST_OF_A_KIND].

@@ -30,12 +30,14 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
-import rsal.engine.Answer;
 import rsal.engine.LiveRun;
 import rsal.engine.Operator;
-import rsal.engine.PlacedThing;
-import rsal.engine.Snapshot;
+import rsal.engine.RunOperator;
+import rsal.engine.report.Answer;
+import rsal.engine.report.PlacedThing;
+import rsal.engine.report.Snapshot;
 import rsal.map.RosMap;
+import rsal.model.RobotModels;
 import rsal.scenario.RunPlan;
 import rsal.server.CurrentRun.Numbered;
 import rsal.server.Messages.Added;
@@ -113,7 +115,7 @@ final class Api {
         routes.get("/api/drawn/{run}", this::drawn);
         routes.get("/api/drawn/{run}/files", this::drawnFiles);
         routes.get("/api/abilities", request -> {
-            answerWhenDone(request, running(request).abilities(asked(request, "robot")));
+            answerWhenDone(request, running(request).inspector().abilities(asked(request, "robot")));
         });
         routes.get("/api/readings", request -> {
             answerWhenDone(request, readings(request));
@@ -132,7 +134,7 @@ final class Api {
         routes.get("/api/trails", request -> answer(request, seats.find(request).trails(Past.asked(request))));
         routes.get(
                 "/api/communication",
-                request -> answerWhenDone(request, seen(request).communication()));
+                request -> answerWhenDone(request, seen(request).inspector().communication()));
         routes.get("/api/links", request -> {
             answerWhenDone(request, links(request));
         });
@@ -143,11 +145,12 @@ final class Api {
             answerWhenDone(request, readings(request), told -> DeviceMountings.of(told.readings()));
         });
         routes.get("/api/costs", request -> {
-            answerWhenDone(request, running(request).costs(asked(request, "robot")));
+            answerWhenDone(request, running(request).inspector().costs(asked(request, "robot")));
         });
-        routes.get("/api/sayable", request -> answer(request, Descriptions.sayable(LiveRun.sayable())));
+        routes.get("/api/sayable", request -> answer(request, Descriptions.sayable(RunOperator.sayable())));
         routes.get(
-                "/api/topics", request -> answerWhenDone(request, seen(request).topics()));
+                "/api/topics",
+                request -> answerWhenDone(request, seen(request).inspector().topics()));
         routes.get("/api/routine", request -> answerWhenDone(request, routine(request)));
         routes.get("/api/agent", request -> answerWhenDone(request, inside(request)));
 
@@ -162,60 +165,65 @@ final class Api {
         command(routes, "stop", request -> running(request).stop());
         command(routes, "place", request -> {
             RobotPose to = read(request, RobotPose.class);
-            answerWhenDone(request, running(request).place(to.robot(), pose(to)));
+            answerWhenDone(request, running(request).operator().place(to.robot(), pose(to)));
         });
         command(routes, "believe", request -> {
             RobotPose to = read(request, RobotPose.class);
-            answerWhenDone(request, running(request).believe(to.robot(), pose(to)));
+            answerWhenDone(request, running(request).operator().believe(to.robot(), pose(to)));
         });
         command(routes, "add", request -> {
             Addition wish = read(request, Addition.class);
             Pose2d there = pose(wish.x(), wish.y(), wish.heading());
             PlacedThing prop = PlacedThing.valueOf(wish.kind().name());
-            answerWhenDone(request, running(request).add(prop, there));
+            answerWhenDone(request, running(request).operator().add(prop, there));
         });
         command(routes, "add-robot", request -> {
             RobotPose wish = read(request, RobotPose.class);
-            answerWhenDone(request, running(request).addRobot(wish.robot(), pose(wish)));
+            answerWhenDone(request, running(request).operator().addRobot(wish.robot(), pose(wish)));
         });
-        routes.get("/api/robots/models", request -> answer(request, Descriptions.robotModels(LiveRun.robotModels())));
+        routes.get(
+                "/api/robots/models", request -> answer(request, Descriptions.robotModels(RobotModels.readBuiltIn())));
         command(routes, "new-robot", request -> {
             NewRobot wish = read(request, NewRobot.class);
             Pose2d there = pose(wish.x(), wish.y(), wish.heading());
-            answerWhenDone(request, running(request).newRobot(wish.model(), there));
+            answerWhenDone(request, running(request).operator().newRobot(wish.model(), there));
         });
         command(
                 routes,
                 "remove",
                 request -> answerWhenDone(
                         request,
-                        running(request).remove(read(request, Removal.class).name())));
+                        running(request)
+                                .operator()
+                                .remove(read(request, Removal.class).name())));
         command(routes, "goal", request -> {
             RobotPose to = read(request, RobotPose.class);
-            answerWhenDone(request, running(request).goTo(to.robot(), pose(to)));
+            answerWhenDone(request, running(request).operator().goTo(to.robot(), pose(to)));
         });
         command(routes, "drive", request -> {
             Drive wish = read(request, Drive.class);
             answerWhenDone(
                     request,
-                    running(request).drive(wish.robot(), Steering.driver(wish.driver()), Steering.velocity(wish)));
+                    running(request)
+                            .operator()
+                            .drive(wish.robot(), Steering.driver(wish.driver()), Steering.velocity(wish)));
         });
         commandOfAll(routes, "release", request -> {
             Release wish = read(request, Release.class);
-            answerWhenDone(request, running(request).letGo(wish.robot(), Steering.driver(wish.driver())));
+            answerWhenDone(request, running(request).operator().release(wish.robot(), Steering.driver(wish.driver())));
         });
         command(routes, "behavior", request -> {
             Order wish = read(request, Order.class);
-            answerWhenDone(request, running(request).behave(wish.robot(), wish.behavior()));
+            answerWhenDone(request, running(request).operator().behave(wish.robot(), wish.behavior()));
         });
-        routes.get("/api/agents/types", request -> answer(request, Descriptions.agentTypes(LiveRun.agentTypes())));
+        routes.get("/api/agents/types", request -> answer(request, Descriptions.agentTypes(RunOperator.agentTypes())));
         command(routes, "new-agent", request -> {
             NewAgent wish = read(request, NewAgent.class);
-            answerWhenDone(request, running(request).newAgent(wish.type(), wish.robot(), wish.arguments()));
+            answerWhenDone(request, running(request).operator().newAgent(wish.type(), wish.robot(), wish.arguments()));
         });
         command(routes, "add-agent", request -> {
             AgentAddition wish = read(request, AgentAddition.class);
-            answerWhenDone(request, running(request).addAgent(wish.like(), wish.robot()));
+            answerWhenDone(request, running(request).operator().addAgent(wish.like(), wish.robot()));
         });
         command(
                 routes,
@@ -223,6 +231,7 @@ final class Api {
                 request -> answerWhenDone(
                         request,
                         running(request)
+                                .operator()
                                 .startAgent(read(request, AgentName.class).name())));
         command(
                 routes,
@@ -230,23 +239,24 @@ final class Api {
                 request -> answerWhenDone(
                         request,
                         running(request)
+                                .operator()
                                 .stopAgent(read(request, AgentName.class).name())));
         command(routes, "say", request -> {
             Saying wish = read(request, Saying.class);
-            answerWhenDone(request, running(request).say(wish.to(), wish.topic(), wish.fields()));
+            answerWhenDone(request, running(request).operator().say(wish.to(), wish.topic(), wish.fields()));
         });
         commandOfAll(routes, "estop", request -> answerWhenDone(request, seats.estop()));
         command(
                 routes,
                 "rearm",
-                request -> answerWhenDone(request, running(request).rearm()));
+                request -> answerWhenDone(request, running(request).operator().rearm()));
         commandOfAll(routes, "motors", request -> {
             Motors wish = read(request, Motors.class);
             if (wish.on()) {
                 gate.lease().check(operator(request));
-                answerWhenDone(request, running(request).rearm(wish.robot()));
+                answerWhenDone(request, running(request).operator().rearm(wish.robot()));
             } else { // a stop
-                answerWhenDone(request, running(request).stop(wish.robot()));
+                answerWhenDone(request, running(request).operator().stop(wish.robot()));
             }
         });
         commandOfAll(routes, "check", request -> {
@@ -434,7 +444,7 @@ final class Api {
         return Past.askedBack(request)
                 .<CompletionStage<Answer>>map(time -> CompletableFuture.completedStage(
                         seats.find(request).recollection().readings(robot, time)))
-                .orElseGet(() -> seen(request).readings(robot));
+                .orElseGet(() -> seen(request).inspector().readings(robot));
     }
 
     /// Who hears whom; at another time than now when that is asked for.
@@ -442,7 +452,7 @@ final class Api {
         return Past.askedBack(request)
                 .<CompletionStage<Answer>>map(time -> CompletableFuture.completedStage(
                         seats.find(request).recollection().links(time)))
-                .orElseGet(() -> running(request).links(asked(request, "robot")));
+                .orElseGet(() -> running(request).inspector().links(asked(request, "robot")));
     }
 
     /// What an agent has in mind; at another time than now when that is asked for.
@@ -451,7 +461,7 @@ final class Api {
         LiveRun run = seen(request);
         Recollection recollection = seats.find(request).recollection();
         recollection.want(name);
-        CompletionStage<Answer> now = run.inside(name);
+        CompletionStage<Answer> now = run.inspector().inside(name);
         return Past.askedBack(request)
                 .map(time -> later(
                         now,
@@ -465,8 +475,8 @@ final class Api {
     private CompletionStage<Answer> routine(Context request) {
         String topic = asked(request, "topic");
         return Past.askedBack(request)
-                .map(time -> seen(request).routine(topic, time, Past.SHORTLY))
-                .orElseGet(() -> seen(request).routine(topic));
+                .map(time -> seen(request).inspector().routine(topic, time, Past.SHORTLY))
+                .orElseGet(() -> seen(request).inspector().routine(topic));
     }
 
     /// Not on the run's thread, which has better to do.

@@ -12,7 +12,7 @@ import rsal.data.Shape;
 import rsal.data.Solid;
 import rsal.device.SimulationControl.Carried;
 import rsal.device.SimulationControl.Standing;
-import rsal.engine.Teammate;
+import rsal.engine.report.Teammate;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Part;
 import rsal.server.Messages.CarriedInfo;

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import rsal.data.Blobs;
 import rsal.data.Blobs.Blob;
-import rsal.engine.Reading;
+import rsal.engine.report.Reading;
 import rsal.server.Messages.BlobInfo;
 import rsal.server.Messages.CameraView;
 import rsal.server.Messages.Cameras;

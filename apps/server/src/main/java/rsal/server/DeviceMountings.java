@@ -7,7 +7,7 @@ import rsal.data.Fiducials;
 import rsal.data.LaserScan;
 import rsal.data.Pose2d;
 import rsal.data.RangeArray;
-import rsal.engine.Reading;
+import rsal.engine.report.Reading;
 import rsal.server.Messages.MountInfo;
 import rsal.server.Messages.Mounts;
 

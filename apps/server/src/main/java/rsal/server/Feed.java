@@ -1,7 +1,7 @@
 package rsal.server;
 
 import java.util.List;
-import rsal.engine.RunEvent;
+import rsal.engine.report.RunEvent;
 import rsal.server.Messages.MotorsOff;
 
 /// What viewers are shown of a run at one moment.

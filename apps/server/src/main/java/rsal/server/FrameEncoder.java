@@ -21,8 +21,8 @@ import rsal.data.PoseEstimate.Hypothesis;
 import rsal.data.RangeArray;
 import rsal.data.Stamped;
 import rsal.device.SimulationControl.Standing;
-import rsal.engine.RobotView;
-import rsal.engine.Snapshot;
+import rsal.engine.report.RobotView;
+import rsal.engine.report.Snapshot;
 
 /// Writes snapshots as frames: little-endian, every block a multiple of 4 bytes, lengths in millimetres, angles
 /// in 1/65536 of a turn. `docs/reference/live-protocol.md` has the offsets.

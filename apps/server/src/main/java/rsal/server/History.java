@@ -3,7 +3,7 @@ package rsal.server;
 import java.time.Duration;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import rsal.engine.RunEvent;
+import rsal.engine.report.RunEvent;
 import rsal.server.Messages.Trails;
 
 /// The moments of a live run that viewers were or could have been shown, to look back on. At most [#MOST_BYTES]

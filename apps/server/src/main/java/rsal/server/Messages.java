@@ -280,8 +280,9 @@ final class Messages {
     record Details(
             int run, boolean whole, Optional<Ending> ending, List<RobotDetails> robots, List<AgentDetails> agents) {}
 
-    /// @param outcome as in [rsal.engine.RunResult]; `broken` when the run itself failed
-    /// @param measures by name (`captureTime`; `distance.prey-1` of those per robot); `null` where there was none
+    /// @param outcome as in [rsal.engine.report.RunResult]; `broken` when the run itself failed
+    /// @param measures by name (`captureTime`; `distance.prey-1` of those per robot); `null` where there was
+    ///         none
     /// @param outOfBounds names of the measures that are worse than the scenario allows
     /// @param failed what went wrong with agents that ended by a mistake of their own, by name
     /// @param unhandledGoals goals for which agents had no plan at all, by name of the agent

@@ -10,8 +10,8 @@ import java.util.Optional;
 import java.util.SequencedSet;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
-import rsal.engine.Answer;
 import rsal.engine.LiveRun;
+import rsal.engine.report.Answer;
 import rsal.server.Messages.PastNumbers;
 import rsal.server.Messages.PlottedNumbers;
 import rsal.time.AllowedToReadWallClock;
@@ -82,7 +82,8 @@ final class NumberHistory {
         List<String> some = chosen(robots);
         asked.addAndGet(some.size());
         for (String robot : some) {
-            var _ = run.readings(robot)
+            var _ = run.inspector()
+                    .readings(robot)
                     .whenCompleteAsync( // not on the run's thread, which has better to do than to look through records
                             (answer, _) -> {
                                 asked.decrementAndGet();

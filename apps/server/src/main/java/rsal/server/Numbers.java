@@ -2,7 +2,7 @@ package rsal.server;
 
 import java.util.List;
 import java.util.Optional;
-import rsal.engine.Answer;
+import rsal.engine.report.Answer;
 import rsal.recording.Quantities;
 import rsal.recording.Quantity;
 import rsal.server.Messages.DeviceNumbers;

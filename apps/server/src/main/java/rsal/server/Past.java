@@ -4,7 +4,7 @@ import io.javalin.http.Context;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
-import rsal.engine.RunEvent;
+import rsal.engine.report.RunEvent;
 
 /// What has been of a run: moments to look back on. For one thread.
 interface Past {

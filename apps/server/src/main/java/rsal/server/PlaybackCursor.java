@@ -4,7 +4,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.time.Duration;
 import java.util.List;
-import rsal.engine.RunEvent;
+import rsal.engine.report.RunEvent;
 import rsal.server.Messages.LookBack;
 
 /// One viewer's way through the past of a run: where it is, and how fast it goes on. For one thread.

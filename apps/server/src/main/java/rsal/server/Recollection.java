@@ -15,15 +15,15 @@ import rsal.agent.bdi.Mind;
 import rsal.agent.platform.AgentPlatform;
 import rsal.data.OccupancyGrid;
 import rsal.data.Stamped;
-import rsal.engine.AgentInspection;
-import rsal.engine.AgentView;
-import rsal.engine.Answer;
 import rsal.engine.LiveRun;
-import rsal.engine.MindChange;
-import rsal.engine.Reading;
-import rsal.engine.RobotView;
-import rsal.engine.RunEvent;
-import rsal.engine.Snapshot;
+import rsal.engine.report.AgentInspection;
+import rsal.engine.report.AgentView;
+import rsal.engine.report.Answer;
+import rsal.engine.report.MindChange;
+import rsal.engine.report.Reading;
+import rsal.engine.report.RobotView;
+import rsal.engine.report.RunEvent;
+import rsal.engine.report.Snapshot;
 
 /// What can be asked about a live run's past, beside the frames of its [History]: what devices had told, twice
 /// a second of the run and where it was paused, as whoever goes on by steps looks closely, and who heard whom;
@@ -61,7 +61,8 @@ final class Recollection {
     /// @param now the newest of the run
     void look(LiveRun run, Snapshot now) {
         if (keep(now) && asking.compareAndSet(false, true)) {
-            var _ = run.minds(chosen(now))
+            var _ = run.inspector()
+                    .minds(chosen(now))
                     .whenCompleteAsync( // not on the run's thread, which has better to do than to count
                             (answer, _) -> {
                                 if (answer instanceof Answer.Minded(Duration time, var told)) {

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.time.Duration;
 import java.util.HashSet;
 import java.util.Set;
-import rsal.engine.Answer;
+import rsal.engine.report.Answer;
 import rsal.recording.Playback;
 import rsal.recording.Playback.Told;
 import rsal.server.Messages.PastNumbers;

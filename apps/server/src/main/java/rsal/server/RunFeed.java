@@ -2,10 +2,10 @@ package rsal.server;
 
 import java.time.Duration;
 import java.util.List;
-import rsal.engine.RobotView;
-import rsal.engine.RunEvent;
-import rsal.engine.Snapshot;
-import rsal.engine.Teammate;
+import rsal.engine.report.RobotView;
+import rsal.engine.report.RunEvent;
+import rsal.engine.report.Snapshot;
+import rsal.engine.report.Teammate;
 import rsal.server.CurrentRun.Numbered;
 import rsal.server.Messages.MotorsOff;
 import rsal.server.Messages.Newcomers;

@@ -4,7 +4,7 @@ import java.time.Duration;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
-import rsal.engine.Answer;
+import rsal.engine.report.Answer;
 import rsal.server.CurrentRun.Numbered;
 import rsal.server.Messages.Trails;
 
@@ -90,7 +90,7 @@ final class RunSlot implements AutoCloseable {
     /// Switches off all motors. What has ended has none.
     CompletionStage<Answer> estop() {
         Numbered now = now();
-        return now.run().estop().thenApply(answer -> now.isOver() ? new Answer.Stopped(0) : answer);
+        return now.run().operator().estop().thenApply(answer -> now.isOver() ? new Answer.Stopped(0) : answer);
     }
 
     /// Lets its viewers go, with a word, then ends its run.

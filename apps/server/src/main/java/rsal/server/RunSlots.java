@@ -17,8 +17,8 @@ import org.eclipse.jetty.ee10.websocket.server.JettyServerUpgradeRequest;
 import org.eclipse.jetty.ee10.websocket.server.JettyServerUpgradeResponse;
 import org.eclipse.jetty.ee10.websocket.server.JettyWebSocketServerContainer;
 import org.jspecify.annotations.Nullable;
-import rsal.engine.Answer;
 import rsal.engine.LiveRun;
+import rsal.engine.report.Answer;
 import rsal.scenario.RunPlan;
 import rsal.time.AllowedToReadWallClock;
 
@@ -125,7 +125,12 @@ final class RunSlots implements Viewing {
         }
         checkNoStopSince(asked);
         var seat = new RunSlot(
-                newest + 1, new CurrentRun(plan, _ -> {}, next -> LiveRun.start(next, HELPERS_BESIDE)), gate);
+                newest + 1,
+                new CurrentRun(
+                        plan,
+                        _ -> {},
+                        next -> LiveRun.of(next).helpers(HELPERS_BESIDE).start()),
+                gate);
         newest = seat.number();
         all = Stream.concat(all.stream(), Stream.of(seat)).toList();
         stopIfToldSince(asked, seat);

@@ -37,7 +37,7 @@ final class Steering {
         return velocity;
     }
 
-    static Abilities abilities(rsal.engine.Abilities robot) {
+    static Abilities abilities(rsal.engine.report.Abilities robot) {
         RobotModel.Drive drive = robot.drive();
         return new Abilities(
                 drive.forward().speed().most(),

@@ -85,7 +85,7 @@ final class Sweeps implements AutoCloseable {
 
     /// Goes on with one that was stopped, or failed, or whose server is gone.
     ///
-    /// @param name of its folder, as [EarlierSweep] has it; empty for the newest of this server
+    /// @param name of its folder, as [Messages.EarlierSweep] has it; empty for the newest of this server
     /// @throws Refusal when there is none, it has ended, or it can't go on here
     synchronized void resume(String name) {
         RunServer.Sweeping here = here();

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
-import rsal.engine.RunEvent;
+import rsal.engine.report.RunEvent;
 import rsal.server.Messages.Events;
 import rsal.server.Messages.LookBack;
 import rsal.server.Messages.MotorsOff;

@@ -12,7 +12,7 @@ import rsal.data.Blobs.Blob;
 import rsal.data.Pose2d;
 import rsal.data.Rgb;
 import rsal.data.Stamped;
-import rsal.engine.Reading;
+import rsal.engine.report.Reading;
 import rsal.server.Messages.BlobInfo;
 import rsal.server.Messages.CameraView;
 

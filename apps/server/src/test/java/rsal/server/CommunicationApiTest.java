@@ -16,8 +16,9 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.Timeout.ThreadMode;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.agent.AgentType;
-import rsal.engine.Answer;
 import rsal.engine.LiveRun;
+import rsal.engine.RunOperator;
+import rsal.engine.report.Answer;
 import rsal.scenario.RunOptions;
 import rsal.server.RawHttp.Response;
 import tools.jackson.databind.JsonNode;
@@ -131,7 +132,8 @@ class CommunicationApiTest {
         List<JsonNode> types = each(get("/api/agents/types").get("types"));
         assertThat(types)
                 .extracting(type -> type.get("type").asString())
-                .containsAll(LiveRun.agentTypes().stream().map(AgentType::key).toList());
+                .containsAll(
+                        RunOperator.agentTypes().stream().map(AgentType::key).toList());
         JsonNode nav = types.stream()
                 .filter(type -> type.get("type").asString().equals("nav"))
                 .findFirst()
@@ -457,9 +459,10 @@ class CommunicationApiTest {
 
     /// At two agents and at what all say.
     private static void look(LiveRun run) {
-        assertThat(run.inside("evade").toCompletableFuture().join()).isInstanceOf(Answer.Seen.class);
-        assertThat(run.inside("spread").toCompletableFuture().join()).isInstanceOf(Answer.Seen.class);
-        assertThat(run.communication().toCompletableFuture().join()).isInstanceOf(Answer.Heard.class);
-        assertThat(run.links("").toCompletableFuture().join()).isInstanceOf(Answer.Linked.class);
+        assertThat(run.inspector().inside("evade").toCompletableFuture().join()).isInstanceOf(Answer.Seen.class);
+        assertThat(run.inspector().inside("spread").toCompletableFuture().join())
+                .isInstanceOf(Answer.Seen.class);
+        assertThat(run.inspector().communication().toCompletableFuture().join()).isInstanceOf(Answer.Heard.class);
+        assertThat(run.inspector().links("").toCompletableFuture().join()).isInstanceOf(Answer.Linked.class);
     }
 }

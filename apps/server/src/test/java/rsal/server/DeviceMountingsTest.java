@@ -14,7 +14,7 @@ import rsal.data.Pose2d;
 import rsal.data.RangeArray;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
-import rsal.engine.Reading;
+import rsal.engine.report.Reading;
 import rsal.server.Messages.MountInfo;
 
 class DeviceMountingsTest {

@@ -26,10 +26,10 @@ import org.junit.jupiter.api.Timeout.ThreadMode;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.agent.bdi.Mind;
 import rsal.engine.LiveRun;
-import rsal.engine.RunEvent;
-import rsal.engine.RunObserver;
-import rsal.engine.SentMessage;
-import rsal.engine.Snapshot;
+import rsal.engine.report.RunEvent;
+import rsal.engine.report.RunObserver;
+import rsal.engine.report.SentMessage;
+import rsal.engine.report.Snapshot;
 import rsal.recording.Recorder;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
@@ -202,7 +202,8 @@ class ExpositionTest {
             held.countDown();
             free.await();
         });
-        try (var server = serve(Errand.plan(), plan -> LiveRun.start(plan, holding), Optional.empty())) {
+        try (var server =
+                serve(Errand.plan(), plan -> LiveRun.of(plan).observer(holding).start(), Optional.empty())) {
             held.await();
             PrometheusText metrics = scrape(server);
             assertThat(metrics.value("rsal_run_ended")).isZero();

@@ -28,9 +28,9 @@ import rsal.data.Solid;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
 import rsal.device.SimulationControl.Standing;
-import rsal.engine.Answer;
-import rsal.engine.RobotView;
-import rsal.engine.Snapshot;
+import rsal.engine.report.Answer;
+import rsal.engine.report.RobotView;
+import rsal.engine.report.Snapshot;
 
 class FrameEncoderTest {
     private static final Path FIXTURES = Path.of("../web/src/live/fixtures");

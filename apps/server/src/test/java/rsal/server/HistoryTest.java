@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import rsal.engine.RunEvent;
+import rsal.engine.report.RunEvent;
 import rsal.server.Messages.LookBack;
 import rsal.server.Messages.MotorsOff;
 import rsal.server.Messages.Receipt;

@@ -51,7 +51,7 @@ class LiveViewSourceTest {
             var showing = new LiveViewSource(current);
             showing.look(10);
             String before = showing.past().at(Duration.ofDays(1)).details();
-            run.estop().toCompletableFuture().join();
+            run.operator().estop().toCompletableFuture().join();
             run.freshSnapshot().toCompletableFuture().join();
             showing.look(10);
             assertThat(showing.past().at(Duration.ofDays(1)).details())

@@ -17,8 +17,8 @@ import rsal.data.Odometry;
 import rsal.data.Pose2d;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
-import rsal.engine.Answer;
-import rsal.engine.Reading;
+import rsal.engine.report.Answer;
+import rsal.engine.report.Reading;
 import rsal.server.Messages.DeviceNumbers;
 import rsal.server.Messages.NumberInfo;
 

@@ -32,8 +32,8 @@ import rsal.data.Rgb;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
 import rsal.device.Planner;
-import rsal.engine.NavigatorState;
-import rsal.engine.Reading;
+import rsal.engine.report.NavigatorState;
+import rsal.engine.report.Reading;
 import rsal.server.Messages.ReadingInfo;
 
 class ReadingWordsTest {

@@ -11,9 +11,9 @@ import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
 import rsal.data.Path2d;
 import rsal.data.Pose2d;
-import rsal.engine.Answer;
-import rsal.engine.RobotView;
-import rsal.engine.Snapshot;
+import rsal.engine.report.Answer;
+import rsal.engine.report.RobotView;
+import rsal.engine.report.Snapshot;
 import rsal.server.Messages.RealDetails;
 
 /// How the page is told of robots that nobody simulates.

@@ -22,11 +22,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.agent.bdi.Mind;
 import rsal.engine.LiveRun;
-import rsal.engine.RunEvent;
-import rsal.engine.RunObserver;
-import rsal.engine.RunResult;
-import rsal.engine.SentMessage;
-import rsal.engine.Snapshot;
+import rsal.engine.report.RunEvent;
+import rsal.engine.report.RunObserver;
+import rsal.engine.report.RunResult;
+import rsal.engine.report.SentMessage;
+import rsal.engine.report.Snapshot;
 import rsal.recording.Backlog;
 import rsal.recording.Origin;
 import rsal.recording.Playback;
@@ -203,7 +203,9 @@ class RecordedPastTest {
         var origin = new Origin(plan, "rsal test", "rsal run", Instant.EPOCH);
         var seen = new ArrayList<Snapshot>();
         try (Recorder recorder = Recorder.begin(file, true, origin, Backlog.Behind.WAIT, System::nanoTime)) {
-            LiveRun run = LiveRun.start(plan, new Seen(recorder.witness(), seen));
+            LiveRun run = LiveRun.of(plan)
+                    .observer(new Seen(recorder.witness(), seen))
+                    .start();
             meddling.accept(run);
             RunResult result = run.result().toCompletableFuture().get(100, TimeUnit.SECONDS);
             recorder.ended(result);

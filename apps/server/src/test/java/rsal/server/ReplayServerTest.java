@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import rsal.engine.Answer;
+import rsal.engine.report.Answer;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
@@ -201,7 +201,7 @@ class ReplayServerTest {
                 Scenario.load("hunt-and-prey").plan(RunOptions.NONE.withSpeed(1).withLimit(Duration.ofSeconds(2)));
         RecordedPastTest.record(plan, file, run -> {
             run.pause(); // else it might be over
-            CompletionStage<Answer> added = run.addAgent("escape-1", "prey-1");
+            CompletionStage<Answer> added = run.operator().addAgent("escape-1", "prey-1");
             run.step();
             assertThat(added.toCompletableFuture().join()).isEqualTo(new Answer.Added("escape-2"));
             run.resume();

@@ -36,8 +36,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.OccupancyGrid;
 import rsal.engine.LiveRun;
-import rsal.engine.RunEvent;
-import rsal.engine.Snapshot;
+import rsal.engine.report.RunEvent;
+import rsal.engine.report.Snapshot;
 import rsal.server.RawHttp.Response;
 
 class RunServerTest {

@@ -14,8 +14,8 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import rsal.engine.RobotView;
-import rsal.engine.Snapshot;
+import rsal.engine.report.RobotView;
+import rsal.engine.report.Snapshot;
 import rsal.server.RawHttp.Response;
 
 /// Driving robots and giving them behaviors over HTTP.

@@ -11,7 +11,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
-import rsal.engine.RunEvent;
+import rsal.engine.report.RunEvent;
 import rsal.server.Messages.Receipt;
 import rsal.server.Messages.ThingInfo;
 import rsal.server.ViewerCounts.Kind;

@@ -62,6 +62,14 @@ public final class RobotModels {
                 "kilobot");
     }
 
+    /// The models that come with the program, with the parts that they have by themselves.
+    public static List<RobotModel> readBuiltIn() {
+        var models = new RobotModels(MODELS);
+        return builtIn().stream()
+                .map(name -> models.read(name, Location.of(name)))
+                .toList();
+    }
+
     /// Names of the parts that come with the program.
     public static List<String> builtInParts() {
         return List.of(

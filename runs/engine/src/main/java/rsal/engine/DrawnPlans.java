@@ -14,6 +14,8 @@ import rsal.data.Sketch;
 import rsal.device.Canvas;
 import rsal.device.Localizer;
 import rsal.device.Navigator;
+import rsal.engine.robot.RobotPoses;
+import rsal.engine.robot.Team;
 import rsal.robot.Robot;
 import rsal.robot.RobotSpec;
 import rsal.scene.Surface;
@@ -58,7 +60,7 @@ final class DrawnPlans {
         there.flatMap(robot -> robot.find(Canvas.class)).ifPresent(canvas -> {
             Optional<Pose2d> mapFromBase = there.flatMap(team::localizer)
                     .flatMap(Localizer::latest)
-                    .filter(estimate -> estimate.frame().equals(RobotRecord.WORLD))
+                    .filter(estimate -> estimate.frame().equals(RobotPoses.WORLD))
                     .map(estimate -> estimate.value().mapFromBase());
             Path2d way = there.flatMap(robot -> robot.find(Navigator.class))
                     .map(Navigator::path)

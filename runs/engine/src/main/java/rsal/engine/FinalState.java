@@ -5,6 +5,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import rsal.engine.event.ChattyTopics;
+import rsal.engine.report.Answer;
 import rsal.robot.Robot;
 
 /// What devices had told last and agents had in mind when a run ended, for those who look at it afterwards.

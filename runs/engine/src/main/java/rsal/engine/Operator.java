@@ -15,7 +15,7 @@ public final class Operator {
     }
 
     /// Who tells something on this thread; empty when nobody knows.
-    static String name() {
+    public static String name() {
         return NAME.orElse("");
     }
 }

@@ -6,6 +6,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import rsal.engine.report.Answer;
 
 /// What any thread asks of a run. It waits until the run's thread comes to it.
 final class Requests {

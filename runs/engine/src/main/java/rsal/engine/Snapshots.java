@@ -2,6 +2,8 @@ package rsal.engine;
 
 import java.util.function.LongFunction;
 import java.util.function.LongSupplier;
+import rsal.engine.event.Viewers;
+import rsal.engine.report.Snapshot;
 
 /// The newest snapshot of a run, and when to make the next: if somebody wants one, but not too often. Made on the
 /// run's thread, read and wanted on any.

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicLongArray;
+import rsal.engine.report.Histogram;
 
 /// How long steps took so far. One thread counts, which allocates nothing; any thread may ask.
 final class StepTimes {

@@ -15,6 +15,10 @@ import org.junit.jupiter.api.Timeout.ThreadMode;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.agent.AgentType;
 import rsal.agent.platform.AgentPlatform;
+import rsal.engine.agent.Agents;
+import rsal.engine.report.AgentInspection;
+import rsal.engine.report.Answer;
+import rsal.engine.report.ReceivedMessage;
 import rsal.scenario.RunOptions;
 
 /// People start and stop agents, and say something to them.
@@ -71,7 +75,7 @@ class AgentsByHandTest {
     }
 
     private AgentInspection inside(String agent) throws Exception {
-        return ((Answer.Seen) answer(run.inside(agent))).agent();
+        return ((Answer.Seen) answer(run.inspector().inside(agent))).agent();
     }
 
     private AgentPlatform.Status status(String agent) throws Exception {
@@ -102,9 +106,9 @@ class AgentsByHandTest {
 
     @Test
     void anotherAgentLikeOneIsNamedAfterItsRole() throws Exception {
-        assertThat(answer(run.addAgent("amy", "east"))).isEqualTo(new Answer.Added("amy-1"));
-        assertThat(answer(run.addAgent("amy", "west"))).isEqualTo(new Answer.Added("amy-2"));
-        assertThat(answer(run.addAgent("base", ""))).isEqualTo(new Answer.Added("base-1"));
+        assertThat(answer(run.operator().addAgent("amy", "east"))).isEqualTo(new Answer.Added("amy-1"));
+        assertThat(answer(run.operator().addAgent("amy", "west"))).isEqualTo(new Answer.Added("amy-2"));
+        assertThat(answer(run.operator().addAgent("base", ""))).isEqualTo(new Answer.Added("base-1"));
         assertThat(inside("amy-1").planned().orElseThrow().robot()).contains("east");
         assertThat(status("amy-1")).isEqualTo(AgentPlatform.Status.RUNNING);
         assertThat(byHand())
@@ -116,20 +120,22 @@ class AgentsByHandTest {
 
     @Test
     void whoCantBeMadeIsRefused() throws Exception {
-        assertThat(answer(run.addAgent("zoe", ""))).isEqualTo(new Answer.Refused("There is no agent (zoe)."));
-        assertThat(answer(run.addAgent("amy", "")))
+        assertThat(answer(run.operator().addAgent("zoe", "")))
+                .isEqualTo(new Answer.Refused("There is no agent (zoe)."));
+        assertThat(answer(run.operator().addAgent("amy", "")))
                 .isEqualTo(new Answer.Refused("Agent (amy) has a robot, and another one like it needs one."));
-        assertThat(answer(run.addAgent("base", "west")))
+        assertThat(answer(run.operator().addAgent("base", "west")))
                 .isEqualTo(new Answer.Refused("Agent (base) has no robot, and neither has another one like it."));
-        assertThat(answer(run.addAgent("amy", "north"))).isInstanceOf(Answer.Refused.class);
+        assertThat(answer(run.operator().addAgent("amy", "north"))).isInstanceOf(Answer.Refused.class);
         assertThat(byHand()).isEmpty();
     }
 
     @Test
     void anyTypeThatIsInstalledIsStartedAsItIsTyped() throws Exception {
-        assertThat(LiveRun.agentTypes()).extracting(AgentType::key).contains("chatter", "wander");
-        assertThat(answer(run.newAgent("chatter", "", Map.of()))).isEqualTo(new Answer.Added("chatter-1"));
-        assertThat(answer(run.newAgent("chatter", "east", Map.of()))).isEqualTo(new Answer.Added("chatter-2"));
+        assertThat(RunOperator.agentTypes()).extracting(AgentType::key).contains("chatter", "wander");
+        assertThat(answer(run.operator().newAgent("chatter", "", Map.of()))).isEqualTo(new Answer.Added("chatter-1"));
+        assertThat(answer(run.operator().newAgent("chatter", "east", Map.of())))
+                .isEqualTo(new Answer.Added("chatter-2"));
         assertThat(inside("chatter-2").planned().orElseThrow().robot()).contains("east");
         assertThat(status("chatter-1")).isEqualTo(AgentPlatform.Status.RUNNING);
         assertThat(byHand())
@@ -149,28 +155,28 @@ class AgentsByHandTest {
     }
 
     private String whyNot(String type, String robot, Map<String, String> arguments) throws Exception {
-        return ((Answer.Refused) answer(run.newAgent(type, robot, arguments))).why();
+        return ((Answer.Refused) answer(run.operator().newAgent(type, robot, arguments))).why();
     }
 
     @Test
     void oneThatWasStoppedStartsAgain() throws Exception {
-        assertThat(answer(run.startAgent("amy"))).isEqualTo(new Answer.Refused("Agent (amy) runs already."));
-        assertThat(answer(run.stopAgent("amy"))).isEqualTo(new Answer.Done());
+        assertThat(answer(run.operator().startAgent("amy"))).isEqualTo(new Answer.Refused("Agent (amy) runs already."));
+        assertThat(answer(run.operator().stopAgent("amy"))).isEqualTo(new Answer.Done());
         assertThat(status("amy")).isEqualTo(AgentPlatform.Status.ENDED);
-        assertThat(answer(run.stopAgent("amy")))
+        assertThat(answer(run.operator().stopAgent("amy")))
                 .isEqualTo(new Answer.Refused("Agent (amy) does not run. Maybe start it again."));
-        assertThat(answer(run.startAgent("amy"))).isEqualTo(new Answer.Done());
+        assertThat(answer(run.operator().startAgent("amy"))).isEqualTo(new Answer.Done());
         assertThat(status("amy")).isEqualTo(AgentPlatform.Status.RUNNING);
-        assertThat(answer(run.startAgent("zoe"))).isEqualTo(new Answer.Refused("There is no agent (zoe)."));
+        assertThat(answer(run.operator().startAgent("zoe"))).isEqualTo(new Answer.Refused("There is no agent (zoe)."));
         assertThat(byHand()).containsExactly("amy stopped", "amy started again");
     }
 
     @Test
     void peopleStartNoMoreThanARunBears() throws Exception {
         for (int i = 0; i < Agents.MOST_BY_HAND; i++) {
-            assertThat(answer(run.addAgent("base", ""))).isInstanceOf(Answer.Added.class);
+            assertThat(answer(run.operator().addAgent("base", ""))).isInstanceOf(Answer.Added.class);
         }
-        assertThat(answer(run.addAgent("base", "")))
+        assertThat(answer(run.operator().addAgent("base", "")))
                 .isInstanceOfSatisfying(
                         Answer.Refused.class,
                         refused -> assertThat(refused.why()).contains("500 times"));
@@ -178,11 +184,13 @@ class AgentsByHandTest {
 
     @Test
     void whatIsSaidReachesTheOneItIsFor() throws Exception {
-        assertThat(answer(run.say("amy", "text", Map.of("words", "go home")))).isEqualTo(new Answer.Done());
+        assertThat(answer(run.operator().say("amy", "text", Map.of("words", "go home"))))
+                .isEqualTo(new Answer.Done());
         step();
         assertThat(letters("amy")).containsExactly("go home");
         assertThat(letters("base")).isEmpty();
-        assertThat(answer(run.say("", "text", Map.of("words", "all go home")))).isEqualTo(new Answer.Done());
+        assertThat(answer(run.operator().say("", "text", Map.of("words", "all go home"))))
+                .isEqualTo(new Answer.Done());
         step();
         assertThat(letters("amy")).containsExactly("go home", "all go home");
         assertThat(letters("base")).containsExactly("all go home");
@@ -198,10 +206,10 @@ class AgentsByHandTest {
 
     @Test
     void whatIsNoMessageIsRefused() throws Exception {
-        assertThat(answer(run.say("zoe", "text", Map.of("words", "hi"))))
+        assertThat(answer(run.operator().say("zoe", "text", Map.of("words", "hi"))))
                 .isEqualTo(new Answer.Refused("There is no agent (zoe)."));
-        assertThat(answer(run.say("amy", "nothing", Map.of()))).isInstanceOf(Answer.Refused.class);
-        assertThat(answer(run.say("amy", "victim-helped", Map.of("victim", "one"))))
+        assertThat(answer(run.operator().say("amy", "nothing", Map.of()))).isInstanceOf(Answer.Refused.class);
+        assertThat(answer(run.operator().say("amy", "victim-helped", Map.of("victim", "one"))))
                 .isInstanceOf(Answer.Refused.class);
         assertThat(byHand()).isEmpty();
     }

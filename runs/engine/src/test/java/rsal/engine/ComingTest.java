@@ -20,6 +20,14 @@ import org.junit.jupiter.api.io.TempDir;
 import rsal.agent.platform.AgentPlatform;
 import rsal.data.Pose2d;
 import rsal.device.SimulationControl.Standing;
+import rsal.engine.report.Answer;
+import rsal.engine.report.DeviceView;
+import rsal.engine.report.PlacedThing;
+import rsal.engine.report.Reading;
+import rsal.engine.report.RobotView;
+import rsal.engine.report.RunEvent;
+import rsal.engine.report.RunResult;
+import rsal.engine.report.Snapshot;
 import rsal.model.RobotModels;
 import rsal.robot.Robot;
 import rsal.robot.RobotModel;
@@ -73,7 +81,7 @@ class ComingTest {
 
     @Test
     void anAddedRobotHasWhatThoseLikeItHave() throws InterruptedException {
-        assertThat(answer(run.addRobot("prey", THERE))).isEqualTo(new Answer.Added("prey-1"));
+        assertThat(answer(run.operator().addRobot("prey", THERE))).isEqualTo(new Answer.Added("prey-1"));
         Snapshot snapshot = await(now -> now.robots().stream()
                 .anyMatch(robot -> robot.id().equals("prey-1")
                         && robot.scan().isPresent()
@@ -94,12 +102,13 @@ class ComingTest {
                 .filteredOn(event -> event.subject().equals("prey-1"))
                 .as("told once")
                 .hasSize(1);
-        assertThat(answer(run.addRobot("hunter-1", new Pose2d(-4, -1, 0)))).isEqualTo(new Answer.Added("hunter-2"));
+        assertThat(answer(run.operator().addRobot("hunter-1", new Pose2d(-4, -1, 0))))
+                .isEqualTo(new Answer.Added("hunter-2"));
     }
 
     @Test
     void aRemovedRobotLeavesWithItsAgentAndTheOthersGoOn() throws InterruptedException {
-        assertThat(answer(run.remove("prey"))).isEqualTo(DONE);
+        assertThat(answer(run.operator().remove("prey"))).isEqualTo(DONE);
         Snapshot snapshot = await(now -> !has(now, "prey"));
         assertThat(snapshot.team()).hasSize(2);
         assertThat(snapshot.agents())
@@ -111,23 +120,23 @@ class ComingTest {
                 .containsExactly("operator");
         Pose2d before = snapshot.robots().getFirst().truth().orElseThrow();
         await(now -> now.robots().getFirst().truth().orElseThrow().distanceTo(before) > 0.05);
-        assertThat(answer(run.remove("prey"))).isInstanceOf(Answer.Refused.class);
-        assertThat(answer(run.addRobot("prey", THERE))).isEqualTo(new Answer.Added("prey-1"));
+        assertThat(answer(run.operator().remove("prey"))).isInstanceOf(Answer.Refused.class);
+        assertThat(answer(run.operator().addRobot("prey", THERE))).isEqualTo(new Answer.Added("prey-1"));
     }
 
     @Test
     void anAddedRobotStandsAsLongAsTheEmergencyStopHolds() throws InterruptedException {
-        answer(run.estop());
-        answer(run.addRobot("prey", THERE));
+        answer(run.operator().estop());
+        answer(run.operator().addRobot("prey", THERE));
         Snapshot first = await(now -> has(now, "prey-1"));
         Snapshot later = await(now -> now.time().minus(first.time()).toMillis() > 1000);
         assertThat(later.robots().getLast().truth()).contains(THERE);
-        answer(run.rearm());
+        answer(run.operator().rearm());
         await(now -> now.robots().getLast().truth().orElseThrow().distanceTo(THERE) > 0.05);
     }
 
     private List<String> readings(String robot) {
-        return ((Answer.Read) answer(run.readings(robot)))
+        return ((Answer.Read) answer(run.inspector().readings(robot)))
                 .readings().stream().map(Reading::device).toList();
     }
 
@@ -137,9 +146,9 @@ class ComingTest {
         assertThat(readings("prey")).contains("laser");
         run.pause();
         await(Snapshot::paused);
-        assertThat(answer(run.place("prey", THERE))).isEqualTo(DONE);
+        assertThat(answer(run.operator().place("prey", THERE))).isEqualTo(DONE);
         assertThat(readings("prey")).doesNotContain("laser");
-        assertThat(answer(run.readings("nobody"))).isInstanceOf(Answer.Refused.class);
+        assertThat(answer(run.inspector().readings("nobody"))).isInstanceOf(Answer.Refused.class);
     }
 
     @Test
@@ -147,7 +156,7 @@ class ComingTest {
         Snapshot before = await(now -> now.robots().getFirst().estimate().isPresent());
         Pose2d truth = before.robots().getFirst().truth().orElseThrow();
         assertThat(truth.distanceTo(THERE)).isGreaterThan(3);
-        assertThat(answer(run.believe("prey", THERE))).isEqualTo(DONE);
+        assertThat(answer(run.operator().believe("prey", THERE))).isEqualTo(DONE);
         Snapshot told = await(now -> now.robots()
                         .getFirst()
                         .estimate()
@@ -163,14 +172,15 @@ class ComingTest {
 
     @Test
     void thingsAreAddedMovedAndRemoved() throws InterruptedException {
-        assertThat(answer(run.add(PlacedThing.BOX, THERE))).isEqualTo(new Answer.Added("box-1"));
-        assertThat(answer(run.add(PlacedThing.BALL, new Pose2d(-7, -1, 0)))).isEqualTo(new Answer.Added("ball-1"));
+        assertThat(answer(run.operator().add(PlacedThing.BOX, THERE))).isEqualTo(new Answer.Added("box-1"));
+        assertThat(answer(run.operator().add(PlacedThing.BALL, new Pose2d(-7, -1, 0))))
+                .isEqualTo(new Answer.Added("ball-1"));
         Snapshot snapshot = await(now -> now.things().size() == 2);
         assertThat(snapshot.things()).extracting(Standing::name).containsExactly("box-1", "ball-1");
         var next = new Pose2d(-10, -1, 1);
-        assertThat(answer(run.place("box-1", next))).isEqualTo(DONE);
+        assertThat(answer(run.operator().place("box-1", next))).isEqualTo(DONE);
         await(now -> now.things().getFirst().mapFromThing().equals(next));
-        assertThat(answer(run.remove("box-1"))).isEqualTo(DONE);
+        assertThat(answer(run.operator().remove("box-1"))).isEqualTo(DONE);
         await(now -> now.things().size() == 1);
         assertThat(run.events(0))
                 .filteredOn(event -> event.subject().equals("box-1"))
@@ -180,23 +190,25 @@ class ComingTest {
 
     @Test
     void aRobotOfAModelComesAndDoesWhatPeopleTellIt() throws InterruptedException {
-        assertThat(LiveRun.robotModels()).extracting(RobotModel::name).containsExactlyElementsOf(RobotModels.builtIn());
-        assertThat(answer(run.newRobot("pioneer3at", THERE))).isEqualTo(new Answer.Added("pioneer3at-1"));
+        assertThat(RobotModels.readBuiltIn())
+                .extracting(RobotModel::name)
+                .containsExactlyElementsOf(RobotModels.builtIn());
+        assertThat(answer(run.operator().newRobot("pioneer3at", THERE))).isEqualTo(new Answer.Added("pioneer3at-1"));
         Snapshot snapshot = await(now -> has(now, "pioneer3at-1"));
         assertThat(snapshot.agents()).hasSize(2);
         assertThat(snapshot.robots().getLast().truth()).isPresent();
-        assertThat(answer(run.behave("pioneer3at-1", "wander"))).isEqualTo(DONE);
+        assertThat(answer(run.operator().behave("pioneer3at-1", "wander"))).isEqualTo(DONE);
         await(now -> now.robots().getLast().truth().orElseThrow().distanceTo(THERE) > 0.3);
-        assertThat(answer(run.goTo("pioneer3at-1", THERE))).isEqualTo(new Answer.Sent(1));
-        assertThat(answer(run.addRobot("pioneer3at-1", new Pose2d(-4, -1, 0))))
+        assertThat(answer(run.operator().goTo("pioneer3at-1", THERE))).isEqualTo(new Answer.Sent(1));
+        assertThat(answer(run.operator().addRobot("pioneer3at-1", new Pose2d(-4, -1, 0))))
                 .isEqualTo(new Answer.Added("pioneer3at-2"));
         assertThat(run.events(0))
                 .filteredOn(event -> event.subject().equals("pioneer3at-1"))
                 .extracting(RunEvent::text)
                 .startsWith("added at (-8.00, -1.00, 0°)")
                 .doesNotContain("is there");
-        refuses(run.newRobot("pioneer3at", new Pose2d(-4, -1, 0)), "(pioneer3at-2) is in the way");
-        refuses(run.newRobot("pioneer", THERE), "There is no robot model (pioneer).");
+        refuses(run.operator().newRobot("pioneer3at", new Pose2d(-4, -1, 0)), "(pioneer3at-2) is in the way");
+        refuses(run.operator().newRobot("pioneer", THERE), "There is no robot model (pioneer).");
     }
 
     /// Its agent has a navigator, but wants nothing of people's orders.
@@ -211,7 +223,7 @@ class ComingTest {
                 .replace("time >= 20", "time >= 90");
         run = LiveRun.start(Runs.plan(folder, navigating, RunOptions.NONE.withSpeed(20)));
         await(now -> now.agents().size() == 2);
-        assertThat(answer(run.goTo("prey", THERE))).isEqualTo(new Answer.Sent(1));
+        assertThat(answer(run.operator().goTo("prey", THERE))).isEqualTo(new Answer.Sent(1));
         Runs.result(run);
         assertThat(run.events(0))
                 .filteredOn(event -> event.subject().equals("prey"))
@@ -221,18 +233,20 @@ class ComingTest {
 
     @Test
     void saysWhyNot() {
-        refuses(run.add(PlacedThing.BOX, new Pose2d(-1000, 0, 0)), "outside");
-        refuses(run.add(PlacedThing.BOX, new Pose2d(-31.4, -7.7, 0)), "(wall) is in the way");
-        refuses(run.addRobot("nobody", THERE), "There is no (nobody); there are the robots [prey, hunter-1]");
-        refuses(run.addRobot("prey", new Pose2d(-31.4, -7.7, 0)), "(wall) is in the way");
-        refuses(run.remove("nobody"), "There is no (nobody)");
-        refuses(run.place("nobody", THERE), "There is no (nobody)");
-        refuses(run.believe("nobody", THERE), "There is no (nobody)");
-        refuses(run.believe("prey", new Pose2d(-1000, 0, 0)), "outside");
-        answer(run.add(PlacedThing.BOX, THERE));
-        refuses(run.place("box-1", new Pose2d(-31.4, -7.7, 0)), "(wall) is in the way");
-        refuses(run.add(PlacedThing.BALL, THERE), "(box-1) is in the way");
-        refuses(run.addRobot("prey", THERE), "(box-1) is in the way");
+        refuses(run.operator().add(PlacedThing.BOX, new Pose2d(-1000, 0, 0)), "outside");
+        refuses(run.operator().add(PlacedThing.BOX, new Pose2d(-31.4, -7.7, 0)), "(wall) is in the way");
+        refuses(
+                run.operator().addRobot("nobody", THERE),
+                "There is no (nobody); there are the robots [prey, hunter-1]");
+        refuses(run.operator().addRobot("prey", new Pose2d(-31.4, -7.7, 0)), "(wall) is in the way");
+        refuses(run.operator().remove("nobody"), "There is no (nobody)");
+        refuses(run.operator().place("nobody", THERE), "There is no (nobody)");
+        refuses(run.operator().believe("nobody", THERE), "There is no (nobody)");
+        refuses(run.operator().believe("prey", new Pose2d(-1000, 0, 0)), "outside");
+        answer(run.operator().add(PlacedThing.BOX, THERE));
+        refuses(run.operator().place("box-1", new Pose2d(-31.4, -7.7, 0)), "(wall) is in the way");
+        refuses(run.operator().add(PlacedThing.BALL, THERE), "(box-1) is in the way");
+        refuses(run.operator().addRobot("prey", THERE), "(box-1) is in the way");
     }
 
     private static void refuses(CompletionStage<Answer> order, String why) {
@@ -247,7 +261,9 @@ class ComingTest {
         String text = Runs.TWO_WANDERERS.replace("agents:\n", "agents:\n  boss: {type: recruiter}\n");
         String[] hashes = new String[3];
         for (int i = 0; i < hashes.length; i++) {
-            try (var once = LiveRun.start(Runs.plan(folder, text, RunOptions.NONE), i == 0 ? 1 : 2)) {
+            try (var once = LiveRun.of(Runs.plan(folder, text, RunOptions.NONE))
+                    .helpers(i == 0 ? 1 : 2)
+                    .start()) {
                 RunResult result = Runs.result(once);
                 assertThat(result.outcome()).isEqualTo("timeout");
                 hashes[i] = result.eventHash();
@@ -315,13 +331,13 @@ class ComingTest {
     @Test
     void robotsThatComeAndGoAreOfferedAndTakenBack() throws InterruptedException {
         var notes = new Notes();
-        assertThat(answer(run.bridge(notes, new InetSocketAddress(InetAddress.getLoopbackAddress(), 0))))
+        assertThat(answer(run.operator().bridge(notes, new InetSocketAddress(InetAddress.getLoopbackAddress(), 0))))
                 .isInstanceOf(Answer.Bridged.class);
-        assertThat(answer(run.addRobot("prey", THERE))).isEqualTo(new Answer.Added("prey-1"));
+        assertThat(answer(run.operator().addRobot("prey", THERE))).isEqualTo(new Answer.Added("prey-1"));
         await(now -> has(now, "prey-1"));
-        assertThat(answer(run.remove("prey-1"))).isEqualTo(DONE);
+        assertThat(answer(run.operator().remove("prey-1"))).isEqualTo(DONE);
         await(now -> !has(now, "prey-1"));
-        assertThat(answer(run.addRobot("prey", THERE))).isEqualTo(new Answer.Added("prey-2"));
+        assertThat(answer(run.operator().addRobot("prey", THERE))).isEqualTo(new Answer.Added("prey-2"));
         await(now -> has(now, "prey-2"));
         assertThat(notes.notes)
                 .containsExactly(

@@ -13,7 +13,14 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.Timeout.ThreadMode;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.data.Pose2d;
-import rsal.engine.Link.Way;
+import rsal.engine.report.AgentInspection;
+import rsal.engine.report.Answer;
+import rsal.engine.report.Link;
+import rsal.engine.report.Link.Way;
+import rsal.engine.report.LossReason;
+import rsal.engine.report.Reception;
+import rsal.engine.report.RunResult;
+import rsal.engine.report.TopicTraffic;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 
@@ -132,8 +139,11 @@ class CommunicationTest {
             assertThat(find(apart, "amy", "bob").lost()).isGreaterThan(80);
             assertThat(find(apart, "base", "bob").lost()).isZero();
             assertThat(find(apart, "amy", "base").lost()).isZero();
-            run.place("west", new Pose2d(4, 6, 0));
-            run.place("east", new Pose2d(8, 6, 0)).toCompletableFuture().get(10, TimeUnit.SECONDS);
+            run.operator().place("west", new Pose2d(4, 6, 0));
+            run.operator()
+                    .place("east", new Pose2d(8, 6, 0))
+                    .toCompletableFuture()
+                    .get(10, TimeUnit.SECONDS);
             long lost = find(recorded(run), "amy", "bob").lost();
             run.resume();
             List<Reception> together = Runs.result(run).communication();
@@ -145,7 +155,7 @@ class CommunicationTest {
 
     /// Who has heard what.
     private static List<Reception> recorded(LiveRun run) throws Exception {
-        Answer answer = run.communication().toCompletableFuture().get(10, TimeUnit.SECONDS);
+        Answer answer = run.inspector().communication().toCompletableFuture().get(10, TimeUnit.SECONDS);
         assertThat(answer).isInstanceOf(Answer.Heard.class);
         return ((Answer.Heard) answer).communication();
     }
@@ -154,8 +164,11 @@ class CommunicationTest {
     void robotsThatHearEachOtherAreLinked() throws Exception {
         try (var run = stopped("communication: {range: 9, behindWalls: 3}\n")) {
             assertThat(links(run)).isEmpty();
-            run.place("west", new Pose2d(4, 6, 0));
-            run.place("east", new Pose2d(8, 6, 0)).toCompletableFuture().get(10, TimeUnit.SECONDS);
+            run.operator().place("west", new Pose2d(4, 6, 0));
+            run.operator()
+                    .place("east", new Pose2d(8, 6, 0))
+                    .toCompletableFuture()
+                    .get(10, TimeUnit.SECONDS);
             assertThat(links(run))
                     .containsExactly(new Link("west", "east", new Way(true, false), new Way(true, false)));
             step(run, 2);
@@ -194,7 +207,7 @@ class CommunicationTest {
     }
 
     private static List<Link> links(LiveRun run) throws Exception {
-        Answer answer = run.links("").toCompletableFuture().get(10, TimeUnit.SECONDS);
+        Answer answer = run.inspector().links("").toCompletableFuture().get(10, TimeUnit.SECONDS);
         assertThat(answer).isInstanceOf(Answer.Linked.class);
         return ((Answer.Linked) answer).links();
     }
@@ -255,7 +268,7 @@ class CommunicationTest {
     }
 
     private static List<TopicTraffic> topics(LiveRun run) throws Exception {
-        Answer answer = run.topics().toCompletableFuture().get(10, TimeUnit.SECONDS);
+        Answer answer = run.inspector().topics().toCompletableFuture().get(10, TimeUnit.SECONDS);
         assertThat(answer).isInstanceOf(Answer.Counted.class);
         return ((Answer.Counted) answer).topics();
     }
@@ -274,14 +287,14 @@ class CommunicationTest {
     void anAgentTellsWhatItHeardOfWhom() throws Exception {
         try (var run = stopped("communication: {range: 9, behindWalls: 3}\n")) {
             assertThat(recorded(run)).hasSize(6);
-            Answer answer = run.inside("amy").toCompletableFuture().get(10, TimeUnit.SECONDS);
+            Answer answer = run.inspector().inside("amy").toCompletableFuture().get(10, TimeUnit.SECONDS);
             assertThat(answer).isInstanceOf(Answer.Seen.class);
             AgentInspection amy = ((Answer.Seen) answer).agent();
             assertThat(amy.mind()).isEmpty();
             assertThat(amy.hearings())
                     .extracting(one -> one.sender() + " to " + one.listener() + (one.lost() > 0 ? ", lost" : ""))
                     .containsExactly("amy to bob, lost", "bob to amy, lost", "amy to base", "base to amy");
-            assertThat(run.inside("zoe").toCompletableFuture().get(10, TimeUnit.SECONDS))
+            assertThat(run.inspector().inside("zoe").toCompletableFuture().get(10, TimeUnit.SECONDS))
                     .isEqualTo(new Answer.Refused("There is no agent (zoe)."));
         }
     }
@@ -313,7 +326,7 @@ class CommunicationTest {
     }
 
     private static RunResult result(RunPlan plan, int helpers) {
-        try (var run = LiveRun.start(plan, helpers)) {
+        try (var run = LiveRun.of(plan).helpers(helpers).start()) {
             return Runs.result(run);
         }
     }

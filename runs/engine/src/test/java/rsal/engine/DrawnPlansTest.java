@@ -28,6 +28,8 @@ import rsal.device.GoalHandle;
 import rsal.device.Localizer;
 import rsal.device.Navigator;
 import rsal.device.SensorCore;
+import rsal.engine.report.Teammate;
+import rsal.engine.robot.Team;
 import rsal.model.RobotModels;
 import rsal.robot.Robot;
 import rsal.robot.RobotModel;

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.data.OccupancyGrid;
+import rsal.engine.report.RunResult;
 import rsal.map.RosMap;
 import rsal.scenario.RunOptions;
 import rsal.testkit.DrawnMap;

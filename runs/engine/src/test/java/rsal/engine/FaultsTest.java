@@ -15,6 +15,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Pose2d;
 import rsal.device.Health;
+import rsal.engine.report.AgentView;
+import rsal.engine.report.Answer;
+import rsal.engine.report.DeviceView;
+import rsal.engine.report.RobotView;
+import rsal.engine.report.RunEvent;
+import rsal.engine.report.RunResult;
+import rsal.engine.report.Snapshot;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 
@@ -111,7 +118,7 @@ class FaultsTest {
     }
 
     private static Ended run(RunPlan plan, int helpers) {
-        try (var run = LiveRun.start(plan, helpers)) {
+        try (var run = LiveRun.of(plan).helpers(helpers).start()) {
             RunResult result = Runs.result(run);
             return new Ended(result, run.events(0), run.snapshot());
         }
@@ -269,9 +276,16 @@ class FaultsTest {
         try (var run = LiveRun.start(plan)) {
             var gone = new Answer.Refused("Robot (hunter-1) is gone.");
             var there = new Pose2d(-8, -1, 0);
-            assertThat(run.place("hunter-1", there).toCompletableFuture().join())
+            assertThat(run.operator()
+                            .place("hunter-1", there)
+                            .toCompletableFuture()
+                            .join())
                     .isEqualTo(gone);
-            assertThat(run.goTo("hunter-1", there).toCompletableFuture().join()).isEqualTo(gone);
+            assertThat(run.operator()
+                            .goTo("hunter-1", there)
+                            .toCompletableFuture()
+                            .join())
+                    .isEqualTo(gone);
         }
     }
 
@@ -279,7 +293,8 @@ class FaultsTest {
     void nobodyPlacesOneThatStaysWhereItIsGone() {
         var plan = plan(RunOptions.NONE.withSpeed(1), "{kind: gone, robots: hunter-1, stays: true}");
         try (var run = LiveRun.start(plan)) {
-            assertThat(run.place("hunter-1", new Pose2d(-6, -1, 0))
+            assertThat(run.operator()
+                            .place("hunter-1", new Pose2d(-6, -1, 0))
                             .toCompletableFuture()
                             .join())
                     .isEqualTo(new Answer.Refused("Robot (hunter-1) is gone."));
@@ -290,7 +305,8 @@ class FaultsTest {
     void oneWithoutRoomIsGoneUntilItHasSome() {
         var plan = plan(RunOptions.NONE.withSpeed(1), "{kind: gone, robots: hunter-1, for: 5}");
         try (var run = LiveRun.start(plan)) {
-            assertThat(run.place("hunter-2", new Pose2d(-8, -1, 0))
+            assertThat(run.operator()
+                            .place("hunter-2", new Pose2d(-8, -1, 0))
                             .toCompletableFuture()
                             .join())
                     .isEqualTo(new Answer.Done());
@@ -311,7 +327,8 @@ class FaultsTest {
     void nothingStrikesTheLocalizerOfARobotThatWasRemoved() {
         var plan = plan(RunOptions.NONE.withSpeed(1), "{kind: dead, robots: prey, devices: localizer, at: 5}");
         try (var run = LiveRun.start(plan)) {
-            assertThat(run.remove("prey").toCompletableFuture().join()).isEqualTo(new Answer.Done());
+            assertThat(run.operator().remove("prey").toCompletableFuture().join())
+                    .isEqualTo(new Answer.Done());
             run.speed(Double.POSITIVE_INFINITY);
             Runs.result(run);
             assertThat(run.events(0))
@@ -325,7 +342,10 @@ class FaultsTest {
     void anAgentThatWasAddedByHandIsSilentWhileItsRobotIsGone() {
         var plan = plan(RunOptions.NONE.withSpeed(1), "{kind: gone, robots: hunter-1, at: 8}");
         try (var run = LiveRun.start(plan)) {
-            assertThat(run.addAgent("chat-1", "hunter-1").toCompletableFuture().join())
+            assertThat(run.operator()
+                            .addAgent("chat-1", "hunter-1")
+                            .toCompletableFuture()
+                            .join())
                     .isEqualTo(new Answer.Added("chat-3"));
             run.speed(Double.POSITIVE_INFINITY);
             Runs.result(run);

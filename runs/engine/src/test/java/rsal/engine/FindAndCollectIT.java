@@ -13,6 +13,8 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.data.Point2d;
 import rsal.device.SimulationControl.Standing;
+import rsal.engine.report.RunEvent;
+import rsal.engine.report.RunResult;
 import rsal.scenario.PlannedThings;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;

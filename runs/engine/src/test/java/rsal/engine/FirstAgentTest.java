@@ -18,6 +18,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.agent.platform.AgentPlatform;
+import rsal.engine.report.AgentView;
+import rsal.engine.report.RunEvent;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.testkit.example.Witness;

@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import rsal.engine.report.RunEvent;
 
 /// What becomes of the job of one that is gone, as agents tell by their states.
 ///

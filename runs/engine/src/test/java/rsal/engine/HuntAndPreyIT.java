@@ -18,6 +18,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.data.Pose2d;
+import rsal.engine.report.Answer;
+import rsal.engine.report.RobotView;
+import rsal.engine.report.RunEvent;
+import rsal.engine.report.RunResult;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 import rsal.testkit.LongTest;
@@ -39,7 +43,7 @@ class HuntAndPreyIT {
     private static Hunt hunt(String configuration, long seed, int helpers) {
         var options =
                 RunOptions.NONE.withConfiguration(configuration).withSeed(seed).withSpeed(Double.POSITIVE_INFINITY);
-        try (var run = LiveRun.start(HUNT.plan(options), helpers)) {
+        try (var run = LiveRun.of(HUNT.plan(options)).helpers(helpers).start()) {
             var result = run.result()
                     .toCompletableFuture()
                     .orTimeout(60, TimeUnit.SECONDS)
@@ -84,8 +88,8 @@ class HuntAndPreyIT {
     @Test
     void runsInAgentSpeakDoNotMeetInOneProcess() {
         var options = RunOptions.NONE.withConfiguration("jason").withSeed(3).withSpeed(Double.POSITIVE_INFINITY);
-        try (var one = LiveRun.start(HUNT.plan(options), 1);
-                var other = LiveRun.start(HUNT.plan(options), 1)) {
+        try (var one = LiveRun.of(HUNT.plan(options)).helpers(1).start();
+                var other = LiveRun.of(HUNT.plan(options)).helpers(1).start()) {
             var first = one.result().toCompletableFuture().orTimeout(60, TimeUnit.SECONDS);
             var second = other.result().toCompletableFuture().orTimeout(60, TimeUnit.SECONDS);
             assertThat(first.join().eventHash()).isEqualTo(second.join().eventHash());
@@ -99,7 +103,7 @@ class HuntAndPreyIT {
                 .withSeed(5)
                 .withSpeed(Double.POSITIVE_INFINITY)
                 .withArguments(Map.of("hunters", "5", "prey", "3", "assignment", "nearest"));
-        try (var run = LiveRun.start(HUNT.plan(options), 1)) {
+        try (var run = LiveRun.of(HUNT.plan(options)).helpers(1).start()) {
             var result = run.result()
                     .toCompletableFuture()
                     .orTimeout(60, TimeUnit.SECONDS)
@@ -148,13 +152,13 @@ class HuntAndPreyIT {
         var options = RunOptions.NONE.withSeed(3).withSpeed(20).withLimit(Duration.ofSeconds(40));
         try (var run = LiveRun.start(HUNT.plan(options))) {
             after(run, 5);
-            var added = run.addRobot("hunter-1", new Pose2d(0, -1, 0));
+            var added = run.operator().addRobot("hunter-1", new Pose2d(0, -1, 0));
             assertThat(added.toCompletableFuture().join()).isEqualTo(new Answer.Added("hunter-3"));
             after(run, 10);
-            var removed = run.remove("hunter-1");
+            var removed = run.operator().remove("hunter-1");
             assertThat(removed.toCompletableFuture().join()).isEqualTo(new Answer.Done());
             after(run, 20);
-            var gone = run.remove("prey-1");
+            var gone = run.operator().remove("prey-1");
             assertThat(gone.toCompletableFuture().join()).isEqualTo(new Answer.Done());
             assertThat(Runs.result(run).outcome()).isEqualTo("limit");
             assertThat(run.events(0)).extracting(RunEvent::kind).doesNotContain("fault", "health");

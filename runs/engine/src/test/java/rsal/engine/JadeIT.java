@@ -8,6 +8,9 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import rsal.engine.report.ReceivedMessage;
+import rsal.engine.report.RunEvent;
+import rsal.engine.report.RunResult;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 

@@ -23,6 +23,14 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Pose2d;
+import rsal.engine.report.Answer;
+import rsal.engine.report.DeviceView;
+import rsal.engine.report.Metrics;
+import rsal.engine.report.RobotView;
+import rsal.engine.report.RunBroken;
+import rsal.engine.report.RunEvent;
+import rsal.engine.report.RunResult;
+import rsal.engine.report.Snapshot;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.time.Phase;
@@ -92,8 +100,9 @@ class LiveRunTest {
             run.speed(Double.POSITIVE_INFINITY);
             assertThat(Runs.result(run).eventHash())
                     .isEqualTo(Runs.result(plan()).eventHash());
-            assertThat(run.topics().toCompletableFuture().join()).isInstanceOf(Answer.Counted.class);
-            assertThat(run.readings("nobody").toCompletableFuture().join()).isInstanceOf(Answer.Refused.class);
+            assertThat(run.inspector().topics().toCompletableFuture().join()).isInstanceOf(Answer.Counted.class);
+            assertThat(run.inspector().readings("nobody").toCompletableFuture().join())
+                    .isInstanceOf(Answer.Refused.class);
         }
     }
 
@@ -141,7 +150,7 @@ class LiveRunTest {
     void whoIsPausedBeforeTheFirstStepAnswers() throws Exception {
         try (var run = LiveRun.start(plan())) {
             run.pause(); // as soon as its thread begins
-            var answer = run.place("hunter-1", new Pose2d(-4, -1, 0)).toCompletableFuture();
+            var answer = run.operator().place("hunter-1", new Pose2d(-4, -1, 0)).toCompletableFuture();
             assertThat(answer.get(20, TimeUnit.SECONDS)).isInstanceOf(Answer.Done.class);
         }
     }
@@ -249,14 +258,16 @@ class LiveRunTest {
         try (var run = LiveRun.start(slow())) {
             var snapshots = snapshots(run);
             awaitRobots(snapshots);
-            assertThat(answer(run.place("prey", new Pose2d(-8, -1, 0)))).isEqualTo(new Answer.Done());
+            assertThat(answer(run.operator().place("prey", new Pose2d(-8, -1, 0))))
+                    .isEqualTo(new Answer.Done());
             Duration then = next(snapshots, Duration.ZERO).time();
             Snapshot later = next(snapshots, then.plusMillis(200));
             RobotView prey = later.robots().getFirst();
             assertThat(prey.truth().orElseThrow().distanceTo(new Pose2d(-8, -1, 0)))
                     .isLessThan(1);
-            assertThat(answer(run.place("prey", new Pose2d(-1000, 0, 0)))).isInstanceOf(Answer.Refused.class);
-            assertThat(answer(run.place("nobody", new Pose2d(-8, -1, 0))))
+            assertThat(answer(run.operator().place("prey", new Pose2d(-1000, 0, 0))))
+                    .isInstanceOf(Answer.Refused.class);
+            assertThat(answer(run.operator().place("nobody", new Pose2d(-8, -1, 0))))
                     .isInstanceOfSatisfying(
                             Answer.Refused.class, r -> assertThat(r.why()).contains("hunter-1"));
             assertThat(run.events(0)).extracting(RunEvent::kind).contains("operator");
@@ -274,7 +285,7 @@ class LiveRunTest {
             assertThat(before.robots().getFirst().estimate()).isPresent();
             run.pause();
             var there = new Pose2d(-8, -1, 0);
-            assertThat(answer(run.place("prey", there))).isEqualTo(new Answer.Done());
+            assertThat(answer(run.operator().place("prey", there))).isEqualTo(new Answer.Done());
             snapshots.clear();
             run.snapshot();
             snapshots.take(); // may have been under way
@@ -295,14 +306,14 @@ class LiveRunTest {
         try (var run = LiveRun.start(plan(RunOptions.NONE.withSpeed(5)))) {
             var snapshots = snapshots(run);
             awaitRobots(snapshots);
-            assertThat(answer(run.estop())).isInstanceOf(Answer.Stopped.class);
+            assertThat(answer(run.operator().estop())).isInstanceOf(Answer.Stopped.class);
             Snapshot first =
                     next(snapshots, next(snapshots, Duration.ZERO).time().plusMillis(1500));
             Snapshot second = next(snapshots, first.time().plusMillis(1000));
             assertThat(second.stopped()).isTrue();
             assertThat(second.robots().getFirst().truth())
                     .isEqualTo(first.robots().getFirst().truth());
-            assertThat(answer(run.rearm())).isInstanceOf(Answer.Armed.class);
+            assertThat(answer(run.operator().rearm())).isInstanceOf(Answer.Armed.class);
             Snapshot third = next(snapshots, second.time().plusMillis(1500));
             assertThat(third.stopped()).isFalse();
             assertThat(third.robots().getFirst().truth())
@@ -315,15 +326,15 @@ class LiveRunTest {
         try (var run = LiveRun.start(withRoom())) {
             var snapshots = snapshots(run);
             awaitRobots(snapshots);
-            assertThat(answer(run.stop("hunter-1"))).isEqualTo(new Answer.Done());
+            assertThat(answer(run.operator().stop("hunter-1"))).isEqualTo(new Answer.Done());
             assertMoves(snapshots, true, false);
-            assertThat(answer(run.estop())).isInstanceOf(Answer.Stopped.class);
+            assertThat(answer(run.operator().estop())).isInstanceOf(Answer.Stopped.class);
             assertMoves(snapshots, false, false);
-            assertThat(answer(run.rearm("hunter-1"))).isEqualTo(new Answer.Done());
+            assertThat(answer(run.operator().rearm("hunter-1"))).isEqualTo(new Answer.Done());
             assertMoves(snapshots, false, true);
-            assertThat(answer(run.rearm("prey"))).isEqualTo(new Answer.Done());
+            assertThat(answer(run.operator().rearm("prey"))).isEqualTo(new Answer.Done());
             assertMoves(snapshots, true, true);
-            assertThat(answer(run.stop("nobody"))).isInstanceOf(Answer.Refused.class);
+            assertThat(answer(run.operator().stop("nobody"))).isInstanceOf(Answer.Refused.class);
         }
     }
 
@@ -332,23 +343,25 @@ class LiveRunTest {
         try (var run = LiveRun.start(withRoom())) {
             var snapshots = snapshots(run);
             awaitRobots(snapshots);
-            answer(run.stop("hunter-1"));
-            answer(run.estop());
-            assertThat(answer(run.rearm())).isEqualTo(new Answer.Armed(1, List.of("hunter-1")));
+            answer(run.operator().stop("hunter-1"));
+            answer(run.operator().estop());
+            assertThat(answer(run.operator().rearm())).isEqualTo(new Answer.Armed(1, List.of("hunter-1")));
             assertMoves(snapshots, true, false);
             assertThat(run.snapshot().robots())
                     .extracting(RobotView::switchedOff)
                     .containsExactly(false, true);
             assertThat(run.events(0))
                     .anySatisfy(event -> assertThat(event.text()).isEqualTo("motors on, but not those of hunter-1"));
-            assertThat(answer(run.rearm())).as("asked again").isEqualTo(new Answer.Armed(1, List.of("hunter-1")));
-            answer(run.estop());
-            answer(run.stop("prey")); // while it stands
-            assertThat(answer(run.rearm("hunter-1"))).isEqualTo(new Answer.Done());
+            assertThat(answer(run.operator().rearm()))
+                    .as("asked again")
+                    .isEqualTo(new Answer.Armed(1, List.of("hunter-1")));
+            answer(run.operator().estop());
+            answer(run.operator().stop("prey")); // while it stands
+            assertThat(answer(run.operator().rearm("hunter-1"))).isEqualTo(new Answer.Done());
             assertMoves(snapshots, false, true);
-            assertThat(answer(run.rearm())).isEqualTo(new Answer.Armed(1, List.of("prey")));
+            assertThat(answer(run.operator().rearm())).isEqualTo(new Answer.Armed(1, List.of("prey")));
             assertMoves(snapshots, false, true);
-            assertThat(answer(run.rearm("prey"))).isEqualTo(new Answer.Done());
+            assertThat(answer(run.operator().rearm("prey"))).isEqualTo(new Answer.Done());
             assertMoves(snapshots, true, true);
         }
     }
@@ -385,13 +398,13 @@ class LiveRunTest {
         try (var run = LiveRun.start(Runs.plan(folder, text, RunOptions.NONE.withSpeed(5)))) {
             var snapshots = snapshots(run);
             awaitRobots(snapshots);
-            assertThat(answer(run.estop())).isInstanceOf(Answer.Stopped.class);
+            assertThat(answer(run.operator().estop())).isInstanceOf(Answer.Stopped.class);
             Snapshot first =
                     next(snapshots, next(snapshots, Duration.ZERO).time().plusMillis(1500));
             Snapshot second = next(snapshots, first.time().plusMillis(1000));
             assertThat(second.robots().getLast().truth())
                     .isEqualTo(first.robots().getLast().truth());
-            assertThat(answer(run.rearm())).isInstanceOf(Answer.Armed.class);
+            assertThat(answer(run.operator().rearm())).isInstanceOf(Answer.Armed.class);
             Snapshot third = next(snapshots, second.time().plusMillis(1500));
             assertThat(third.robots().getLast().truth())
                     .isNotEqualTo(second.robots().getLast().truth());
@@ -544,7 +557,8 @@ class LiveRunTest {
         try (var run = LiveRun.start(plan)) {
             run.pause();
             run.speed(10);
-            assertThat(answer(run.place("prey", new Pose2d(-8, -1, 0)))).isEqualTo(new Answer.Done());
+            assertThat(answer(run.operator().place("prey", new Pose2d(-8, -1, 0))))
+                    .isEqualTo(new Answer.Done());
             RunResult result = Runs.result(run);
             assertThat(result.outcome()).isEqualTo("limit");
             assertThat(result.simulatedSeconds()).isCloseTo(result.wallSeconds(), within(0.3));
@@ -579,7 +593,7 @@ class LiveRunTest {
         LiveRun run = LiveRun.start(slow());
         run.close();
         assertThat(Runs.result(run).outcome()).isEqualTo("stopped");
-        assertThat(answer(run.estop())).isEqualTo(new Answer.Refused("The run has ended."));
+        assertThat(answer(run.operator().estop())).isEqualTo(new Answer.Refused("The run has ended."));
         run.close();
     }
 
@@ -589,7 +603,7 @@ class LiveRunTest {
         var asked = new ConcurrentLinkedQueue<CompletionStage<Answer>>();
         try (var run = LiveRun.start(slow())) {
             run.remember();
-            run.onSnapshot(() -> asked.add(run.topics()));
+            run.onSnapshot(() -> asked.add(run.inspector().topics()));
             run.snapshot();
             run.speed(Double.POSITIVE_INFINITY);
             Runs.result(run);

@@ -7,6 +7,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import rsal.engine.report.Histogram;
+import rsal.engine.report.LossReason;
+import rsal.engine.report.Metrics;
+import rsal.engine.report.TopicTraffic;
 import rsal.time.Phase;
 
 class MetricsTest {

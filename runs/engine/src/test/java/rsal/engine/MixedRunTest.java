@@ -15,6 +15,11 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rsal.data.Pose2d;
+import rsal.engine.report.Answer;
+import rsal.engine.report.RobotView;
+import rsal.engine.report.RunBroken;
+import rsal.engine.report.RunEvent;
+import rsal.engine.report.RunResult;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 
@@ -140,13 +145,13 @@ class MixedRunTest {
         }
         try (var run = LiveRun.start(plan(watched.replace("speed: max", "speed: 1")))) {
             Pose2d there = new Pose2d(-2, -1, 0);
-            assertThat(answer(run.place("real", there))).isEqualTo(new Answer.Done());
+            assertThat(answer(run.operator().place("real", there))).isEqualTo(new Answer.Done());
             while (run.snapshot().robots().stream()
                     .flatMap(view -> view.truth().stream())
                     .noneMatch(truth -> truth.distanceTo(there) < 0.5)) {
                 LockSupport.parkNanos(1_000_000); // snapshots come some times a second
             }
-            assertThat(answer(run.remove("real")))
+            assertThat(answer(run.operator().remove("real")))
                     .isEqualTo(
                             new Answer.Refused("Robot (real) is real: it can't be taken out of the simulated world."));
         }
@@ -171,13 +176,13 @@ class MixedRunTest {
     void realRobotsArePlacedInTheirOwnBeliefOnly() {
         try (var run = LiveRun.start(plan(MIXED.replace("speed: max", "speed: 1")))) {
             Pose2d there = new Pose2d(-2, -1, 0);
-            assertThat(answer(run.place("real", there))).isEqualTo(new Answer.Done());
-            assertThat(answer(run.remove("real")))
+            assertThat(answer(run.operator().place("real", there))).isEqualTo(new Answer.Done());
+            assertThat(answer(run.operator().remove("real")))
                     .isEqualTo(
                             new Answer.Refused("Robot (real) is real: it can't be taken out of the simulated world."));
-            assertThat(answer(run.addRobot("real", there)))
+            assertThat(answer(run.operator().addRobot("real", there)))
                     .isEqualTo(new Answer.Refused("Robot (real) is real: no other like it can be added."));
-            assertThat(answer(run.addRobot("virtual", there))).isEqualTo(new Answer.Added("hunter-1"));
+            assertThat(answer(run.operator().addRobot("virtual", there))).isEqualTo(new Answer.Added("hunter-1"));
         }
     }
 

@@ -21,6 +21,12 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
+import rsal.engine.arbitration.KeyboardDriving;
+import rsal.engine.report.Answer;
+import rsal.engine.report.DeviceView;
+import rsal.engine.report.RobotView;
+import rsal.engine.report.SentGoal;
+import rsal.engine.report.Snapshot;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 import rsal.system.CommandTimeout;
@@ -53,7 +59,9 @@ class OperatorCommandsTest {
     void start() {
         try {
             Path world = Files.writeString(folder.resolve("hall.world"), HALL);
-            run = LiveRun.start(Scenario.load(world.toString()).plan(RunOptions.NONE.withSpeed(1)), handClock::get);
+            run = LiveRun.of(Scenario.load(world.toString()).plan(RunOptions.NONE.withSpeed(1)))
+                    .operatorClock(handClock::get)
+                    .start();
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
@@ -126,7 +134,7 @@ class OperatorCommandsTest {
     private Snapshot drive(String robot, Twist2d velocity, int steps) {
         for (int step = 0; step < steps; step++) {
             var before = now().time();
-            done(run.drive(robot, "me", velocity));
+            done(run.operator().drive(robot, "me", velocity));
             run.step();
             await(s -> s.time().compareTo(before) > 0);
         }
@@ -155,7 +163,7 @@ class OperatorCommandsTest {
         assertThat(pose(driven, "idle").x()).isGreaterThan(start.x() + 0.2);
         assertThat(robot(driven, "idle").driver()).isEqualTo("me");
         assertThat(robot(driven, "idle").inCharge()).isEmpty();
-        done(run.letGo("idle", "me"));
+        done(run.operator().release("idle", "me"));
         assertThat(robot(now(), "idle").driver()).isEmpty();
         assertThat(happened("idle", "driven by keys")).isTrue();
         assertThat(happened("idle", "(0.50, 0.00) m/s, 0°/s")).isTrue();
@@ -174,7 +182,7 @@ class OperatorCommandsTest {
                 .isGreaterThan(4.05);
         Pose2d held = pose(drive("roamer", Twist2d.STOP, 8), "roamer");
         assertThat(pose(drive("roamer", Twist2d.STOP, 3), "roamer")).isEqualTo(held);
-        done(run.letGo("roamer", "me"));
+        done(run.operator().release("roamer", "me"));
         go();
         await(s -> roams(robot(s, "roamer")) && pose(s, "roamer").distanceTo(held) > 0.5);
     }
@@ -218,37 +226,37 @@ class OperatorCommandsTest {
 
     @Test
     void onlyOneDrivesARobot() {
-        done(run.drive("idle", "me", Twist2d.STOP));
-        assertThat(refusal(run.drive("idle", "you", Twist2d.drive(0.2, 0))))
+        done(run.operator().drive("idle", "me", Twist2d.STOP));
+        assertThat(refusal(run.operator().drive("idle", "you", Twist2d.drive(0.2, 0))))
                 .isEqualTo("Somebody else drives robot (idle) by keys.");
-        done(run.letGo("idle", "you"));
+        done(run.operator().release("idle", "you"));
         assertThat(robot(now(), "idle").driver()).isEqualTo("me");
-        assertThat(refusal(run.goTo("idle", new Pose2d(3, 0, 0)))).contains("(idle) is driven by keys");
-        assertThat(refusal(run.behave("idle", "wander"))).contains("(idle) is driven by keys");
-        done(run.letGo("idle", "me"));
-        done(run.drive("idle", "you", Twist2d.STOP));
+        assertThat(refusal(run.operator().goTo("idle", new Pose2d(3, 0, 0)))).contains("(idle) is driven by keys");
+        assertThat(refusal(run.operator().behave("idle", "wander"))).contains("(idle) is driven by keys");
+        done(run.operator().release("idle", "me"));
+        done(run.operator().drive("idle", "you", Twist2d.STOP));
     }
 
     @Test
     void whoIsHeardNoLongerKeepsNobodyOut() {
         for (int time = 0; time < 20; time++) {
-            done(run.drive("idle", "me", Twist2d.STOP));
+            done(run.operator().drive("idle", "me", Twist2d.STOP));
             handClock.addAndGet(KeyboardDriving.LEASE.toNanos() + 1);
-            sent(run.goTo("idle", new Pose2d(3, 0, 0)));
-            done(run.drive("idle", "me", Twist2d.STOP));
+            sent(run.operator().goTo("idle", new Pose2d(3, 0, 0)));
+            done(run.operator().drive("idle", "me", Twist2d.STOP));
             handClock.addAndGet(KeyboardDriving.LEASE.toNanos() + 1);
-            done(run.drive("idle", "you", Twist2d.STOP));
-            done(run.letGo("idle", "you"));
+            done(run.operator().drive("idle", "you", Twist2d.STOP));
+            done(run.operator().release("idle", "you"));
         }
     }
 
     @Test
     void theEmergencyStopComesFirst() {
         drive("idle", Twist2d.drive(0.5, 0), 5);
-        assertThat(answer(run.estop())).isInstanceOf(Answer.Stopped.class);
+        assertThat(answer(run.operator().estop())).isInstanceOf(Answer.Stopped.class);
         Pose2d stopped = pose(drive("idle", Twist2d.drive(0.5, 0), 3), "idle");
         assertThat(pose(drive("idle", Twist2d.drive(0.5, 0), 3), "idle")).isEqualTo(stopped);
-        assertThat(answer(run.rearm())).isInstanceOf(Answer.Armed.class);
+        assertThat(answer(run.operator().rearm())).isInstanceOf(Answer.Armed.class);
         assertThat(pose(drive("idle", Twist2d.drive(0.5, 0), 5), "idle"))
                 .as("with the key still down")
                 .isEqualTo(stopped);
@@ -261,13 +269,13 @@ class OperatorCommandsTest {
     @ValueSource(strings = {"wander", "wall-follow"})
     void aBehaviorIsGivenAndTakenAway(String behavior) {
         Pose2d start = pose(now(), "idle");
-        done(run.behave("idle", behavior));
+        done(run.operator().behave("idle", behavior));
         assertThat(robot(now(), "idle").behavior()).isEqualTo(behavior);
         assertThat(robot(now(), "idle").devices()).extracting(DeviceView::name).contains("pilot");
         go();
         await(s -> pose(s, "idle").distanceTo(start) > 1);
         assertThat(robot(now(), "idle").inCharge()).isNotEmpty();
-        done(run.behave("idle", ""));
+        done(run.operator().behave("idle", ""));
         await(s -> robot(s, "idle").inCharge().isEmpty()
                 && robot(s, "idle").odometry().orElseThrow().value().velocity().equals(Twist2d.STOP));
     }
@@ -276,7 +284,7 @@ class OperatorCommandsTest {
     void aRobotWithAnAgentCanBeToldToStand() {
         go();
         await(s -> roams(robot(s, "roamer")));
-        done(run.behave("roamer", "stand"));
+        done(run.operator().behave("roamer", "stand"));
         Snapshot standing = await(s -> robot(s, "roamer").behavior().equals("stand")
                 && robot(s, "roamer")
                         .odometry()
@@ -285,7 +293,7 @@ class OperatorCommandsTest {
                         .velocity()
                         .equals(Twist2d.STOP));
         assertThat(robot(standing, "roamer").inCharge()).isEmpty();
-        done(run.behave("roamer", ""));
+        done(run.operator().behave("roamer", ""));
         await(s -> roams(robot(s, "roamer")));
     }
 
@@ -293,7 +301,7 @@ class OperatorCommandsTest {
     @CsvSource({"idle, odometry", "drifter, amcl", "glider, odometry", "roamer, odometry"})
     void aRobotIsSentSomewhere(String id, String localizer) {
         assertThat(robot(now(), id).devices()).extracting(DeviceView::name).doesNotContain("localizer", "navigator");
-        SentGoal sent = sent(run.goTo(id, new Pose2d(0, 2, 0)));
+        SentGoal sent = sent(run.operator().goTo(id, new Pose2d(0, 2, 0)));
         assertThat(sent.isUnderWay()).isTrue();
         assertThat(sent.robot()).isEqualTo(id);
         go();
@@ -316,16 +324,16 @@ class OperatorCommandsTest {
 
     @Test
     void theNewestOrderCounts() {
-        done(run.behave("idle", "wander"));
-        SentGoal first = sent(run.goTo("idle", new Pose2d(3, 0, 0)));
+        done(run.operator().behave("idle", "wander"));
+        SentGoal first = sent(run.operator().goTo("idle", new Pose2d(3, 0, 0)));
         assertThat(robot(now(), "idle").behavior()).isEmpty();
         assertThat(robot(now(), "idle").goal()).contains(new Pose2d(3, 0, 0));
-        SentGoal second = sent(run.goTo("idle", new Pose2d(-3, 0, 0)));
+        SentGoal second = sent(run.operator().goTo("idle", new Pose2d(-3, 0, 0)));
         assertThat(second.id()).isEqualTo(first.id() + 1);
         assertThat(goal(first.id()).status()).isEqualTo(SentGoal.Status.CANCELED);
         assertThat(goal(first.id()).why()).isEqualTo("Another goal came.");
         assertThat(robot(now(), "idle").goal()).contains(new Pose2d(-3, 0, 0));
-        done(run.behave("idle", "wall-follow"));
+        done(run.operator().behave("idle", "wall-follow"));
         assertThat(goal(second.id()).status()).isEqualTo(SentGoal.Status.CANCELED);
         assertThat(robot(now(), "idle").goal()).isEmpty();
         assertThat(robot(now(), "idle").behavior()).isEqualTo("wall-follow");
@@ -334,37 +342,39 @@ class OperatorCommandsTest {
 
     @Test
     void aWayIsGoneOnWithWhenKeysAreLetGo() {
-        sent(run.goTo("idle", new Pose2d(3, 2, 0)));
+        sent(run.operator().goTo("idle", new Pose2d(3, 2, 0)));
         drive("idle", Twist2d.drive(-0.4, 0), 5);
         assertThat(pose(now(), "idle").x()).isLessThan(-4.05);
         assertThat(robot(now(), "idle").goal()).isPresent();
-        done(run.letGo("idle", "me"));
+        done(run.operator().release("idle", "me"));
         go();
         await(_ -> happened("idle", "is at (3.00, 2.00, 0°)"));
     }
 
     @Test
     void whatARobotCantDoIsRefusedWithTheReason() {
-        assertThat(refusal(run.goTo("blind", new Pose2d(3, 0, 0))))
+        assertThat(refusal(run.operator().goTo("blind", new Pose2d(3, 0, 0))))
                 .isEqualTo("Robot (blind) can't be sent anywhere."
                         + " It has no sensor that measures ranges, so it would drive blindly.");
-        assertThat(refusal(run.behave("blind", "wander"))).contains("drive blindly");
-        assertThat(refusal(run.goTo("car", new Pose2d(3, 0, 0)))).contains("which a car (cart) can't");
-        assertThat(refusal(run.behave("idle", "dance")))
+        assertThat(refusal(run.operator().behave("blind", "wander"))).contains("drive blindly");
+        assertThat(refusal(run.operator().goTo("car", new Pose2d(3, 0, 0)))).contains("which a car (cart) can't");
+        assertThat(refusal(run.operator().behave("idle", "dance")))
                 .isEqualTo("There is no behavior (dance); there are [stand, wander, wall-follow].");
-        assertThat(refusal(run.goTo("idle", new Pose2d(0, 0, 0)))).isEqualTo("There is a wall at (0.00, 0.00).");
-        assertThat(refusal(run.goTo("idle", new Pose2d(300, 0, 0)))).isEqualTo("(300.00, 0.00) is outside the map.");
-        assertThat(refusal(run.drive("nobody", "me", Twist2d.STOP))).contains("There is no (nobody)");
-        assertThat(refusal(run.drive("idle", "me", Twist2d.drive(Double.NaN, 0))))
+        assertThat(refusal(run.operator().goTo("idle", new Pose2d(0, 0, 0))))
+                .isEqualTo("There is a wall at (0.00, 0.00).");
+        assertThat(refusal(run.operator().goTo("idle", new Pose2d(300, 0, 0))))
+                .isEqualTo("(300.00, 0.00) is outside the map.");
+        assertThat(refusal(run.operator().drive("nobody", "me", Twist2d.STOP))).contains("There is no (nobody)");
+        assertThat(refusal(run.operator().drive("idle", "me", Twist2d.drive(Double.NaN, 0))))
                 .contains("finite");
-        done(run.drive("blind", "me", Twist2d.drive(0.1, 0)));
-        done(run.behave("car", "stand"));
+        done(run.operator().drive("blind", "me", Twist2d.drive(0.1, 0)));
+        done(run.operator().behave("car", "stand"));
     }
 
     @Test
     void aRobotThatIsPlacedByHandKnowsItOnItsWay() {
-        sent(run.goTo("drifter", new Pose2d(4, 1, 0)));
-        done(run.place("drifter", new Pose2d(-4, -1, 0)));
+        sent(run.operator().goTo("drifter", new Pose2d(4, 1, 0)));
+        done(run.operator().place("drifter", new Pose2d(-4, -1, 0)));
         go();
         await(_ -> happened("drifter", "is at (4.00, 1.00, 0°)"));
         assertThat(pose(now(), "drifter").distanceTo(new Pose2d(4, 1, 0))).isLessThan(0.7);

@@ -32,6 +32,8 @@ import rsal.agent.team.Work;
 import rsal.agent.team.Worker;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
+import rsal.engine.communication.Radio;
+import rsal.engine.report.LossReason;
 import rsal.scenario.Communication;
 import rsal.scenario.Span;
 import rsal.settings.Arguments;

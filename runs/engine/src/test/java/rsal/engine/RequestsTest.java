@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
+import rsal.engine.report.Answer;
 
 class RequestsTest {
     private static final Answer LATE = new Answer.Refused("The run has ended.");

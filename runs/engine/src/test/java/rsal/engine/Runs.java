@@ -9,12 +9,16 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import rsal.engine.report.AgentInspection;
+import rsal.engine.report.Answer;
+import rsal.engine.report.ReceivedMessage;
+import rsal.engine.report.RunResult;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
 
 /// Runs for tests: two wanderers in the office.
-final class Runs {
+public final class Runs {
     static final String TWO_WANDERERS = """
             rsal: 1
             scenario: two-wanderers
@@ -48,7 +52,7 @@ final class Runs {
 
     private Runs() {}
 
-    static RunPlan plan(Path folder, String text, RunOptions options) {
+    public static RunPlan plan(Path folder, String text, RunOptions options) {
         try {
             Path file = Files.writeString(folder.resolve("scenario.yaml"), text);
             return Scenario.load(file.toString()).plan(options);
@@ -57,7 +61,7 @@ final class Runs {
         }
     }
 
-    static void write(Path file, String text) {
+    public static void write(Path file, String text) {
         try {
             Files.writeString(file, text);
         } catch (IOException e) {
@@ -66,13 +70,13 @@ final class Runs {
     }
 
     /// Runs to the end.
-    static RunResult result(RunPlan plan) {
+    public static RunResult result(RunPlan plan) {
         try (var run = LiveRun.start(plan)) {
             return result(run);
         }
     }
 
-    static RunResult result(LiveRun run) {
+    public static RunResult result(LiveRun run) {
         try {
             return run.result().toCompletableFuture().get(60, TimeUnit.SECONDS);
         } catch (InterruptedException | TimeoutException e) {
@@ -85,7 +89,7 @@ final class Runs {
     /// Completes with what is in an agent's mailbox when something of that topic is.
     static CompletableFuture<List<ReceivedMessage>> mail(LiveRun run, String agent, String topic) {
         var heard = new CompletableFuture<List<ReceivedMessage>>();
-        run.onEvents(() -> run.inside(agent).thenAccept(answer -> {
+        run.onEvents(() -> run.inspector().inside(agent).thenAccept(answer -> {
             if (answer instanceof Answer.Seen(AgentInspection inside)) {
                 inside.mail()
                         .filter(mail ->

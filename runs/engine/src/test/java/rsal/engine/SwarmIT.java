@@ -12,6 +12,8 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import rsal.data.Point2d;
+import rsal.engine.report.RunEvent;
+import rsal.engine.report.RunResult;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 import rsal.testkit.LongTest;
@@ -27,7 +29,7 @@ class SwarmIT {
                 .withSeed(seed)
                 .withSpeed(Double.POSITIVE_INFINITY)
                 .withLimit(Duration.ofMillis(Math.round(seconds * 1000)));
-        try (var run = LiveRun.start(SWARM.plan(options), helpers)) {
+        try (var run = LiveRun.of(SWARM.plan(options)).helpers(helpers).start()) {
             return run.result()
                     .toCompletableFuture()
                     .orTimeout(120, TimeUnit.SECONDS)

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import rsal.engine.report.RunResult;
 import rsal.scenario.RunOptions;
 import rsal.testkit.Trials;
 

@@ -9,6 +9,9 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import rsal.data.Pose2d;
+import rsal.engine.report.RunEvent;
+import rsal.engine.report.RunResult;
+import rsal.engine.report.SentGoal;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 import rsal.testkit.Trials;
@@ -25,9 +28,9 @@ class TeleopIT {
                     arrived.countDown();
                 }
             });
-            run.goTo("robot-1", new Pose2d(17.4, 3.5, 1));
-            run.goTo("robot-2", new Pose2d(-21.3, 2, 0));
-            run.goTo("robot-3", new Pose2d(-3.6, 3.4, 0));
+            run.operator().goTo("robot-1", new Pose2d(17.4, 3.5, 1));
+            run.operator().goTo("robot-2", new Pose2d(-21.3, 2, 0));
+            run.operator().goTo("robot-3", new Pose2d(-3.6, 3.4, 0));
             assertThat(arrived.await(60, TimeUnit.SECONDS)).isTrue();
             run.stop();
             RunResult result = Runs.result(run);
@@ -47,10 +50,13 @@ class TeleopIT {
                 .withLimit(Duration.ofSeconds(150))
                 .withSpeed(0.1); // until all are sent, long before anything goes wrong
         try (var run = LiveRun.start(Scenario.load("teleop").plan(options))) {
-            run.goTo("robot-1", new Pose2d(27.4, 0.1, 0));
-            run.goTo("robot-2", new Pose2d(-21.3, 2, 0));
-            run.goTo("robot-3", new Pose2d(17.4, 3.5, 0));
-            run.goTo("robot-4", new Pose2d(-3.6, 3.4, 0)).toCompletableFuture().join();
+            run.operator().goTo("robot-1", new Pose2d(27.4, 0.1, 0));
+            run.operator().goTo("robot-2", new Pose2d(-21.3, 2, 0));
+            run.operator().goTo("robot-3", new Pose2d(17.4, 3.5, 0));
+            run.operator()
+                    .goTo("robot-4", new Pose2d(-3.6, 3.4, 0))
+                    .toCompletableFuture()
+                    .join();
             run.speed(Double.POSITIVE_INFINITY);
             RunResult result = Runs.result(run);
             String as = "seed %d".formatted(seed);

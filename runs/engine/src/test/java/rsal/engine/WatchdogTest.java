@@ -8,6 +8,7 @@ import java.util.concurrent.CompletionException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import rsal.engine.report.RunBroken;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.testkit.example.Endless;
@@ -30,7 +31,10 @@ class WatchdogTest {
     }
 
     private void endlessAgentIsNamed(RunOptions options) throws InterruptedException {
-        LiveRun run = LiveRun.start(plan("endless", options), 1, System::nanoTime, PATIENCE);
+        LiveRun run = LiveRun.of(plan("endless", options))
+                .helpers(1)
+                .patience(PATIENCE)
+                .start();
         try {
             assertThatThrownBy(() -> run.result().toCompletableFuture().join())
                     .isInstanceOf(CompletionException.class)

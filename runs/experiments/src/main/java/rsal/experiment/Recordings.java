@@ -3,8 +3,8 @@ package rsal.experiment;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
-import rsal.engine.RunObserver;
-import rsal.engine.RunResult;
+import rsal.engine.report.RunObserver;
+import rsal.engine.report.RunResult;
 import rsal.scenario.RunPlan;
 
 /// Who records the runs of an experiment, beside their rows.

@@ -7,7 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
-import rsal.engine.RunResult;
+import rsal.engine.report.RunResult;
 import rsal.scenario.Folders;
 
 /// What came of one run of an experiment. Part of what users build on: names and order stay, more may follow.

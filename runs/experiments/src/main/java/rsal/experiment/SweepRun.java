@@ -15,8 +15,9 @@ import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import rsal.engine.LiveRun;
-import rsal.engine.RunBroken;
-import rsal.engine.RunResult;
+import rsal.engine.RunBuilder;
+import rsal.engine.report.RunBroken;
+import rsal.engine.report.RunResult;
 import rsal.experiment.Recordings.Recording;
 import rsal.scenario.RunPlan;
 import rsal.settings.InvalidSettings;
@@ -179,8 +180,9 @@ public final class SweepRun implements AutoCloseable {
 
     private Row row(Trial trial, RunPlan plan, Recording recording) throws InterruptedException {
         Map<String, Object> arguments = sweep.arguments(trial.combination());
-        int helpers = Math.max(1, cores / jobs);
-        try (LiveRun run = LiveRun.start(plan, helpers, recording.witness())) {
+        RunBuilder builder = LiveRun.of(plan).helpers(Math.max(1, cores / jobs));
+        recording.witness().ifPresent(builder::observer);
+        try (LiveRun run = builder.start()) {
             underWay.add(run);
             try {
                 if (closed) {

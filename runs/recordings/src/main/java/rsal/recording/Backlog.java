@@ -10,10 +10,10 @@ import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.BooleanSupplier;
 import rsal.agent.bdi.Mind;
-import rsal.engine.RunEvent;
-import rsal.engine.RunObserver;
-import rsal.engine.SentMessage;
-import rsal.engine.Snapshot;
+import rsal.engine.report.RunEvent;
+import rsal.engine.report.RunObserver;
+import rsal.engine.report.SentMessage;
+import rsal.engine.report.Snapshot;
 
 /// What a run has told and nobody has taken yet: told on the run's thread, taken on one other. It is bounded: when
 /// [Behind#DROP] is chosen, the newest states win and others are counted as dropped, and only when 100,000 events and

@@ -37,16 +37,16 @@ import rsal.data.Twist2d;
 import rsal.device.Health;
 import rsal.device.SimulationControl.Carried;
 import rsal.device.SimulationControl.Standing;
-import rsal.engine.AgentView;
-import rsal.engine.Answer;
-import rsal.engine.DeviceView;
-import rsal.engine.Link;
-import rsal.engine.LiveRun;
-import rsal.engine.Reading;
-import rsal.engine.RobotView;
-import rsal.engine.Snapshot;
-import rsal.engine.Teammate;
+import rsal.engine.report.AgentView;
+import rsal.engine.report.Answer;
+import rsal.engine.report.DeviceView;
+import rsal.engine.report.Link;
+import rsal.engine.report.Reading;
+import rsal.engine.report.RobotView;
+import rsal.engine.report.Snapshot;
+import rsal.engine.report.Teammate;
 import rsal.model.RobotColors;
+import rsal.model.RobotModels;
 import rsal.recording.Held.Raw;
 import rsal.recording.Held.Speech;
 import rsal.recording.proto.MessageType;
@@ -286,7 +286,7 @@ final class Decoder {
                 .or(() -> planned.stream()
                         .filter(mate -> mate.spec().model().name().equals(fields.text("model")))
                         .findFirst())
-                .or(() -> LiveRun.robotModels().stream()
+                .or(() -> RobotModels.readBuiltIn().stream()
                         .filter(model -> model.name().equals(fields.text("model")))
                         .findFirst()
                         .map(Decoder::mate));

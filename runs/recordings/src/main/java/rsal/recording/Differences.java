@@ -10,9 +10,9 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 import rsal.data.Pose2d;
 import rsal.data.Stamped;
-import rsal.engine.AgentView;
-import rsal.engine.RobotView;
-import rsal.engine.Snapshot;
+import rsal.engine.report.AgentView;
+import rsal.engine.report.RobotView;
+import rsal.engine.report.Snapshot;
 
 /// In what two moments differ that should be the same, in words.
 final class Differences {

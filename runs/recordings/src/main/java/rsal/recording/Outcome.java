@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
 import rsal.data.Pose2d;
-import rsal.engine.RunResult;
+import rsal.engine.report.RunResult;
 import rsal.recording.mcap.McapWriter;
 import rsal.recording.mcap.Metadata;
 import rsal.scenario.RunPlan;

@@ -33,7 +33,7 @@ import rsal.data.Rgb;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
 import rsal.device.Planner;
-import rsal.engine.NavigatorState;
+import rsal.engine.report.NavigatorState;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.ProtoWriter;
 import rsal.robot.DeviceKinds;

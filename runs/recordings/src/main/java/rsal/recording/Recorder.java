@@ -8,8 +8,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
-import rsal.engine.RunObserver;
-import rsal.engine.RunResult;
+import rsal.engine.report.RunObserver;
+import rsal.engine.report.RunResult;
 import rsal.recording.Backlog.Entry;
 import rsal.recording.mcap.McapWriter;
 

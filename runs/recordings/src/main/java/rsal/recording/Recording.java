@@ -9,7 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import rsal.engine.RunEvent;
+import rsal.engine.report.RunEvent;
 import rsal.recording.mcap.AttachmentEntry;
 import rsal.recording.mcap.McapFile;
 import rsal.recording.proto.ProtoReader;

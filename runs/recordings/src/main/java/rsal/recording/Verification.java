@@ -10,10 +10,10 @@ import java.util.concurrent.CompletionStage;
 import java.util.function.Function;
 import rsal.agent.bdi.Mind;
 import rsal.engine.LiveRun;
-import rsal.engine.RunEvent;
-import rsal.engine.RunObserver;
-import rsal.engine.SentMessage;
-import rsal.engine.Snapshot;
+import rsal.engine.report.RunEvent;
+import rsal.engine.report.RunObserver;
+import rsal.engine.report.SentMessage;
+import rsal.engine.report.Snapshot;
 import rsal.recording.Recording.Hashed;
 import rsal.scenario.RunPlan;
 import rsal.settings.InvalidSettings;
@@ -111,7 +111,7 @@ public final class Verification {
             throw new IllegalArgumentException("Programs %s are not run.".formatted(plan.untrusted()));
         }
         Verification verification = of(recording);
-        LiveRun run = LiveRun.start(plan, verification.new Comparison());
+        LiveRun run = LiveRun.of(plan).observer(verification.new Comparison()).start();
         run.result().whenComplete((_, broken) -> {
             if (broken != null) {
                 verification.finding.completeExceptionally(broken);

@@ -8,8 +8,8 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rsal.engine.LiveRun;
-import rsal.engine.RunEvent;
-import rsal.engine.Snapshot;
+import rsal.engine.report.RunEvent;
+import rsal.engine.report.Snapshot;
 import rsal.recording.Backlog.Behind;
 
 @Timeout(60)

@@ -16,7 +16,7 @@ import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import rsal.data.Pose2d;
-import rsal.engine.SentMessage;
+import rsal.engine.report.SentMessage;
 import rsal.recording.proto.Descriptors;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.ProtoReader;

@@ -17,13 +17,13 @@ import rsal.data.RangeArray;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
 import rsal.device.Health;
-import rsal.engine.DeviceView;
-import rsal.engine.Reading;
-import rsal.engine.RobotView;
-import rsal.engine.RunEvent;
-import rsal.engine.RunObserver;
-import rsal.engine.SentMessage;
-import rsal.engine.Snapshot;
+import rsal.engine.report.DeviceView;
+import rsal.engine.report.Reading;
+import rsal.engine.report.RobotView;
+import rsal.engine.report.RunEvent;
+import rsal.engine.report.RunObserver;
+import rsal.engine.report.SentMessage;
+import rsal.engine.report.Snapshot;
 
 /// Sees of a run that each robot has more devices: a second one of kinds of which one is drawn, one of a kind that
 /// nobody knows, and one that tells no numbers. Each tells something ten times a second.

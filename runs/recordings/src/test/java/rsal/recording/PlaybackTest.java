@@ -28,16 +28,16 @@ import rsal.data.PoseEstimate;
 import rsal.data.RangeArray;
 import rsal.data.Stamped;
 import rsal.device.Planner;
-import rsal.engine.Answer;
 import rsal.engine.LiveRun;
-import rsal.engine.NavigatorState;
-import rsal.engine.Reading;
-import rsal.engine.RobotView;
-import rsal.engine.RunEvent;
-import rsal.engine.RunObserver;
-import rsal.engine.RunResult;
-import rsal.engine.SentMessage;
-import rsal.engine.Snapshot;
+import rsal.engine.report.Answer;
+import rsal.engine.report.NavigatorState;
+import rsal.engine.report.Reading;
+import rsal.engine.report.RobotView;
+import rsal.engine.report.RunEvent;
+import rsal.engine.report.RunObserver;
+import rsal.engine.report.RunResult;
+import rsal.engine.report.SentMessage;
+import rsal.engine.report.Snapshot;
 import rsal.recording.Playback.Told;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
@@ -312,11 +312,12 @@ class PlaybackTest {
         RunPlan plan = Scenario.load(HUNT)
                 .plan(RunOptions.NONE.withSeed(7).withSpeed(50).withLimit(Duration.ofSeconds(30)));
         try (Recorder recorder = Recorded.begin(plan, file);
-                LiveRun run = LiveRun.start(plan, recorder.witness())) {
+                LiveRun run = LiveRun.of(plan).observer(recorder.witness()).start()) {
             while (run.snapshot().robots().isEmpty()) {
                 Thread.onSpinWait();
             }
-            var added = run.newRobot("pioneer2dx", new Pose2d(-8, -1, 0)).toCompletableFuture();
+            var added =
+                    run.operator().newRobot("pioneer2dx", new Pose2d(-8, -1, 0)).toCompletableFuture();
             assertThat(added.get(30, TimeUnit.SECONDS)).isEqualTo(new Answer.Added("pioneer2dx-1"));
             recorder.ended(run.result().toCompletableFuture().get(60, TimeUnit.SECONDS));
         }
@@ -409,8 +410,12 @@ class PlaybackTest {
     private static Seen record(RunPlan plan, Path file) throws Exception {
         try (Recorder recorder = Recorded.begin(plan, file)) {
             var seen = new Seen(recorder.witness());
-            seen.result =
-                    LiveRun.start(plan, seen).result().toCompletableFuture().get(100, TimeUnit.SECONDS);
+            seen.result = LiveRun.of(plan)
+                    .observer(seen)
+                    .start()
+                    .result()
+                    .toCompletableFuture()
+                    .get(100, TimeUnit.SECONDS);
             recorder.ended(seen.result);
             return seen;
         }

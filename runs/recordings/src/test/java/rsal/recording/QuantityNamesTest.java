@@ -25,7 +25,7 @@ import rsal.data.PoseEstimate;
 import rsal.data.RangeArray;
 import rsal.data.Twist2d;
 import rsal.device.Planner;
-import rsal.engine.NavigatorState;
+import rsal.engine.report.NavigatorState;
 
 class QuantityNamesTest {
     /// Whatever is renamed there would be called as in Java, without a unit.

@@ -41,7 +41,7 @@ import rsal.data.Rgb;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
 import rsal.device.Planner;
-import rsal.engine.NavigatorState;
+import rsal.engine.report.NavigatorState;
 import rsal.recording.mcap.ByteSink;
 import rsal.recording.proto.ProtoWriter;
 

@@ -7,8 +7,8 @@ import java.time.Instant;
 import java.util.concurrent.TimeUnit;
 import java.util.function.UnaryOperator;
 import rsal.engine.LiveRun;
-import rsal.engine.RunObserver;
-import rsal.engine.RunResult;
+import rsal.engine.report.RunObserver;
+import rsal.engine.report.RunResult;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
@@ -42,7 +42,9 @@ final class Recorded {
     private static RunResult run(RunPlan plan, RunPlan told, Path file, UnaryOperator<RunObserver> seen)
             throws Exception {
         try (Recorder recorder = begin(told, file)) {
-            RunResult result = LiveRun.start(plan, seen.apply(recorder.witness()))
+            RunResult result = LiveRun.of(plan)
+                    .observer(seen.apply(recorder.witness()))
+                    .start()
                     .result()
                     .toCompletableFuture()
                     .get(100, TimeUnit.SECONDS);

@@ -20,8 +20,8 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.engine.LiveRun;
-import rsal.engine.RunResult;
-import rsal.engine.Snapshot;
+import rsal.engine.report.RunResult;
+import rsal.engine.report.Snapshot;
 import rsal.recording.Verification.Finding;
 import rsal.recording.mcap.McapFile;
 import rsal.recording.proto.ProtoReader;
@@ -96,7 +96,9 @@ class RecorderTest {
         RunPlan plan = Recorded.plan(HUNT, 3, 5);
         Recorder recorder = Recorded.begin(plan, file);
         try (recorder) {
-            LiveRun.start(plan, recorder.witness())
+            LiveRun.of(plan)
+                    .observer(recorder.witness())
+                    .start()
                     .result()
                     .toCompletableFuture()
                     .get(100, TimeUnit.SECONDS);

@@ -6,7 +6,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
-import rsal.engine.RunEvent;
+import rsal.engine.report.RunEvent;
 import rsal.recording.Recording.Hashed;
 import rsal.recording.Verification.Compared;
 import rsal.recording.Verification.Finding;

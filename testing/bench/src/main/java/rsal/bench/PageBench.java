@@ -28,7 +28,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import java.util.zip.GZIPOutputStream;
 import rsal.engine.LiveRun;
-import rsal.engine.Snapshot;
+import rsal.engine.report.Snapshot;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 import rsal.server.PortInUse;

@@ -217,7 +217,7 @@ public final class AgentPlatform implements AutoCloseable {
         return member(agent).map(AgentRuntime::view);
     }
 
-    /// What an agent reveals of itself now, by the type of it ([AgentContext#reveal]).
+    /// What an agent reveals of itself now, by the type of it ([rsal.agent.AgentContext#reveal]).
     ///
     /// @return empty when it reveals nothing of that type, does not run, or never was there
     /// @throws IllegalArgumentException when it can't tell

@@ -1,0 +1,76 @@
+package rsal.engine;
+
+import java.time.Duration;
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.Consumer;
+import rsal.agent.platform.Turns;
+import rsal.engine.report.RunBroken;
+
+/// Looks once a second, on a thread of its own, whether the agents of a run return.
+final class AgentWatch {
+    private static final Duration PERIOD = Duration.ofSeconds(1);
+
+    private final Turns turns;
+    private final int patience;
+    private final Watchdog watchdog;
+    private final CompletableFuture<Boolean> ending;
+    private final Consumer<RunBroken> giveUp;
+
+    /// @param patience after how many looks an agent counts as one that never returns
+    /// @param result done when the run has ended; then it looks no more
+    /// @param giveUp told which agent never returns
+    AgentWatch(Turns turns, int patience, CompletableFuture<?> result, Consumer<RunBroken> giveUp) {
+        this.turns = turns;
+        this.patience = patience;
+        this.watchdog = new Watchdog(turns, patience);
+        this.ending = result.handle((_, _) -> true);
+        this.giveUp = giveUp;
+    }
+
+    /// Until the run has ended.
+    void run() {
+        while (!ending.isDone()) {
+            try {
+                ending.get(PERIOD.toMillis(), TimeUnit.MILLISECONDS);
+            } catch (TimeoutException _) {
+                look();
+            } catch (InterruptedException | ExecutionException e) {
+                throw new AssertionError("Nobody interrupts it, and both endings are handled.", e);
+            }
+        }
+    }
+
+    private void look() {
+        try {
+            watchdog.look().map(this::broken).ifPresent(giveUp);
+        } catch (OutOfMemoryError _) {
+            // what the run does about it is its own matter; the next look may have enough
+        }
+    }
+
+    private RunBroken broken(String agent) {
+        return new RunBroken(
+                "Agent (%s) has not returned for %d s; it is in %s. Nothing in an agent may block: maybe use its scheduler, or a CompletionStage."
+                        .formatted(agent, patience, place(turns.thread(agent))));
+    }
+
+    /// The thread of an agent at work, as platforms may have threads of their own.
+    static Optional<Thread> busyThread(Turns turns) {
+        return turns.underWay().keySet().stream().findFirst().flatMap(turns::thread);
+    }
+
+    /// Where a thread is, beside what Java itself does there.
+    static String place(Optional<Thread> busy) {
+        return busy.map(Thread::getStackTrace).stream()
+                .flatMap(Arrays::stream)
+                .filter(frame -> !frame.getClassName().matches("(java|javax|jdk|sun)\\..*"))
+                .findFirst()
+                .map(StackTraceElement::toString)
+                .orElse("nothing");
+    }
+}
