@@ -3,7 +3,7 @@
 module rsal.scenarios {
     requires rsal.yaml;
     requires rsal.models;
-    requires rsal.worlds;
+    requires transitive rsal.worlds;
     requires rsal.behaviors;
     requires transitive rsal.agent.platform;
     requires transitive rsal.devices;
@@ -13,7 +13,10 @@ module rsal.scenarios {
 
     exports rsal.scenario;
     exports rsal.scenario.condition;
+    exports rsal.scenario.fault;
+    exports rsal.scenario.installed;
     exports rsal.scenario.picture;
+    exports rsal.scenario.text;
 
     uses rsal.agent.AgentHostProvider;
     uses rsal.agent.AgentLanguage;

@@ -16,6 +16,7 @@ module rsal.bench {
     requires static org.jspecify;
 
     exports rsal.bench;
+    exports rsal.bench.measurement;
 
     uses rsal.agent.bare.BareLanguage;
     uses rsal.agent.bare.BareSystem;

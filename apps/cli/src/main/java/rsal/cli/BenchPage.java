@@ -9,8 +9,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.DoubleStream;
-import rsal.bench.Plot;
-import rsal.bench.Result;
+import rsal.bench.measurement.Plot;
+import rsal.bench.measurement.Result;
 import tools.jackson.databind.json.JsonMapper;
 
 /// A page of what benchmarks measured, with plots by Vega-Lite. It carries all that it needs, so that it can be sent

@@ -19,7 +19,7 @@ import picocli.CommandLine.TypeConversionException;
 import rsal.engine.LiveRun;
 import rsal.engine.report.Answer;
 import rsal.engine.report.RunResult;
-import rsal.scenario.Providers;
+import rsal.scenario.installed.Providers;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.settings.InvalidSettings;

@@ -16,7 +16,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import rsal.model.RobotModels;
 import rsal.model.urdf.UrdfModel;
-import rsal.scenario.Counted;
+import rsal.scenario.text.Counted;
 import rsal.scenario.Scenario;
 import rsal.scene.Scene;
 import rsal.settings.FileSource;

@@ -15,7 +15,7 @@ import rsal.metric.MetricType;
 import rsal.metric.QuantityType;
 import rsal.robot.DeviceDriver;
 import rsal.robot.DeviceKind;
-import rsal.scenario.Providers;
+import rsal.scenario.installed.Providers;
 import rsal.settings.Parameter;
 import rsal.settings.Plugin;
 import rsal.system.RobotSystemProvider;

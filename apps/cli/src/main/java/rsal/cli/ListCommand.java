@@ -9,7 +9,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 import rsal.map.Maps;
 import rsal.model.RobotModels;
-import rsal.scenario.Providers;
+import rsal.scenario.installed.Providers;
 import rsal.scenario.Scenario;
 import rsal.system.BridgeProvider;
 

@@ -34,7 +34,7 @@ import rsal.navigation.grid.ScanMapper;
 import rsal.navigation.replay.Course;
 import rsal.navigation.replay.Replay;
 import rsal.navigation.replay.Verdict;
-import rsal.scenario.Counted;
+import rsal.scenario.text.Counted;
 import rsal.settings.Arguments;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;

@@ -15,7 +15,7 @@ import rsal.navigation.amcl.LocalizationMap;
 import rsal.navigation.amcl.OdometryModel;
 import rsal.navigation.amcl.SensorModel;
 import rsal.robot.DeviceDriver;
-import rsal.scenario.Providers;
+import rsal.scenario.installed.Providers;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 import rsal.settings.Suggestion;

@@ -33,7 +33,7 @@ import rsal.navigation.slam.RelationError;
 import rsal.navigation.slam.Shared;
 import rsal.navigation.slam.Slam;
 import rsal.navigation.slam.Turns;
-import rsal.scenario.Counted;
+import rsal.scenario.text.Counted;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.time.AllowedToReadWallClock;

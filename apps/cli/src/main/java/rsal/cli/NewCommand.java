@@ -17,7 +17,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import rsal.agent.AgentHostProvider;
 import rsal.experiment.report.ShellWords;
-import rsal.scenario.Providers;
+import rsal.scenario.installed.Providers;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 import rsal.scenario.Template;

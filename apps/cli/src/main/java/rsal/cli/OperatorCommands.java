@@ -8,7 +8,7 @@ import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import rsal.scenario.Counted;
+import rsal.scenario.text.Counted;
 import rsal.time.AllowedToReadWallClock;
 import tools.jackson.databind.JsonNode;
 

@@ -2,7 +2,7 @@ package rsal.cli;
 
 import java.util.Optional;
 import rsal.metric.MetricType;
-import rsal.scenario.Providers;
+import rsal.scenario.installed.Providers;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;

@@ -20,7 +20,7 @@ import rsal.recording.Recording;
 import rsal.recording.Verification;
 import rsal.recording.Verification.Compared;
 import rsal.recording.Verification.Finding;
-import rsal.scenario.Counted;
+import rsal.scenario.text.Counted;
 import rsal.scenario.RunPlan;
 import rsal.server.ReplayServer;
 import rsal.server.RunServer;

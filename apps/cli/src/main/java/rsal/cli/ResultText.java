@@ -8,8 +8,8 @@ import java.util.stream.Collectors;
 import rsal.data.Pose2d;
 import rsal.engine.report.Reception;
 import rsal.engine.report.RunResult;
-import rsal.scenario.Counted;
-import rsal.scenario.NumberText;
+import rsal.scenario.text.Counted;
+import rsal.scenario.text.NumberText;
 import rsal.scenario.RunPlan;
 
 /// A run's result for people.

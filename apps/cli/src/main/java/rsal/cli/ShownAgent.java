@@ -9,7 +9,7 @@ import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentLanguage;
 import rsal.agent.AgentType;
 import rsal.agent.Outline;
-import rsal.scenario.Providers;
+import rsal.scenario.installed.Providers;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;

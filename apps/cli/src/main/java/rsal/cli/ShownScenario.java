@@ -11,13 +11,13 @@ import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.scenario.Communication;
 import rsal.scenario.Configuration;
-import rsal.scenario.PlannedFault;
+import rsal.scenario.fault.PlannedFault;
 import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.RunPlan.PlannedDevice;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.scenario.Scenario;
-import rsal.scenario.Span;
+import rsal.scenario.fault.Span;
 import rsal.settings.Parameter;
 
 /// What a scenario with one of its configurations comes to, as `rsal show --json` prints it.

@@ -5,7 +5,7 @@ import java.time.Duration;
 import java.util.List;
 import rsal.experiment.Pace;
 import rsal.experiment.Row;
-import rsal.scenario.Counted;
+import rsal.scenario.text.Counted;
 import rsal.time.AllowedToReadWallClock;
 
 /// Tells on stderr how far a sweep is: on a terminal by a bar with the time left, elsewhere by a line now and

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.net.URL;
 import org.junit.jupiter.api.Test;
 import rsal.agent.AgentHostProvider;
-import rsal.scenario.Providers;
+import rsal.scenario.installed.Providers;
 
 /// What comes with the command line.
 class AssemblyTest {

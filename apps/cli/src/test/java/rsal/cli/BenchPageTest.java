@@ -11,11 +11,11 @@ import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import rsal.bench.Plot;
-import rsal.bench.Plot.Bars.Bar;
-import rsal.bench.Plot.Lines.Point;
-import rsal.bench.Plot.Shares.Share;
-import rsal.bench.Result;
+import rsal.bench.measurement.Plot;
+import rsal.bench.measurement.Plot.Bars.Bar;
+import rsal.bench.measurement.Plot.Lines.Point;
+import rsal.bench.measurement.Plot.Shares.Share;
+import rsal.bench.measurement.Result;
 import tools.jackson.databind.json.JsonMapper;
 
 class BenchPageTest {

@@ -22,7 +22,7 @@ import rsal.robot.DeviceDriver;
 import rsal.robot.DeviceKind;
 import rsal.robot.DeviceKinds;
 import rsal.robot.RobotModel.Part;
-import rsal.scenario.Providers;
+import rsal.scenario.installed.Providers;
 import rsal.settings.Location;
 
 /// The types of devices, as their sources tell of them, and what becomes one.

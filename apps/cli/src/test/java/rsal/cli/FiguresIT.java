@@ -20,7 +20,7 @@ import rsal.experiment.Findings;
 import rsal.experiment.Row;
 import rsal.experiment.report.Numbers;
 import rsal.experiment.statistics.Mean;
-import rsal.scenario.NumberText;
+import rsal.scenario.text.NumberText;
 import rsal.testkit.LongTest;
 
 /// The figures in READMEs of scenarios are what a sweep tells, a row for each seed. The first row is run again here.

@@ -17,7 +17,7 @@ import rsal.navigation.control.ProgressCheckerType;
 import rsal.navigation.recovery.RecoveryType;
 import rsal.robot.DeviceDriver;
 import rsal.robot.DeviceKind;
-import rsal.scenario.Providers;
+import rsal.scenario.installed.Providers;
 import rsal.system.BridgeProvider;
 import rsal.system.RobotSystemProvider;
 

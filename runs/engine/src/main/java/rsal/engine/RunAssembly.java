@@ -40,7 +40,7 @@ import rsal.engine.world.SimulatedWorld;
 import rsal.engine.world.ThingArrivals;
 import rsal.robot.Robot;
 import rsal.robot.RobotSpec;
-import rsal.scenario.Counted;
+import rsal.scenario.text.Counted;
 import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.RunPlan.PlannedRobot;

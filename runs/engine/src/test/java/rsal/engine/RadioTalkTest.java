@@ -35,7 +35,7 @@ import rsal.data.Pose2d;
 import rsal.engine.communication.Radio;
 import rsal.engine.report.LossReason;
 import rsal.scenario.Communication;
-import rsal.scenario.Span;
+import rsal.scenario.fault.Span;
 import rsal.settings.Arguments;
 import rsal.testkit.DrawnMap;
 import rsal.testkit.fake.TestedType;

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
-import rsal.scenario.CsvLine;
+import rsal.scenario.text.CsvLine;
 import rsal.settings.Parameter;
 
 /// Rows as CSV: the same columns in all of them. Arguments and measures

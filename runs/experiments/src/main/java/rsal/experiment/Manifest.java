@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import rsal.scenario.Folders;
+import rsal.scenario.text.Folders;
 import rsal.scenario.RunPlan.Measured;
 import rsal.scenario.condition.Measure.FirstTime;
 

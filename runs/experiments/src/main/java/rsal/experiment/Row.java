@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import rsal.engine.report.RunResult;
-import rsal.scenario.Folders;
+import rsal.scenario.text.Folders;
 
 /// What came of one run of an experiment. Part of what users build on: names and order stay, more may follow.
 ///

@@ -22,7 +22,7 @@ import rsal.recording.mcap.Schema;
 import rsal.recording.proto.Descriptors;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.ProtoReader;
-import rsal.scenario.CsvLine;
+import rsal.scenario.text.CsvLine;
 
 /// Writes messages as tables, one for each topic: a row is a message, or, where a message is a list (robots of a state,
 /// transforms, particles, points of a path), an element of it. The first column is the log time in seconds, the others

@@ -11,7 +11,7 @@ import java.util.OptionalLong;
 import rsal.recording.mcap.Attachment;
 import rsal.recording.mcap.McapWriter;
 import rsal.recording.mcap.Metadata;
-import rsal.scenario.Folders;
+import rsal.scenario.text.Folders;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 

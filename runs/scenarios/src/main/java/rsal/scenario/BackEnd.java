@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import rsal.scenario.RunPlan.Clock;
+import rsal.scenario.installed.Catalog;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 import rsal.settings.Section;

@@ -1,6 +1,7 @@
 package rsal.scenario;
 
 import java.util.Optional;
+import rsal.scenario.fault.Span;
 
 /// How far agents of robots are heard by radio, and what gets lost on the way.
 ///

@@ -1,6 +1,7 @@
 package rsal.scenario;
 
 import java.util.Optional;
+import rsal.scenario.fault.Span;
 import rsal.settings.Parameter;
 import rsal.settings.Section;
 

@@ -12,6 +12,7 @@ import rsal.device.DriveBase;
 import rsal.model.RobotModels;
 import rsal.robot.DeviceDriver;
 import rsal.robot.RobotModel;
+import rsal.scenario.installed.Catalog;
 import rsal.settings.Arguments;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;

@@ -17,6 +17,7 @@ import rsal.scenario.RunPlan.PlannedDevice;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.scenario.RunPlan.Spare;
 import rsal.scenario.RunPlan.Spares;
+import rsal.scenario.installed.Catalog;
 import rsal.settings.Arguments;
 
 /// Decides which software devices robots can be given that their scenario gives them none of.

@@ -7,6 +7,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.regex.Pattern;
+import rsal.scenario.fault.FaultKind;
+import rsal.scenario.fault.Span;
 import rsal.scene.Touch;
 import rsal.settings.Parameter;
 import rsal.settings.Section;

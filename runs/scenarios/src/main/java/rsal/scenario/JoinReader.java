@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import rsal.scenario.installed.Catalog;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.settings.Problems;

@@ -12,6 +12,8 @@ import rsal.metric.MetricType;
 import rsal.metric.QuantityType;
 import rsal.metric.SignalType;
 import rsal.scenario.condition.MetricWords;
+import rsal.scenario.installed.Catalog;
+import rsal.scenario.installed.PluginReader;
 import rsal.settings.Arguments;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;

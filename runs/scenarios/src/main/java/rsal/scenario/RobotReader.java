@@ -20,6 +20,7 @@ import rsal.scenario.DeviceReader.Equipment;
 import rsal.scenario.RunPlan.Mrs;
 import rsal.scenario.RunPlan.PlannedDevice;
 import rsal.scenario.RunPlan.PlannedRobot;
+import rsal.scenario.installed.Catalog;
 import rsal.settings.ColorNames;
 import rsal.settings.FileSource;
 import rsal.settings.Location;

@@ -12,6 +12,8 @@ import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentLanguage;
 import rsal.agent.AgentType;
 import rsal.robot.DeviceDriver;
+import rsal.scenario.fault.FaultKind;
+import rsal.scenario.installed.Catalog;
 import rsal.settings.Parameter;
 import rsal.settings.Plugin;
 import rsal.settings.PluginKind;

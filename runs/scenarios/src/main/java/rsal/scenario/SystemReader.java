@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import rsal.scenario.RunPlan.Clock;
 import rsal.scenario.RunPlan.Mrs;
+import rsal.scenario.installed.Catalog;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 import rsal.settings.Section;

@@ -16,6 +16,7 @@ import rsal.scenario.RobotReader.Role;
 import rsal.scenario.RunPlan.Mrs;
 import rsal.scenario.RunPlan.PlannedDevice;
 import rsal.scenario.RunPlan.PlannedRobot;
+import rsal.scenario.installed.Catalog;
 import rsal.scene.Scene;
 import rsal.scene.Service;
 import rsal.scene.Touch;

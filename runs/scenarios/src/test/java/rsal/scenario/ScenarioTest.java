@@ -25,6 +25,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Pose2d;
 import rsal.scenario.RunPlan.PlannedRobot;
+import rsal.scenario.fault.Span;
 import rsal.settings.InvalidSettings;
 
 class ScenarioTest {

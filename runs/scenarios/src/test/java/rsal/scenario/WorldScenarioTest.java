@@ -18,6 +18,7 @@ import rsal.data.OccupancyGrid;
 import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.RunPlan.PlannedDevice;
 import rsal.scenario.RunPlan.PlannedRobot;
+import rsal.scenario.fault.PlannedFault;
 import rsal.scene.Touch;
 import rsal.settings.InvalidSettings;
 

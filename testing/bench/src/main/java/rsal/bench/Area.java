@@ -1,6 +1,29 @@
 package rsal.bench;
 
 import java.util.List;
+import rsal.bench.mas.HostBench;
+import rsal.bench.mas.OverheadBench;
+import rsal.bench.mas.WrittenBench;
+import rsal.bench.measurement.Assignment;
+import rsal.bench.measurement.Bench;
+import rsal.bench.navigation.BarnBench;
+import rsal.bench.navigation.ExploreBench;
+import rsal.bench.navigation.LocalizationBench;
+import rsal.bench.navigation.MappingBench;
+import rsal.bench.navigation.OfficeBench;
+import rsal.bench.navigation.PlanningBench;
+import rsal.bench.navigation.TightBench;
+import rsal.bench.page.PageBench;
+import rsal.bench.robots.RemoteBench;
+import rsal.bench.robots.SwarmBench;
+import rsal.bench.scenario.AllotmentBench;
+import rsal.bench.scenario.CollectBench;
+import rsal.bench.scenario.CoverageBench;
+import rsal.bench.scenario.FleetBench;
+import rsal.bench.scenario.FormationBench;
+import rsal.bench.scenario.HuntBench;
+import rsal.bench.scenario.PatrolBench;
+import rsal.bench.scenario.SpreadBench;
 
 /// Benchmarks that belong together.
 ///

@@ -11,6 +11,8 @@ import java.util.OptionalInt;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import rsal.bench.measurement.Assignment;
+import rsal.bench.measurement.Result;
 
 class AreaTest {
     @Test

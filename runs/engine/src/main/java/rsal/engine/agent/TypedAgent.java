@@ -9,7 +9,7 @@ import java.util.stream.Stream;
 import rsal.agent.AgentType;
 import rsal.device.Device;
 import rsal.robot.Robot;
-import rsal.scenario.Providers;
+import rsal.scenario.installed.Providers;
 import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;

@@ -8,8 +8,8 @@ import java.util.random.RandomGenerator;
 import rsal.agent.ChannelModel;
 import rsal.agent.Message;
 import rsal.device.Subscription;
-import rsal.scenario.PlannedFault.Mishap;
-import rsal.scenario.PlannedFault.OfMessages;
+import rsal.scenario.fault.PlannedFault.Mishap;
+import rsal.scenario.fault.PlannedFault.OfMessages;
 
 /// What happens to messages now. Several mishaps come one after the other, in the order in which they began.
 final class ChannelFaults implements ChannelModel {

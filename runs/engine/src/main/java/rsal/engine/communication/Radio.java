@@ -18,7 +18,7 @@ import rsal.data.Point2d;
 import rsal.data.Walls;
 import rsal.engine.report.LossReason;
 import rsal.scenario.Communication;
-import rsal.scenario.Span;
+import rsal.scenario.fault.Span;
 
 /// Carries messages between robots as far as their radio reaches.
 ///

@@ -14,8 +14,8 @@ import rsal.device.Subscription;
 import rsal.fault.Fault;
 import rsal.fault.FaultInjection;
 import rsal.fault.FaultyLocalizer;
-import rsal.scenario.PlannedFault;
-import rsal.scenario.PlannedFault.OfRobot;
+import rsal.scenario.fault.PlannedFault;
+import rsal.scenario.fault.PlannedFault.OfRobot;
 import rsal.system.RobotSystem;
 
 /// Breaks localizers by what it has put around them, and all else by what the robot systems have for it.

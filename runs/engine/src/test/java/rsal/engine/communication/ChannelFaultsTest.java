@@ -14,9 +14,9 @@ import org.junit.jupiter.api.Test;
 import rsal.agent.Message;
 import rsal.agent.message.Text;
 import rsal.device.Subscription;
-import rsal.scenario.PlannedFault.Mishap;
-import rsal.scenario.PlannedFault.OfMessages;
-import rsal.scenario.Span;
+import rsal.scenario.fault.PlannedFault.Mishap;
+import rsal.scenario.fault.PlannedFault.OfMessages;
+import rsal.scenario.fault.Span;
 
 class ChannelFaultsTest {
     private static final int MANY = 20_000;

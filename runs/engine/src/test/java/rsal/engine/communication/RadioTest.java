@@ -18,7 +18,7 @@ import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.data.Walls;
 import rsal.scenario.Communication;
-import rsal.scenario.Span;
+import rsal.scenario.fault.Span;
 
 class RadioTest {
     private static final Communication UNLIMITED = new Communication(

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import rsal.scenario.CsvLine;
+import rsal.scenario.text.CsvLine;
 
 /// A table of a report, for people and for programs.
 ///

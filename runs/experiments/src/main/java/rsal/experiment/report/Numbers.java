@@ -2,7 +2,7 @@ package rsal.experiment.report;
 
 import java.util.Locale;
 import rsal.experiment.statistics.Interval;
-import rsal.scenario.NumberText;
+import rsal.scenario.text.NumberText;
 
 /// Numbers as people read them.
 public final class Numbers {

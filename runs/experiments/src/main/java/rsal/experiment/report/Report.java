@@ -26,8 +26,8 @@ import rsal.experiment.Recordings;
 import rsal.experiment.Row;
 import rsal.experiment.report.Conclusions.Quantity;
 import rsal.experiment.report.Conclusions.Sentence;
-import rsal.scenario.Counted;
-import rsal.scenario.CsvLine;
+import rsal.scenario.text.Counted;
+import rsal.scenario.text.CsvLine;
 
 /// What an experiment says, as a page that carries all it needs: it can be sent to others, read without a
 /// network, and printed. Its figures and tables are also there as files.

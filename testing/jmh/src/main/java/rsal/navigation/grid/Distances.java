@@ -8,7 +8,7 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
-import rsal.bench.Cave;
+import rsal.bench.place.Cave;
 import rsal.data.OccupancyGrid;
 
 /// Fields of distances [1/s] over caves, against measuring from each cell to each that is occupied.

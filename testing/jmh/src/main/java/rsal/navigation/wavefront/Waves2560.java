@@ -9,7 +9,7 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
-import rsal.bench.Cave;
+import rsal.bench.place.Cave;
 import rsal.data.OccupancyGrid;
 import rsal.navigation.grid.DistanceField;
 import rsal.navigation.wavefront.CostMap.Clearance;

@@ -3,7 +3,7 @@ package rsal.sim.world;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
-import rsal.bench.Cave;
+import rsal.bench.place.Cave;
 import rsal.data.Footprint;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;

@@ -1,0 +1,132 @@
+package rsal.scenario.fault;
+
+import java.util.List;
+import java.util.Optional;
+import rsal.fault.Fault;
+import rsal.scenario.fault.PlannedFault.Mishap;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+
+/// What a scenario can let go wrong, declared once for the reader and the schema.
+public enum FaultKind {
+    DEAD("dead", Of.SENSORS, "Sensors show nothing any more, and are stale."),
+    FROZEN("frozen", Of.SENSORS, "Sensors show what they showed last, as if it were new."),
+    BIASED("biased", Of.SENSORS, "Sensors measure with a constant error."),
+    NOISY("noisy", Of.SENSORS, "Sensors measure with Gaussian errors besides those that they have anyway."),
+    MOTOR_DEAD("motorDead", Of.BASES, "Motors do less than they are told."),
+    SLIP("slip", Of.BASES, "Odometry counts more than robots make."),
+    GONE("gone", Of.ROBOTS, "Robots are gone, their devices are lost, and their agents neither hear nor are heard."),
+    LOST("lost", Of.MESSAGES, "Messages are lost."),
+    LATE("late", Of.MESSAGES, "Messages come late."),
+    DOUBLED("doubled", Of.MESSAGES, "Messages come twice.");
+
+    /// What can have it.
+    public enum Of {
+        SENSORS,
+        BASES,
+        ROBOTS,
+        MESSAGES;
+
+        /// By which settings it is told which ones.
+        public List<String> keys() {
+            return switch (this) {
+                case SENSORS -> List.of("robots", "devices");
+                case BASES, ROBOTS -> List.of("robots");
+                case MESSAGES -> List.of("topics", "from", "to");
+            };
+        }
+    }
+
+    public static final String SHARE = "share";
+
+    private static final String RANGE = "range";
+    private static final String ANGLE = "angle";
+    private static final String POWER = "power";
+    private static final String WAY = "way";
+    private static final String TURN = "turn";
+    private static final String DRIFT = "drift";
+    private static final String STAYS = "stays";
+
+    private final String word;
+    private final Of of;
+    private final String description;
+
+    FaultKind(String word, Of of, String description) {
+        this.word = word;
+        this.of = of;
+        this.description = description;
+    }
+
+    public String word() {
+        return word;
+    }
+
+    public Of of() {
+        return of;
+    }
+
+    public String description() {
+        return description;
+    }
+
+    public List<Parameter> parameters() {
+        return switch (this) {
+            case DEAD, FROZEN -> List.of();
+            case BIASED ->
+                List.of(
+                        Parameter.number(
+                                RANGE, 0, -100, 100, "m", "By how much all is farther away; a pose: farther ahead."),
+                        Parameter.number(ANGLE, 0, -180, 180, "deg", "By how much all is more to the left."));
+            case NOISY ->
+                List.of(
+                        Parameter.number(
+                                RANGE, 0, 0, 100, "m", "Standard deviation of ranges; of a pose: ahead and aside."),
+                        Parameter.number(ANGLE, 0, 0, 180, "deg", "Standard deviation of angles."));
+            case MOTOR_DEAD -> List.of(Parameter.number(POWER, 0, 0, 1, "", "Part of the speeds wanted that is left."));
+            case SLIP ->
+                List.of(
+                        Parameter.number(WAY, 0.2, -0.9, 10, "", "Part of the way that is counted besides."),
+                        Parameter.number(TURN, 0, -0.9, 10, "", "Part of the turn that is counted besides."),
+                        Parameter.number(
+                                DRIFT, 0, -360, 360, "deg/m", "Turn to the left counted for each meter forward."));
+            case GONE ->
+                List.of(Parameter.flag(STAYS, false, "Whether they stand in the way of others where they were."));
+            case LOST, LATE, DOUBLED ->
+                List.of(Parameter.number(
+                        SHARE, 1, 0, 1, "", "How likely it is, for each message and each agent that should hear it."));
+        };
+    }
+
+    /// How much later than it should a message comes, if it does; what it is unless somebody says otherwise [s].
+    public Optional<Double> delay() {
+        return switch (this) {
+            case LATE -> Optional.of(1.0);
+            case DOUBLED -> Optional.of(0.0);
+            default -> Optional.empty();
+        };
+    }
+
+    /// @throws IllegalStateException when it is none of robots
+    public Fault fault(Arguments arguments) {
+        return switch (this) {
+            case DEAD -> new Fault.Dead();
+            case FROZEN -> new Fault.Frozen();
+            case BIASED -> new Fault.Biased(arguments.number(RANGE), arguments.radians(ANGLE));
+            case NOISY -> new Fault.Noisy(arguments.number(RANGE), arguments.radians(ANGLE));
+            case MOTOR_DEAD -> new Fault.MotorDead(arguments.number(POWER));
+            case SLIP -> new Fault.Slip(arguments.number(WAY), arguments.number(TURN), arguments.radians(DRIFT));
+            case GONE -> new Fault.Gone(arguments.flag(STAYS));
+            case LOST, LATE, DOUBLED -> throw new IllegalStateException("(%s) is no fault of robots.".formatted(word));
+        };
+    }
+
+    /// @throws IllegalStateException when it is none of messages
+    public Mishap mishap(Span delay) {
+        return switch (this) {
+            case LOST -> new Mishap.Lost();
+            case LATE -> new Mishap.Late(delay);
+            case DOUBLED -> new Mishap.Doubled(delay);
+            default -> throw new IllegalStateException("(%s) is no fault of messages.".formatted(word));
+        };
+    }
+}

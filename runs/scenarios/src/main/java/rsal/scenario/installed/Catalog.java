@@ -1,0 +1,116 @@
+package rsal.scenario.installed;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+import rsal.agent.AgentHostProvider;
+import rsal.agent.AgentLanguage;
+import rsal.agent.AgentType;
+import rsal.map.Maps;
+import rsal.metric.MetricType;
+import rsal.model.RobotModels;
+import rsal.robot.DeviceDriver;
+import rsal.settings.Location;
+import rsal.settings.PluginLanguage;
+import rsal.settings.Problems;
+import rsal.settings.Suggestion;
+import rsal.system.RobotSystemProvider;
+import rsal.world.SceneFormat;
+
+/// What scenarios can name in this installation, by key, in the order of the keys.
+///
+/// @param languages in which agents can be written on every multi-agent system, by suffix
+/// @param plugins languages in which people write plugins, by suffix
+/// @param formats of world files, by suffix
+public record Catalog(
+        Map<String, RobotSystemProvider> systems,
+        Map<String, AgentHostProvider> hosts,
+        Map<String, DeviceDriver> drivers,
+        Map<String, AgentType> agents,
+        Map<String, AgentLanguage> languages,
+        Map<String, MetricType> metrics,
+        Map<String, PluginLanguage> plugins,
+        Map<String, SceneFormat> formats,
+        List<String> models,
+        List<String> parts,
+        List<String> maps) {
+
+    public static Catalog installed() {
+        return new Catalog(
+                Providers.byKey(RobotSystemProvider.class, RobotSystemProvider::key),
+                Providers.byKey(AgentHostProvider.class, AgentHostProvider::key),
+                Providers.byKey(DeviceDriver.class, DeviceDriver::key),
+                Providers.byKey(AgentType.class, AgentType::key),
+                Providers.byKey(AgentLanguage.class, AgentLanguage::suffix),
+                Providers.byKey(MetricType.class, MetricType::key),
+                Providers.byKey(PluginLanguage.class, PluginLanguage::suffix),
+                Providers.byKey(SceneFormat.class, SceneFormat::suffix),
+                RobotModels.builtIn(),
+                RobotModels.builtInParts(),
+                Maps.builtIn());
+    }
+
+    /// The language of a plugin's file; empty for a name that is no such file's.
+    Optional<PluginLanguage> pluginLanguage(String name) {
+        return plugins.values().stream()
+                .filter(language -> name.endsWith(language.suffix()))
+                .findFirst();
+    }
+
+    /// The format of a world's file.
+    public Optional<SceneFormat> formatOf(String path) {
+        return formats.entrySet().stream()
+                .filter(format -> path.endsWith(format.getKey()))
+                .map(Map.Entry::getValue)
+                .findFirst();
+    }
+
+    /// One of those by key, or a problem that says which there are.
+    ///
+    /// @param what to call it in the message
+    public static <P> Optional<P> find(String what, Map<String, P> known, String key, Location at, Problems problems) {
+        return find(what, known, key, at, "", problems);
+    }
+
+    private static <P> Optional<P> find(
+            String what, Map<String, P> known, String key, Location at, String advice, Problems problems) {
+        Optional<P> found = Optional.ofNullable(known.get(key));
+        if (found.isEmpty()) {
+            problems.add(
+                    at, "There is no %s (%s).".formatted(what, key), Suggestion.among(key, known.keySet()) + advice);
+        }
+        return found;
+    }
+
+    /// Keys of the hosts that run agents written in the language of a file of such a name; none when it is in none.
+    public List<String> hostsOf(String file) {
+        return hosts.entrySet().stream()
+                .filter(host -> language(host.getValue(), file).isPresent())
+                .map(Map.Entry::getKey)
+                .toList();
+    }
+
+    /// Languages in which agents on a host can be written, besides those types that are installed.
+    public Stream<AgentLanguage> languages(AgentHostProvider host) {
+        return Stream.concat(host.languages().stream(), languages.values().stream());
+    }
+
+    /// The language of a file of such a name, when agents on a host can be written in it.
+    public Optional<AgentLanguage> language(AgentHostProvider host, String file) {
+        return languages(host)
+                .filter(language -> file.endsWith(language.suffix()))
+                .findFirst();
+    }
+
+    /// A type of agent, of which people write their own.
+    public Optional<AgentType> agent(String key, Location at, Problems problems) {
+        return find(
+                "type of agent",
+                agents,
+                key,
+                at,
+                " A class of your own needs a line in META-INF/services/%s.".formatted(AgentType.class.getName()),
+                problems);
+    }
+}

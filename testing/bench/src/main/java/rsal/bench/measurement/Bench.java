@@ -1,0 +1,12 @@
+package rsal.bench.measurement;
+
+import java.util.List;
+
+/// Measures some of what an [Area] is about.
+public interface Bench {
+    /// Names of what it measures, in its order.
+    List<String> names();
+
+    /// Measures what is asked for and tells each result as soon as it is known.
+    void measure(Assignment assignment);
+}

@@ -1,0 +1,36 @@
+package rsal.bench.navigation;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import rsal.bench.measurement.Assignment;
+import rsal.navigation.carmen.CarmenLog;
+import rsal.navigation.carmen.LogReader;
+import rsal.navigation.replay.Course;
+
+/// Recorded logs among the public data, with the poses that their authors found to be right.
+final class PublicLogs {
+    static final List<String> NAMES =
+            List.of("acapulco", "aces", "edmonton", "fhw", "freiburg-101", "orebro", "seattle");
+
+    private PublicLogs() {}
+
+    /// What a log is called in names of measurements.
+    static String label(String log) {
+        return log.replace("-", "");
+    }
+
+    /// A log's course; empty when it is not among the data.
+    static Optional<Course> course(String log, Assignment assignment) {
+        return assignment.data("logs/%s-corrected.log.gz".formatted(log)).map(PublicLogs::read);
+    }
+
+    private static Course read(Path file) {
+        try {
+            return Course.of(CarmenLog.read(file, LogReader.Options.DEFAULT));
+        } catch (IOException e) {
+            throw new IllegalStateException("The public data can't be read: " + e.getMessage(), e);
+        }
+    }
+}

@@ -1,0 +1,24 @@
+package rsal.bench.navigation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import rsal.bench.navigation.OfficeRun.Errand;
+
+class OfficeRunIT {
+    @ParameterizedTest
+    @CsvSource({"vfh, 1", "nd, 2", "snd, 2"})
+    void threeRobotsReachTheirGoalsInTimeWithoutTouchingAnything(String planner, long seed) {
+        try (var run = new OfficeRun(Map.of("controller", planner), seed, Runnable::run)) {
+            List<Errand> errands = run.run(15);
+            assertThat(errands).hasSize(15).allMatch(Errand::reached);
+            assertThat(run.contacts()).isZero();
+            double took = errands.stream().mapToDouble(Errand::seconds).sum();
+            double shortest = errands.stream().mapToDouble(Errand::shortest).sum();
+            assertThat(took / shortest).isLessThan(1.5);
+        }
+    }
+}
