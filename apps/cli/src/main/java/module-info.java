@@ -24,7 +24,28 @@ module rsal.cli {
     opens rsal.cli to
             info.picocli,
             tools.jackson.databind;
+    opens rsal.cli.bench to
+            info.picocli,
+            tools.jackson.databind;
+    opens rsal.cli.log to
+            info.picocli,
+            tools.jackson.databind;
+    opens rsal.cli.page to
+            info.picocli,
+            tools.jackson.databind;
+    opens rsal.cli.run to
+            info.picocli,
+            tools.jackson.databind;
+    opens rsal.cli.show to
+            info.picocli,
+            tools.jackson.databind;
+    opens rsal.cli.sweep to
+            info.picocli,
+            tools.jackson.databind;
+    opens rsal.cli.terminal to
+            info.picocli,
+            tools.jackson.databind;
 
     provides ch.qos.logback.classic.spi.Configurator with
-            rsal.cli.Logging;
+            rsal.cli.terminal.Logging;
 }

@@ -2,6 +2,8 @@ package rsal.cli;
 
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
+import rsal.cli.terminal.Subcommand;
+import rsal.cli.terminal.Unreachable;
 
 /// Listed here for the help; the launcher does it, because it has the sources.
 @Command(
@@ -12,7 +14,7 @@ final class DocsCommand extends Subcommand {
     private boolean serve;
 
     @Override
-    int run() {
+    protected int run() {
         check(!json, "--json is not for this command: it prints a folder.");
         throw new Unreachable("The documentation is built by the launcher in the project's folder: ./rsal docs"
                 + (serve ? " --serve" : ""));

@@ -5,6 +5,8 @@ import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
+import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.Subcommand;
 import rsal.settings.Suggestion;
 
 /// `rsal help`
@@ -14,7 +16,7 @@ final class HelpCommand extends Subcommand {
     private Optional<String> command = Optional.empty();
 
     @Override
-    int run() {
+    protected int run() {
         CommandLine all = spec.commandLine().getParent();
         CommandLine asked = command.isEmpty() ? all : all.getSubcommands().get(command.get());
         if (asked == null) {

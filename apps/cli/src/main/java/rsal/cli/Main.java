@@ -19,6 +19,30 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.UnmatchedArgumentException;
+import rsal.cli.bench.BenchCommand;
+import rsal.cli.log.ConvertCommand;
+import rsal.cli.log.ExportCommand;
+import rsal.cli.log.LocalizeCommand;
+import rsal.cli.log.MapCommand;
+import rsal.cli.page.AgentCommand;
+import rsal.cli.page.DoctorCommand;
+import rsal.cli.page.OperatorCommands;
+import rsal.cli.run.BridgeCommand;
+import rsal.cli.run.ReplayCommand;
+import rsal.cli.run.RunCommand;
+import rsal.cli.run.ServeCommand;
+import rsal.cli.show.ListCommand;
+import rsal.cli.show.ShowCommand;
+import rsal.cli.show.ValidateCommand;
+import rsal.cli.sweep.ReportCommand;
+import rsal.cli.sweep.SweepCommand;
+import rsal.cli.terminal.Build;
+import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.OldLogs;
+import rsal.cli.terminal.Stdout;
+import rsal.cli.terminal.Terminal;
+import rsal.cli.terminal.Unreachable;
+import rsal.cli.terminal.Words;
 import rsal.engine.report.RunBroken;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Suggestion;
@@ -93,7 +117,7 @@ public final class Main implements Runnable {
     }
 
     /// @param stdout where results go
-    static CommandLine commandLine(OutputStream stdout) {
+    public static CommandLine commandLine(OutputStream stdout) {
         return commandLine(stdout, COMMANDS);
     }
 
@@ -120,6 +144,7 @@ public final class Main implements Runnable {
         var commandLine = new CommandLine(new Main());
         commands.forEach(commandLine::addSubcommand);
         Words.register(commandLine);
+        commandLine.registerConverter(ListCommand.What.class, word -> Words.oneOf(word, ListCommand.What.values()));
         return commandLine
                 .setOut(new PrintWriter(stdout, false, StandardCharsets.UTF_8))
                 .setErr(new PrintWriter(System.err, true, StandardCharsets.UTF_8))

@@ -16,11 +16,15 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import rsal.agent.AgentHostProvider;
+import rsal.cli.show.ShownAgent;
+import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.Subcommand;
+import rsal.cli.terminal.Unreachable;
 import rsal.experiment.report.ShellWords;
-import rsal.scenario.installed.Providers;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 import rsal.scenario.Template;
+import rsal.scenario.installed.Providers;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.settings.Suggestion;
@@ -82,7 +86,7 @@ final class NewCommand extends Subcommand {
     record Made(String scenario, String run, List<String> files) {}
 
     @Override
-    int run() {
+    protected int run() {
         Path folder = folder();
         String own = folder.getFileName().toString();
         Template template = template();

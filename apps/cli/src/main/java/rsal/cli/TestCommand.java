@@ -2,6 +2,8 @@ package rsal.cli;
 
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
+import rsal.cli.terminal.Subcommand;
+import rsal.cli.terminal.Unreachable;
 
 /// Listed here for the help; the launcher does it, because it builds what it tests.
 @Command(name = "test", description = "Build everything and run all tests, those of the page in a browser, too.")
@@ -18,7 +20,7 @@ final class TestCommand extends Subcommand {
     private boolean mutation;
 
     @Override
-    int run() {
+    protected int run() {
         throw new Unreachable("Tests are run by the launcher in the project's folder: ./rsal test"
                 + (all ? " --all" : "")
                 + (mutation ? " --mutation" : ""));

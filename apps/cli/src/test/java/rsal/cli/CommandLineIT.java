@@ -33,6 +33,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.Mistake;
 import rsal.map.Maps;
 import rsal.settings.FileSource;
 import rsal.settings.Location;

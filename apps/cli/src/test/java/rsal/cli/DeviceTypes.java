@@ -15,6 +15,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import rsal.cli.show.ShownPart;
 import rsal.device.Device;
 import rsal.device.Sensor;
 import rsal.model.RobotModels;

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import rsal.cli.show.RecordingFile;
 import rsal.recording.Recording;
 
 /// A run that is recorded is ended by a signal (SIGTERM) soon after it was started: there is no recording, or a whole

@@ -14,7 +14,7 @@ import java.util.concurrent.TimeUnit;
 /// What a process left behind.
 ///
 /// @param code its exit code; 128 + n when signal n ended it, as shells have it
-record Ended(int code, String out, String err) {
+public record Ended(int code, String out, String err) {
     private static final int PATIENCE_SECONDS = 60;
 
     /// Waits for the end, with nothing more to read for the process.

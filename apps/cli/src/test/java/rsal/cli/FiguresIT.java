@@ -16,6 +16,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import rsal.cli.terminal.Exit;
 import rsal.experiment.Findings;
 import rsal.experiment.Row;
 import rsal.experiment.report.Numbers;

@@ -12,6 +12,8 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.Subcommand;
 
 class InternalErrorTest {
     private final StringWriter err = new StringWriter();
@@ -19,7 +21,7 @@ class InternalErrorTest {
     @Command(name = "break")
     static final class Breaking extends Subcommand {
         @Override
-        int run() {
+        protected int run() {
             throw new IllegalStateException("a wheel came off");
         }
     }

@@ -28,6 +28,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine;
+import rsal.cli.page.PageCommand;
+import rsal.cli.terminal.Exit;
 
 /// Starts the launcher in a project of three files, whose "Maven" copies a jar and notes that it was called.
 class LauncherIT {

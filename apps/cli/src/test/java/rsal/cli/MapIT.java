@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import rsal.cli.terminal.Exit;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.map.Maps;

@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Objects;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import rsal.cli.terminal.Exit;
 import rsal.data.OccupancyGrid;
 import rsal.map.Maps;
 import rsal.settings.FileSource;

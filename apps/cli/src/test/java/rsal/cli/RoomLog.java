@@ -6,7 +6,7 @@ import rsal.testkit.DrawnMap;
 import rsal.testkit.Rays;
 
 /// The log of a robot that drives through a room and back in 40 steps, turning all the while.
-final class RoomLog {
+public final class RoomLog {
     private static final DrawnMap ROOM = DrawnMap.grid(0.5, """
             #####################
             #...................#
@@ -49,7 +49,7 @@ final class RoomLog {
 
     private RoomLog() {}
 
-    static String whole() {
+    public static String whole() {
         return part(0, 40, Pose2d.ORIGIN);
     }
 

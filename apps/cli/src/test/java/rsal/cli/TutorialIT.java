@@ -13,6 +13,7 @@ import java.util.regex.Pattern;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import rsal.cli.terminal.Exit;
 
 /// Does what the tutorials say, and sees what they say.
 class TutorialIT {

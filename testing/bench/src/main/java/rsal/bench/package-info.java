@@ -1,4 +1,4 @@
-/// Benchmarks of whole jobs.
+/// All benchmarks, by area.
 @NullMarked
 package rsal.bench;
 

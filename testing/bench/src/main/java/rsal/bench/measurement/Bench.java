@@ -2,7 +2,7 @@ package rsal.bench.measurement;
 
 import java.util.List;
 
-/// Measures some of what an [Area] is about.
+/// Measures some of what an [rsal.bench.Area] is about.
 public interface Bench {
     /// Names of what it measures, in its order.
     List<String> names();

@@ -1,0 +1,583 @@
+package rsal.cli.log;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.SplittableRandom;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import rsal.cli.terminal.Destination;
+import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.Mistake;
+import rsal.cli.terminal.Subcommand;
+import rsal.data.Covariance2d;
+import rsal.data.OccupancyGrid;
+import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
+import rsal.data.PoseEstimate.Quality;
+import rsal.map.Maps;
+import rsal.map.RosMap;
+import rsal.navigation.amcl.Amcl;
+import rsal.navigation.amcl.LocalizationMap;
+import rsal.navigation.amcl.OdometryModel;
+import rsal.navigation.amcl.SensorModel;
+import rsal.navigation.carmen.CarmenLog;
+import rsal.navigation.grid.ScanMapper;
+import rsal.navigation.replay.Course;
+import rsal.navigation.replay.Replay;
+import rsal.navigation.replay.Verdict;
+import rsal.scenario.text.Counted;
+import rsal.settings.Arguments;
+import rsal.settings.FileSource;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
+import rsal.time.AllowedToReadWallClock;
+
+/// `rsal localize`
+@Command(
+        name = "localize",
+        description = "Follow a robot's log on a map: where it was at each scan, how sure that is, and how right.",
+        footer = {
+            "",
+            LogOptions.LOGS + " Errors are told"
+                    + " against the poses in the log, or in that of --reference. In 'corrected' logs the odometry is"
+                    + " these poses, without any error: add some with --odometry-noise.",
+            "",
+            "  rsal localize lab.log.gz --map lab.yaml --global",
+            "  rsal localize lab.log.gz --map-from-half --global --odometry-noise 0.05,2,3 --seeds 50 --vary-start",
+            ""
+        })
+@AllowedToReadWallClock("Tells how long updates take.")
+public final class LocalizeCommand extends Subcommand {
+    private static final int MOST_PARTICLES = 1_000_000;
+    private static final double MOSTLY = 0.3; // share of the scans, at which lost is worth a word
+    private static final double OFF_MAP = 5; // m; how far off a map a start may be
+
+    @Parameters(index = "0", paramLabel = "LOG", description = "The log's file.")
+    private String file = "";
+
+    @ArgGroup(multiplicity = "1")
+    @SuppressWarnings("NullAway.Init") // picocli fills it in
+    private MapChoice map;
+
+    @Option(
+            names = "--save-map",
+            paramLabel = "MAP.yaml",
+            description = "Writes the map of --map-from-half, its image beside it.")
+    private @Nullable String saveMap;
+
+    @Option(names = "--force", description = "Overwrite the files of --save-map if they are there.")
+    private boolean force;
+
+    @ArgGroup
+    private @Nullable Start start;
+
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // picocli fills it in
+    private LogOptions recorded;
+
+    @Mixin
+    private LocalizerTuning tuning = new LocalizerTuning();
+
+    @Option(
+            names = "--seeds",
+            paramLabel = "N",
+            description = "Runs so many times, each with a seed of its own: 1 to N (1).")
+    private int seeds = 1;
+
+    @Option(
+            names = "--vary-start",
+            description = "Each run begins at a scan of its own, drawn by its seed, not at the log's first.")
+    private boolean varyStart;
+
+    @Option(names = "--scans", paramLabel = "N", description = "Looks at so many scans at most, in each run.")
+    private int scans = Integer.MAX_VALUE;
+
+    @Option(names = "--beams", paramLabel = "N", description = "Beams of a scan to look at (60).")
+    private int beams = 60;
+
+    @Option(names = "--max-range", paramLabel = "M", description = "Ranges beyond this are not looked at [m] (30).")
+    private double maxRange = 30;
+
+    @Option(names = "--max-particles", paramLabel = "N", description = "Particles when it knows least (5000).")
+    private int maxParticles = 5000;
+
+    @Option(names = "--min-particles", paramLabel = "N", description = "Particles when it knows most (150).")
+    private int minParticles = 150;
+
+    @Option(
+            names = "--model",
+            paramLabel = "MODEL",
+            description = "How beams are judged: field, by how near they end to walls (the default); beam, by how far"
+                    + " they should reach.")
+    private SensorModel.Kind model = SensorModel.Kind.FIELD;
+
+    static final class MapChoice {
+        @Option(
+                names = "--map",
+                paramLabel = "MAP",
+                required = true,
+                description = "ROS's YAML of a map, in the frame of the log's poses; or a built-in map's name.")
+        @Nullable
+        String map;
+
+        @Option(
+                names = "--map-from-half",
+                required = true,
+                description = "Draw the map from every other scan, by the poses that are right, and localize on the"
+                        + " rest.")
+        boolean fromHalf;
+    }
+
+    static final class Start {
+        @Option(
+                names = "--global",
+                required = true,
+                description = "It may be anywhere on the map. This is the default.")
+        boolean global;
+
+        @Option(
+                names = "--pose",
+                arity = "3",
+                required = true,
+                paramLabel = "X Y DEG",
+                hideParamSyntax = true,
+                description = "It starts about here [m, m, deg].")
+        double @Nullable [] pose;
+
+        @Option(names = "--right-pose", required = true, description = "It starts about where the reference says.")
+        boolean right;
+    }
+
+    /// @param time of the scan [s]
+    /// @param x in the map frame [m]
+    /// @param heading [rad]
+    /// @param covariance rows of the 3 × 3 covariance of x, y and heading, the upper triangle [m, rad]
+    /// @param error of the position [m]; null when it is not known where the robot was
+    /// @param headingError [rad]; likewise
+    record StepView(
+            double time,
+            int line,
+            double x,
+            double y,
+            double heading,
+            double[] covariance,
+            double confidence,
+            String quality,
+            int particles,
+            double ms,
+            @Nullable Double error,
+            @Nullable Double headingError) {
+        static StepView of(Replay.Step step) {
+            PoseEstimate estimate = step.estimate();
+            Pose2d pose = estimate.mapFromBase();
+            Covariance2d c = estimate.covariance();
+            var time = step.stop().time();
+            return new StepView(
+                    time.getEpochSecond() + time.getNano() * 1e-9,
+                    step.stop().line(),
+                    pose.x(),
+                    pose.y(),
+                    pose.theta(),
+                    new double[] {c.xx(), c.xy(), c.xTheta(), c.yy(), c.yTheta(), c.thetaTheta()},
+                    estimate.confidence(),
+                    word(estimate.quality()),
+                    step.particles(),
+                    step.nanos() * 1e-6,
+                    step.error().orElse(null),
+                    step.headingError().orElse(null));
+        }
+
+        static String word(Quality quality) {
+            return quality.name().toLowerCase(Locale.ROOT);
+        }
+    }
+
+    /// @param localized share of the scans at which that was the word; likewise the next two
+    /// @param convergedAfter scans, from 1; null when it never did
+    /// @param rmse and the like from there on [m]; null when it never converged
+    record RunView(
+            int seed,
+            double localized,
+            double ambiguous,
+            double lost,
+            int judged,
+            @Nullable Integer convergedAfter,
+            @Nullable Double rmse,
+            @Nullable Double p95,
+            @Nullable Double worst,
+            @Nullable Double headingRmse,
+            double near,
+            int falselySure,
+            double msPerScan,
+            double msWorst,
+            List<StepView> steps) {
+        static RunView of(int seed, List<Replay.Step> steps, Verdict verdict) {
+            OptionalInt converged = verdict.converged();
+            return new RunView(
+                    seed,
+                    share(steps, Quality.LOCALIZED),
+                    share(steps, Quality.AMBIGUOUS),
+                    share(steps, Quality.LOST),
+                    verdict.judged(),
+                    converged.isPresent() ? converged.getAsInt() : null,
+                    known(verdict.rmse()),
+                    known(verdict.p95()),
+                    known(verdict.worst()),
+                    known(verdict.headingRmse()),
+                    verdict.near(),
+                    verdict.falselySure(),
+                    steps.stream().mapToLong(Replay.Step::nanos).average().orElse(0) * 1e-6,
+                    steps.stream().mapToLong(Replay.Step::nanos).max().orElse(0) * 1e-6,
+                    steps.stream().map(StepView::of).toList());
+        }
+
+        private static double share(List<Replay.Step> steps, Quality word) {
+            return Summary.share(
+                    steps.stream()
+                            .filter(step -> step.estimate().quality() == word)
+                            .count(),
+                    steps.size());
+        }
+    }
+
+    /// @param judged scans of all runs of which it is known where they were taken
+    /// @param converged10 share of the runs that converged within 10 scans
+    /// @param rmse and the like are of all scans from where each run converged on; null when none did
+    /// @param worstRmse of the run that has the largest; likewise
+    /// @param falselySure share of the judged scans at which it said to be localized and was not near
+    record Summary(
+            int seeds,
+            int judged,
+            double converged,
+            double converged10,
+            @Nullable Double rmse,
+            @Nullable Double worstRmse,
+            @Nullable Double p95,
+            @Nullable Double headingRmse,
+            double near,
+            double falselySure,
+            double msPerScan) {
+        static Summary of(List<RunView> runs, Verdict.Pooled pooled) {
+            int judged = runs.stream().mapToInt(RunView::judged).sum();
+            return new Summary(
+                    runs.size(),
+                    judged,
+                    share(runs.stream().filter(r -> r.convergedAfter != null).count(), runs.size()),
+                    share(
+                            runs.stream()
+                                    .filter(r -> r.convergedAfter != null && r.convergedAfter <= 10)
+                                    .count(),
+                            runs.size()),
+                    known(pooled.rmse()),
+                    known(pooled.worstRmse()),
+                    known(pooled.p95()),
+                    known(pooled.headingRmse()),
+                    runs.stream().mapToDouble(RunView::near).average().orElse(0),
+                    share(runs.stream().mapToInt(RunView::falselySure).sum(), judged),
+                    runs.stream().mapToDouble(RunView::msPerScan).average().orElse(0));
+        }
+
+        private static double share(long part, int all) {
+            return all == 0 ? 0 : (double) part / all;
+        }
+    }
+
+    /// @param untold scans left out since nothing tells where the wheels had brought the robot
+    /// @param skipped messages of the log that were not used, by reason
+    record Localized(
+            String log,
+            String map,
+            int scans,
+            int untold,
+            Map<String, Integer> skipped,
+            Summary summary,
+            List<RunView> runs) {}
+
+    @Override
+    protected int run() throws IOException {
+        checkOptions();
+        Arguments tuned = tuning.arguments();
+        Optional<Destination> target = Optional.ofNullable(saveMap).map(this::target);
+        Optional<OdometryModel> noise = recorded.noise();
+        CarmenLog log = recorded.read(file);
+        Course course = recorded.course(log, file);
+        if (course.stops().isEmpty()) {
+            throw LogOptions.nothingKnown(file, "odometry", log);
+        }
+        LogOptions.checkReturns(file, course);
+        target.ifPresent(Destination::prepareExisting);
+        OccupancyGrid grid = grid(course);
+        checkStart(grid);
+        LocalizationMap localizationMap = LocalizerTuning.map(grid, tuned);
+        checkSize(localizationMap, grid);
+        target.ifPresent(folder -> save(grid, folder));
+        if (map.fromHalf) {
+            course = course.only(i -> i % 2 == 1);
+        }
+        var runs = new ArrayList<RunView>();
+        var verdicts = new ArrayList<Verdict>();
+        for (int seed = 1; seed <= seeds; seed++) {
+            List<Replay.Step> steps = follow(course, localizationMap, tuned, noise, seed);
+            Verdict verdict = Verdict.of(steps);
+            RunView run = RunView.of(seed, steps, verdict);
+            runs.add(run);
+            verdicts.add(verdict);
+            if (!json) {
+                tell(run);
+            }
+        }
+        Summary summary = Summary.of(runs, Verdict.pooled(verdicts));
+        if (json) {
+            printJson(new Localized(
+                    file,
+                    map.map == null ? "from half" : map.map,
+                    course.stops().size(),
+                    course.untold(),
+                    log.skipped().counts(),
+                    summary,
+                    runs));
+        } else {
+            LogOptions.tellSkipped(err(), file, log);
+            tell(summary);
+        }
+        LogOptions.tellWandering(err(), file, log);
+        LogOptions.tellOddities(err(), file, log);
+        tellDoubts(course, runs);
+        return Exit.SUCCESS;
+    }
+
+    private void checkOptions() {
+        check(seeds >= 1, "--seeds must be at least 1, not (%d).".formatted(seeds));
+        check(scans >= 1, "--scans must be at least 1, not (%d).".formatted(scans));
+        check(beams >= 5, "--beams must be at least 5, not (%d).".formatted(beams));
+        check(maxRange > 0, "--max-range must be more than 0 m, not (%s).".formatted(maxRange));
+        check(minParticles >= 20, "--min-particles must be at least 20, not (%d).".formatted(minParticles));
+        check(
+                maxParticles >= minParticles && maxParticles <= MOST_PARTICLES,
+                "--max-particles must be from --min-particles (%d) to %d, not (%d)."
+                        .formatted(minParticles, MOST_PARTICLES, maxParticles));
+        check(
+                start == null || start.pose == null || Arrays.stream(start.pose).allMatch(Double::isFinite),
+                "--pose takes three finite numbers, as 3.2 -1.5 90; not (%s)."
+                        .formatted(start == null ? "" : Arrays.toString(start.pose)));
+        check(
+                saveMap == null || map.fromHalf,
+                "--save-map goes with --map-from-half: with --map no other map is made.");
+        check(saveMap == null || saveMap.endsWith(".yaml"), "--save-map (%s) must end with .yaml.".formatted(saveMap));
+        recorded.checkOptions();
+    }
+
+    private Destination target(String yaml) {
+        Path folder = Destination.path(yaml).toAbsolutePath().getParent();
+        return Destination.of(String.valueOf(folder), List.of(fileName(yaml), imageName(yaml)), force);
+    }
+
+    /// A robot is not expected far off the map, where nothing could tell where it is.
+    private void checkStart(OccupancyGrid grid) {
+        if (start == null || start.pose == null) {
+            return;
+        }
+        double x = start.pose[0];
+        double y = start.pose[1];
+        double right = grid.originX() + grid.width() * grid.resolution();
+        double top = grid.originY() + grid.height() * grid.resolution();
+        if (x < grid.originX() - OFF_MAP || x > right + OFF_MAP || y < grid.originY() - OFF_MAP || y > top + OFF_MAP) {
+            throw new InvalidSettings(
+                    Location.of("--pose"),
+                    "The start (%s, %s) is far off the map, which reaches from (%.1f, %.1f) to (%.1f, %.1f)."
+                            .formatted(x, y, grid.originX(), grid.originY(), right, top),
+                    "Poses are in meters in the map's frame, as the 'origin' of its YAML says.");
+        }
+    }
+
+    private void checkSize(LocalizationMap localizationMap, OccupancyGrid grid) {
+        if ((start == null || start.global) && !localizationMap.isSearchable()) {
+            throw new InvalidSettings(
+                    Location.of(map.map == null ? file : map.map),
+                    "The map has %.0f m² of free floor; a robot that may be anywhere is searched for on %.0f m² at most."
+                            .formatted(localizationMap.freeFloor(), LocalizationMap.MOST_SEARCHED),
+                    "Say where it starts (--pose), or look whether cells of %s m are right."
+                            .formatted(grid.resolution()));
+        }
+    }
+
+    private List<Replay.Step> follow(
+            Course course, LocalizationMap localizationMap, Arguments tuned, Optional<OdometryModel> noise, int seed) {
+        var random = new SplittableRandom(seed);
+        int last = course.stops().size() - 1;
+        int first = varyStart ? random.nextInt(Math.max(1, last + 2 - Math.min(scans, last + 1))) : 0;
+        Course part = course.only(i -> i >= first && i - first < scans);
+        Course driven = noise.isPresent() ? part.drifting(noise.get(), random) : part;
+        var amcl =
+                new Amcl(localizationMap, LocalizerTuning.settings(minParticles, maxParticles, model, tuned), random);
+        startPose(driven)
+                .ifPresent(pose -> amcl.start(PoseEstimate.of(pose, Covariance2d.ofDeviations(0.3, 0.3, 0.2))));
+        return Replay.run(driven, amcl, new Replay.Look(beams, maxRange), System::nanoTime);
+    }
+
+    private Optional<Pose2d> startPose(Course course) {
+        if (start == null || start.global) {
+            return Optional.empty();
+        }
+        if (start.pose != null) {
+            return Optional.of(Pose2d.ofDegrees(start.pose[0], start.pose[1], start.pose[2]));
+        }
+        return course.stops().getFirst().mapFromBase().or(() -> {
+            throw new InvalidSettings(
+                    Location.of(file), "Nothing tells where its first scan was taken.", "Say --pose or --global.");
+        });
+    }
+
+    private OccupancyGrid grid(Course course) throws IOException {
+        if (map.map != null) {
+            Maps.Found found = new Maps(FileSource.disk()).find(map.map, Location.of("--map"));
+            found.warnings().forEach(warning -> err().println(Mistake.note(warning)));
+            return found.grid();
+        }
+        var half = course.only(i -> i % 2 == 0).posed();
+        if (half.isEmpty()) {
+            throw new InvalidSettings(
+                    Location.of(file), "Nothing tells where its scans were taken.", "Say --map or --reference.");
+        }
+        OccupancyGrid drawn;
+        try {
+            drawn = ScanMapper.draw(half, ScanMapper.Settings.ofLogs(0.05));
+        } catch (IllegalArgumentException e) {
+            throw new InvalidSettings(Location.of(file), String.valueOf(e.getMessage()), "");
+        }
+        return drawn;
+    }
+
+    private void save(OccupancyGrid drawn, Destination folder) {
+        String yaml = String.valueOf(saveMap);
+        var contents = new LinkedHashMap<String, byte[]>();
+        contents.put(imageName(yaml), RosMap.pgm(drawn));
+        contents.put(fileName(yaml), RosMap.yaml(drawn, imageName(yaml)).getBytes(StandardCharsets.UTF_8));
+        folder.write(contents);
+    }
+
+    private static String fileName(String yaml) {
+        return String.valueOf(Destination.path(yaml).getFileName());
+    }
+
+    private static String imageName(String yaml) {
+        return fileName(yaml).replaceFirst("\\.yaml$", ".pgm");
+    }
+
+    private static @Nullable Double known(double value) {
+        return Double.isNaN(value) ? null : value;
+    }
+
+    private void tell(RunView run) {
+        if (seeds == 1) {
+            out().println(
+                            "      time        x        y     deg  ± m ± deg   confidence             particles      ms  error m");
+            for (StepView step : run.steps) {
+                out().println("%10.2f %8.2f %8.2f %7.1f %5.2f %5.1f %5.2f %-13s %9d %9.2f %8s"
+                        .formatted(
+                                step.time,
+                                step.x,
+                                step.y,
+                                Math.toDegrees(step.heading),
+                                Math.sqrt(step.covariance[0] + step.covariance[3]),
+                                Math.toDegrees(Math.sqrt(step.covariance[5])),
+                                step.confidence,
+                                step.quality,
+                                step.particles,
+                                step.ms,
+                                meters(step.error)));
+            }
+        }
+        out().println("seed %d: localized at %.0f%%, ambiguous at %.0f%%, lost at %.0f%% of %d scans"
+                .formatted(run.seed, 100 * run.localized, 100 * run.ambiguous, 100 * run.lost, run.steps.size()));
+        if (run.judged > 0) {
+            out().println(
+                            run.convergedAfter == null
+                                    ? "seed %d: never converged; falsely sure at %d of %d scans"
+                                            .formatted(run.seed, run.falselySure, run.judged)
+                                    : ("seed %d: converged after %s; from there on rmse %s m%s, 95%% below %s m,"
+                                                    + " worst %s m; falsely sure at %d of %d scans")
+                                            .formatted(
+                                                    run.seed,
+                                                    Counted.of(run.convergedAfter, "scan"),
+                                                    meters(run.rmse),
+                                                    lostAgain(run.steps, run.convergedAfter),
+                                                    meters(run.p95),
+                                                    meters(run.worst),
+                                                    run.falselySure,
+                                                    run.judged));
+        }
+        out().flush();
+    }
+
+    /// ` (lost at 80% of these scans)`, where that is more than half; else nothing.
+    ///
+    /// @param converged at which of the scans, from 1, whose places are known
+    private static String lostAgain(List<StepView> steps, int converged) {
+        List<StepView> rest = steps.stream()
+                .filter(step -> step.error != null)
+                .skip(converged - 1L)
+                .toList();
+        long lost = rest.stream()
+                .filter(step -> step.quality.equals(StepView.word(Quality.LOST)))
+                .count();
+        return 2 * lost > rest.size() ? " (lost at %.0f%% of these scans)".formatted(100.0 * lost / rest.size()) : "";
+    }
+
+    /// What nobody should miss who looks at the last poses only.
+    private void tellDoubts(Course course, List<RunView> runs) {
+        if (course.untold() > 0) {
+            err().println(
+                            "%s: %d of %d scans were left out: nothing tells where the wheels had brought the robot by then."
+                                    .formatted(
+                                            file,
+                                            course.untold(),
+                                            course.untold() + course.stops().size()));
+        }
+        double lost = runs.stream().mapToDouble(RunView::lost).average().orElse(0);
+        if (lost > MOSTLY) {
+            err().println(
+                            ("It was lost at %.0f%% of the scans. Maybe the map is of another place, or the laser is not where"
+                                            + " the log says, or sees farther around than --field-of-view, or its"
+                                            + " ranges are in other units than meters, or the map's scale is off.")
+                                    .formatted(100 * lost));
+        }
+        err().flush();
+    }
+
+    private void tell(Summary summary) {
+        if (summary.seeds > 1 && summary.judged > 0) {
+            out().println(("%d runs: %.0f%% converged within 10 scans, %.0f%% at all; from there on rmse %s m, of the"
+                            + " worst run %s m, 95%% below %s m, heading %s°; falsely sure at %.2f%% of scans; %.2f ms"
+                            + " per scan")
+                    .formatted(
+                            summary.seeds,
+                            100 * summary.converged10,
+                            100 * summary.converged,
+                            meters(summary.rmse),
+                            meters(summary.worstRmse),
+                            meters(summary.p95),
+                            summary.headingRmse == null ? "-" : "%.2f".formatted(Math.toDegrees(summary.headingRmse)),
+                            100 * summary.falselySure,
+                            summary.msPerScan));
+        }
+        out().flush();
+    }
+
+    private static String meters(@Nullable Double value) {
+        return value == null ? "-" : "%.3f".formatted(value);
+    }
+}

@@ -1,0 +1,272 @@
+package rsal.cli.log;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.InvalidPathException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+import rsal.navigation.amcl.OdometryModel;
+import rsal.navigation.carmen.BrokenLog;
+import rsal.navigation.carmen.CarmenLog;
+import rsal.navigation.carmen.LogReader;
+import rsal.navigation.replay.Course;
+import rsal.navigation.replay.Leap;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
+
+/// What commands that follow recorded logs have in common.
+final class LogOptions {
+    private static final double MANY = 0.1; // share of scans skipped that nobody should miss
+    private static final double TOO_MANY = 0.5; // likewise, that leaves too little to go by
+
+    /// Which logs commands read, for their help.
+    static final String LOGS =
+            "Logs are CARMEN's (FLASER, ROBOTLASER1, RAWLASER1 with ODOM), plain or packed with gzip."
+                    + " RAWLASER1's laser is where PARAM robot_frontlaser_offset (and _side_offset, _angular_offset) says.";
+
+    @Spec(Spec.Target.MIXEE)
+    @SuppressWarnings("NullAway.Init") // picocli fills it in
+    private CommandSpec spec;
+
+    @Option(
+            names = "--odometry-noise",
+            paramLabel = "WAY,HEADING,TURN",
+            description = "Makes the wheels err, by these standard deviations: of the way [m per square root of a"
+                    + " meter], of the heading by driving [deg likewise] and by turning [deg per square root of a"
+                    + " radian]. 0.05,2,3 is a usual robot. Left out: the log's odometry as it is.")
+    private @Nullable String odometryNoise;
+
+    @Option(
+            names = "--reference",
+            paramLabel = "LOG",
+            description = "Another log of the same scans, whose poses are right: the corrected one of a raw log.")
+    private @Nullable String reference;
+
+    @Option(names = "--no-reference", description = "The log's poses are not right: tell no errors.")
+    private boolean noReference;
+
+    @Option(
+            names = "--field-of-view",
+            paramLabel = "DEG",
+            description = "Of the laser, where the log doesn't tell: FLASER (180).")
+    private double fieldOfView = 180;
+
+    @Option(
+            names = "--upside-down",
+            description = "The laser was mounted upside down, or its readings go clockwise for another reason.")
+    private boolean upsideDown;
+
+    boolean hasNoise() {
+        return odometryNoise != null;
+    }
+
+    boolean hasReference() {
+        return reference != null;
+    }
+
+    /// Whether the log's own poses are not to be taken for right.
+    boolean isWithoutReference() {
+        return noReference && reference == null;
+    }
+
+    void checkOptions() {
+        if (!(fieldOfView > 0 && fieldOfView <= 360)) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "--field-of-view must be above 0° and at most 360°, not (%s).".formatted(fieldOfView));
+        }
+    }
+
+    /// How the wheels are to err; empty when they are not.
+    Optional<OdometryModel> noise() {
+        if (odometryNoise == null) {
+            return Optional.empty();
+        }
+        String[] words = odometryNoise.split(",", -1);
+        try {
+            if (words.length == 3) {
+                return Optional.of(new OdometryModel(
+                        Double.parseDouble(words[0]),
+                        Math.toRadians(Double.parseDouble(words[1])),
+                        Math.toRadians(Double.parseDouble(words[2]))));
+            }
+        } catch (IllegalArgumentException _) {
+            // told below
+        }
+        throw new ParameterException(
+                spec.commandLine(),
+                "--odometry-noise takes three finite numbers, none below 0, as 0.05,2,3; not (%s)."
+                        .formatted(odometryNoise));
+    }
+
+    /// @throws InvalidSettings when it can't be read, or most of its scans can't be used
+    CarmenLog read(String file) {
+        try {
+            CarmenLog log = CarmenLog.read(
+                    Path.of(file),
+                    new LogReader.Options(
+                            Math.toRadians(fieldOfView), LogReader.Options.DEFAULT.rangeMax(), upsideDown));
+            if (skippedShare(log) > TOO_MANY) {
+                throw new InvalidSettings(
+                        Location.of(file),
+                        "Most of its scans can't be used: %s.".formatted(skippedText(log)),
+                        whereSkipped(log));
+            }
+            return log;
+        } catch (BrokenLog e) {
+            throw new InvalidSettings(new Location(file, e.line(), 1), e.reason(), "");
+        } catch (NoSuchFileException | InvalidPathException _) {
+            throw new InvalidSettings(Location.of(file), "There is no such file.", "");
+        } catch (IOException e) {
+            throw new InvalidSettings(Location.of(file), "It can't be read: %s.".formatted(e.getMessage()), "");
+        }
+    }
+
+    /// The course of a log, with the poses of the reference where there is one, and without any that is right when
+    /// the log's own are not.
+    ///
+    /// @param file of the log
+    Course course(CarmenLog log, String file) {
+        Course course = Course.of(log).withoutLeaps();
+        if (reference == null) {
+            return isWithoutReference() ? course.unjudged() : course;
+        }
+        Course judged = course.judgedBy(read(reference));
+        if (judged.posed().isEmpty()) {
+            throw new InvalidSettings(
+                    Location.of(reference),
+                    "It has none of the scans of (%s).".formatted(file),
+                    "Maybe it is of another run, or its readings were rounded.");
+        }
+        return judged;
+    }
+
+    /// To throw when there is nothing to follow.
+    ///
+    /// @param what of scans is missing
+    static InvalidSettings nothingKnown(String file, String what, CarmenLog log) {
+        if (log.scans().isEmpty() && log.skipped().scans() > 0) {
+            return new InvalidSettings(
+                    Location.of(file),
+                    "None of its scans can be used: %s.".formatted(skippedText(log)),
+                    whereSkipped(log));
+        }
+        return new InvalidSettings(
+                Location.of(file),
+                log.scans().isEmpty()
+                        ? "There is no scan in it%s.".formatted(among(log))
+                        : "There is no scan in it whose %s is known%s.".formatted(what, among(log)),
+                "FLASER and ROBOTLASER1 tell it; RAWLASER1 needs ODOM before it.");
+    }
+
+    private static String among(CarmenLog log) {
+        return log.skipped().total() == 0 ? "" : "; skipped: " + skippedText(log);
+    }
+
+    /// @throws InvalidSettings when no beam of any scan hit anything, so that there is nothing to go by
+    static void checkReturns(String file, Course course) {
+        boolean hit = course.stops().stream()
+                .map(Course.Stop::scan)
+                .anyMatch(scan -> IntStream.range(0, scan.count()).anyMatch(scan::isHit));
+        if (!hit) {
+            throw new InvalidSettings(
+                    Location.of(file),
+                    "No beam of any of its %d scans hit anything."
+                            .formatted(course.stops().size()),
+                    "Maybe its ranges are in another unit: they must be in meters, below %.0f."
+                            .formatted(LogReader.Options.DEFAULT.rangeMax()));
+        }
+    }
+
+    /// Tells people what of a log was not used, and makes sure that they see when it is much.
+    static void tellSkipped(PrintWriter err, String file, CarmenLog log) {
+        if (log.skipped().total() == 0) {
+            return;
+        }
+        err.println((skippedShare(log) > MANY ? "WARNING: much of (%s) was skipped: %s" : "Skipped of (%s): %s")
+                .formatted(file, skippedText(log)));
+        log.skipped().first().stream()
+                .limit(3)
+                .forEach(place -> err.println("  %s:%d: %s".formatted(file, place.line(), place.what())));
+    }
+
+    /// What of a log is so odd that what comes of it is probably wrong.
+    static void tellOddities(PrintWriter err, String file, CarmenLog log) {
+        log.oneTime()
+                .ifPresent(time -> err.println(
+                        ("All %d scans of (%s) have one time (%.3f s): what comes of it has no times either, and ODOM can't tell"
+                                        + " where the robot was at each. If that matters, write when each was taken [s] on"
+                                        + " both sides of the host's name.")
+                                .formatted(log.scans().size(), file, time.toEpochMilli() / 1e3)));
+        log.degrees()
+                .ifPresent(most -> err.println(
+                        ("The headings in (%s) are probably degrees: they go to (%.1f), in steps of more than a radian."
+                                        + " CARMEN's are radians: multiply them by π / 180.")
+                                .formatted(file, most)));
+        List<Leap> leaps = Course.of(log).leaps();
+        if (!leaps.isEmpty()) {
+            err.println("The odometry of '%s' leaps %s. The robot is taken to have stood still meanwhile."
+                    .formatted(file, leaps.size() == 1 ? "once" : leaps.size() + " times"));
+            leaps.stream()
+                    .limit(3)
+                    .forEach(leap -> err.println(String.format(
+                            Locale.ROOT,
+                            "  %s:%d: %.2f m and %.0f° in %.2f s",
+                            file,
+                            leap.line(),
+                            leap.meters(),
+                            Math.toDegrees(leap.radians()),
+                            leap.seconds())));
+        }
+    }
+
+    /// What of a log was read otherwise than it stands there.
+    static void tellWandering(PrintWriter err, String file, CarmenLog log) {
+        log.wandering()
+                .ifPresent(by ->
+                        err.println(("(%s) tells poses of the laser that move about on the robot, by up to (%.2f m)"
+                                        + " and (%.0f°). They are taken for corrected poses of the robot, as many logs have them,"
+                                        + " and the laser for mounted in its middle. If it is not, have all scans tell the same"
+                                        + " place on the robot.")
+                                .formatted(file, by.meters(), Math.toDegrees(by.radians()))));
+    }
+
+    private static double skippedShare(CarmenLog log) {
+        int skipped = log.skipped().scans();
+        return skipped == 0 ? 0 : (double) skipped / (skipped + log.scans().size());
+    }
+
+    /// `18 of 20 scans; 17 back in time, 2 cut short`.
+    private static String skippedText(CarmenLog log) {
+        int scans = log.skipped().scans();
+        int others = log.skipped().total() - scans;
+        String reasons = log.skipped().counts().entrySet().stream()
+                .map(reason -> "%d %s".formatted(reason.getValue(), reason.getKey()))
+                .collect(Collectors.joining(", "));
+        return "%s%s (%s)"
+                .formatted(
+                        scans == 0
+                                ? "no scan"
+                                : "%d of %d scans"
+                                        .formatted(scans, scans + log.scans().size()),
+                        others == 0 ? "" : ", %d other messages".formatted(others),
+                        reasons);
+    }
+
+    private static String whereSkipped(CarmenLog log) {
+        return log.skipped().first().stream()
+                .findFirst()
+                .map(place -> "The first is in line %d: %s".formatted(place.line(), place.what()))
+                .orElse("");
+    }
+}

@@ -1,0 +1,159 @@
+package rsal.cli.page;
+
+import com.sun.management.OperatingSystemMXBean;
+import java.io.File;
+import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.lang.module.ModuleDescriptor.Version;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import picocli.CommandLine.Command;
+import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.Subcommand;
+import rsal.cli.terminal.Table;
+
+/// `rsal doctor`
+@Command(name = "doctor", description = "Look at this machine: is all here that RSAL needs, and if not, what to do?")
+public final class DoctorCommand extends Subcommand {
+    private static final long ENOUGH_MEMORY = 2L << 30;
+    private static final Version NODE_LEAST = Version.parse("20.19");
+    private static final List<Path> MAC_BROWSERS =
+            List.of(Path.of("/Applications/Chromium.app"), Path.of("/Applications/Google Chrome.app"));
+
+    /// @param remedy empty when nothing is to be done
+    record Finding(String what, boolean ok, String found, String remedy) {}
+
+    @Override
+    protected int run() {
+        List<Finding> findings = List.of(jdk(), cores(), memory(), fastStart(), port(), page(), node(), chromium());
+        if (json) {
+            printJson(Map.of("findings", findings));
+        } else {
+            print(findings);
+        }
+        return Exit.SUCCESS;
+    }
+
+    private void print(List<Finding> findings) {
+        var table = new Table("");
+        for (Finding finding : findings) {
+            table.row(finding.ok ? "ok" : "warn", finding.what, finding.found);
+            if (!finding.remedy.isEmpty()) {
+                table.row("", "", "→ " + finding.remedy);
+            }
+        }
+        out().print(table);
+        out().flush();
+    }
+
+    private static Finding jdk() {
+        return new Finding(
+                "JDK",
+                true, // an older one could not have loaded this class
+                "%s %s, %s"
+                        .formatted(
+                                System.getProperty("java.vendor"), Runtime.version(), System.getProperty("java.home")),
+                "");
+    }
+
+    private static Finding cores() {
+        int cores = Runtime.getRuntime().availableProcessors();
+        return new Finding("cores", true, Integer.toString(cores), "");
+    }
+
+    private static Finding memory() {
+        var system = ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
+        long bytes = system.getTotalMemorySize();
+        boolean enough = bytes >= ENOUGH_MEMORY;
+        return new Finding(
+                "memory",
+                enough,
+                String.format(Locale.ROOT, "%.1f GiB", (double) bytes / (1 << 30)),
+                enough ? "" : "2 GiB are enough for all that comes with RSAL; close something.");
+    }
+
+    private static Finding fastStart() {
+        boolean cached = ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
+                .anyMatch(flag -> flag.startsWith("-XX:AOTCache="));
+        return new Finding(
+                "fast start",
+                cached,
+                cached ? "with an AOT cache" : "no AOT cache",
+                cached ? "" : "Start with ./rsal, which makes one after each build.");
+    }
+
+    private static Finding port() {
+        int port = PageRuns.DEFAULT_PORT;
+        try (var socket = new ServerSocket()) {
+            socket.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), port));
+            return new Finding("port", true, port + " is free", "");
+        } catch (IOException _) {
+            return new Finding(
+                    "port", true, port + " is in use; a run takes another one, or the one given by --port", "");
+        }
+    }
+
+    private static Finding page() {
+        Optional<Path> page = PageRuns.page();
+        return new Finding(
+                "page",
+                page.isPresent(),
+                page.map(Path::toString).orElse("not built"),
+                page.isPresent() ? "" : "./rsal run builds it.");
+    }
+
+    private static Finding node() {
+        Optional<Path> node = program("node");
+        Optional<String> version = node.flatMap(DoctorCommand::version);
+        boolean newEnough = version.map(v -> Version.parse(v.substring(1)).compareTo(NODE_LEAST) >= 0)
+                .orElse(false);
+        return new Finding(
+                "Node.js",
+                newEnough,
+                version.map(v -> v + ", " + node.orElseThrow()).orElse("not found"),
+                newEnough ? "" : "The page is built with Node.js 20.19 or newer: https://nodejs.org");
+    }
+
+    private static Finding chromium() {
+        Optional<Path> browser = program("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
+                .or(() -> MAC_BROWSERS.stream().filter(Files::exists).findFirst());
+        return new Finding(
+                "Chromium",
+                browser.isPresent(),
+                browser.map(Path::toString).orElse("not found"),
+                browser.isPresent()
+                        ? ""
+                        : "Some tests of the page need it: apt-get install chromium, or brew install --cask chromium");
+    }
+
+    /// Looks for a program on the PATH under any of its names.
+    private static Optional<Path> program(String... names) {
+        String path = Optional.ofNullable(System.getenv("PATH")).orElse("");
+        return Arrays.stream(path.split(File.pathSeparator))
+                .flatMap(folder -> Arrays.stream(names).map(name -> Path.of(folder, name)))
+                .filter(Files::isExecutable)
+                .findFirst();
+    }
+
+    /// What a program prints when asked for its version, if that looks like one.
+    private static Optional<String> version(Path program) {
+        try {
+            var process = new ProcessBuilder(program.toString(), "--version")
+                    .redirectErrorStream(true)
+                    .start();
+            try (var reader = process.inputReader()) {
+                return Optional.ofNullable(reader.readLine()).filter(line -> line.matches("v\\d+(\\.\\d+)*"));
+            }
+        } catch (IOException _) {
+            return Optional.empty();
+        }
+    }
+}

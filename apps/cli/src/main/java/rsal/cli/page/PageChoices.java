@@ -1,0 +1,87 @@
+package rsal.cli.page;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.TypeConversionException;
+import rsal.cli.terminal.Destination;
+import rsal.cli.terminal.Words;
+import rsal.foxglove.FoxgloveServer;
+
+/// Who looks on: the page's port, a recording, Foxglove. Options of commands that run scenarios.
+public final class PageChoices {
+    @Option(
+            names = "--port",
+            paramLabel = "P",
+            converter = Port.class,
+            description = "Of the page, on this machine only; 0: any that is free. Left out: " + PageRuns.DEFAULT_PORT
+                    + ", or any when that is in use.")
+    private @Nullable Integer port;
+
+    @Option(
+            names = "--record",
+            paramLabel = "FILE.mcap",
+            description = "Record the run, to be seen in Foxglove, run again ('rsal replay') or exported. Further runs"
+                    + " from the page go to FILE-2.mcap and so on.")
+    private @Nullable String record;
+
+    @Option(
+            names = "--foxglove",
+            description = "Let Foxglove watch, on this machine only, and publish goals and poses: its connection's"
+                    + " address is printed first.")
+    private boolean foxglove;
+
+    @Option(
+            names = "--foxglove-port",
+            paramLabel = "P",
+            converter = Port.class,
+            description = "The port for that; 0: any that is free. Left out: " + FoxgloveServer.PORT + ".")
+    private @Nullable Integer foxglovePort;
+
+    @Option(
+            names = "--sweeps",
+            paramLabel = "DIR",
+            defaultValue = "sweeps",
+            description = "Where sweeps that are begun in the page are kept, each in a folder of its own;"
+                    + " ${DEFAULT-VALUE} when left out.")
+    private String sweeps = "";
+
+    public Path sweeps() {
+        return Destination.path(sweeps);
+    }
+
+    /// Null for the usual one, or any when that is in use.
+    @Nullable
+    public Integer port() {
+        return port;
+    }
+
+    /// @param command as it was typed
+    public Onlookers onlookers(boolean force, boolean headless, String command, PrintWriter err) throws IOException {
+        return new Onlookers(
+                RunRecorder.to(Optional.ofNullable(record), force, headless, err),
+                foxglove || foxglovePort != null
+                        ? Optional.of(
+                                Onlookers.foxglove(foxglovePort == null ? FoxgloveServer.PORT : foxglovePort, err))
+                        : Optional.empty(),
+                command);
+    }
+
+    public static final class Port implements ITypeConverter<Integer> {
+        private static final int MOST = 65535;
+
+        @Override
+        public Integer convert(String typed) {
+            double port = Words.orNaN(typed);
+            if (!(port >= 0 && port <= MOST && port == Math.rint(port))) {
+                throw new TypeConversionException(
+                        "(%s) is not a port from 0 to %d, like %d.".formatted(typed, MOST, PageRuns.DEFAULT_PORT));
+            }
+            return (int) port;
+        }
+    }
+}

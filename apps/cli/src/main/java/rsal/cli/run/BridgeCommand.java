@@ -1,0 +1,247 @@
+package rsal.cli.run;
+
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.UnknownHostException;
+import java.time.Duration;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.TypeConversionException;
+import rsal.cli.page.PageChoices;
+import rsal.cli.page.PageRuns;
+import rsal.cli.show.ScenarioReference;
+import rsal.cli.terminal.ClosedAtExit;
+import rsal.cli.terminal.Progress;
+import rsal.cli.terminal.Subcommand;
+import rsal.cli.terminal.Table;
+import rsal.cli.terminal.Unreachable;
+import rsal.cli.terminal.Words;
+import rsal.engine.LiveRun;
+import rsal.engine.report.Answer;
+import rsal.engine.report.RunResult;
+import rsal.scenario.RunOptions;
+import rsal.scenario.RunPlan;
+import rsal.scenario.installed.Providers;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Problem;
+import rsal.settings.Suggestion;
+import rsal.system.Bridge;
+import rsal.system.BridgeProvider;
+
+/// `rsal bridge`
+@Command(
+        name = "bridge",
+        description = {
+            "Run a scenario or a world, and offer its robots to programs that speak another system's protocol.",
+            "'rsal bridge player WORLD' serves them to clients of Player, 'rsal bridge player FILE.cfg' what that says."
+                    + " It goes on until the run ends, or Ctrl-C."
+        })
+public final class BridgeCommand extends Subcommand {
+    @Parameters(
+            index = "0",
+            paramLabel = "PROTOCOL",
+            description = "player; player-3.0 for programs that were built for Player 3.0")
+    private String key = "";
+
+    @Parameters(
+            index = "1",
+            paramLabel = "SCENARIO[:CONFIGURATION]",
+            arity = "0..1",
+            defaultValue = ScenarioReference.DEFAULT,
+            description = "As 'rsal run' has it: a scenario, or a world's file; ${DEFAULT-VALUE} when left out.")
+    private String scenario = "";
+
+    @Mixin
+    private RunChoices choices = new RunChoices();
+
+    @Option(
+            names = "--port",
+            paramLabel = "P",
+            converter = PageChoices.Port.class,
+            description = "Where to listen for the first robot, the others after it; 0: any ports that are free. Left"
+                    + " out: where the protocol's programs look (player: 6665). The ports of a file move along.")
+    private @Nullable Integer port;
+
+    @Option(
+            names = "--listen",
+            paramLabel = "ADDRESS",
+            description = "An address of this machine that others can reach, or 0.0.0.0 for all. Left out: this machine"
+                    + " only.")
+    private @Nullable String listen;
+
+    @Option(
+            names = "--page",
+            description = "Show it in a page, too; whoever starts another run there has its robots offered instead.")
+    private boolean page;
+
+    @Option(
+            names = "--command-timeout",
+            paramLabel = "S|off",
+            defaultValue = "0.5",
+            converter = Timeout.Converter.class,
+            description = "Robots stop when no command came from a client for so long [s] (${DEFAULT-VALUE}). 'off': a"
+                    + " velocity holds until another comes, for clients that command once.")
+    private Timeout timeout = new Timeout(Optional.empty());
+
+    @Option(
+            names = "--no-agents",
+            description = "Leave out the scenario's agents and its end: nobody but the programs drives the robots.")
+    private boolean noAgents;
+
+    /// @param limit empty when there is none
+    record Timeout(Optional<Duration> limit) {
+        static final class Converter implements ITypeConverter<Timeout> {
+            @Override
+            public Timeout convert(String typed) {
+                if (typed.equals("off")) {
+                    return new Timeout(Optional.empty());
+                }
+                double seconds = Words.orNaN(typed);
+                if (!(seconds >= 0.2 && seconds <= 3600)) {
+                    throw new TypeConversionException(
+                            "'%s' is no number of seconds from 0.2 to 3600, nor 'off'.".formatted(typed));
+                }
+                return new Timeout(Optional.of(Duration.ofMillis(Math.round(1000 * seconds))));
+            }
+        }
+    }
+
+    @Override
+    protected int run() throws Exception {
+        BridgeProvider provider = provider();
+        InetSocketAddress at = address(port == null ? provider.defaultPort() : port);
+        ScenarioReference reference = ScenarioReference.parse(scenario);
+        RunPlan asked = reference.load().plan(options(reference.configuration()));
+        RunPlan plan = noAgents ? asked.unmanned() : asked;
+        checkServices(plan);
+        tellNotes(plan);
+        return RunCommand.exit(page ? runWithPage(plan, provider, at) : run(plan, provider, at));
+    }
+
+    private RunResult run(RunPlan plan, BridgeProvider provider, InetSocketAddress at) throws Exception {
+        try (LiveRun run = LiveRun.start(plan)) {
+            var ending = new ClosedAtExit(run);
+            offer(run, provider, at);
+            RunResult result = new Progress(err(), false).await(run);
+            ending.checkNoSignal();
+            tell(plan, result);
+            return result;
+        }
+    }
+
+    private RunResult runWithPage(RunPlan plan, BridgeProvider provider, InetSocketAddress at) throws Exception {
+        return PageRuns.show(PageRuns.First.alone(plan), null, err(), new PageRuns.Eye() {
+            @Override
+            public void began(LiveRun run) throws Exception {
+                offer(run, provider, at);
+            }
+
+            @Override
+            public void ended(LiveRun run, RunResult result) {
+                tell(run.plan(), result);
+            }
+        });
+    }
+
+    private void offer(LiveRun run, BridgeProvider provider, InetSocketAddress at) throws Exception {
+        tell(
+                at,
+                run.operator()
+                        .bridge(provider, at, timeout.limit())
+                        .toCompletableFuture()
+                        .get());
+    }
+
+    private void tell(RunPlan plan, RunResult result) {
+        if (!json) { // that is what was offered
+            print(plan, result);
+        }
+    }
+
+    /// @throws InvalidSettings when its world's file asks for something that can't be offered
+    private static void checkServices(RunPlan plan) {
+        List<Problem> refusals = plan.scene().services().stream()
+                .flatMap(service -> service.refusal().stream())
+                .distinct()
+                .toList();
+        if (!refusals.isEmpty()) {
+            throw new InvalidSettings(refusals);
+        }
+    }
+
+    private BridgeProvider provider() {
+        Map<String, BridgeProvider> all = Providers.byKey(BridgeProvider.class, BridgeProvider::key);
+        BridgeProvider provider = all.get(key);
+        if (provider == null) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "There is no bridge (%s). %s".formatted(key, Suggestion.among(key, all.keySet())));
+        }
+        return provider;
+    }
+
+    private InetSocketAddress address(int number) {
+        if (listen == null) {
+            return new InetSocketAddress(InetAddress.getLoopbackAddress(), number);
+        }
+        try {
+            var at = new InetSocketAddress(InetAddress.getByName(listen), number);
+            if (!at.getAddress().isLoopbackAddress()) {
+                err().println("Whoever reaches this machine at " + listen
+                        + " can drive these robots: the protocol knows no passwords.");
+            }
+            return at;
+        } catch (UnknownHostException e) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "Invalid value for option '--listen': (%s) is no address of a machine, like 0.0.0.0."
+                            .formatted(listen));
+        }
+    }
+
+    private void tell(InetSocketAddress at, Answer answer) {
+        switch (answer) {
+            case Answer.Bridged(List<Bridge.Offer> offers) -> {
+                if (json) {
+                    var object = new LinkedHashMap<String, Object>();
+                    object.put("protocol", key);
+                    object.put("offers", offers);
+                    printJson(object);
+                    return;
+                }
+                out().println("Robots are at %s:".formatted(at.getHostString()));
+                var table = new Table("  ");
+                offers.forEach(offer -> table.row(offer.port() + ":" + offer.name(), offer.device()));
+                out().print(table);
+                out().flush();
+            }
+            case Answer.Refused(String why) ->
+                throw new Unreachable(why + System.lineSeparator()
+                        + "    Maybe a Player server or another 'rsal bridge' is there ('ss -ltnp' tells). Take other ports"
+                        + " by --port P, or any that are free by --port 0.");
+            default -> throw new AssertionError(answer);
+        }
+    }
+
+    private RunOptions options(Optional<String> configuration) {
+        return new RunOptions(
+                configuration,
+                choices.arguments(),
+                choices.seed(),
+                Optional.empty(),
+                Optional.empty(),
+                Optional.empty(),
+                Optional.empty(),
+                Optional.empty(),
+                choices.speed());
+    }
+}

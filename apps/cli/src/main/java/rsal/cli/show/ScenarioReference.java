@@ -1,0 +1,31 @@
+package rsal.cli.show;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import rsal.scenario.Scenario;
+
+/// A scenario as typed: `hunt-and-prey`, `hunt-and-prey:advanced`, `my.yaml:advanced`.
+///
+/// @param nameOrFile for [Scenario#load]
+public record ScenarioReference(String nameOrFile, Optional<String> configuration) {
+    public static final String DEFAULT = "hunt-and-prey";
+    /// What people are told that they may type.
+    public static final String WHAT =
+            "A built-in scenario ('rsal list'), a file, or its folder (scenario.yaml, or named like the"
+                    + " folder, as 'rsal new' makes them)";
+
+    public static ScenarioReference parse(String typed) {
+        int colon = typed.lastIndexOf(':');
+        if (colon < 0 || typed.indexOf('/', colon) >= 0 || Files.exists(Path.of(typed))) {
+            return new ScenarioReference(typed, Optional.empty());
+        }
+        return new ScenarioReference(typed.substring(0, colon), Optional.of(typed.substring(colon + 1)));
+    }
+
+    /// @throws rsal.settings.InvalidSettings with all of its mistakes, or when it is something else
+    public Scenario load() {
+        FileKind.requireScenario(nameOrFile);
+        return Scenario.load(nameOrFile);
+    }
+}

@@ -1,0 +1,203 @@
+package rsal.cli.show;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.Subcommand;
+import rsal.cli.terminal.Unreachable;
+import rsal.map.Maps;
+import rsal.model.RobotModels;
+import rsal.recording.Recording;
+import rsal.scenario.RunOptions;
+import rsal.scenario.Scenario;
+import rsal.scenario.picture.WorldPicture;
+import rsal.scene.Scene;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
+import rsal.settings.Suggestion;
+
+/// `rsal show`
+@Command(
+        name = "show",
+        description =
+                "Show what is in a scenario (arguments, configurations, robots and their devices, agents, ends"
+                        + " and measures), what is in a world, with a picture of it, what is in a recording (FILE.mcap), what a map, robot model or part is, what is in the file of an agent (FILE.java, FILE.asl) or a metric (FILE.java), or what can be set of an agent, a device driver (also by what it may use, as 'vfh'), a metric or a back end.")
+public final class ShowCommand extends Subcommand {
+    private static final int PICTURE = 1600; // longest side [px]
+
+    @Parameters(
+            paramLabel = "SCENARIO[:CONFIGURATION]|WORLD|AGENT|NAME",
+            description =
+                    ScenarioReference.WHAT
+                            + "; a world (FILE.world.yaml, Stage's FILE.world, or Player's FILE.cfg); a map (ROS's YAML); a recording (FILE.mcap); an agent in Java or AgentSpeak (FILE.java, FILE.asl); a metric in Java (FILE.java); or what 'rsal list WHAT' names.")
+    private String name = "";
+
+    @Option(
+            names = "--image",
+            paramLabel = "OUT.png",
+            description = "Where to draw a world or a map. Default: its own name with .png, in this folder.")
+    private @Nullable Path image;
+
+    @Override
+    protected int run() throws IOException {
+        if (Scenario.isWorld(name)) {
+            showWorld();
+            return Exit.SUCCESS;
+        }
+        if (image == null && RecordingFile.is(name)) {
+            try (Recording recording = RecordingFile.open(name, true)) {
+                var shown = ShownRecording.of(name, recording);
+                show(shown, shown.text());
+            }
+            return Exit.SUCCESS;
+        }
+        if (FileKind.of(name).equals(Optional.of(FileKind.MAP))) {
+            showMap();
+            return Exit.SUCCESS;
+        }
+        Optional<Kind> metric = image == null ? OwnMetric.of(name) : Optional.empty();
+        if (metric.isPresent()) {
+            show(metric.get(), metric.get().text());
+            return Exit.SUCCESS;
+        }
+        Optional<ShownAgent> agent = image == null ? ShownAgent.of(name) : Optional.empty();
+        if (agent.isPresent()) {
+            show(agent.get(), agent.get().text());
+            return Exit.SUCCESS;
+        }
+        Optional<ShownPart> part = ShownPart.of(name);
+        if (image == null && part.isPresent()) {
+            show(part.get(), part.get().text());
+            return Exit.SUCCESS;
+        }
+        if (image != null) {
+            throw new ParameterException(
+                    spec.commandLine(), "Only maps and worlds (FILE.world.yaml, FILE.world, FILE.cfg) are drawn.");
+        }
+        List<Kind> all = Kind.all();
+        List<Kind> named = all.stream().filter(kind -> kind.is(name)).toList();
+        List<Kind> found = named.isEmpty()
+                ? all.stream()
+                        .filter(kind -> kind.offers(name))
+                        .map(kind -> kind.about(name))
+                        .toList()
+                : named;
+        if (found.isEmpty() || Scenario.builtInNames().contains(name)) {
+            show(ScenarioReference.parse(name), all, found);
+        } else if (json) {
+            printJson(Map.of("found", found));
+        } else {
+            print(found.stream().map(Kind::text).collect(Collectors.joining("\n")));
+        }
+        return Exit.SUCCESS;
+    }
+
+    private void show(Record found, String text) {
+        if (json) {
+            printJson(found);
+        } else {
+            print(text);
+        }
+    }
+
+    private void showMap() {
+        Maps.Found found = ShownMap.find(name);
+        ShownMap map = ShownMap.of(name, found);
+        Path drawn = draw(Scene.of(found.grid()));
+        show(map, map.text());
+        if (!json) {
+            found.warnings().forEach(warning -> out().println(ShownWorld.line(warning)));
+            out().println("\nDrawn to " + drawn);
+            out().flush();
+        }
+    }
+
+    /// @return where it was drawn
+    private Path draw(Scene scene) {
+        Path file = Path.of(name).getFileName();
+        Path drawn = image != null ? image : Path.of((file == null ? name : file) + ".png");
+        try {
+            System.setProperty("java.awt.headless", "true"); // a server has no screen
+            Files.write(drawn, WorldPicture.of(scene, PICTURE));
+            return drawn;
+        } catch (IOException e) {
+            throw new Unreachable("The picture (%s) can't be written: %s.".formatted(drawn, e));
+        }
+    }
+
+    private void showWorld() {
+        Scene scene = Scenario.scene(name);
+        Path drawn = draw(scene);
+        var shown = ShownWorld.of(name, scene, drawn.toString());
+        if (json) {
+            printJson(shown);
+        } else {
+            print(shown.text());
+            scene.warnings().forEach(warning -> out().println(ShownWorld.line(warning)));
+            out().println("\nDrawn to " + drawn);
+            out().flush();
+        }
+    }
+
+    /// @param namesakes what goes by the scenario's name, too
+    private void show(ScenarioReference reference, List<Kind> others, List<Kind> namesakes) {
+        checkName(reference.nameOrFile(), others);
+        Scenario scenario = reference.load();
+        var options = reference
+                .configuration()
+                .map(RunOptions.NONE::withConfiguration)
+                .orElse(RunOptions.NONE);
+        var shown = ShownScenario.of(scenario, scenario.plan(options));
+        if (json) {
+            printJson(shown);
+        } else {
+            print(ScenarioText.of(shown)
+                    + namesakes.stream().map(Kind::alsoText).collect(Collectors.joining()));
+        }
+    }
+
+    /// A mistyped name of something else is no file that is missing.
+    private static void checkName(String typed, List<Kind> others) {
+        List<String> scenarios = Scenario.builtInNames();
+        if (scenarios.contains(typed)) {
+            return; // an agent may be called like it
+        }
+        Optional<String> closest = Suggestion.closest(
+                typed, Stream.concat(scenarios.stream(), others(others)).toList());
+        boolean mayBeAScenario = closest.filter(scenarios::contains).isPresent();
+        if (!mayBeAScenario && !typed.contains(".") && !typed.contains("/") && !Files.exists(Path.of(typed))) {
+            throw new InvalidSettings(
+                    Location.of(typed),
+                    "There is nothing called (%s).".formatted(typed),
+                    closest.map("Maybe (%s) was meant?"::formatted)
+                            .orElse(
+                                    "`rsal list` says what there is. Your own scenarios, worlds, maps and recordings go by"
+                                            + " their files."));
+        }
+    }
+
+    private static Stream<String> others(List<Kind> kinds) {
+        return Stream.of(
+                        kinds.stream().map(Kind::name),
+                        Maps.builtIn().stream(),
+                        RobotModels.builtIn().stream(),
+                        RobotModels.builtInParts().stream())
+                .flatMap(names -> names);
+    }
+
+    private void print(String text) {
+        out().print(text);
+        out().flush();
+    }
+}

@@ -1,0 +1,142 @@
+package rsal.cli.show;
+
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import rsal.agent.AgentHostProvider;
+import rsal.agent.AgentLanguage;
+import rsal.agent.AgentType;
+import rsal.agent.Outline;
+import rsal.cli.terminal.Table;
+import rsal.scenario.installed.Providers;
+import rsal.settings.FileSource;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
+
+/// An agent that its author wrote in a file, in Java or in a language of a host, as AgentSpeak, for `rsal
+/// show`.
+///
+/// @param hosts keys of those that run it
+/// @param needs types of devices that its robot must have
+/// @param hears names of topics
+public record ShownAgent(
+        String file,
+        String description,
+        List<String> hosts,
+        List<String> needs,
+        List<Kind.Setting> settings,
+        List<Line> goals,
+        List<Line> plans,
+        List<String> hears,
+        List<Line> says) {
+
+    /// Of a program, which nobody can see into.
+    private static final Outline UNKNOWN = new Outline(List.of(), List.of(), List.of(), List.of());
+
+    record Line(String file, int line, String text) {
+        static List<Line> of(List<Outline.Line> lines) {
+            return lines.stream()
+                    .map(line -> new Line(line.at().file(), line.at().line(), line.text()))
+                    .toList();
+        }
+    }
+
+    /// @param path of a file
+    /// @return empty when its name is that of none
+    /// @throws InvalidSettings with the mistakes in it, or when it can't be read
+    static Optional<ShownAgent> of(String path) {
+        List<AgentHostProvider> hosts = hosts(path);
+        return hosts.stream()
+                .flatMap(host -> language(host, path))
+                .findFirst()
+                .map(language -> of(
+                        path,
+                        language,
+                        hosts.stream().map(AgentHostProvider::key).toList()));
+    }
+
+    /// Whether a file is called like the program of an agent.
+    public static boolean is(String path) {
+        return !hosts(path).isEmpty();
+    }
+
+    private static List<AgentHostProvider> hosts(String path) {
+        return Providers.byKey(AgentHostProvider.class, AgentHostProvider::key).values().stream()
+                .filter(host -> language(host, path).findAny().isPresent())
+                .toList();
+    }
+
+    private static Stream<AgentLanguage> language(AgentHostProvider host, String path) {
+        return Stream.concat(
+                        host.languages().stream(),
+                        Providers.byKey(AgentLanguage.class, AgentLanguage::suffix).values().stream())
+                .filter(language -> path.endsWith(language.suffix()));
+    }
+
+    private static ShownAgent of(String path, AgentLanguage language, List<String> hosts) {
+        AgentType type = language.read(name(path), FileSource.folder(folder(path)), Location.of(path));
+        Kind kind = Kind.of(type);
+        Outline outline = type.outline().orElse(UNKNOWN);
+        return new ShownAgent(
+                path,
+                kind.description(),
+                hosts,
+                kind.needs(),
+                kind.settings(),
+                Line.of(outline.goals()),
+                Line.of(outline.plans()),
+                outline.hears(),
+                Line.of(outline.says()));
+    }
+
+    /// Of a file.
+    static String name(String path) {
+        return path.substring(path.lastIndexOf('/') + 1);
+    }
+
+    /// In which a file is.
+    static Path folder(String path) {
+        try {
+            return Path.of(path).toAbsolutePath().resolveSibling(".").normalize();
+        } catch (InvalidPathException e) {
+            throw new InvalidSettings(Location.of(path), "This can't be a file: %s.".formatted(e.getReason()), "");
+        }
+    }
+
+    /// For people.
+    String text() {
+        var text = new StringBuilder("%s: an agent for %s%n".formatted(file, String.join(", ", hosts)));
+        if (!description.isEmpty()) {
+            text.append(description).append('\n');
+        }
+        if (!needs.isEmpty()) {
+            text.append("Needs a robot with ").append(String.join(", ", needs)).append(".\n");
+        }
+        var settable = new Table("  ");
+        settings.forEach(setting -> settable.row(
+                setting.name(),
+                setting.value().map(Object::toString).orElse(""),
+                setting.expected(),
+                setting.description()));
+        section(text, "Arguments (agents: {NAME: {type: %s, args: {…}}})".formatted(name(file)), settable);
+        section(text, "Goals that it begins with", lines(goals));
+        section(text, "Plans", lines(plans));
+        section(text, "Hears", hears.isEmpty() ? new Table("  ") : new Table("  ").row(String.join(", ", hears)));
+        section(text, "Says", lines(says));
+        return text.toString();
+    }
+
+    private static Table lines(List<Line> lines) {
+        var table = new Table("  ");
+        lines.forEach(line -> table.row(line.file + ":" + line.line, line.text));
+        return table;
+    }
+
+    private static void section(StringBuilder text, String heading, Table table) {
+        if (!table.isEmpty()) {
+            text.append('\n').append(heading).append('\n').append(table);
+        }
+    }
+}

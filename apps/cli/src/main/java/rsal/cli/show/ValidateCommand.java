@@ -1,0 +1,143 @@
+package rsal.cli.show;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Parameters;
+import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.Mistake;
+import rsal.cli.terminal.Subcommand;
+import rsal.map.Maps;
+import rsal.scenario.RunOptions;
+import rsal.scenario.RunPlan;
+import rsal.scenario.Scenario;
+import rsal.scene.Scene;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Problem;
+
+/// `rsal validate`
+@Command(
+        name = "validate",
+        description =
+                "Check scenarios with all their configurations, or with one, and worlds, maps, robot models and parts, agents'"
+                        + " programs and recordings. Reports every error and starts nothing.")
+public final class ValidateCommand extends Subcommand {
+    @Parameters(
+            paramLabel = "SCENARIO[:CONFIGURATION]|FILE",
+            arity = "1..*",
+            description = ScenarioReference.WHAT
+                    + "; or the file of a world, a map, a robot model or part, an agent's program, or a recording.")
+    @SuppressWarnings("NullAway.Init") // picocli fills it in
+    private List<String> files;
+
+    /// Problems are flat, for those who read JSON line by line.
+    ///
+    /// @param problems mistakes, or warnings when it is valid all the same
+    /// @param besides what of a file with mistakes is only warned of
+    record Checked(String file, boolean valid, List<Mistake> problems, List<Mistake> besides) {
+        /// @param warnings what is only warned of
+        static Checked right(String file, List<Problem> warnings) {
+            return new Checked(file, true, Mistake.of(warnings), List.of());
+        }
+
+        static Checked wrong(String file, InvalidSettings why) {
+            return new Checked(file, false, Mistake.of(why.problems()), Mistake.of(why.warnings()));
+        }
+    }
+
+    @Override
+    protected int run() {
+        List<Checked> checked = files.stream().map(this::check).toList();
+        boolean valid = checked.stream().allMatch(Checked::valid);
+        if (json) {
+            printJson(Map.of("files", checked));
+        }
+        return valid ? Exit.SUCCESS : Exit.INVALID;
+    }
+
+    private Checked check(String file) {
+        try {
+            Optional<FileKind> other = FileKind.of(file);
+            return other.isPresent()
+                    ? checkOther(file, other.get())
+                    : Scenario.isWorld(file) ? checkWorld(file) : checkScenario(file);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        } catch (InvalidSettings mistakes) {
+            tell(String.valueOf(mistakes.getMessage()));
+            return Checked.wrong(file, mistakes);
+        }
+    }
+
+    private Checked checkScenario(String file) {
+        ScenarioReference reference = ScenarioReference.parse(file);
+        Scenario scenario = reference.load();
+        var found = new LinkedHashSet<Problem>();
+        if (reference.configuration().isPresent()) {
+            RunPlan plan = scenario.plan(
+                    RunOptions.NONE.withConfiguration(reference.configuration().get()));
+            found.addAll(plan.scene().warnings());
+            found.addAll(plan.notes());
+            tell(file + ": valid");
+        } else {
+            scenario.check(plan -> {
+                found.addAll(plan.scene().warnings());
+                found.addAll(plan.notes());
+            });
+            int configurations = scenario.configurations().size();
+            tell("%s: valid, %d configuration%s".formatted(file, configurations, configurations == 1 ? "" : "s"));
+        }
+        var notes = List.copyOf(found);
+        notes.forEach(note -> tell(Mistake.note(note)));
+        return Checked.right(file, notes);
+    }
+
+    private Checked checkOther(String file, FileKind kind) throws IOException {
+        List<Problem> warnings = List.of();
+        String what = kind.words();
+        switch (kind) {
+            case MAP -> {
+                Maps.Found map = ShownMap.find(file);
+                warnings = map.warnings();
+                what += ", " + ShownMap.of(file, map).size();
+            }
+            case MODEL, PART ->
+                what += ShownPart.of(file).map(shown -> ", " + shown.title()).orElse("");
+            case AGENT -> ShownAgent.of(file);
+            case RECORDING -> RecordingFile.open(file, true).close();
+            case LOG, IMAGE, WORLD -> throw kind.refusal(file);
+        }
+        tell("%s: valid, %s".formatted(file, what));
+        warnings.forEach(warning -> tell(Mistake.note(warning)));
+        return Checked.right(file, warnings);
+    }
+
+    /// Warnings are no mistakes, but nobody should miss them.
+    private Checked checkWorld(String file) {
+        Scene scene = Scenario.scene(file);
+        if (!scene.robots().isEmpty()) {
+            Scenario.load(file).check();
+        }
+        tell("%s: valid, a world with %s"
+                .formatted(
+                        file,
+                        switch (scene.robots().size()) {
+                            case 0 -> "no robots";
+                            case 1 -> "1 robot";
+                            default -> scene.robots().size() + " robots";
+                        }));
+        scene.warnings().forEach(warning -> tell(ShownWorld.line(warning)));
+        return Checked.right(file, scene.warnings());
+    }
+
+    private void tell(String text) {
+        if (!json) {
+            out().println(text);
+            out().flush();
+        }
+    }
+}

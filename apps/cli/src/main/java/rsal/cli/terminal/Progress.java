@@ -1,0 +1,106 @@
+package rsal.cli.terminal;
+
+import java.io.PrintWriter;
+import java.time.Duration;
+import java.util.Locale;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import rsal.engine.LiveRun;
+import rsal.engine.report.RunEvent;
+import rsal.engine.report.RunResult;
+import rsal.engine.report.Snapshot;
+import rsal.scenario.RunPlan;
+import rsal.time.AllowedToReadWallClock;
+
+/// Tells on stderr how a run goes: what happens, and how far it is; on a terminal by a line that is drawn over and
+/// over, elsewhere by one now and then, ever more seldom.
+@AllowedToReadWallClock("Tells people that it still goes on.")
+public final class Progress {
+    private static final long PERIOD_MILLIS = 250;
+    private static final String PRINT = "print"; // of agents
+    private static final Set<String> KINDS = Set.of(
+            "bridge", "caught", "collision", "fault", "health", "mapped", "operator", PRINT, "uncaught", "unreached");
+    private static final String CLEAR_LINE = "\r\033[K";
+
+    private final PrintWriter err;
+    private final boolean quiet;
+    private final boolean terminal = Terminal.showsProgress();
+    private final LifeSigns signs = new LifeSigns();
+    private long began;
+    private long lastEvent;
+
+    /// @param quiet without what agents print
+    public Progress(PrintWriter err, boolean quiet) {
+        this.err = err;
+        this.quiet = quiet;
+    }
+
+    /// Waits for the end of a run.
+    ///
+    /// @throws Exception what broke the run
+    public RunResult await(LiveRun run) throws Exception {
+        RunPlan plan = run.plan();
+        err.printf("Running %s:%s with seed %d%n", plan.scenario().name(), plan.configuration(), plan.seed());
+        began = System.nanoTime();
+        CompletableFuture<RunResult> result = run.result().toCompletableFuture();
+        while (true) {
+            try {
+                RunResult ended = result.get(PERIOD_MILLIS, TimeUnit.MILLISECONDS);
+                show(run);
+                clear();
+                return ended;
+            } catch (TimeoutException _) {
+                show(run);
+            } catch (ExecutionException e) {
+                clear();
+                throw e.getCause() instanceof Exception cause ? cause : e;
+            }
+        }
+    }
+
+    private void show(LiveRun run) {
+        for (RunEvent event : run.events(lastEvent)) {
+            lastEvent = event.sequence();
+            if (tells(event) && !(quiet && event.kind().equals(PRINT))) {
+                clear();
+                err.println(line(event));
+            }
+        }
+        Snapshot now = run.snapshot(); // asks for the next, too: so this one is of the last time
+        if (terminal) {
+            err.print(CLEAR_LINE + line(now));
+            err.flush();
+        } else if (signs.isDue(System.nanoTime() - began)) {
+            err.println(line(now));
+        }
+    }
+
+    private static String line(Snapshot now) {
+        return String.format(Locale.ROOT, "%8.1f s  %.3g × real time", seconds(now.time()), now.rate());
+    }
+
+    /// Whether people want to know without a page.
+    static boolean tells(RunEvent event) {
+        return KINDS.contains(event.kind());
+    }
+
+    /// `    12.3 s  hunter-1: ran into wall`.
+    static String line(RunEvent event) {
+        String subject = event.subject().isEmpty() ? "" : event.subject() + ": ";
+        return String.format(Locale.ROOT, "%8.1f s  %s%s", seconds(event.time()), subject, event.text());
+    }
+
+    private void clear() {
+        if (terminal) {
+            err.print(CLEAR_LINE);
+            err.flush();
+        }
+    }
+
+    private static double seconds(Duration time) {
+        return time.toNanos() / 1e9;
+    }
+}

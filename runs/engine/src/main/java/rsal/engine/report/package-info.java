@@ -1,0 +1,5 @@
+/// Immutable values that a run reports: snapshots, events, answers, metrics, results.
+@NullMarked
+package rsal.engine.report;
+
+import org.jspecify.annotations.NullMarked;

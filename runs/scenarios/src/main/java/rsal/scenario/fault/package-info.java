@@ -1,0 +1,5 @@
+/// Faults that a scenario plans: of robots, devices and communication.
+@NullMarked
+package rsal.scenario.fault;
+
+import org.jspecify.annotations.NullMarked;

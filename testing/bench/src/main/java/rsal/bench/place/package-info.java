@@ -1,0 +1,5 @@
+/// Places and robots that several benchmarks use.
+@NullMarked
+package rsal.bench.place;
+
+import org.jspecify.annotations.NullMarked;
