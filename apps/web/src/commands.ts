@@ -1,6 +1,6 @@
 import { access } from './api/access.svelte';
 import { api } from './api/client';
-import type { LookBack, RobotPose } from './api/messages';
+import type { Commands, LookBack } from './api/messages';
 import { ABOUT_CONTROL } from './control/control.svelte';
 import { driving } from './driving/driving.svelte';
 import { look } from './live/connection';
@@ -11,7 +11,7 @@ import { texts } from './texts';
 import { WantedPlay } from './wantedplay';
 import { WantedSpeed } from './wantedspeed';
 
-const wanted = new WantedSpeed((speed) => attempt(api.speed(speed)));
+const wanted = new WantedSpeed((speed) => attempt(api.tell('speed', { factor: speed })));
 const play = new WantedPlay();
 /** Whether what is looked back on goes on by itself, or will. */
 const plays = () => live.past && play.is(live.going);
@@ -38,10 +38,10 @@ export const commands = {
   /** As they are now, also for who looks back, and sees then what moves. */
   rearm: () => {
     if (live.past && live.recording === null && access.mayArm) {
-      void attempt(api.rearm());
+      void attempt(api.tell('rearm', {}));
       commands.toPresent();
     } else {
-      act(api.rearm);
+      act(() => api.tell('rearm', {}));
     }
   },
   /** Whether the run can be changed from here; if not, says why. */
@@ -68,12 +68,12 @@ export const commands = {
     }
     return live.past ? texts.access.past : live.over ? texts.access.over : null;
   },
-  pause: () => (live.past ? toggle() : act(() => (live.frame!.paused ? api.resume() : api.pause()))),
+  pause: () => (live.past ? toggle() : act(() => api.tell(live.frame!.paused ? 'resume' : 'pause', {}))),
   step: () => {
     if (live.past) {
       go({ step: 1 });
     } else if (live.frame?.paused) {
-      act(() => api.step());
+      act(() => api.tell('step', {}));
     }
   },
   faster: () => change(1),
@@ -100,11 +100,11 @@ export const commands = {
 };
 
 /** Sends a robot somewhere, which ends this page's driving it. */
-export async function send(to: RobotPose): Promise<void> {
+export async function send(to: Commands['goal']['takes']): Promise<void> {
   if (driving.robot === to.robot) {
     await driving.letGo();
   }
-  await attempt(api.goal(to));
+  await attempt(api.tell('goal', to));
 }
 
 const shown = () => live.newest?.frame.time ?? 0;

@@ -22,9 +22,9 @@ afterEach(() => {
 const velocity = { vx: 1, vy: 0, omega: 0 };
 
 it('gives up what hangs for an emergency stop, but for driving, which goes on when robots are armed', async () => {
-  const place = api.place({ robot: 'ann', x: 0, y: 0, heading: 0 });
+  const place = api.tell('place', { robot: 'ann', x: 0, y: 0, heading: 0 });
   const look = api.readings('ann');
-  void api.drive({ robot: 'ann', driver: 'me', ...velocity });
+  void api.tell('drive', { robot: 'ann', driver: 'me', ...velocity });
   void api.emergencyStop();
   await expect(place).rejects.toThrow(RefusedError);
   await expect(place).rejects.toThrow('the emergency stop came first');
@@ -44,7 +44,7 @@ it('gives up an answer that has begun, too', async () => {
         }),
     }),
   );
-  const place = api.place({ robot: 'ann', x: 0, y: 0, heading: 0 });
+  const place = api.tell('place', { robot: 'ann', x: 0, y: 0, heading: 0 });
   await Promise.resolve(); // its head is there
   void api.emergencyStop();
   await expect(place).rejects.toThrow('the emergency stop came first');
@@ -53,9 +53,9 @@ it('gives up an answer that has begun, too', async () => {
 it('gives way to the emergency stop of another page, and has others give way to its own', async () => {
   const other = new BroadcastChannel('rsal');
   try {
-    const place = api.place({ robot: 'ann', x: 0, y: 0, heading: 0 });
+    const place = api.tell('place', { robot: 'ann', x: 0, y: 0, heading: 0 });
     const look = api.readings('ann');
-    void api.drive({ robot: 'ann', driver: 'me', ...velocity });
+    void api.tell('drive', { robot: 'ann', driver: 'me', ...velocity });
     other.postMessage('emergency stop');
     await expect(place).rejects.toThrow('the emergency stop came first');
     await expect(look).resolves.toBeNull();
@@ -85,7 +85,7 @@ it('knows a look that was given up from a server that does not answer', async ()
 it('looks and acts again after it', () => {
   void api.emergencyStop();
   void api.readings('bob');
-  void api.remove('bob').catch(() => {});
+  void api.tell('remove', { name: 'bob' }).catch(() => {});
   expect(asked.get('api/readings?robot=bob')!.aborted).toBe(false);
   expect(asked.get('api/run/remove')!.aborted).toBe(false);
 });

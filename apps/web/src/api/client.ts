@@ -1,34 +1,24 @@
 import type {
   Abilities,
-  Added,
-  Addition,
-  AgentAddition,
   AgentInside,
   AgentTypes,
   Cameras,
+  Commands,
   Control,
   ControlWish,
-  Drive,
   Links,
   Mistake,
   Mounts,
-  Motors,
-  NewAgent,
-  NewRobot,
-  Order,
   PastNumbers,
   Plan,
   PlottedNumbers,
   Readings,
   Refused,
-  Release,
   Restart,
   Routine,
   RobotModels,
-  RobotPose,
   RunInfo,
   Sayables,
-  Saying,
   ScenarioText,
   Scenarios,
   SeatInfo,
@@ -67,19 +57,10 @@ export class RefusedError extends Error {
  */
 export const api = {
   run: () => found<RunInfo>('run'),
-  pause: () => post('pause'),
-  resume: () => post('resume'),
-  step: () => post('step'),
-  speed: (factor: string) => post('speed', { factor }),
-  stop: () => post('stop'),
-  place: (to: RobotPose) => post('place', to),
-  believe: (to: RobotPose) => post('believe', to),
-  add: (wish: Addition) => post('add', wish) as Promise<Added>,
-  addRobot: (wish: RobotPose) => post('add-robot', wish) as Promise<Added>,
+  /** Has the run carry out a command. */
+  tell: <K extends keyof Commands>(command: K, takes: Commands[K]['takes']) =>
+    post(command, takes, AT_THE_END.has(command)) as Promise<Commands[K]['answers']>,
   robotModels: () => found<RobotModels>('robots/models'),
-  newRobot: (wish: NewRobot) => post('new-robot', wish) as Promise<Added>,
-  remove: (name: string) => post('remove', { name }),
-  goal: (to: RobotPose) => post('goal', to),
   abilities: (robot: string) => about<Abilities>('abilities', robot),
   /** @param time of what has been [s of the run]; null for the present */
   readings: (robot: string, time: number | null = null) => about<Readings>('readings', robot, time),
@@ -92,12 +73,7 @@ export const api = {
    * @param time of what has been [s of the run]; null for the present */
   links: (robot: string, time: number | null = null) => about<Links>('links', robot, time),
   sayable: () => found<Sayables>('sayable'),
-  say: (wish: Saying) => post('say', wish),
   agentTypes: () => found<AgentTypes>('agents/types'),
-  newAgent: (wish: NewAgent) => post('new-agent', wish) as Promise<Added>,
-  addAgent: (wish: AgentAddition) => post('add-agent', wish) as Promise<Added>,
-  startAgent: (name: string) => post('start-agent', { name }),
-  stopAgent: (name: string) => post('stop-agent', { name }),
   /** @param topic of which what was said is told; empty for none
    * @param time of what has been [s of the run]; null for the present */
   routine: (topic: string, time: number | null = null) => ofRun<Routine>('routine', { topic }, time),
@@ -110,17 +86,12 @@ export const api = {
   scenarioSchema: () => found<object>('scenarios/schema'),
   checkText: (wish: TextToCheck) => send('POST', 'scenarios/check', wish) as Promise<TextCheck>,
   saveText: (wish: TextToSave) => send('PUT', 'scenarios/text', wish),
-  drive: (wish: Drive) => post('drive', wish),
-  release: (wish: Release) => post('release', wish, true),
-  behavior: (wish: Order) => post('behavior', wish),
   /** For the robots of all runs, whichever this page shows, and also when that one is over, or was closed. */
   emergencyStop: () => {
     giveWay();
     others.postMessage('emergency stop');
     return send('POST', STOP, {}, false, '/');
   },
-  rearm: () => post('rearm'),
-  motors: (wish: Motors) => post('motors', wish),
   check: (wish: Restart) => post('check', wish) as Promise<Plan>,
   restart: (wish: Restart) => post('restart', wish) as Promise<RunInfo>,
   /** Runs one of a sweep again, as it was. */
@@ -179,6 +150,8 @@ export const seats = {
 const LONGEST_LOOK_MILLIS = 5000;
 const LONGEST_MILLIS = 30_000;
 const STOP = 'run/estop';
+/** What is sent also when the page is about to be left. */
+const AT_THE_END = new Set<keyof Commands>(['release']);
 /** What need not be waited for once a stop is wanted: all that runs may hold up. */
 const GIVES_WAY = /^(run|beside)(\/|$)/;
 /** What is never given up for a stop: of driving there is one at a time, and whoever drives goes on once it is armed. */

@@ -18,18 +18,6 @@ export interface Added {
   name: string;
 }
 
-export interface Addition {
-  kind: PropKind;
-  x: number;
-  y: number;
-  heading: number;
-}
-
-export interface AgentAddition {
-  like: string;
-  robot: string;
-}
-
 export interface AgentDetails {
   name: string;
   role: string;
@@ -55,10 +43,6 @@ export interface AgentInside {
   mail: MailInfo[] | null;
   talks: TalkInfo[];
   hearings: HearingInfo[];
-}
-
-export interface AgentName {
-  name: string;
 }
 
 export interface AgentTypeInfo {
@@ -187,14 +171,6 @@ export interface DeviceNumbers {
 export interface DrawnMap {
   device: string;
   time: number;
-}
-
-export interface Drive {
-  robot: string;
-  driver: string;
-  vx: number;
-  vy: number;
-  omega: number;
 }
 
 export interface EarlierSweep {
@@ -358,11 +334,6 @@ export interface Mistake {
   remedy: string;
 }
 
-export interface Motors {
-  robot: string;
-  on: boolean;
-}
-
 export interface MotorsOff {
   all: boolean;
   of: string[];
@@ -380,19 +351,6 @@ export interface Mounts {
   mounts: MountInfo[];
 }
 
-export interface NewAgent {
-  type: string;
-  robot: string;
-  arguments: Record<string, string>;
-}
-
-export interface NewRobot {
-  model: string;
-  x: number;
-  y: number;
-  heading: number;
-}
-
 export interface Newcomers {
   run: number;
   robots: RobotInfo[];
@@ -403,11 +361,6 @@ export interface NumberInfo {
   title: string;
   unit: string;
   value: number | null;
-}
-
-export interface Order {
-  robot: string;
-  behavior: string;
 }
 
 export interface OutcomeShare {
@@ -451,8 +404,6 @@ export interface ProgramInfo {
   left: number;
 }
 
-export type PropKind = 'BOX' | 'BALL';
-
 export interface Reach {
   run: number;
   from: number;
@@ -494,15 +445,6 @@ export interface RecordingInfo {
 export interface Refused {
   message: string;
   problems: Mistake[];
-}
-
-export interface Release {
-  robot: string;
-  driver: string;
-}
-
-export interface Removal {
-  name: string;
 }
 
 export interface Restart {
@@ -548,13 +490,6 @@ export interface RobotModelInfo {
 
 export interface RobotModels {
   models: RobotModelInfo[];
-}
-
-export interface RobotPose {
-  robot: string;
-  x: number;
-  y: number;
-  heading: number;
 }
 
 export interface RobotStatus {
@@ -614,12 +549,6 @@ export interface SayableInfo {
 
 export interface Sayables {
   sayable: SayableInfo[];
-}
-
-export interface Saying {
-  to: string;
-  topic: string;
-  fields: Record<string, string>;
 }
 
 export interface ScenarioInfo {
@@ -694,10 +623,6 @@ export interface SettingInfo {
 export interface SideBySide {
   most: number;
   runs: SeatInfo[];
-}
-
-export interface Speed {
-  factor: string;
 }
 
 export type Status = 'RUNNING' | 'ENDED' | 'FAILED';
@@ -880,3 +805,53 @@ export interface Trails {
 }
 
 export type Wanted = 'NOT_WANTED' | 'REACHED' | 'WAITING' | 'PURSUED' | 'SUSPENDED' | 'RESTING';
+
+/** Commands that people give to runs, from OperatorCommands: what each takes and answers. */
+export interface Commands {
+  /** Lets time stand still. A run in real time goes on. */
+  pause: { takes: Record<string, never>; answers: object };
+  /** Lets time go on. */
+  resume: { takes: Record<string, never>; answers: object };
+  /** Goes on for one step while the run is paused. */
+  step: { takes: Record<string, never>; answers: object };
+  /** Sets how fast simulated time goes. */
+  speed: { takes: { factor: string }; answers: object };
+  /** Ends the run. */
+  stop: { takes: Record<string, never>; answers: object };
+  /** Sends a robot to a pose. */
+  goal: { takes: { robot: string; x: number; y: number; heading: number }; answers: Sent };
+  /** Has a robot do something until it is told something else. */
+  behavior: { takes: { robot: string; behavior?: string }; answers: object };
+  /** Drives a robot by hand. To be repeated ten times a second: after 0.5 s without, the robot stands still; after 5 s it is given back to its agents. */
+  drive: { takes: { robot: string; driver: string; vx?: number; vy?: number; omega?: number }; answers: object };
+  /** Gives a robot that was driven by hand back to its agents. */
+  release: { takes: { robot: string; driver: string }; answers: object };
+  /** Switches off the motors of all robots, in all runs side by side. */
+  estop: { takes: Record<string, never>; answers: Stopped };
+  /** Switches the motors on after an emergency stop, but for robots that were switched off alone. */
+  rearm: { takes: Record<string, never>; answers: Armed };
+  /** Switches the motors of one robot off or on. */
+  motors: { takes: { robot: string; on?: boolean }; answers: object };
+  /** Puts a robot, or a thing, elsewhere in the simulated world. Its localizer is told. */
+  place: { takes: { robot: string; x: number; y: number; heading: number }; answers: object };
+  /** Tells a robot's localizer where the robot is. The robot itself stays where it is. */
+  believe: { takes: { robot: string; x: number; y: number; heading: number }; answers: object };
+  /** Adds a thing to the simulated world. */
+  add: { takes: { kind: 'BOX' | 'BALL'; x: number; y: number; heading: number }; answers: Added };
+  /** Adds a robot like another one, with devices and agents, to the simulated world. */
+  'add-robot': { takes: { robot: string; x: number; y: number; heading: number }; answers: Added };
+  /** Adds a robot of a model, without agents, to the simulated world. */
+  'new-robot': { takes: { model: string; x: number; y: number; heading: number }; answers: Added };
+  /** Takes a robot with its agents, or a thing, out of the simulated world. */
+  remove: { takes: { name: string }; answers: object };
+  /** Starts an agent of a type that is installed. */
+  'new-agent': { takes: { type: string; robot?: string; arguments?: Record<string, string> }; answers: Added };
+  /** Starts an agent like another one. */
+  'add-agent': { takes: { like: string; robot?: string }; answers: Added };
+  /** Starts an agent again that has ended or failed. */
+  'start-agent': { takes: { name: string }; answers: object };
+  /** Ends an agent. */
+  'stop-agent': { takes: { name: string }; answers: object };
+  /** Sends a message to agents in the operator's name. */
+  say: { takes: { to?: string; topic: string; fields?: Record<string, string> }; answers: object };
+}

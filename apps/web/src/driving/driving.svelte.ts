@@ -24,7 +24,7 @@ class Driving {
   private confirmed = false;
   private readonly repeater = new Repeater<{ robot: string } & Velocity>(
     async (wish) => {
-      await api.drive({ ...wish, driver: me });
+      await api.tell('drive', { ...wish, driver: me });
     },
     (reason) => {
       this.forget();
@@ -54,14 +54,14 @@ class Driving {
     if (robot !== null) {
       this.forget();
       await this.repeater.stop();
-      await api.release({ robot, driver: me }).catch(() => {}); // then it is given back when nobody is heard
+      await api.tell('release', { robot, driver: me }).catch(() => {}); // then it is given back when nobody is heard
     }
   }
 
   /** At the very end of the page. */
   leave() {
     if (this.robot !== null) {
-      void api.release({ robot: this.robot, driver: me });
+      void api.tell('release', { robot: this.robot, driver: me });
       this.forget();
       void this.repeater.stop();
     }

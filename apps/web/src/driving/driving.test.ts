@@ -1,10 +1,10 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { api, RefusedError } from '../api/client';
-import type { Abilities, Drive } from '../api/messages';
+import type { Abilities, Commands } from '../api/messages';
 import { driving } from './driving.svelte';
 
 vi.mock('../api/client', () => ({
-  api: { drive: vi.fn(), release: vi.fn() },
+  api: { tell: vi.fn() },
   RefusedError: class extends Error {},
 }));
 
@@ -19,12 +19,11 @@ const can: Abilities = {
 };
 
 describe('a robot that is driven', () => {
-  const drive = vi.mocked(api.drive);
+  const tell = vi.mocked(api.tell);
 
   beforeEach(async () => {
     vi.useFakeTimers();
-    drive.mockReset().mockResolvedValue({});
-    vi.mocked(api.release).mockReset().mockResolvedValue({});
+    tell.mockReset().mockResolvedValue({});
     driving.share(50);
     driving.take('r1', can);
     await passes();
@@ -40,10 +39,10 @@ describe('a robot that is driven', () => {
   const key = (code: string, more: Partial<KeyboardEvent> = {}) =>
     ({ code, shiftKey: false, repeat: false, ...more }) as KeyboardEvent;
 
-  const last = (): Drive => drive.mock.lastCall![0];
+  const last = () => tell.mock.lastCall![1] as Commands['drive']['takes'];
 
   async function refused() {
-    drive.mockRejectedValueOnce(new RefusedError('No.', []));
+    tell.mockRejectedValueOnce(new RefusedError('No.', []));
     await passes();
     expect(driving.robot).toBeNull();
   }

@@ -15,6 +15,7 @@ module rsal.navigation {
     exports rsal.navigation.jumppoint;
     exports rsal.navigation.mpc;
     exports rsal.navigation.nd;
+    exports rsal.navigation.parameter;
     exports rsal.navigation.recovery;
     exports rsal.navigation.replay;
     exports rsal.navigation.scanmatch;

@@ -1,13 +1,15 @@
 package own;
 
 import java.util.List;
+import rsal.data.Point2d;
 import rsal.robot.DeviceKind;
 import rsal.settings.Parameter;
 
 /// Light meters as parts of robots.
 public final class LightMeterKind implements DeviceKind {
-    static final Parameter LAMP = Parameter.points("lamp", "where the lamp hangs");
-    static final Parameter NOISE = Parameter.number("noise", 1, 0, 1000, "lx", "standard deviation of its readings");
+    static final Parameter<List<Point2d>> LAMP = Parameter.points("lamp", "where the lamp hangs");
+    static final Parameter<Double> NOISE =
+            Parameter.number("noise", 1, 0, 1000, "lx", "standard deviation of its readings");
 
     @Override
     public String key() {
@@ -20,7 +22,7 @@ public final class LightMeterKind implements DeviceKind {
     }
 
     @Override
-    public List<Parameter> parameters() {
+    public List<Parameter<?>> parameters() {
         return List.of(LAMP, NOISE);
     }
 

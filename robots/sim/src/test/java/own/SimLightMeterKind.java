@@ -35,9 +35,9 @@ public final class SimLightMeterKind implements SimulatedKind {
 
         @Override
         public Illuminance measure(Instant now) {
-            double noise = robot.noise() * part.arguments().number("noise");
+            double noise = robot.noise() * part.arguments().get(LightMeterKind.NOISE);
             double sum = noise * robot.random().nextGaussian();
-            for (Point2d lamp : part.arguments().places("lamp")) {
+            for (Point2d lamp : part.arguments().get(LightMeterKind.LAMP)) {
                 double up = LAMP_HEIGHT - robot.height();
                 double distance =
                         Math.hypot(up, robot.mapFromDevice().position().distanceTo(lamp));

@@ -22,6 +22,17 @@ import rsal.settings.Parameter;
 
 /// Goes to and fro between two posts and challenges whoever comes near.
 public final class Sentry implements AgentType {
+    private static final Parameter<Double> X1 = Parameter.number("x1", 0, -1000, 1000, "m", "Where the first post is.");
+    private static final Parameter<Double> Y1 = Parameter.number("y1", 0, -1000, 1000, "m", "Where the first post is.");
+    private static final Parameter<Double> X2 =
+            Parameter.number("x2", 0, -1000, 1000, "m", "Where the second post is.");
+    private static final Parameter<Double> Y2 =
+            Parameter.number("y2", 0, -1000, 1000, "m", "Where the second post is.");
+    private static final Parameter<Double> REST =
+            Parameter.number("rest", 2, 0, 600, "s", "How long it stays at a post.");
+    private static final Parameter<Double> REACH =
+            Parameter.number("reach", 5, 0, 100, "m", "Whoever is nearer than this is challenged.");
+
     @Override
     public String key() {
         return "sentry";
@@ -33,14 +44,8 @@ public final class Sentry implements AgentType {
     }
 
     @Override
-    public List<Parameter> parameters() {
-        return List.of(
-                Parameter.number("x1", 0, -1000, 1000, "m", "Where the first post is."),
-                Parameter.number("y1", 0, -1000, 1000, "m", "Where the first post is."),
-                Parameter.number("x2", 0, -1000, 1000, "m", "Where the second post is."),
-                Parameter.number("y2", 0, -1000, 1000, "m", "Where the second post is."),
-                Parameter.number("rest", 2, 0, 600, "s", "How long it stays at a post."),
-                Parameter.number("reach", 5, 0, 100, "m", "Whoever is nearer than this is challenged."));
+    public List<Parameter<?>> parameters() {
+        return List.of(X1, Y1, X2, Y2, REST, REACH);
     }
 
     @Override
@@ -85,10 +90,10 @@ public final class Sentry implements AgentType {
             this.localizer = robot.require(Localizer.class);
             this.navigator = robot.require(Navigator.class);
             this.posts = List.of(
-                    new Pose2d(arguments.number("x1"), arguments.number("y1"), 0),
-                    new Pose2d(arguments.number("x2"), arguments.number("y2"), 0));
-            this.rest = arguments.seconds("rest");
-            this.reach = arguments.number("reach");
+                    new Pose2d(arguments.get(X1), arguments.get(Y1), 0),
+                    new Pose2d(arguments.get(X2), arguments.get(Y2), 0));
+            this.rest = arguments.seconds(REST);
+            this.reach = arguments.get(REACH);
         }
 
         void begin() {

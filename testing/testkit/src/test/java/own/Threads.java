@@ -9,6 +9,9 @@ import rsal.time.Scheduler;
 
 /// A multi-agent system that is nothing but a thread for each agent.
 public final class Threads implements AgentHostProvider {
+    private static final Parameter<Boolean> MAIL =
+            Parameter.flag("mail", false, "Whether a mailman brings what agents say.");
+
     @Override
     public String key() {
         return "threads";
@@ -25,12 +28,12 @@ public final class Threads implements AgentHostProvider {
     }
 
     @Override
-    public List<Parameter> parameters() {
-        return List.of(Parameter.flag("mail", false, "Whether a mailman brings what agents say."));
+    public List<Parameter<?>> parameters() {
+        return List.of(MAIL);
     }
 
     @Override
     public AgentHost create(Arguments settings, Scheduler scheduler) {
-        return new ThreadsHost(scheduler, settings.flag("mail"));
+        return new ThreadsHost(scheduler, settings.get(MAIL));
     }
 }

@@ -19,7 +19,7 @@ public interface AgentHostProvider {
     /// Whether it can follow simulated time. When not, scenarios on a simulated clock refuse it at start.
     boolean followsSchedulerTime();
 
-    default List<Parameter> parameters() {
+    default List<Parameter<?>> parameters() {
         return List.of();
     }
 

@@ -16,7 +16,7 @@ public interface AgentType {
     /// A sentence about what it does.
     String description();
 
-    default List<Parameter> parameters() {
+    default List<Parameter<?>> parameters() {
         return List.of();
     }
 

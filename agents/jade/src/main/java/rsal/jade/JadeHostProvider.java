@@ -45,8 +45,8 @@ public final class JadeHostProvider implements AgentHostProvider {
     }
 
     @Override
-    public List<Parameter> parameters() {
-        return Arrays.stream(Tool.values()).map(Tool::parameter).toList();
+    public List<Parameter<?>> parameters() {
+        return Arrays.stream(Tool.values()).<Parameter<?>>map(Tool::parameter).toList();
     }
 
     /// JADE has agents of its own, and tells names apart without regard to upper and lower case.
@@ -68,7 +68,7 @@ public final class JadeHostProvider implements AgentHostProvider {
     public AgentHost create(Arguments settings, Scheduler scheduler) {
         var tools = EnumSet.noneOf(Tool.class);
         for (Tool tool : Tool.values()) {
-            if (settings.flag(tool.agent())) {
+            if (settings.get(tool.parameter())) {
                 tools.add(tool);
             }
         }

@@ -21,7 +21,7 @@ enum Tool {
         this.watched = watched;
     }
 
-    Parameter parameter() {
+    Parameter<Boolean> parameter() {
         return Parameter.flag(agent, false, description);
     }
 

@@ -22,7 +22,7 @@ import rsal.settings.Problem;
 /// as `catch_distance(1.5)`, of which there is but one of that name; its fallback is what is written there.
 final class AgentSpeakType implements AgentType {
     private final Program program;
-    private final List<Parameter> parameters;
+    private final List<Parameter<?>> parameters;
     private final List<Class<? extends Device>> needs;
     private final Outline outline;
     private final List<Problem> warnings;
@@ -55,10 +55,10 @@ final class AgentSpeakType implements AgentType {
         return line(plan.getTrigger() + context, plan.getTrigger().getLiteral());
     }
 
-    private static List<Parameter> parameters(Program program, List<Literal> beliefs) {
+    private static List<Parameter<?>> parameters(Program program, List<Literal> beliefs) {
         Map<String, Long> times =
                 beliefs.stream().collect(Collectors.groupingBy(Literal::getFunctor, Collectors.counting()));
-        var parameters = new ArrayList<Parameter>();
+        var parameters = new ArrayList<Parameter<?>>();
         for (Literal belief : beliefs) {
             if (isSetting(belief) && times.getOrDefault(belief.getFunctor(), 0L) == 1) {
                 parameters.add(
@@ -80,7 +80,7 @@ final class AgentSpeakType implements AgentType {
                         || belief.getTerm(0).isAtom());
     }
 
-    private static Parameter parameter(String name, Term value, String comment) {
+    private static Parameter<?> parameter(String name, Term value, String comment) {
         if (Terms.isNumber(value)) {
             return Parameter.number(
                     name, Terms.number(value), Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, "", comment);
@@ -102,7 +102,7 @@ final class AgentSpeakType implements AgentType {
     }
 
     @Override
-    public List<Parameter> parameters() {
+    public List<Parameter<?>> parameters() {
         return parameters;
     }
 

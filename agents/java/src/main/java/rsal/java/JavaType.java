@@ -16,7 +16,7 @@ import rsal.settings.Problem;
 /// file.
 ///
 /// @param key path of the file
-record JavaType(String key, String description, List<Parameter> parameters, AgentType own) implements AgentType {
+record JavaType(String key, String description, List<Parameter<?>> parameters, AgentType own) implements AgentType {
     private static final JavaClass.Use AGENT = new JavaClass.Use(
             "agent",
             List.of(AgentType.class, Agent.class),

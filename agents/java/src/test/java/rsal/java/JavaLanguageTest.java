@@ -35,15 +35,17 @@ class JavaLanguageTest {
             import rsal.settings.*;
 
             public final class Loader implements AgentType {
+                private static final Parameter<Double> MOST = Parameter.number("most", 3, 1, 9, "kg", "How much it takes.");
+
                 public String key() { return "loader"; }
                 public String description() { return "Loads."; }
-                public List<Parameter> parameters() {
-                    return List.of(Parameter.number("most", 3, 1, 9, "kg", "How much it takes."));
+                public List<Parameter<?>> parameters() {
+                    return List.of(MOST);
                 }
                 public List<Class<? extends Device>> needs() { return List.of(Navigator.class); }
                 public boolean yields() { return true; }
                 public Agent create(Arguments arguments) {
-                    return self -> self.publish(Load.TOPIC, new Load(arguments.number("most")));
+                    return self -> self.publish(Load.TOPIC, new Load(arguments.get(MOST)));
                 }
             }
             """;

@@ -25,8 +25,9 @@ import rsal.cli.log.ExportCommand;
 import rsal.cli.log.LocalizeCommand;
 import rsal.cli.log.MapCommand;
 import rsal.cli.page.AgentCommand;
+import rsal.cli.page.ControlCommands;
 import rsal.cli.page.DoctorCommand;
-import rsal.cli.page.OperatorCommands;
+import rsal.cli.page.TellCommand;
 import rsal.cli.run.BridgeCommand;
 import rsal.cli.run.ReplayCommand;
 import rsal.cli.run.RunCommand;
@@ -72,12 +73,13 @@ public final class Main implements Runnable {
             ReportCommand.class,
             BridgeCommand.class,
             AgentCommand.class,
-            OperatorCommands.Status.class,
-            OperatorCommands.Goal.class,
-            OperatorCommands.Pose.class,
-            OperatorCommands.EmergencyStop.class,
-            OperatorCommands.Arm.class,
-            OperatorCommands.Stop.class,
+            ControlCommands.Status.class,
+            ControlCommands.Goal.class,
+            ControlCommands.Pose.class,
+            ControlCommands.EmergencyStop.class,
+            ControlCommands.Arm.class,
+            ControlCommands.Stop.class,
+            TellCommand.class,
             ListCommand.class,
             ShowCommand.class,
             ValidateCommand.class,

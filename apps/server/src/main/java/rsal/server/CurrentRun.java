@@ -27,6 +27,10 @@ final class CurrentRun implements AutoCloseable {
             return before.plus(run.metrics());
         }
 
+        boolean isNumber(String asked) {
+            return asked.equals(Integer.toString(number));
+        }
+
         boolean isOver() {
             return run.result().toCompletableFuture().isDone();
         }

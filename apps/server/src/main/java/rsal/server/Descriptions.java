@@ -81,10 +81,8 @@ import rsal.server.Messages.RunInfo;
 import rsal.server.Messages.SaidInfo;
 import rsal.server.Messages.SayableInfo;
 import rsal.server.Messages.Sayables;
-import rsal.server.Messages.SeatInfo;
 import rsal.server.Messages.SentGoalInfo;
 import rsal.server.Messages.SettingInfo;
-import rsal.server.Messages.SideBySide;
 import rsal.server.Messages.StatusInfo;
 import rsal.server.Messages.TalkInfo;
 import rsal.server.Messages.TopicInfo;
@@ -150,7 +148,7 @@ final class Descriptions {
                 .toList();
     }
 
-    private static ArgumentInfo argument(Parameter parameter, RunPlan plan) {
+    private static ArgumentInfo argument(Parameter<?> parameter, RunPlan plan) {
         return argument(
                 parameter,
                 String.valueOf(plan.arguments().get(parameter.name())),
@@ -181,7 +179,7 @@ final class Descriptions {
                 .toList());
     }
 
-    private static ArgumentInfo argument(Parameter parameter, String value, boolean typed) {
+    private static ArgumentInfo argument(Parameter<?> parameter, String value, boolean typed) {
         return new ArgumentInfo(
                 parameter.name(),
                 kind(parameter.kind()),
@@ -200,7 +198,7 @@ final class Descriptions {
             case NUMBER -> ArgumentKind.NUMBER;
             case INTEGER -> ArgumentKind.INTEGER;
             case FLAG -> ArgumentKind.FLAG;
-            case TEXT, ROBOTS, PLACES, POINTS, PLUGIN, PLUGINS -> ArgumentKind.TEXT;
+            case TEXT, ROBOTS, PLACES, POINTS, PLUGIN, PLUGINS, TEXTS -> ArgumentKind.TEXT;
         };
     }
 
@@ -526,32 +524,8 @@ final class Descriptions {
                 goal.ended().map(ended -> ended.toNanos() / 1e9));
     }
 
-    static SideBySide sideBySide(List<RunSlot> seats) {
-        return new SideBySide(
-                RunSlots.MOST, seats.stream().map(Descriptions::seat).toList());
-    }
-
-    static SeatInfo seat(RunSlot seat) {
-        LiveRun run = seat.now().run();
-        RunPlan plan = run.plan();
-        Snapshot snapshot = run.snapshot();
-        return new SeatInfo(
-                seat.number(),
-                plan.scenario().title(),
-                plan.scenario().name(),
-                plan.configuration(),
-                Long.toString(plan.seed()),
-                plan.options().arguments(),
-                plan.options().mas().orElse(""),
-                snapshot.time().toNanos() / 1e9,
-                SpeedFactor.word(snapshot.speed()),
-                snapshot.paused(),
-                snapshot.stopped(),
-                outcome(run, snapshot));
-    }
-
     /// Empty while it goes on.
-    private static String outcome(LiveRun run, Snapshot snapshot) {
+    static String outcome(LiveRun run, Snapshot snapshot) {
         return run.result().toCompletableFuture().isCompletedExceptionally()
                 ? "broken"
                 : snapshot.outcome().orElse("");

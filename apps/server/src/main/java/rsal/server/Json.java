@@ -2,12 +2,17 @@ package rsal.server;
 
 import com.fasterxml.jackson.annotation.Nulls;
 import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.StreamReadConstraints;
 import tools.jackson.core.TokenStreamLocation;
 import tools.jackson.core.exc.StreamReadException;
 import tools.jackson.core.json.JsonFactory;
+import tools.jackson.core.type.TypeReference;
 import tools.jackson.databind.DeserializationFeature;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -35,18 +40,31 @@ final class Json {
 
     /// @throws Refusal with a sentence about what is wrong with the text
     static <T extends Record> T read(String text, Class<T> type) {
+        return read(shape(type), () -> MAPPER.readValue(text, type));
+    }
+
+    /// Values by name.
+    ///
+    /// @param names that it may have, for people
+    /// @throws Refusal with a sentence about what is wrong with the text
+    static Map<String, Object> readObject(String text, List<String> names) {
+        return read("an object of " + String.join(", ", names), () -> MAPPER.readValue(text, new TypeReference<>() {}));
+    }
+
+    /// @param shape what the text is to be, for people
+    private static <T> T read(String shape, Supplier<@Nullable T> reader) {
         try {
-            T message = MAPPER.readValue(text, type);
+            T message = reader.get();
             if (message != null) {
                 return message;
             }
-            throw new Refusal(400, "This needs %s, not null.".formatted(shape(type)));
+            throw new Refusal(400, "This needs %s, not null.".formatted(shape));
         } catch (StreamReadException e) {
             TokenStreamLocation at = e.getLocation();
             throw new Refusal(
                     400,
                     "This needs %s, but it is not JSON from line %d, column %d on."
-                            .formatted(shape(type), at.getLineNr(), at.getColumnNr()));
+                            .formatted(shape, at.getLineNr(), at.getColumnNr()));
         } catch (JacksonException e) {
             String where = e.getPath().stream()
                     .map(JacksonException.Reference::getPropertyName)
@@ -54,7 +72,7 @@ final class Json {
             throw new Refusal(
                     400,
                     "This needs %s.%s"
-                            .formatted(shape(type), where.isEmpty() ? "" : " (" + where + ") is missing or wrong."));
+                            .formatted(shape, where.isEmpty() ? "" : " (" + where + ") is missing or wrong."));
         }
     }
 

@@ -63,8 +63,8 @@ final class Live implements Viewing {
 
     @Override
     public void configure(JettyWebSocketServerContainer sockets) {
-        sockets.setMaxTextMessageSize(RunServer.MAX_MESSAGE);
-        sockets.setMaxBinaryMessageSize(RunServer.MAX_MESSAGE);
+        sockets.setMaxTextMessageSize(Http.MAX_MESSAGE);
+        sockets.setMaxBinaryMessageSize(Http.MAX_MESSAGE);
         sockets.setIdleTimeout(Duration.ZERO); // a paused run has nothing to say
         sockets.addMapping("/api/live", this::open);
     }

@@ -84,7 +84,7 @@ final class Messages {
     /// @param time to be seen [s of the run]; left out, that which is seen
     /// @param step how many moments after that one; negative for before; 0 when left out
     /// @param playing whether to go on from there; not when left out
-    /// @param speed as [Speed] has it; 1 when left out
+    /// @param speed 0.1 to 1000, or `max`; 1 when left out
     record LookBack(
             Optional<Boolean> live,
             Optional<Double> time,
@@ -301,7 +301,7 @@ final class Messages {
     /// @param gone whether a fault has taken it away: it can't be told anything
     /// @param goneFor for how long nobody has told where it is, when it is gone and anybody ever has [s]
     /// @param inCharge behavior that drives it, or its navigator; empty when neither does
-    /// @param behavior what somebody told it to do, as an [Order] does; empty when nobody did
+    /// @param behavior what somebody told it to do, by the command `behavior`; empty when nobody did
     /// @param driver who drives it, as [Drive] has it; empty when nobody does
     /// @param quality how sure its localizer is: `localized`, `ambiguous`, `lost`; empty when nothing tells
     /// @param carried what its actuators have carried elsewhere
@@ -467,12 +467,12 @@ final class Messages {
 
     /// One of the runs side by side, as it is now.
     ///
-    /// @param number 1 of the first, which is at `/`; others are at `/beside/<number>/`. It stays when another run
-    /// begins there, and is never used again
+    /// @param number 1 of the first, which is at `/`; others are at `/beside/<number>/`. It stays when another
+    ///         run begins there, and is never used again
     /// @param typed arguments that somebody typed, by name; all others are the scenario's
     /// @param mas as [RunInfo] has it
     /// @param time simulated [s]
-    /// @param speed as [Speed] has it
+    /// @param speed 0.1 to 1000, or `max`
     /// @param stopped whether all motors are off
     /// @param outcome how it ended; empty while it goes on
     record SeatInfo(
@@ -545,11 +545,6 @@ final class Messages {
     /// @param goal id of it
     record Sent(int goal) {}
 
-    /// Switches the motors of one robot.
-    ///
-    /// @param on left out counts as off, which is the safe side
-    record Motors(String robot, boolean on) {}
-
     /// What can be run.
     ///
     /// @param scenarios those that come with the program, and a person's own
@@ -568,7 +563,7 @@ final class Messages {
     ///
     /// @param scenario as [ScenarioInfo] has it; read anew
     /// @param arguments as typed, by name; all others are the scenario's
-    /// @param speed as [Speed] has it
+    /// @param speed 0.1 to 1000, or `max`
     /// @param mas key of the agents' host; empty for the scenario's
     /// @param text stands for that of the scenario's file
     record Restart(
@@ -725,21 +720,13 @@ final class Messages {
     /// @param outside values beyond the whiskers
     record Box(double low, double first, double median, double third, double high, List<Double> outside) {}
 
-    /// @param factor 0.1 to 1000 times real time, or `max`
-    record Speed(String factor) {}
-
-    /// @param robot its id; where things can be placed, too, the name of one
-    /// @param x in the map frame [m]; boxed, since an absent `double` would be read as 0
-    /// @param heading [rad]
-    record RobotPose(String robot, Double x, Double y, Double heading) {}
-
     /// What a robot can be told to do.
     ///
     /// @param forward fastest [m/s]
     /// @param backward fastest [m/s]
     /// @param sideways fastest to the left [m/s]; 0 when it can't
     /// @param turn fastest counter-clockwise [rad/s]
-    /// @param behaviors for [Order]; those that need no sensors are there for all
+    /// @param behaviors for the command `behavior`; those that need no sensors are there for all
     /// @param noBehavior why it can't be given others; empty when it can
     /// @param noGoal why it can't be sent anywhere; empty when it can
     record Abilities(
@@ -931,31 +918,6 @@ final class Messages {
     /// @param lost messages that the listener listened to and that did not get through
     record HearingInfo(String sender, String listener, String topic, long heard, long lost) {}
 
-    /// Drives a robot by hand. To be said again and again: it stands still when that was not done for half a second.
-    ///
-    /// @param driver who drives: a name that the page makes up for itself
-    /// @param vx forward [m/s]
-    /// @param vy to the left [m/s]
-    /// @param omega counter-clockwise [rad/s]
-    record Drive(String robot, String driver, Double vx, Double vy, Double omega) {}
-
-    /// Gives a robot back that was driven by hand.
-    record Release(String robot, String driver) {}
-
-    /// @param behavior what the robot is to do from now on, one of its [Abilities]; empty to leave it to its agents
-    record Order(String robot, String behavior) {}
-
-    /// Asks for something new in the simulated world.
-    ///
-    /// @param x in the map frame [m]
-    /// @param heading [rad]
-    record Addition(PropKind kind, Double x, Double y, Double heading) {
-        enum PropKind {
-            BOX,
-            BALL
-        }
-    }
-
     /// Models of robots that [NewRobot] can name.
     record RobotModels(List<RobotModelInfo> models) {}
 
@@ -963,26 +925,8 @@ final class Messages {
     /// @param title for people: `Pioneer 2-DX`
     record RobotModelInfo(String model, String title) {}
 
-    /// Asks for a robot of a model in the simulated world.
-    ///
-    /// @param x in the map frame [m]
-    /// @param heading [rad]
-    record NewRobot(String model, Double x, Double y, Double heading) {}
-
     /// @param name that what was added has
     record Added(String name) {}
-
-    /// Asks for another agent like one.
-    ///
-    /// @param robot that it is to act for; empty when the other one has none
-    record AgentAddition(String like, String robot) {}
-
-    /// Asks for an agent of a type.
-    ///
-    /// @param type one of [AgentTypes]
-    /// @param robot that it is to act for; empty for none
-    /// @param arguments as one types them; those that are left out are as the type has them
-    record NewAgent(String type, String robot, Map<String, String> arguments) {}
 
     /// Types of agents that are installed.
     record AgentTypes(List<AgentTypeInfo> types) {}
@@ -990,17 +934,6 @@ final class Messages {
     /// @param needsRobot whether it can't be without one
     /// @param arguments with the values that they have when nobody types any; empty where one must be typed
     record AgentTypeInfo(String type, String description, boolean needsRobot, List<ArgumentInfo> arguments) {}
-
-    record AgentName(String name) {}
-
-    /// Something to be said to agents.
-    ///
-    /// @param to name of an agent; empty for all
-    /// @param fields what was typed, by name
-    record Saying(String to, String topic, Map<String, String> fields) {}
-
-    /// @param name of a robot or thing to take out of the simulated world
-    record Removal(String name) {}
 
     /// Why something was not done.
     record Refused(String message, List<Mistake> problems) {}

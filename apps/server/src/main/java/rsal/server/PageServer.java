@@ -6,7 +6,6 @@ import io.javalin.config.JavalinConfig;
 import io.javalin.config.RoutesConfig;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.net.BindException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.URI;
@@ -58,13 +57,11 @@ final class PageServer implements AutoCloseable {
     }
 
     /// @param port 0 for any that is free
-    static ServerSocketChannel open(int port) throws IOException, PortInUse {
+    /// @throws java.net.BindException when the port is taken
+    static ServerSocketChannel open(int port) throws IOException {
         ServerSocketChannel door = ServerSocketChannel.open();
         try {
             return door.bind(new InetSocketAddress(InetAddress.ofLiteral(LOOPBACK), port));
-        } catch (BindException e) {
-            door.close();
-            throw new PortInUse(port);
         } catch (IOException | RuntimeException e) {
             door.close();
             throw e;
@@ -81,7 +78,7 @@ final class PageServer implements AutoCloseable {
         config.startup.showOldJavalinVersionWarning = false;
         config.startup.startupWatcherEnabled = false;
         config.http.asyncTimeout = 5_000;
-        config.http.maxRequestSize = RunServer.MAX_MESSAGE;
+        config.http.maxRequestSize = Http.MAX_MESSAGE;
         config.http.compressionStrategy = CompressionStrategy.NONE;
         var threads = new QueuedThreadPool(Connections.MOST_ASKING + SPARE_THREADS, 2);
         threads.setName("server");

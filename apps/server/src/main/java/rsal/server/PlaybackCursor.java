@@ -4,6 +4,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.time.Duration;
 import java.util.List;
+import rsal.engine.SpeedFactor;
 import rsal.engine.report.RunEvent;
 import rsal.server.Messages.LookBack;
 
@@ -45,7 +46,8 @@ final class PlaybackCursor implements Feed {
         Duration wanted = Double.isFinite(seconds) ? Past.time(seconds) : past.until();
         int step = wish.step().orElse(0);
         Duration there = step == 0 ? clamp(past, wanted) : past.near(wanted, step);
-        double speed = Math.clamp(SpeedFactor.of(wish.speed().orElse("1")), 0.1, FASTEST);
+        double speed =
+                Math.clamp(Refusal.unless(() -> SpeedFactor.parse(wish.speed().orElse("1"))), 0.1, FASTEST);
         boolean ends = past.isRecording() && there.compareTo(past.until()) >= 0;
         boolean goesOn = wish.time().isEmpty() && (step == 0 || step == 1);
         return new PlaybackCursor(

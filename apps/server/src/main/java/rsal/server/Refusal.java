@@ -1,11 +1,13 @@
 package rsal.server;
 
 import java.util.List;
+import java.util.function.Supplier;
 import rsal.settings.InvalidSettings;
 
 /// A request is turned down: with a status, a sentence, and for settings all their mistakes.
 final class Refusal extends RuntimeException {
     private static final long serialVersionUID = 1;
+    private static final int LONGEST = 300; // characters of what a request is answered with
 
     private final int status;
     private final String sentence;
@@ -25,6 +27,18 @@ final class Refusal extends RuntimeException {
         this.status = status;
         this.sentence = message;
         this.problems = problems;
+    }
+
+    /// What a request says, if it makes sense.
+    ///
+    /// @param read throws an [IllegalArgumentException] with a sentence when it makes none
+    static <T> T unless(Supplier<T> read) {
+        try {
+            return read.get();
+        } catch (IllegalArgumentException e) {
+            String why = String.valueOf(e.getMessage());
+            throw new Refusal(400, why.length() <= LONGEST ? why : why.substring(0, LONGEST) + "…");
+        }
     }
 
     int status() {

@@ -49,39 +49,40 @@ final class ReplayApi {
     }
 
     void configure(RoutesConfig routes) {
-        routes.get("/api/run", request -> Api.answer(request, run));
+        routes.get("/api/run", request -> Http.answer(request, run));
         routes.get("/api/map/{run}", this::map);
-        routes.get("/api/drawn/{run}", request -> Api.answer(request, drawn(request)));
+        routes.get("/api/drawn/{run}", request -> Grids.answer(request, drawn(request)));
         routes.get(
                 "/api/drawn/{run}/files",
-                request -> Api.answerFiles(request, String.valueOf(request.queryParam("robot")), drawn(request)));
+                request -> Grids.answerFiles(request, String.valueOf(request.queryParam("robot")), drawn(request)));
         routes.get("/api/agent", this::agent);
         routes.get(
                 "/api/readings",
-                request -> Api.answer(request, ReadingWords.of(readings(request).readings())));
+                request ->
+                        Http.answer(request, ReadingWords.of(readings(request).readings())));
         routes.get("/api/routine", this::routine);
-        routes.get("/api/numbers", request -> Api.answer(request, Numbers.of(readings(request))));
+        routes.get("/api/numbers", request -> Http.answer(request, Numbers.of(readings(request))));
         routes.get(
                 "/api/numbers/past",
-                request -> Api.answer(
+                request -> Http.answer(
                         request,
                         numbers.past(
-                                Api.asked(request, "robot"),
-                                Api.asked(request, "device"),
-                                Api.asked(request, "number"))));
-        routes.get("/api/trails", request -> Api.answer(request, trails(request)));
+                                Http.parameter(request, "robot"),
+                                Http.parameter(request, "device"),
+                                Http.parameter(request, "number"))));
+        routes.get("/api/trails", request -> Http.answer(request, trails(request)));
         routes.get(
                 "/api/links",
-                request -> Api.answer(
+                request -> Http.answer(
                         request,
                         Descriptions.links(playback.at(Past.asked(request)).links())));
         routes.get(
                 "/api/blobs",
-                request -> Api.answer(request, CameraViews.of(readings(request).readings())));
+                request -> Http.answer(request, CameraViews.of(readings(request).readings())));
         routes.get(
                 "/api/mounts",
-                request ->
-                        Api.answer(request, DeviceMountings.of(readings(request).readings())));
+                request -> Http.answer(
+                        request, DeviceMountings.of(readings(request).readings())));
         routes.get("/api/*", _ -> {
             throw new Refusal(409, "This was not recorded.");
         });
@@ -89,18 +90,18 @@ final class ReplayApi {
             gate.authorize(request.header("Authorization"));
             throw new Refusal(409, OVER);
         });
-        Api.serve(routes, page, _ -> false);
+        PageRoutes.serve(routes, page, _ -> false);
     }
 
     private void map(Context request) {
         check(request);
-        Api.answerPacked(request, Api.packed(FloorPlan.cells(playback.plan().scene())));
+        Http.answerPacked(request, Http.packed(FloorPlan.cells(playback.plan().scene())));
     }
 
     private OccupancyGrid drawn(Context request) throws IOException {
         check(request);
         String robot = String.valueOf(request.queryParam("robot"));
-        return Api.drawn(playback.at(Past.asked(request)), request)
+        return Grids.drawn(playback.at(Past.asked(request)), request)
                 .orElseThrow(() ->
                         new Refusal(404, "Robot (%s) had drawn no map by then.".formatted(Refusal.shortened(robot))));
     }
@@ -145,7 +146,7 @@ final class ReplayApi {
                 byTopic.computeIfAbsent(said.topic(), _ -> new ArrayList<>()).add(said);
             }
         }
-        Api.answer(request, Descriptions.routine(byTopic, Api.asked(request, "topic")));
+        Http.answer(request, Descriptions.routine(byTopic, Http.parameter(request, "topic")));
     }
 
     private static void check(Context request) {
@@ -170,7 +171,7 @@ final class ReplayApi {
             throw new Refusal(404, "There was no agent (%s) then.".formatted(Refusal.shortened(name)));
         }
         var past = new AgentPast(name, time, playback.events());
-        Api.answer(
+        Http.answer(
                 request,
                 Descriptions.inside(new AgentInspection(
                         name,

@@ -25,7 +25,7 @@ public final class ReplayServer implements AutoCloseable {
     public static ReplayServer start(Playback playback, String name, int port, String token, Path page)
             throws IOException, PortInUse {
         var assets = new Page(page);
-        ServerSocketChannel door = PageServer.open(port);
+        ServerSocketChannel door = PortInUse.open(port);
         try {
             return new ReplayServer(playback, name, door, token, assets);
         } catch (RuntimeException e) {

@@ -3,6 +3,7 @@ package rsal.server;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import rsal.engine.SpeedFactor;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
@@ -91,9 +92,9 @@ final class RestartReader {
 
     private Optional<Double> speed(String typed) {
         try {
-            return Optional.of(SpeedFactor.of(typed));
-        } catch (Refusal refusal) {
-            mistakes.add(new Mistake("speed", refusal.sentence(), ""));
+            return Optional.of(SpeedFactor.parse(typed));
+        } catch (IllegalArgumentException e) {
+            mistakes.add(new Mistake("speed", String.valueOf(e.getMessage()), ""));
             return Optional.empty();
         }
     }

@@ -20,12 +20,6 @@ import rsal.scenario.RunPlan;
 ///
 /// All methods may be called from any thread.
 public final class RunServer implements AutoCloseable {
-    /// Of a WebSocket message or a request's body [B]; all that the page sends is smaller.
-    static final int MAX_MESSAGE = 16 * 1024;
-
-    /// Of a request's body that has the text of a scenario [B], or two of them; the longest built in has 8 kB.
-    static final int MAX_TEXT = 512 * 1024;
-
     private final RunSlots seats;
     private final Sweeps sweeps;
     private final PageServer server;
@@ -72,7 +66,7 @@ public final class RunServer implements AutoCloseable {
     /// @throws IOException when the page was not built, or the port can't be opened for another reason
     public static RunServer start(RunPlan plan, Options options) throws IOException, PortInUse {
         var page = new Page(options.page());
-        ServerSocketChannel door = PageServer.open(options.port());
+        ServerSocketChannel door = PortInUse.open(options.port());
         try {
             return new RunServer(plan, options, page, door);
         } catch (RuntimeException e) {
@@ -84,7 +78,10 @@ public final class RunServer implements AutoCloseable {
     private RunServer(RunPlan plan, Options options, Page page, ServerSocketChannel door) throws IOException {
         token = options.token();
         var shelf = new ScenarioCatalog(options.scenarios());
-        sweeps = new Sweeps(options.sweeping(), shelf, Sweeps.coresBesideARun());
+        sweeps = new Sweeps(
+                options.sweeping().map(each -> new SweepHome(each.folder(), each.program())),
+                shelf,
+                Sweeps.coresBesideARun());
         gate = new AccessControl(PageServer.port(door), token);
         var first = new CurrentRun(plan, options.onStart(), options.starter());
         seats = new RunSlots(first, gate);

@@ -4,8 +4,13 @@ import java.time.Duration;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
+import rsal.engine.LiveRun;
+import rsal.engine.SpeedFactor;
 import rsal.engine.report.Answer;
+import rsal.engine.report.Snapshot;
+import rsal.scenario.RunPlan;
 import rsal.server.CurrentRun.Numbered;
+import rsal.server.Messages.SeatInfo;
 import rsal.server.Messages.Trails;
 
 /// A place where a run is shown, then its successors: what there is once for each of the runs side by side. All
@@ -76,12 +81,12 @@ final class RunSlot implements AutoCloseable {
         return showing.bytesKept();
     }
 
-    /// The cells of a run's map, as [Api#packed] packs them.
+    /// The cells of a run's map, as [Http#packed] packs them.
     byte[] floor(Numbered run) {
         PackedFloor known = floor.get();
         if (known == null || known.run() != run.number()) {
             known = new PackedFloor(
-                    run.number(), Api.packed(FloorPlan.cells(run.run().plan().scene())));
+                    run.number(), Http.packed(FloorPlan.cells(run.run().plan().scene())));
             floor.set(known);
         }
         return known.bytes();
@@ -91,6 +96,26 @@ final class RunSlot implements AutoCloseable {
     CompletionStage<Answer> estop() {
         Numbered now = now();
         return now.run().operator().estop().thenApply(answer -> now.isOver() ? new Answer.Stopped(0) : answer);
+    }
+
+    /// How its run gets on, for those who see all side by side.
+    SeatInfo info() {
+        LiveRun run = now().run();
+        RunPlan plan = run.plan();
+        Snapshot snapshot = run.snapshot();
+        return new SeatInfo(
+                number,
+                plan.scenario().title(),
+                plan.scenario().name(),
+                plan.configuration(),
+                Long.toString(plan.seed()),
+                plan.options().arguments(),
+                plan.options().mas().orElse(""),
+                snapshot.time().toNanos() / 1e9,
+                SpeedFactor.format(snapshot.speed()),
+                snapshot.paused(),
+                snapshot.stopped(),
+                Descriptions.outcome(run, snapshot));
     }
 
     /// Lets its viewers go, with a word, then ends its run.

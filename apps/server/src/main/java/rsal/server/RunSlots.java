@@ -20,6 +20,8 @@ import org.jspecify.annotations.Nullable;
 import rsal.engine.LiveRun;
 import rsal.engine.report.Answer;
 import rsal.scenario.RunPlan;
+import rsal.server.CurrentRun.Numbered;
+import rsal.server.Messages.SideBySide;
 import rsal.time.AllowedToReadWallClock;
 
 /// Runs side by side: the first, at `/`, which is always there, and others, at `/beside/<number>/`. What runs in real
@@ -77,6 +79,27 @@ final class RunSlots implements Viewing {
     Optional<RunSlot> look(Context request) {
         String number = numberIn(request);
         return number.isEmpty() ? Optional.of(first) : beside(number);
+    }
+
+    /// The run that is asked about, also when it is over: it remembers what it was asked then.
+    LiveRun run(Context request) {
+        return find(request).now().run();
+    }
+
+    /// The run that is asked about.
+    ///
+    /// @throws Refusal when it is over
+    LiveRun running(Context request) {
+        Numbered now = find(request).now();
+        if (now.isOver()) {
+            throw new Refusal(409, "The run is over. Restart it first.");
+        }
+        return now.run();
+    }
+
+    /// All, for those who see them side by side.
+    SideBySide sideBySide() {
+        return new SideBySide(MOST, all.stream().map(RunSlot::info).toList());
     }
 
     /// Empty for the first.

@@ -27,34 +27,34 @@ final class SweepApi {
     void configure(Routes routes) {
         routes.get("/api/sweeps", this::state);
         routes.get("/api/sweeps/runs", request -> {
-            Api.answer(request, sweeps.runs(Api.asked(request, "combination")));
+            Http.answer(request, sweeps.runs(Http.parameter(request, "combination")));
         });
-        routes.get("/api/sweeps/before", request -> Api.answer(request, sweeps.before()));
+        routes.get("/api/sweeps/before", request -> Http.answer(request, sweeps.before()));
         routes.get("/api/sweeps/report", request -> {
-            String earlier = Api.asked(request, "sweep");
+            String earlier = Http.parameter(request, "sweep");
             request.header("Content-Security-Policy", STYLED);
             request.contentType("text/html; charset=utf-8")
                     .result(earlier.isEmpty() ? sweeps.report() : sweeps.reportOf(earlier));
         });
         routes.post("/api/sweeps/check", request -> {
             gate.authorize(request.header(Header.AUTHORIZATION));
-            Api.answer(request, sweeps.size(Api.read(request, SweepWish.class)));
+            Http.answer(request, sweeps.size(Http.read(request, SweepWish.class)));
         });
         routes.post("/api/sweeps", request -> {
-            Api.authorize(request, gate);
-            sweeps.begin(Api.read(request, SweepWish.class), this::checkBeside);
+            Http.authorize(request, gate);
+            sweeps.begin(Http.read(request, SweepWish.class), this::checkBeside);
             state(request);
         });
         routes.post("/api/sweeps/resume", request -> {
-            Api.authorize(request, gate);
+            Http.authorize(request, gate);
             checkBeside();
-            sweeps.resume(Api.asked(request, "sweep"));
+            sweeps.resume(Http.parameter(request, "sweep"));
             state(request);
         });
         routes.delete("/api/sweeps", request -> {
-            Api.authorize(request, gate);
+            Http.authorize(request, gate);
             sweeps.stop();
-            Api.answer(request, Map.of());
+            Http.answer(request, Map.of());
         });
     }
 
@@ -83,6 +83,6 @@ final class SweepApi {
     }
 
     private void state(Context request) {
-        Api.answer(request, sweeps.state());
+        Http.answer(request, sweeps.state());
     }
 }

@@ -35,7 +35,7 @@ import rsal.time.AllowedToReadWallClock;
 final class Sweeps implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(Sweeps.class);
 
-    private final Optional<RunServer.Sweeping> sweeping;
+    private final Optional<SweepHome> sweeping;
     private final Optional<EarlierSweeps> earlier;
     private final ScenarioCatalog shelf;
     private final FewAtOnce fewReports = new FewAtOnce("the sweep's report");
@@ -46,7 +46,7 @@ final class Sweeps implements AutoCloseable {
     /// @param sweeping empty where none can be begun
     /// @param shelf where scenarios are
     /// @param cores how many of them sweeps may keep busy
-    Sweeps(Optional<RunServer.Sweeping> sweeping, ScenarioCatalog shelf, int cores) {
+    Sweeps(Optional<SweepHome> sweeping, ScenarioCatalog shelf, int cores) {
         this.sweeping = sweeping;
         this.earlier = sweeping.map(here -> new EarlierSweeps(here.folder()));
         this.shelf = shelf;
@@ -70,7 +70,7 @@ final class Sweeps implements AutoCloseable {
     /// @param check throws when none may begin now; called last of all
     /// @throws Refusal when one goes on, or with what is wrong with the wish
     void begin(SweepWish wish, Runnable check) {
-        RunServer.Sweeping here = here();
+        SweepHome here = here();
         checkFree();
         int jobs = jobs(wish);
         Sweep sweep = new SweepReader(shelf, wish).sweep(); // may take a while
@@ -88,7 +88,7 @@ final class Sweeps implements AutoCloseable {
     /// @param name of its folder, as [Messages.EarlierSweep] has it; empty for the newest of this server
     /// @throws Refusal when there is none, it has ended, or it can't go on here
     synchronized void resume(String name) {
-        RunServer.Sweeping here = here();
+        SweepHome here = here();
         checkFree();
         BackgroundSweep.Order order = name.isEmpty()
                 ? stopped(newest().orElseThrow(Sweeps::none))
@@ -141,7 +141,7 @@ final class Sweeps implements AutoCloseable {
         return newest().map(last -> last.order().number() + 1).orElse(1);
     }
 
-    private static SweepFolder create(BackgroundSweep.Order order, RunServer.Sweeping here) {
+    private static SweepFolder create(BackgroundSweep.Order order, SweepHome here) {
         try {
             return open(order, () -> SweepFolder.create(order.out(), order.sweep(), session(order, here)));
         } catch (Refusal refusal) {
@@ -230,7 +230,7 @@ final class Sweeps implements AutoCloseable {
         return Optional.ofNullable(newest);
     }
 
-    private RunServer.Sweeping here() {
+    private SweepHome here() {
         return sweeping.orElseThrow(Sweeps::notHere);
     }
 
@@ -284,7 +284,7 @@ final class Sweeps implements AutoCloseable {
         }
     }
 
-    private static Manifest.Session session(BackgroundSweep.Order order, RunServer.Sweeping here) {
+    private static Manifest.Session session(BackgroundSweep.Order order, SweepHome here) {
         return new Manifest.Session(
                 Instant.now().truncatedTo(ChronoUnit.SECONDS).toString(),
                 order.named(),

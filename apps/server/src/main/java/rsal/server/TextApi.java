@@ -38,25 +38,25 @@ final class TextApi {
                 request -> request.contentType("application/schema+json").result(ScenarioSchema.json()));
         routes.get("/api/scenarios/text", request -> {
             String id = request.queryParam("scenario");
-            Api.answer(request, id == null ? shelf.text(present(request)) : shelf.text(id));
+            Http.answer(request, id == null ? shelf.text(present(request)) : shelf.text(id));
         });
         routes.post("/api/scenarios/check", request -> {
             gate.authorize(request.header(Header.AUTHORIZATION));
-            TextToCheck wish = Api.read(request, TextToCheck.class, RunServer.MAX_TEXT);
+            TextToCheck wish = Http.read(request, TextToCheck.class, Http.MAX_TEXT);
             if (!checks.tryAcquire()) { // or they would keep busy all threads that answer, also for an emergency stop
                 throw new Refusal(409, "Other texts are being checked. Try again in a moment.");
             }
             try {
-                Api.answer(request, check(wish, present(request)));
+                Http.answer(request, check(wish, present(request)));
             } finally {
                 checks.release();
             }
         });
         routes.put("/api/scenarios/text", request -> {
-            Api.authorize(request, gate);
-            TextToSave wish = Api.read(request, TextToSave.class, 2 * RunServer.MAX_TEXT);
+            Http.authorize(request, gate);
+            TextToSave wish = Http.read(request, TextToSave.class, 2 * Http.MAX_TEXT);
             shelf.save(wish.scenario(), wish.before(), wish.text());
-            Api.answer(request, Map.of());
+            Http.answer(request, Map.of());
         });
     }
 

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import rsal.engine.SpeedFactor;
 import rsal.engine.report.RunEvent;
 import rsal.server.Messages.Events;
 import rsal.server.Messages.LookBack;
@@ -227,7 +228,7 @@ final class Viewer {
     /// @throws Refusal when it wants to look where nobody can
     synchronized void received(Receipt receipt) {
         receipt.look().ifPresent(look -> {
-            look.speed().ifPresent(SpeedFactor::of); // refused now, not when it is offered something
+            look.speed().ifPresent(Viewer::speed); // refused now, not when it is offered something
             wish = wish == null ? look : wish.then(look); // several may come between two offers
         });
         boolean taken = receipt.frame()
@@ -239,5 +240,9 @@ final class Viewer {
             offersWaited = 0;
         }
         eventsTaken = events;
+    }
+
+    private static double speed(String typed) {
+        return Refusal.unless(() -> SpeedFactor.parse(typed));
     }
 }

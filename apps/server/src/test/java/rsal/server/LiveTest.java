@@ -134,9 +134,7 @@ class LiveTest {
                             .sendBinary(ByteBuffer.allocate(random.nextInt(100)), true)
                             .join();
                 default ->
-                    bad.socket
-                            .sendText("x".repeat(RunServer.MAX_MESSAGE + 1), true)
-                            .join();
+                    bad.socket.sendText("x".repeat(Http.MAX_MESSAGE + 1), true).join();
             }
             bad.socket.abort();
             byte[] noise = new byte[random.nextInt(1, 300)];
@@ -159,7 +157,7 @@ class LiveTest {
         assertThat(browser.next(Message::isEnd).text()).startsWith("1008").contains("receipts");
         var large = new Browser();
         large.socket
-                .sendText("{\"frame\":1" + " ".repeat(RunServer.MAX_MESSAGE) + "}", true)
+                .sendText("{\"frame\":1" + " ".repeat(Http.MAX_MESSAGE) + "}", true)
                 .join();
         assertThat(large.next(Message::isEnd).text()).startsWith("1009");
         var bytes = new Browser();

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
+import rsal.engine.OperatorCommands;
 
 /// Keeps the page's types in step with what the server sends. `-Drsal.update=true` writes them anew.
 class PageTypesTest {
@@ -13,7 +14,7 @@ class PageTypesTest {
 
     @Test
     void pageKnowsTheMessagesAsTheyAre() throws IOException {
-        String types = TypeScript.of(Messages.class);
+        String types = TypeScript.of(Messages.class) + TypeScript.of(OperatorCommands.ALL);
         if (Boolean.getBoolean("rsal.update")) {
             Files.writeString(TYPES, types);
         }

@@ -507,9 +507,9 @@ class RunServerTest {
         @ParameterizedTest
         @CsvSource(delimiter = '|', textBlock = """
                 add       | {"kind":"BOX","x":900,"y":-1,"heading":0}           | 409 | outside
-                add       | {"kind":"CAT","x":3,"y":-1,"heading":0}             | 400 | (kind) is missing or wrong
+                add       | {"kind":"CAT","x":3,"y":-1,"heading":0}             | 400 | (kind) must be one of BOX, BALL
                 add       | {"x":3,"y":-1,"heading":0}                          | 400 | kind
-                add       | {"kind":"BALL","x":1e9,"y":-1,"heading":0}          | 400 | is not a place
+                add       | {"kind":"BALL","x":1e9,"y":-1,"heading":0}          | 400 | (x) must be a number from -1000000
                 add-robot | {"robot":"nobody","x":3,"y":-1,"heading":0}         | 409 | There is no (nobody)
                 add-robot | {"robot":"courier-1","x":900,"y":-1,"heading":0}    | 409 | outside
                 new-robot | {"model":"pioneer2","x":3,"y":-1,"heading":0}       | 409 | Maybe (pioneer2dx) was meant?
@@ -756,8 +756,7 @@ class RunServerTest {
 
         @Test
         void mayNotBeLarge() throws IOException {
-            assertThat(post("place", "x".repeat(RunServer.MAX_MESSAGE + 1)).status())
-                    .isEqualTo(413);
+            assertThat(post("place", "x".repeat(Http.MAX_MESSAGE + 1)).status()).isEqualTo(413);
             String chunked =
                     "POST /api/run/place HTTP/1.1\r\n%s\r\n%s\r\nTransfer-Encoding: chunked\r\nConnection: close\r\n\r\n"
                                     .formatted(host, WITH_TOKEN)

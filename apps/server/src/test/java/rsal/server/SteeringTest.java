@@ -122,13 +122,13 @@ class SteeringTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "courier-1 | me | 1e3   | 400 | up to 100 m/s",
-                "courier-1 | me | 1e999 | 400 | up to 100 m/s",
+                "courier-1 | me | 1e3   | 400 | from -100 to 100 [m/s]",
+                "courier-1 | me | 1e999 | 400 | from -100 to 100 [m/s]",
                 "courier-1 | me | NaN   | 400 | not JSON",
                 "courier-1 | me | null  | 400 | vx",
                 "courier-1 | me | \"1m\" | 400 | vx",
-                "courier-1 | '' | 0.1   | 400 | A driver's name",
-                "courier-1 | 0123456789012345678901234567890123456789012345678901234567890123456789 | 0 | 400 | name",
+                "courier-1 | '' | 0.1   | 400 | (driver) must have 1 to 64 characters",
+                "courier-1 | 0123456789012345678901234567890123456789012345678901234567890123456789 | 0 | 400 | (driver) must have 1 to 64 characters",
                 "nobody    | me | 0.1   | 409 | nobody",
             })
     void whatMakesNoSenseIsRefusedWithASentence(String robot, String driver, String vx, int status, String words)

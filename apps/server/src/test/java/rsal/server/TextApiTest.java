@@ -267,11 +267,11 @@ class TextApiTest {
 
     @Test
     void takesNoTextThatIsTooLong() throws IOException {
-        String wish = Json.write(new TextToCheck(Optional.empty(), "#".repeat(RunServer.MAX_TEXT)));
+        String wish = Json.write(new TextToCheck(Optional.empty(), "#".repeat(Http.MAX_TEXT)));
         assertThat(RawHttp.post(port, "/api/scenarios/check", wish, host, WITH_TOKEN)
                         .status())
                 .isEqualTo(413);
-        String large = OWN + "#".repeat(RunServer.MAX_TEXT - 2 * OWN.length());
+        String large = OWN + "#".repeat(Http.MAX_TEXT - 2 * OWN.length());
         assertThat(check(Optional.empty(), large).mistakes()).isEmpty();
         assertThat(save(own.toString(), OWN, large).status()).isEqualTo(200);
         assertThat(save(own.toString(), large, large + "#").status()).isEqualTo(200);

@@ -12,6 +12,9 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import rsal.engine.OperatorCommand;
+import rsal.engine.report.Answer;
+import rsal.settings.Parameter;
 
 /// Writes records as TypeScript interfaces.
 final class TypeScript {
@@ -26,6 +29,46 @@ final class TypeScript {
                         .sorted((a, b) -> a.getSimpleName().compareTo(b.getSimpleName()))
                         .map(TypeScript::declaration)
                         .collect(Collectors.joining("\n"));
+    }
+
+    /// What commands take and answer.
+    static String of(List<OperatorCommand> commands) {
+        return commands.stream()
+                .map(TypeScript::declaration)
+                .collect(Collectors.joining(
+                        "",
+                        "\n/** Commands that people give to runs, from OperatorCommands: what each takes and answers. */\n"
+                                + "export interface Commands {\n",
+                        "}\n"));
+    }
+
+    private static String declaration(OperatorCommand command) {
+        String takes = command.parameters().isEmpty()
+                ? "Record<string, never>"
+                : command.parameters().stream()
+                        .map(each -> each.name() + (each.fallback().isEmpty() ? ": " : "?: ") + name(each))
+                        .collect(Collectors.joining("; ", "{ ", " }"));
+        String answers = command.answer() == Answer.Done.class
+                ? "object"
+                : command.answer().getSimpleName();
+        String name = command.name().contains("-") ? "'" + command.name() + "'" : command.name();
+        return "  /** %s */\n  %s: { takes: %s; answers: %s };\n"
+                .formatted(command.description(), name, takes, answers);
+    }
+
+    private static String name(Parameter<?> parameter) {
+        return switch (parameter.kind()) {
+            case NUMBER, INTEGER -> "number";
+            case FLAG -> "boolean";
+            case TEXTS -> "Record<string, string>";
+            case TEXT ->
+                parameter.options().isEmpty()
+                        ? "string"
+                        : parameter.options().stream()
+                                .map(option -> "'" + option + "'")
+                                .collect(Collectors.joining(" | "));
+            case ROBOTS, PLACES, POINTS, PLUGIN, PLUGINS -> "string";
+        };
     }
 
     private static String declaration(Class<?> type) {

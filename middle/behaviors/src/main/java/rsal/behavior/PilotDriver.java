@@ -13,6 +13,9 @@ import rsal.time.Phase;
 
 /// Makes a [Pilot] (`pilot: {type: pilot}`) from a drive base, and from a laser and sonars where there are any.
 public final class PilotDriver implements DeviceDriver {
+    private static final Parameter<Double> MAX_RANGE =
+            Parameter.number("maxRange", 5, 0.5, 100, "m", "Things farther away than this do not count for behaviors.");
+
     @Override
     public String key() {
         return "pilot";
@@ -34,9 +37,8 @@ public final class PilotDriver implements DeviceDriver {
     }
 
     @Override
-    public List<Parameter> parameters() {
-        return List.of(Parameter.number(
-                "maxRange", 5, 0.5, 100, "m", "Things farther away than this do not count for behaviors."));
+    public List<Parameter<?>> parameters() {
+        return List.of(MAX_RANGE);
     }
 
     @Override
@@ -51,7 +53,7 @@ public final class PilotDriver implements DeviceDriver {
         var pilot = new Pilot(
                 new DeviceInfo(context.robot().id(), context.name(), key()),
                 context.robot(),
-                new SectorFusion(arguments.number("maxRange")),
+                new SectorFusion(arguments.get(MAX_RANGE)),
                 context.scheduler());
         context.scheduler().every(Pilot.PERIOD, Phase.THINK, pilot::update);
         return pilot;

@@ -47,7 +47,7 @@ public interface DeviceDriver {
         return List.of();
     }
 
-    default List<Parameter> parameters() {
+    default List<Parameter<?>> parameters() {
         return List.of();
     }
 

@@ -20,7 +20,7 @@ public interface RobotSystemProvider {
     boolean followsSchedulerTime();
 
     /// What may be set beside `use`, for validation, help and the schema.
-    List<Parameter> parameters();
+    List<Parameter<?>> parameters();
 
     /// Whether motors are off until somebody switches them on.
     default boolean startsDisarmed(Arguments settings) {

@@ -6,7 +6,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
-import rsal.data.Point2d;
 
 /// Values for a list of parameters, checked, with fallbacks filled in. Asking for what was not declared is a
 /// mistake of the code.
@@ -18,7 +17,7 @@ public final class Arguments {
     }
 
     /// @throws IllegalArgumentException with a sentence when a value is unknown, wrong or missing
-    public static Arguments of(List<Parameter> parameters, Map<String, ?> given) {
+    public static Arguments of(List<Parameter<?>> parameters, Map<String, ?> given) {
         var values = new LinkedHashMap<String, Object>();
         for (String name : given.keySet()) {
             if (parameters.stream().noneMatch(p -> p.name().equals(name))) {
@@ -30,7 +29,7 @@ public final class Arguments {
                                         parameters.stream().map(Parameter::name).toList())));
             }
         }
-        for (Parameter parameter : parameters) {
+        for (Parameter<?> parameter : parameters) {
             Object value = given.get(parameter.name());
             if (value != null) {
                 values.put(parameter.name(), parameter.accept(value));
@@ -46,29 +45,25 @@ public final class Arguments {
         return new Arguments(values);
     }
 
-    public static Arguments defaults(List<Parameter> parameters) {
+    public static Arguments defaults(List<Parameter<?>> parameters) {
         return of(parameters, Map.of());
     }
 
-    public double number(String name) {
-        return (Double) value(name);
+    /// The value of a parameter.
+    ///
+    /// @throws IllegalStateException when the parameter is none of these arguments'
+    public <T> T get(Parameter<T> parameter) {
+        return parameter.read(value(parameter.name()));
     }
 
-    public int integer(String name) {
-        return Math.toIntExact((Long) value(name));
+    /// A number of seconds, of a parameter in s.
+    public Duration seconds(Parameter<Double> parameter) {
+        return Duration.ofNanos(Math.round(get(parameter) * 1e9));
     }
 
-    public String text(String name) {
-        return (String) value(name);
-    }
-
-    /// Places in the map [m].
-    public List<Point2d> places(String name) {
-        return Places.read(text(name)).orElseThrow(); // its parameter has accepted it
-    }
-
-    public PluginChoice plugin(String name) {
-        return (PluginChoice) value(name);
+    /// A number of degrees, of a parameter in deg, as radians.
+    public double radians(Parameter<Double> parameter) {
+        return Math.toRadians(get(parameter));
     }
 
     /// All plugins among the values.
@@ -78,25 +73,6 @@ public final class Arguments {
                 .filter(PluginChoice.class::isInstance)
                 .map(PluginChoice.class::cast)
                 .toList();
-    }
-
-    /// Plugins in their order.
-    public List<PluginChoice> plugins(String name) {
-        return ((List<?>) value(name)).stream().map(PluginChoice.class::cast).toList();
-    }
-
-    public boolean flag(String name) {
-        return (Boolean) value(name);
-    }
-
-    /// A number of seconds.
-    public Duration seconds(String name) {
-        return Duration.ofNanos(Math.round(number(name) * 1e9));
-    }
-
-    /// A number of degrees, in radians.
-    public double radians(String name) {
-        return Math.toRadians(number(name));
     }
 
     /// All values by name, in the order of their parameters: Double, Long, String, Boolean,

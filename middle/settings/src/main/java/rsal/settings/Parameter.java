@@ -5,10 +5,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import rsal.data.Point2d;
 
 /// Something that may be set: an argument of a scenario or an agent, an option of a driver. Declared once, it
-/// serves validation, help, the JSON Schema, command line flags and the page's form.
+/// serves validation, help, the JSON Schema, command line flags and the page's form; and whoever reads its
+/// value gets that with its type.
 ///
+/// @param <T> type of the value, as [Arguments#get] gives it; follows from the kind
 /// @param fallback the value when none is given; empty when one must be
 /// @param min least value of a number or integer; −∞ when there is none
 /// @param max greatest value; +∞ when there is none
@@ -17,7 +20,7 @@ import java.util.stream.Collectors;
 /// @param unit `m`, `s`, `deg`; empty when it has none
 /// @param description a sentence for people
 /// @param plugins which plugins there are; of [Kind#PLUGIN] and [Kind#PLUGINS] only
-public record Parameter(
+public record Parameter<T>(
         String name,
         Kind kind,
         Optional<Object> fallback,
@@ -42,7 +45,9 @@ public record Parameter(
         /// A plugin by its name, or a group with its name or file as `type` and values for its own parameters.
         PLUGIN,
         /// Several plugins in an order, each as [#PLUGIN] has it; one alone needs no list.
-        PLUGINS
+        PLUGINS,
+        /// Texts by name.
+        TEXTS
     }
 
     public Parameter {
@@ -62,50 +67,51 @@ public record Parameter(
         this(name, kind, fallback, min, max, options, unit, description, Optional.empty());
     }
 
-    public static Parameter number(
+    public static Parameter<Double> number(
             String name, double fallback, double min, double max, String unit, String description) {
-        return new Parameter(name, Kind.NUMBER, Optional.of(fallback), min, max, List.of(), unit, description);
+        return new Parameter<>(name, Kind.NUMBER, Optional.of(fallback), min, max, List.of(), unit, description);
     }
 
-    public static Parameter integer(String name, long fallback, long min, long max, String unit, String description) {
-        return new Parameter(name, Kind.INTEGER, Optional.of(fallback), min, max, List.of(), unit, description);
+    public static Parameter<Integer> integer(
+            String name, long fallback, long min, long max, String unit, String description) {
+        return new Parameter<>(name, Kind.INTEGER, Optional.of(fallback), min, max, List.of(), unit, description);
     }
 
-    public static Parameter text(String name, String fallback, String description) {
-        return new Parameter(name, Kind.TEXT, Optional.of(fallback), -inf(), inf(), List.of(), "", description);
+    public static Parameter<String> text(String name, String fallback, String description) {
+        return new Parameter<>(name, Kind.TEXT, Optional.of(fallback), -inf(), inf(), List.of(), "", description);
     }
 
     /// A text that must be given.
-    public static Parameter text(String name, String description) {
-        return new Parameter(name, Kind.TEXT, Optional.empty(), -inf(), inf(), List.of(), "", description);
+    public static Parameter<String> text(String name, String description) {
+        return new Parameter<>(name, Kind.TEXT, Optional.empty(), -inf(), inf(), List.of(), "", description);
     }
 
-    public static Parameter choice(String name, String fallback, List<String> options, String description) {
-        return new Parameter(name, Kind.TEXT, Optional.of(fallback), -inf(), inf(), options, "", description);
+    public static Parameter<String> choice(String name, String fallback, List<String> options, String description) {
+        return new Parameter<>(name, Kind.TEXT, Optional.of(fallback), -inf(), inf(), options, "", description);
     }
 
     /// Whoever knows the robots refuses what names none of them, the fallback too.
     ///
     /// @param others words that mean something else, as `all`
-    public static Parameter robots(String name, String fallback, List<String> others, String description) {
-        return new Parameter(name, Kind.ROBOTS, Optional.of(fallback), -inf(), inf(), others, "", description);
+    public static Parameter<String> robots(String name, String fallback, List<String> others, String description) {
+        return new Parameter<>(name, Kind.ROBOTS, Optional.of(fallback), -inf(), inf(), others, "", description);
     }
 
     /// Places where robots are to go; none when nothing is given.
-    public static Parameter places(String name, String description) {
-        return new Parameter(name, Kind.PLACES, Optional.of(""), -inf(), inf(), List.of(), "", description);
+    public static Parameter<List<Point2d>> places(String name, String description) {
+        return new Parameter<>(name, Kind.PLACES, Optional.of(""), -inf(), inf(), List.of(), "", description);
     }
 
     /// Places where no robot has to go; none when nothing is given.
-    public static Parameter points(String name, String description) {
-        return new Parameter(name, Kind.POINTS, Optional.of(""), -inf(), inf(), List.of(), "", description);
+    public static Parameter<List<Point2d>> points(String name, String description) {
+        return new Parameter<>(name, Kind.POINTS, Optional.of(""), -inf(), inf(), List.of(), "", description);
     }
 
     /// A plugin.
     ///
     /// @param fallback key of the one that is installed and used when none is chosen, with its defaults
-    public static Parameter plugin(String name, String fallback, PluginKind plugins, String description) {
-        return new Parameter(
+    public static Parameter<PluginChoice> plugin(String name, String fallback, PluginKind plugins, String description) {
+        return new Parameter<>(
                 name,
                 Kind.PLUGIN,
                 Optional.of(plugins.choose(fallback)),
@@ -120,8 +126,9 @@ public record Parameter(
     /// Plugins in an order.
     ///
     /// @param fallback keys of those that are used when none is chosen, with their defaults
-    public static Parameter plugins(String name, List<String> fallback, PluginKind plugins, String description) {
-        return new Parameter(
+    public static Parameter<List<PluginChoice>> plugins(
+            String name, List<String> fallback, PluginKind plugins, String description) {
+        return new Parameter<>(
                 name,
                 Kind.PLUGINS,
                 Optional.of(fallback.stream().map(plugins::choose).toList()),
@@ -133,6 +140,11 @@ public record Parameter(
                 Optional.of(plugins));
     }
 
+    /// The same without a value to fall back on: one must be given.
+    public Parameter<T> required() {
+        return new Parameter<>(name, kind, Optional.empty(), min, max, options, unit, description, plugins);
+    }
+
     /// The value as people write it when it is short: keys of plugins, anything else as it is.
     public static Object shown(Object value) {
         return switch (value) {
@@ -142,8 +154,13 @@ public record Parameter(
         };
     }
 
-    public static Parameter flag(String name, boolean fallback, String description) {
-        return new Parameter(name, Kind.FLAG, Optional.of(fallback), -inf(), inf(), List.of(), "", description);
+    /// Texts by name; none when nothing is given.
+    public static Parameter<Map<String, String>> texts(String name, String description) {
+        return new Parameter<>(name, Kind.TEXTS, Optional.of(Map.of()), -inf(), inf(), List.of(), "", description);
+    }
+
+    public static Parameter<Boolean> flag(String name, boolean fallback, String description) {
+        return new Parameter<>(name, Kind.FLAG, Optional.of(fallback), -inf(), inf(), List.of(), "", description);
     }
 
     private static double inf() {
@@ -166,7 +183,7 @@ public record Parameter(
             case NUMBER -> value instanceof Number n ? (Object) n.doubleValue() : value;
             case INTEGER ->
                 value instanceof Integer || value instanceof Long ? (Object) ((Number) value).longValue() : value;
-            case TEXT, FLAG, ROBOTS, PLACES, POINTS, PLUGIN, PLUGINS -> value;
+            case TEXT, FLAG, ROBOTS, PLACES, POINTS, PLUGIN, PLUGINS, TEXTS -> value;
         };
         boolean right = switch (kind) {
             case NUMBER -> converted instanceof Double d && Double.isFinite(d);
@@ -175,6 +192,7 @@ public record Parameter(
             case PLACES, POINTS ->
                 converted instanceof String s && Places.read(s).isPresent();
             case FLAG -> converted instanceof Boolean;
+            case TEXTS -> isTexts(converted);
             case PLUGIN, PLUGINS -> true; // taken above
         };
         if (!right) {
@@ -217,6 +235,7 @@ public record Parameter(
                 case FLAG ->
                     value = typed.equals("true") ? (Object) true : typed.equals("false") ? (Object) false : typed;
                 case PLUGINS -> value = List.of(typed.split("\\s*,\\s*", -1));
+                case TEXTS -> value = texts(typed);
                 case TEXT, ROBOTS, PLACES, POINTS, PLUGIN -> {}
             }
         } catch (NumberFormatException _) {
@@ -225,11 +244,55 @@ public record Parameter(
         return accept(value);
     }
 
+    private static boolean isTexts(Object value) {
+        return value instanceof Map<?, ?> all
+                && all.entrySet().stream()
+                        .allMatch(each -> each.getKey() instanceof String && each.getValue() instanceof String);
+    }
+
+    /// `a=1, b=2` by name; what is no such list stays a text, which [#accept] refuses with the right words.
+    private static Object texts(String typed) {
+        var all = new LinkedHashMap<String, String>();
+        for (String each : typed.split("\\s*,\\s*", -1)) {
+            int equals = each.indexOf('=');
+            if (equals < 1) {
+                return typed;
+            }
+            all.put(each.substring(0, equals), each.substring(equals + 1));
+        }
+        return all;
+    }
+
     /// What helps somebody who chose what can't be chosen, as a sentence; empty where there is no choice.
     public String advice() {
         return options.isEmpty() || description.isEmpty()
                 ? ""
                 : "'%s': %s.".formatted(name, description.replaceAll("\\.$", ""));
+    }
+
+    /// This one, when its value names robots.
+    @SuppressWarnings("unchecked") // follows from the kind
+    public Optional<Parameter<String>> ofRobots() {
+        return kind == Kind.ROBOTS ? Optional.of((Parameter<String>) this) : Optional.empty();
+    }
+
+    /// This one, when its value is places, whether robots are to go there or not.
+    @SuppressWarnings("unchecked") // follows from the kind
+    public Optional<Parameter<List<Point2d>>> ofPlaces() {
+        return kind == Kind.PLACES || kind == Kind.POINTS
+                ? Optional.of((Parameter<List<Point2d>>) this)
+                : Optional.empty();
+    }
+
+    /// A value that [#accept] has taken, with its type.
+    @SuppressWarnings("unchecked") // the factories above give each kind its type
+    T read(Object accepted) {
+        return (T)
+                switch (kind) {
+                    case INTEGER -> (Object) Math.toIntExact((Long) accepted);
+                    case PLACES, POINTS -> Places.read((String) accepted).orElseThrow(); // taken as such
+                    case NUMBER, TEXT, FLAG, ROBOTS, PLUGIN, PLUGINS, TEXTS -> accepted;
+                };
     }
 
     /// "a number from 0.3 to 3 [m]"
@@ -242,6 +305,7 @@ public record Parameter(
             case PLUGIN -> "one of %s, or a file of your own".formatted(String.join(", ", options));
             case PLUGINS -> "one or several of %s, or files of your own".formatted(String.join(", ", options));
             case PLACES, POINTS -> "places as x y; x y [m]";
+            case TEXTS -> "texts by name as NAME=TEXT, NAME=TEXT";
             case ROBOTS -> "a role of robots or the id of one" + besides();
         };
         if (min > -inf() && max < inf()) {

@@ -13,7 +13,7 @@ public interface Plugin {
     String description();
 
     /// What can be set.
-    default List<Parameter> parameters() {
+    default List<Parameter<?>> parameters() {
         return List.of();
     }
 

@@ -92,7 +92,7 @@ public final class Section {
     }
 
     /// A value for a parameter: as it is, checked; the parameter's fallback when it isn't given.
-    public Optional<Object> value(Parameter parameter) {
+    public Optional<Object> value(Parameter<?> parameter) {
         if (parameter.kind() == Parameter.Kind.PLUGIN
                 && mapping.find(parameter.name()).isPresent()) {
             return plugin(parameter).map(Object.class::cast).or(parameter::fallback);
@@ -122,14 +122,14 @@ public final class Section {
     }
 
     /// A plugin as it is written: its name or file, or a group with that as its `type`.
-    private Optional<PluginChoice> plugin(Parameter parameter) {
+    private Optional<PluginChoice> plugin(Parameter<?> parameter) {
         PluginKind kind = parameter.plugins().orElseThrow();
         String key = parameter.name();
         return isMapping(key) ? plugin(kind, section(key)) : plugin(kind, key, text(key), locationOf(key));
     }
 
     /// Several, or one. Those that can't be read are left out; the problems tell of them.
-    private List<PluginChoice> plugins(Parameter parameter) {
+    private List<PluginChoice> plugins(Parameter<?> parameter) {
         PluginKind kind = parameter.plugins().orElseThrow();
         String key = parameter.name();
         if (!(find(key).orElseThrow() instanceof Value.Sequence sequence)) {
@@ -184,7 +184,7 @@ public final class Section {
     }
 
     /// All that is set in this group, when it is right; nothing else may stand in it.
-    public Optional<Arguments> arguments(List<Parameter> parameters) {
+    public Optional<Arguments> arguments(List<Parameter<?>> parameters) {
         int before = problems.all().size();
         Map<String, Object> values = values(parameters);
         done();
@@ -192,9 +192,9 @@ public final class Section {
     }
 
     /// All values for a list of parameters. Only to be used when [Problems#isEmpty] at the end.
-    public Map<String, Object> values(List<Parameter> parameters) {
+    public Map<String, Object> values(List<Parameter<?>> parameters) {
         var values = new LinkedHashMap<String, Object>();
-        for (Parameter parameter : parameters) {
+        for (Parameter<?> parameter : parameters) {
             value(parameter).ifPresent(value -> values.put(parameter.name(), value));
         }
         return values;

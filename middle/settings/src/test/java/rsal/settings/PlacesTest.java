@@ -11,10 +11,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Point2d;
 
 class PlacesTest {
-    private static final Parameter POSTS = Parameter.places("posts", "Where to stand.");
+    private static final Parameter<List<Point2d>> POSTS = Parameter.places("posts", "Where to stand.");
 
     private static List<Point2d> read(Object given) {
-        return Arguments.of(List.of(POSTS), Map.of("posts", given)).places("posts");
+        return Arguments.of(List.of(POSTS), Map.of("posts", given)).get(POSTS);
     }
 
     @Test
@@ -27,7 +27,7 @@ class PlacesTest {
     @Test
     void thereMayBeNone() {
         assertThat(read(" ")).isEmpty();
-        assertThat(Arguments.defaults(List.of(POSTS)).places("posts")).isEmpty();
+        assertThat(Arguments.defaults(List.of(POSTS)).get(POSTS)).isEmpty();
     }
 
     @ParameterizedTest

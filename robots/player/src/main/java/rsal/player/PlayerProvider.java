@@ -26,40 +26,40 @@ import rsal.time.Scheduler;
 public final class PlayerProvider implements RobotSystemProvider {
     private static final String KEY = "player";
 
-    private static final Parameter SERVERS = Parameter.text(
+    private static final Parameter<String> SERVERS = Parameter.text(
             "servers",
             "",
             "Where the robots are, one after the other: HOST:PORT, HOST:PORT:1 for the second robot there; servers of"
                     + " one robot joined by +. Left out: at host and port.");
-    private static final Parameter HOST =
+    private static final Parameter<String> HOST =
             Parameter.text("host", "localhost", "The machine of the server, when (servers) names none.");
-    private static final Parameter PORT = Parameter.integer(
+    private static final Parameter<Integer> PORT = Parameter.integer(
             "port",
             Session.USUAL_PORT,
             1,
             Session.LAST_PORT,
             "",
             "The server's port, when (servers) names none; several robots are on the ports from there on.");
-    private static final Parameter INDEX = Parameter.integer(
+    private static final Parameter<Integer> INDEX = Parameter.integer(
             "index", 0, 0, 9999, "", "Which robot of its server it is, from 0, when (servers) names none.");
-    private static final Parameter DELIVERY = Parameter.choice(
+    private static final Parameter<String> DELIVERY = Parameter.choice(
             "delivery",
             words(Delivery.AUTO),
             Arrays.stream(Delivery.values()).map(PlayerProvider::words).toList(),
             "How data comes: pushed as soon as there is some; pulled in rounds, which suits slow networks; auto pulls"
                     + " from other machines.");
-    private static final Parameter WATCHDOG =
+    private static final Parameter<Double> WATCHDOG =
             Parameter.number("watchdog", 0.5, 0.1, 10, "s", "A base stops when no command came for this long.");
-    private static final Parameter ARMED = Parameter.flag(
+    private static final Parameter<Boolean> ARMED = Parameter.flag(
             "armed", false, "Whether motors are on from the beginning. Else robots stand until somebody arms them.");
 
     private static final String OWN = "own";
-    private static final Parameter SIMULATION = Parameter.text(
+    private static final Parameter<String> SIMULATION = Parameter.text(
             "simulation",
             "",
             "Who knows where robots really are, when they are simulated: (own), the first of their servers that has a"
                     + " simulation, or HOST:PORT of another. Left out: nobody.");
-    private static final Parameter NAMES = Parameter.text(
+    private static final Parameter<String> NAMES = Parameter.text(
             "names",
             "",
             "What that simulation calls the robots, one after the other, divided by commas. Left out: what they are"
@@ -81,13 +81,13 @@ public final class PlayerProvider implements RobotSystemProvider {
     }
 
     @Override
-    public List<Parameter> parameters() {
+    public List<Parameter<?>> parameters() {
         return List.of(SERVERS, HOST, PORT, INDEX, DELIVERY, WATCHDOG, ARMED, SIMULATION, NAMES);
     }
 
     @Override
     public boolean startsDisarmed(Arguments settings) {
-        return !settings.flag(ARMED.name());
+        return !settings.get(ARMED);
     }
 
     @Override
@@ -111,9 +111,9 @@ public final class PlayerProvider implements RobotSystemProvider {
         return new PlayerSystem(
                 berths.orElseThrow(),
                 overseer.orElseThrow(),
-                Delivery.valueOf(settings.text(DELIVERY.name()).toUpperCase(Locale.ROOT)),
-                settings.seconds(WATCHDOG.name()),
-                settings.flag(ARMED.name()),
+                Delivery.valueOf(settings.get(DELIVERY).toUpperCase(Locale.ROOT)),
+                settings.seconds(WATCHDOG),
+                settings.get(ARMED),
                 scheduler);
     }
 
@@ -132,12 +132,12 @@ public final class PlayerProvider implements RobotSystemProvider {
     }
 
     private static Optional<Overseer> overseer(Arguments settings, List<RobotSpec> robots) {
-        String who = settings.text(SIMULATION.name()).strip();
+        String who = settings.get(SIMULATION).strip();
         if (who.isEmpty() || robots.isEmpty()) {
             return Optional.empty();
         }
         List<String> ids = robots.stream().map(RobotSpec::id).toList();
-        String written = settings.text(NAMES.name()).strip();
+        String written = settings.get(NAMES).strip();
         List<String> names = written.isEmpty() ? ids : List.of(written.split("\\s*,\\s*", -1));
         if (names.size() != ids.size()) {
             throw new IllegalArgumentException(
@@ -162,14 +162,14 @@ public final class PlayerProvider implements RobotSystemProvider {
         if (robots.isEmpty()) {
             return Map.of(); // all of them are elsewhere
         }
-        List<ServerAddress> all = ServerAddress.read(settings.text(SERVERS.name()));
+        List<ServerAddress> all = ServerAddress.read(settings.get(SERVERS));
         if (all.isEmpty()) {
-            int port = settings.integer(PORT.name());
+            int port = settings.get(PORT);
             if (port + robots.size() - 1 > Session.LAST_PORT) {
                 throw new IllegalArgumentException(
                         "There are no (%d) ports from (%d) on.".formatted(robots.size(), port));
             }
-            all = ServerAddress.from(settings.text(HOST.name()), port, settings.integer(INDEX.name()), robots.size());
+            all = ServerAddress.from(settings.get(HOST), port, settings.get(INDEX), robots.size());
         }
         if (all.size() < robots.size()) {
             throw new IllegalArgumentException(

@@ -89,7 +89,7 @@ final class OverTheWire implements RobotSystemProvider {
     }
 
     @Override
-    public List<Parameter> parameters() {
+    public List<Parameter<?>> parameters() {
         return player.parameters();
     }
 

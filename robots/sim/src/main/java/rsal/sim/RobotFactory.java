@@ -120,7 +120,7 @@ final class RobotFactory {
                 new Wheels(drive),
                 new Odometer(
                         drive.odometryNoise(),
-                        settings.number(SimProvider.ODOMETRY_NOISE.name()),
+                        settings.get(SimProvider.ODOMETRY_NOISE),
                         seeds.stream(spec.id() + "/base")));
     }
 
@@ -169,7 +169,7 @@ final class RobotFactory {
                 part.baseFromDevice(),
                 height,
                 seeds.stream(info.id()),
-                settings.number(SimProvider.SENSOR_NOISE.name()));
+                settings.get(SimProvider.SENSOR_NOISE));
         SimulatedSensor<?> sensor = kind.create(info, part, robot);
         return sensor.rays() == 0
                 ? new SimRegistered<>(sensor, part.period())
@@ -189,12 +189,11 @@ final class RobotFactory {
     }
 
     private Duration watchdog() {
-        return settings.seconds(SimProvider.WATCHDOG.name());
+        return settings.seconds(SimProvider.WATCHDOG);
     }
 
     private RangeSensor.Noise noise(DeviceInfo info, RangeNoise noise) {
-        return new RangeSensor.Noise(
-                noise.times(settings.number(SimProvider.SENSOR_NOISE.name())), seeds.stream(info.id()));
+        return new RangeSensor.Noise(noise.times(settings.get(SimProvider.SENSOR_NOISE)), seeds.stream(info.id()));
     }
 
     private static DeviceInfo deviceOf(RobotSpec spec, String name) {

@@ -22,13 +22,13 @@ import rsal.time.Scheduler;
 public final class SimProvider implements RobotSystemProvider {
     static final String KEY = "sim";
 
-    private static final Parameter STEP = Parameter.number(
+    private static final Parameter<Double> STEP = Parameter.number(
             "step", 0.1, 0.01, 0.2, "s", "Time between two states of the world; sensors look no more often.");
-    static final Parameter WATCHDOG =
+    static final Parameter<Double> WATCHDOG =
             Parameter.number("watchdog", 0.5, 0.1, 10, "s", "A base stops when no command came for this long.");
-    static final Parameter ODOMETRY_NOISE = Parameter.number(
+    static final Parameter<Double> ODOMETRY_NOISE = Parameter.number(
             "odometryNoise", 1, 0, 10, "", "How much odometry drifts: 1 as the model says, 0 not at all.");
-    static final Parameter SENSOR_NOISE =
+    static final Parameter<Double> SENSOR_NOISE =
             Parameter.number("sensorNoise", 1, 0, 10, "", "How noisy ranges are: 1 as the model says, 0 not at all.");
 
     private final AtomicReference<@Nullable Measured> last = new AtomicReference<>();
@@ -53,7 +53,7 @@ public final class SimProvider implements RobotSystemProvider {
     }
 
     @Override
-    public List<Parameter> parameters() {
+    public List<Parameter<?>> parameters() {
         return List.of(STEP, WATCHDOG, ODOMETRY_NOISE, SENSOR_NOISE);
     }
 
@@ -75,7 +75,7 @@ public final class SimProvider implements RobotSystemProvider {
         var kinds = robots.stream().map(robot -> kind(robot, config.scene())).toList();
         return new SimSystem(
                 scheduler,
-                config.settings().seconds(STEP.name()),
+                config.settings().seconds(STEP),
                 lineup.world(),
                 config.scene().touch(),
                 lineup.things(),

@@ -47,7 +47,7 @@ final class Reporter {
                         sequence,
                         now.time(),
                         now.paused(),
-                        all.orders().stopped(),
+                        all.robotCommands().stopped(),
                         pacer.speed(),
                         rate(now),
                         now.outcome(),

@@ -19,7 +19,7 @@ import rsal.engine.communication.Traffic;
 import rsal.engine.event.ChattyTopics;
 import rsal.engine.event.EventLog;
 import rsal.engine.metric.MetricsObserver;
-import rsal.engine.operator.OperatorCommands;
+import rsal.engine.operator.RobotCommands;
 import rsal.engine.operator.SentGoals;
 import rsal.engine.report.AgentView;
 import rsal.engine.report.Answer;
@@ -40,10 +40,10 @@ import rsal.engine.world.SimulatedWorld;
 import rsal.engine.world.ThingArrivals;
 import rsal.robot.Robot;
 import rsal.robot.RobotSpec;
-import rsal.scenario.text.Counted;
 import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.RunPlan.PlannedRobot;
+import rsal.scenario.text.Counted;
 import rsal.system.Bridge;
 import rsal.system.BridgeProvider;
 import rsal.system.BridgeProvider.Lent;
@@ -68,7 +68,7 @@ final class RunAssembly implements AutoCloseable {
     private final Proxies proxies;
     private final DrawnPlans drawnPlans;
     private final Agents agents;
-    private final OperatorCommands orders;
+    private final RobotCommands robotCommands;
     private final RobotViews robotViews;
     private final Team team = new Team();
     private final RobotPoses where;
@@ -104,7 +104,7 @@ final class RunAssembly implements AutoCloseable {
         this.deviceFactory = new DeviceFactory(plan, scheduler, eventLog, breaker, world, team, this::overlay);
         this.agents = new Agents(plan, scheduler, eventLog, observer, faults, team, where, traffic, turns);
         this.drawnPlans = new DrawnPlans(team, scheduler);
-        this.orders = new OperatorCommands(plan.map(), eventLog, faults, world, team, agents, goals);
+        this.robotCommands = new RobotCommands(plan.map(), eventLog, faults, world, team, agents, goals);
         this.robotViews = new RobotViews(team, world, faults, proxies, scheduler);
     }
 
@@ -124,7 +124,7 @@ final class RunAssembly implements AutoCloseable {
             String id = planned.spec().id();
             found.stream().filter(robot -> robot.id().equals(id)).findFirst().ifPresent(robot -> equip(robot, planned));
         }
-        orders.begin();
+        robotCommands.begin();
         systems.onChange(this::changed);
         agents.gather(systems.simulation());
         systems.simulation().ifPresent(new ThingArrivals(plan, scheduler, eventLog)::begin);
@@ -184,7 +184,7 @@ final class RunAssembly implements AutoCloseable {
         observer.joined(id, robot.role());
         equip(robot, planned);
         bridges.forEach(bridge -> offer(bridge, id));
-        orders.joined(id);
+        robotCommands.joined(id);
         if (agents.isGathered()) {
             dynamicRobots.agents(id).forEach(agents::start);
         }
@@ -210,7 +210,7 @@ final class RunAssembly implements AutoCloseable {
     private void leave(String id) {
         bridges.forEach(bridge -> bridge.leave(id));
         team.leave(id);
-        orders.left(id);
+        robotCommands.left(id);
         proxies.leave(id);
         drawnPlans.leave(id);
         where.leave(id);
@@ -239,8 +239,8 @@ final class RunAssembly implements AutoCloseable {
     }
 
     /// By what people tell robots what to do.
-    OperatorCommands orders() {
-        return orders;
+    RobotCommands robotCommands() {
+        return robotCommands;
     }
 
     List<RobotView> robotViews() {
@@ -318,7 +318,7 @@ final class RunAssembly implements AutoCloseable {
     ///
     /// @param now in real time [ns]
     void beat(long now) {
-        orders.beat(now);
+        robotCommands.beat(now);
         agents.beat(now);
     }
 

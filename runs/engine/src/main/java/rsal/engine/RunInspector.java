@@ -17,7 +17,7 @@ public final class RunInspector {
 
     /// What a robot can be told to do, as [Answer.Able].
     public CompletionStage<Answer> abilities(String robot) {
-        return loop.ask(run -> run.orders().abilities(robot));
+        return loop.ask(run -> run.robotCommands().abilities(robot));
     }
 
     /// What a robot's devices have told last, as [Answer.Read]; nothing of one that is gone, or from where it

@@ -70,7 +70,7 @@ public final class RunOperator {
     /// Has a robot drive somewhere, by its agent if that can. Answers with [Answer.Sent].
     public CompletionStage<Answer> goTo(String robot, Pose2d mapFromGoal) {
         long now = loop.operatorTime();
-        return loop.ask(run -> run.orders().goTo(robot, mapFromGoal, now));
+        return loop.ask(run -> run.robotCommands().goTo(robot, mapFromGoal, now));
     }
 
     /// Has a robot do something until it is told something else.
@@ -78,7 +78,7 @@ public final class RunOperator {
     /// @param behavior one of [rsal.behavior.Repertoire], `stand`, or empty to leave it to its agents again
     public CompletionStage<Answer> behave(String robot, String behavior) {
         long now = loop.operatorTime();
-        return loop.ask(run -> run.orders().behave(robot, behavior, now));
+        return loop.ask(run -> run.robotCommands().behave(robot, behavior, now));
     }
 
     /// Drives a robot by hand, instead of whoever else would, until [#release]. Must be said again and again:
@@ -88,33 +88,33 @@ public final class RunOperator {
     /// @param velocity wanted now; the base makes of it what it can
     public CompletionStage<Answer> drive(String robot, String driver, Twist2d velocity) {
         long now = loop.operatorTime();
-        return loop.ask(run -> run.orders().drive(robot, driver, velocity, now));
+        return loop.ask(run -> run.robotCommands().drive(robot, driver, velocity, now));
     }
 
     /// Gives a robot back to its agents that was driven by hand.
     public CompletionStage<Answer> release(String robot, String driver) {
-        return loop.ask(run -> run.orders().letGo(robot, driver));
+        return loop.ask(run -> run.robotCommands().letGo(robot, driver));
     }
 
     /// Switches off all motors, until [#rearm].
     public CompletionStage<Answer> estop() {
-        return loop.ask(run -> run.orders().stop());
+        return loop.ask(run -> run.robotCommands().stop());
     }
 
     /// Ends the emergency stop. Who was switched off by [#stop(String)] stays off, and is named by
     /// [Answer.Armed].
     public CompletionStage<Answer> rearm() {
-        return loop.ask(run -> run.orders().rearm());
+        return loop.ask(run -> run.robotCommands().rearm());
     }
 
     /// Switches the motors of one robot off, until [#rearm(String)].
     public CompletionStage<Answer> stop(String robot) {
-        return loop.ask(run -> run.orders().stop(robot, true));
+        return loop.ask(run -> run.robotCommands().stop(robot, true));
     }
 
     /// Switches them on, also while those of the others stay off after an emergency stop.
     public CompletionStage<Answer> rearm(String robot) {
-        return loop.ask(run -> run.orders().stop(robot, false));
+        return loop.ask(run -> run.robotCommands().stop(robot, false));
     }
 
     /// Starts another agent like one that is or was there, with its type and arguments.

@@ -93,7 +93,7 @@ class OverlaidRunTest {
     @ValueSource(strings = {"laser: urg04lx", "sonar: front8"})
     void goesAroundItAsIfItWereReal(String sensor) {
         try (RunAssembly stage = stage(SCENARIO.replace("laser: urg04lx", sensor))) {
-            assertThat(stage.orders().goTo("real", GOAL, 0)).isEqualTo(new Answer.Sent(1));
+            assertThat(stage.robotCommands().goTo("real", GOAL, 0)).isEqualTo(new Answer.Sent(1));
             assertThat(nearest(stage, 40)).isBetween(radii(stage), 1.5);
             assertThat(end.distanceTo(GOAL)).isLessThan(0.5);
         }
@@ -103,7 +103,7 @@ class OverlaidRunTest {
     @ValueSource(strings = {"laser: urg04lx", "sonar: front8"})
     void behaviorsAvoidItToo(String sensor) {
         try (RunAssembly stage = stage(SCENARIO.replace("laser: urg04lx", sensor))) {
-            assertThat(stage.orders().behave("real", "wander", 0)).isEqualTo(new Answer.Done());
+            assertThat(stage.robotCommands().behave("real", "wander", 0)).isEqualTo(new Answer.Done());
             assertThat(nearest(stage, 15)).isBetween(radii(stage), 1.5);
         }
     }
@@ -111,7 +111,7 @@ class OverlaidRunTest {
     @Test
     void drivesThroughItWithoutSeeingIt() {
         try (RunAssembly stage = stage(SCENARIO.replace("    overlay: true\n", ""))) {
-            stage.orders().goTo("real", GOAL, 0);
+            stage.robotCommands().goTo("real", GOAL, 0);
             assertThat(nearest(stage, 40)).isLessThan(0.1);
             assertThat(end.distanceTo(GOAL)).isLessThan(0.5);
         }

@@ -53,13 +53,16 @@ class OwnControllerTest {
 
             /// Drives straight to the target, slowly.
             public class Crawler implements ControllerType {
+                private static final Parameter<Double> SPEED =
+                        Parameter.number("speed", 0.2, 0.01, 1, "m/s", "How fast it crawls.");
+
                 public String key() { return "crawler"; }
                 public String description() { return "Crawls."; }
-                public List<Parameter> parameters() {
-                    return List.of(Parameter.number("speed", 0.2, 0.01, 1, "m/s", "How fast it crawls."));
+                public List<Parameter<?>> parameters() {
+                    return List.of(SPEED);
                 }
                 public Controller create(Arguments arguments, Driven driven) {
-                    double speed = Math.min(arguments.number("speed"), driven.limits().speed());
+                    double speed = Math.min(arguments.get(SPEED), driven.limits().speed());
                     return new Controller() {
                         public Twist2d drive(Obstacles obstacles, Target target, Motion motion) {
                             double bearing = target.bearing();
@@ -184,7 +187,7 @@ class OwnControllerTest {
                 "'controller: {type: nd, avoidDist: …}'");
         refuses(SCENARIO.replace("Crawler.java", "Driver.java"), "Class 'Driver' is no controller.");
         Files.writeString(folder.resolve("Crawler.java"), CRAWLER.replace("driven.limits()", "driven.limit()"));
-        refuses(SCENARIO, "Crawler.java:15:", "limit");
+        refuses(SCENARIO, "Crawler.java:18:", "limit");
     }
 
     @Test

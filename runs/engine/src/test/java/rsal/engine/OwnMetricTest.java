@@ -69,14 +69,16 @@ class OwnMetricTest {
             import rsal.settings.*;
 
             public class Looks implements MetricType {
+                private static final Parameter<Double> SCALE =
+                        Parameter.number("scale", 1, 0, 10, "", "By what they count.");
                 private static final SignalType GAP = SignalType.ofRobots("gap", "m", "distance to the first robot");
                 private static final SignalType TICKS = SignalType.ofRun("ticks", "s", "time of each step");
 
                 public String key() { return "looks"; }
                 public String description() { return "Counts looks."; }
-                public List<Parameter> parameters() {
+                public List<Parameter<?>> parameters() {
                     return List.of(
-                            Parameter.number("scale", 1, 0, 10, "", "By what they count."),
+                            SCALE,
                             Parameter.robots("of", "", List.of(), "Which robots."));
                 }
                 public List<QuantityType> quantities() {
@@ -91,7 +93,7 @@ class OwnMetricTest {
 
                         public void onMessage(String sender, Object content) {
                             if (content instanceof Look) {
-                                looks += arguments.number("scale");
+                                looks += arguments.get(SCALE);
                             }
                         }
                         public void onStep() {
@@ -187,7 +189,7 @@ class OwnMetricTest {
                 .isThrownBy(() -> plan(SCENARIO))
                 .satisfies(e -> assertThat(e.problems())
                         .singleElement() // what follows from it is not told
-                        .satisfies(mistake -> assertThat(mistake.toString()).contains("Looks.java:36:21", "loks")));
+                        .satisfies(mistake -> assertThat(mistake.toString()).contains("Looks.java:38:21", "loks")));
     }
 
     /// Of a recording the plan can be looked at, also where conditions ask for what only the metric knows.

@@ -37,7 +37,7 @@ class UntrustedProgramTest {
 
                 public String key() { return "touch"; }
                 public String description() { return "Touches."; }
-                public List<Parameter> parameters() {
+                public List<Parameter<?>> parameters() {
                     return List.of(
                             Parameter.integer("times", 1, 1, 9, "", ""),
                             Parameter.text("name", "", ""),

@@ -34,9 +34,9 @@ public record Factor(String argument, List<String> levels) {
     ///
     /// @param known arguments of the scenario
     /// @throws InvalidSettings when there is no such argument, or with all levels that it can't have
-    public static Factor read(String argument, String typed, List<Parameter> known) {
+    public static Factor read(String argument, String typed, List<Parameter<?>> known) {
         Location at = Location.of("--vary %s=%s".formatted(argument, typed));
-        Parameter parameter = known.stream()
+        Parameter<?> parameter = known.stream()
                 .filter(p -> p.name().equals(argument))
                 .findFirst()
                 .orElseThrow(() -> new InvalidSettings(
@@ -61,7 +61,7 @@ public record Factor(String argument, List<String> levels) {
         return new Factor(argument, levels);
     }
 
-    private static boolean isNumber(Parameter parameter) {
+    private static boolean isNumber(Parameter<?> parameter) {
         return parameter.kind() == Parameter.Kind.NUMBER || parameter.kind() == Parameter.Kind.INTEGER;
     }
 

@@ -10,9 +10,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import rsal.scenario.text.Folders;
 import rsal.scenario.RunPlan.Measured;
 import rsal.scenario.condition.Measure.FirstTime;
+import rsal.scenario.text.Folders;
 
 /// What an experiment is and how it was made, beside its rows. Part of what users build on: names stay, more
 /// may follow.

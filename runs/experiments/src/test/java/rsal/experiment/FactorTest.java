@@ -10,7 +10,7 @@ import rsal.settings.InvalidSettings;
 import rsal.settings.Parameter;
 
 class FactorTest {
-    private static final List<Parameter> KNOWN = List.of(
+    private static final List<Parameter<?>> KNOWN = List.of(
             Parameter.integer("hunters", 2, 1, 20, "", "How many."),
             Parameter.number("speed", 0.5, 0, 2, "m/s", "How fast."),
             Parameter.text("servers", "", "Where."));

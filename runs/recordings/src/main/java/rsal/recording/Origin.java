@@ -11,9 +11,9 @@ import java.util.OptionalLong;
 import rsal.recording.mcap.Attachment;
 import rsal.recording.mcap.McapWriter;
 import rsal.recording.mcap.Metadata;
-import rsal.scenario.text.Folders;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
+import rsal.scenario.text.Folders;
 
 /// What a recorded run is made from: with that it can be run again.
 ///

@@ -20,8 +20,8 @@ final class ArgumentReader {
 
     private ArgumentReader() {}
 
-    static List<Parameter> declared(Section arguments) {
-        var declared = new ArrayList<Parameter>();
+    static List<Parameter<?>> declared(Section arguments) {
+        var declared = new ArrayList<Parameter<?>>();
         for (String name : arguments.names()) {
             if (!Format.NAME.matcher(name).matches()) {
                 arguments.problem(
@@ -35,7 +35,7 @@ final class ArgumentReader {
         return declared;
     }
 
-    private static Parameter declared(String name, Section section) {
+    private static Parameter<?> declared(String name, Section section) {
         Parameter.Kind kind =
                 switch (String.valueOf(section.value(Format.ARGUMENT_TYPE).orElse(""))) {
                     case "integer" -> Parameter.Kind.INTEGER;
@@ -44,7 +44,7 @@ final class ArgumentReader {
                     default -> Parameter.Kind.NUMBER;
                 };
         boolean bounded = kind == Parameter.Kind.NUMBER || kind == Parameter.Kind.INTEGER;
-        var parameter = new Parameter(
+        var parameter = new Parameter<>(
                 name,
                 kind,
                 Optional.empty(),
@@ -55,7 +55,7 @@ final class ArgumentReader {
                 section.text("description", ""));
         Optional<Object> fallback = fallback(section, parameter);
         section.done();
-        return new Parameter(
+        return new Parameter<>(
                 name,
                 kind,
                 fallback,
@@ -66,7 +66,7 @@ final class ArgumentReader {
                 parameter.description());
     }
 
-    private static Optional<Object> fallback(Section section, Parameter parameter) {
+    private static Optional<Object> fallback(Section section, Parameter<?> parameter) {
         Optional<Value> given = section.find("default");
         if (given.isEmpty()) {
             section.problem(
@@ -91,7 +91,7 @@ final class ArgumentReader {
     }
 
     /// A value that stands in the file.
-    private static Optional<Object> accepted(Parameter parameter, Value value, Problems problems) {
+    private static Optional<Object> accepted(Parameter<?> parameter, Value value, Problems problems) {
         try {
             return Optional.of(
                     parameter.accept(value instanceof Value.Scalar scalar ? scalar.value() : value.describe()));
@@ -102,9 +102,9 @@ final class ArgumentReader {
     }
 
     /// The values of a configuration's `args`.
-    static Map<String, Object> overridden(List<Parameter> declared, Section args) {
+    static Map<String, Object> overridden(List<Parameter<?>> declared, Section args) {
         var values = new LinkedHashMap<String, Object>();
-        for (Parameter parameter : declared) {
+        for (Parameter<?> parameter : declared) {
             args.find(parameter.name())
                     .flatMap(value -> accepted(parameter, value, args.problems()))
                     .ifPresent(value -> values.put(parameter.name(), value));
@@ -114,7 +114,7 @@ final class ArgumentReader {
     }
 
     /// Values as typed.
-    static Map<String, Object> typed(List<Parameter> declared, RunOptions options, Problems problems) {
+    static Map<String, Object> typed(List<Parameter<?>> declared, RunOptions options, Problems problems) {
         var values = new LinkedHashMap<String, Object>();
         options.arguments().forEach((name, text) -> {
             Location at = options.locationOf(name);
@@ -136,7 +136,7 @@ final class ArgumentReader {
     /// The same settings with each `$name` replaced by the argument's value. Where that has none, because the name
     /// is unknown or the argument itself is wrong, this is all that the author hears about the place.
     static Value.Mapping replace(
-            Value.Mapping settings, List<Parameter> declared, Map<String, Object> values, Problems problems) {
+            Value.Mapping settings, List<Parameter<?>> declared, Map<String, Object> values, Problems problems) {
         List<String> names = declared.stream().map(Parameter::name).toList();
         return (Value.Mapping) settings.map(scalar -> {
             if (!(scalar.value() instanceof String text) || text.indexOf('$') < 0) {

@@ -24,7 +24,7 @@ record BackEnd<P>(P provider, Arguments settings) {
             Map<String, P> known,
             Map<String, String> apart,
             Predicate<P> followsTime,
-            Function<P, List<Parameter>> parameters) {}
+            Function<P, List<Parameter<?>>> parameters) {}
 
     /// @param whose it is, for messages: ` of robot (hunter)`; empty when it is that of the scenario
     static <P> Optional<BackEnd<P>> read(Kind<P> kind, Section section, String whose, Clock clock) {

@@ -35,7 +35,7 @@ final class CommunicationReader {
     }
 
     /// Nothing when it isn't given, which is no mistake.
-    private static Optional<Double> number(Section section, Parameter parameter) {
+    private static Optional<Double> number(Section section, Parameter<?> parameter) {
         return section.has(parameter.name()) ? section.value(parameter).map(Double.class::cast) : Optional.empty();
     }
 }

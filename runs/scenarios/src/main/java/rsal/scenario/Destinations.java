@@ -66,13 +66,13 @@ final class Destinations {
             PlannedAgent one = agents.getFirst();
             Set<String> robots =
                     agents.stream().flatMap(agent -> agent.robot().stream()).collect(Collectors.toSet());
-            for (Parameter parameter : one.type().parameters()) {
+            for (Parameter<?> parameter : one.type().parameters()) {
                 if (parameter.kind() == Parameter.Kind.PLACES) {
                     add(new Given(
                             "(%s) of agent (%s)".formatted(parameter.name(), role),
                             written("agents", role, "args", parameter.name()),
                             robots.isEmpty() ? all : robots,
-                            one.arguments().places(parameter.name()),
+                            one.arguments().get(parameter.ofPlaces().orElseThrow()),
                             ARRIVED));
                 }
             }

@@ -200,7 +200,7 @@ final class FaultReader {
             case SENSORS -> sensors(section, kind, (Fault.OfSensor) kind.fault(arguments));
             case BASES -> robots(section, kind.fault(arguments), BASE);
             case ROBOTS -> robots(section, kind.fault(arguments), "");
-            case MESSAGES -> List.of(messages(section, kind, arguments.number(FaultKind.SHARE)));
+            case MESSAGES -> List.of(messages(section, kind, arguments.get(FaultKind.SHARE)));
         };
     }
 

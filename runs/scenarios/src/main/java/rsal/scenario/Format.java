@@ -35,54 +35,64 @@ final class Format {
             "It is under GPL-3.0 and comes only when it is asked for. Maybe try RSAL_WITH=jadex ./rsal run hunt-and-prey"
                     + " --mas jadex --clock wall (docs/how-to/jadex.md).");
 
-    static final Parameter TOUCH = Parameter.choice(
+    static final Parameter<String> TOUCH = Parameter.choice(
             "touch",
             Touch.STALL.word(),
             Touch.words(),
             "Whether robots that drive into something stop or slide along it; otherwise as the file of the world has it.");
 
-    static final Parameter ARGUMENT_TYPE = required(Parameter.choice(
-            "type", "", List.of("integer", "number", "string", "boolean"), "What kind of value the argument takes."));
+    static final Parameter<String> ARGUMENT_TYPE = Parameter.choice(
+                    "type",
+                    "",
+                    List.of("integer", "number", "string", "boolean"),
+                    "What kind of value the argument takes.")
+            .required();
 
-    static final Parameter COUNT =
+    static final Parameter<Integer> COUNT =
             Parameter.integer("count", 1, 1, MAX_ROBOTS, "", "How many there are; they are called role-1, role-2…");
-    static final Parameter PROXY = Parameter.flag(
+    static final Parameter<Boolean> PROXY = Parameter.flag(
             "proxy",
             false,
             "Whether stand-ins of real robots are in the simulated world, where simulated ones see them.");
-    static final Parameter OVERLAY = Parameter.flag(
+    static final Parameter<Boolean> OVERLAY = Parameter.flag(
             "overlay", false, "Whether lasers and sonars of real robots see what is in the simulated world, too.");
-    static final Parameter CLEARANCE = Parameter.number(
+    static final Parameter<Double> CLEARANCE = Parameter.number(
             "clearance", 0.4, 0, 100, "m", "Distance to all that is not free, and half of that to other robots.");
-    static final Parameter PASSAGE = required(Parameter.number(
-            "passage", 0.3, 0, 100, "m", "Likewise of ways that connect free places; as (clearance) without it."));
-    static final Parameter FREE = Parameter.flag("free", true, "Somewhere free, chosen by the seed.");
-    static final Parameter OBSTACLE = Parameter.flag("obstacle", true, "Whether robots run into them.");
-    static final Parameter GRIPPABLE = Parameter.flag("grippable", false, "Whether grippers can hold them.");
-    static final Parameter FIDUCIAL = Parameter.integer(
+    static final Parameter<Double> PASSAGE = Parameter.number(
+                    "passage",
+                    0.3,
+                    0,
+                    100,
+                    "m",
+                    "Likewise of ways that connect free places; as (clearance) without it.")
+            .required();
+    static final Parameter<Boolean> FREE = Parameter.flag("free", true, "Somewhere free, chosen by the seed.");
+    static final Parameter<Boolean> OBSTACLE = Parameter.flag("obstacle", true, "Whether robots run into them.");
+    static final Parameter<Boolean> GRIPPABLE = Parameter.flag("grippable", false, "Whether grippers can hold them.");
+    static final Parameter<Integer> FIDUCIAL = Parameter.integer(
             "fiducial",
             0,
             0,
             1_000_000,
             "",
             "Id of the first as a marker, those of the others follow; 0: they are none.");
-    static final Parameter GIVING_POWER = Parameter.number(
+    static final Parameter<Double> GIVING_POWER = Parameter.number(
             "givingPower", 0, 0, 1e9, "W", "With which each charges robots that touch it or stand on it.");
-    static final Parameter COMES_EVERY = Parameter.number(
+    static final Parameter<Double> COMES_EVERY = Parameter.number(
             "every", 0, 0, 1e6, "s", "Mean time from one to the next, at random; 0: all are there at the start.");
-    static final Parameter DEPOT_RADIUS =
+    static final Parameter<Double> DEPOT_RADIUS =
             Parameter.number("radius", 1, 0.1, 100, "m", "How far from its middle a depot reaches.");
-    static final Parameter PLACE_RADIUS =
+    static final Parameter<Double> PLACE_RADIUS =
             Parameter.number("radius", 1, 0.01, 1e6, "m", "How far from (at) a place reaches.");
-    static final Parameter WITHIN = Parameter.number(
+    static final Parameter<Double> WITHIN = Parameter.number(
             "within", 1, 0.1, 100, "m", "How far from a thing's middle a robot's may be, with no wall between.");
-    static final Parameter STAYS =
+    static final Parameter<Double> STAYS =
             Parameter.number("stays", 0, 0, 3600, "s", "For how long a robot must be there on end.");
 
     /// Stands for all robots where a role could stand.
     static final String ALL = "all";
 
-    static final Parameter SEED = new Parameter(
+    static final Parameter<?> SEED = new Parameter<Long>(
             "seed",
             Parameter.Kind.INTEGER,
             Optional.of(1L),
@@ -91,67 +101,63 @@ final class Format {
             List.of(),
             "",
             "All randomness of the run comes from it.");
-    static final Parameter FAILED_AGENTS = Parameter.choice(
+    static final Parameter<String> FAILED_AGENTS = Parameter.choice(
             "failedAgents",
             "fail",
             List.of("fail", "tolerate"),
             "What becomes of a run in which an agent failed: a failure, or what its conditions say.");
-    static final Parameter MODE =
+    static final Parameter<String> MODE =
             Parameter.choice("mode", "simulated", List.of("simulated", "wall"), "Whether time is simulated or real.");
-    static final Parameter SPEED =
+    static final Parameter<Double> SPEED =
             Parameter.number("speed", 1, 0.01, 1000, "", "Simulated over real time; max for as fast as it can.");
-    static final Parameter OUTCOME = required(Parameter.choice(
-            "outcome",
-            "",
-            words(RunPlan.Outcome.values(), RunPlan.Outcome::word),
-            "How the run ends when the condition holds."));
-    static final Parameter AFTER =
+    static final Parameter<String> OUTCOME = Parameter.choice(
+                    "outcome",
+                    "",
+                    words(RunPlan.Outcome.values(), RunPlan.Outcome::word),
+                    "How the run ends when the condition holds.")
+            .required();
+    static final Parameter<Double> AFTER =
             Parameter.number("after", 0, 0, 3600, "s", "How long the run still goes on once its outcome is decided.");
-    static final Parameter BETTER = Parameter.choice(
+    static final Parameter<String> BETTER = Parameter.choice(
             "better", "neither", words(RunPlan.Better.values(), RunPlan.Better::word), "Which values are better.");
-    static final Parameter PER = Parameter.choice(
+    static final Parameter<String> PER = Parameter.choice(
             "per", "run", List.of("run", "robot"), "Whether the run has one value or each robot its own.");
 
-    static final Parameter YIELDS =
+    static final Parameter<Boolean> YIELDS =
             Parameter.flag("yields", false, "Whether it leaves its robot to another agent as long as that drives it.");
 
-    static final Parameter FAULT_KIND =
-            required(Parameter.choice("kind", "", words(FaultKind.values(), FaultKind::word), "What goes wrong."));
-    static final Parameter AT =
+    static final Parameter<String> FAULT_KIND = Parameter.choice(
+                    "kind", "", words(FaultKind.values(), FaultKind::word), "What goes wrong.")
+            .required();
+    static final Parameter<Double> AT =
             Parameter.number("at", 0, 0, 1e6, "s", "When it begins; with (every), the time before which it does not.");
-    static final Parameter EVERY = required(Parameter.number(
-            "every", 1, 1, 1e6, "s", "Mean time until it begins at random, and again after each end."));
-    static final Parameter LONGEST =
-            required(Parameter.number("for", 1, 0.01, 1e6, "s", "How long it lasts; for good when nothing is said."));
-    static final Parameter LONGEST_DELAY =
-            required(Parameter.number("delay", 1, 0, 600, "s", "How much later a message comes."));
-    static final Parameter PICK =
-            required(Parameter.integer("pick", 1, 1, MAX_ROBOTS, "", "How many have it at a time, chosen at random."));
+    static final Parameter<Double> EVERY = Parameter.number(
+                    "every", 1, 1, 1e6, "s", "Mean time until it begins at random, and again after each end.")
+            .required();
+    static final Parameter<Double> LONGEST = Parameter.number(
+                    "for", 1, 0.01, 1e6, "s", "How long it lasts; for good when nothing is said.")
+            .required();
+    static final Parameter<Double> LONGEST_DELAY = Parameter.number(
+                    "delay", 1, 0, 600, "s", "How much later a message comes.")
+            .required();
+    static final Parameter<Integer> PICK = Parameter.integer(
+                    "pick", 1, 1, MAX_ROBOTS, "", "How many have it at a time, chosen at random.")
+            .required();
 
-    static final Parameter RANGE =
-            required(Parameter.number("range", 15, 0, 1e6, "m", "How far robots hear each other; any way without it."));
-    static final Parameter BEHIND_WALLS = required(Parameter.number(
-            "behindWalls", 5, 0, 1e6, "m", "How far through walls of the map; as far as (range) without it."));
-    static final Parameter LOSS = Parameter.number(
+    static final Parameter<Double> RANGE = Parameter.number(
+                    "range", 15, 0, 1e6, "m", "How far robots hear each other; any way without it.")
+            .required();
+    static final Parameter<Double> BEHIND_WALLS = Parameter.number(
+                    "behindWalls", 5, 0, 1e6, "m", "How far through walls of the map; as far as (range) without it.")
+            .required();
+    static final Parameter<Double> LOSS = Parameter.number(
             "loss", 0, 0, 1, "", "How likely it is that a message gets lost, for each agent that should hear it.");
-    static final Parameter RADIO_DELAY = Parameter.number("delay", 0, 0, 600, "s", "How long a message takes.");
-    static final Parameter BANDWIDTH = required(Parameter.number(
-            "bandwidth", 50, 0.01, 1e6, "1/s", "How many messages a second an agent can send; any without it."));
+    static final Parameter<Double> RADIO_DELAY = Parameter.number("delay", 0, 0, 600, "s", "How long a message takes.");
+    static final Parameter<Double> BANDWIDTH = Parameter.number(
+                    "bandwidth", 50, 0.01, 1e6, "1/s", "How many messages a second an agent can send; any without it.")
+            .required();
 
     private Format() {}
-
-    /// The same without a value to fall back on.
-    private static Parameter required(Parameter parameter) {
-        return new Parameter(
-                parameter.name(),
-                parameter.kind(),
-                Optional.empty(),
-                parameter.min(),
-                parameter.max(),
-                parameter.options(),
-                parameter.unit(),
-                parameter.description());
-    }
 
     /// The groups of a list, each read by itself.
     static List<Section> groups(Section section, String key) {
@@ -174,7 +180,7 @@ final class Format {
     }
 
     /// A number of seconds, or the least and the most of them.
-    static Optional<Span> span(Section section, String key, Parameter seconds, double least) {
+    static Optional<Span> span(Section section, String key, Parameter<?> seconds, double least) {
         Optional<Value> value = section.find(key);
         if (value.isEmpty()) {
             return Optional.empty();

@@ -64,11 +64,12 @@ record Joined(
     /// The arguments of an agent with the roles of robots here in place of its own.
     Arguments here(AgentType type, Arguments own, RobotNames robots, Problems problems) {
         var values = new LinkedHashMap<>(own.asMap());
-        for (Parameter parameter : type.parameters()) {
-            if (parameter.kind() == Parameter.Kind.ROBOTS
-                    && !parameter.options().contains(own.text(parameter.name()))) {
-                values.put(parameter.name(), here(own.text(parameter.name()), robots, problems));
-            }
+        for (Parameter<?> parameter : type.parameters()) {
+            parameter
+                    .ofRobots()
+                    .map(own::get)
+                    .filter(role -> !parameter.options().contains(role))
+                    .ifPresent(role -> values.put(parameter.name(), here(role, robots, problems)));
         }
         return Arguments.of(type.parameters(), values);
     }
@@ -102,10 +103,12 @@ record Joined(
             return;
         }
         Map<String, String> arguments = placed.getOrDefault(agent, Map.of());
-        for (Parameter parameter : type.parameters()) {
+        for (Parameter<?> parameter : type.parameters()) {
             String argument = arguments.getOrDefault(parameter.name(), "");
-            boolean areTheirs = (parameter.kind() == Parameter.Kind.PLACES || parameter.kind() == Parameter.Kind.POINTS)
-                    && !own.places(parameter.name()).isEmpty()
+            boolean areTheirs = parameter
+                            .ofPlaces()
+                            .filter(places -> !own.get(places).isEmpty())
+                            .isPresent()
                     && !given.contains(argument);
             if (areTheirs) {
                 problems.add(

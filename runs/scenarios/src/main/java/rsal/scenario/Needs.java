@@ -30,7 +30,7 @@ record Needs(AgentType type, Optional<Arguments> arguments) {
         return "Agent (%s)%s".formatted(type.key(), why);
     }
 
-    private boolean matters(Parameter parameter, Arguments given, List<Class<? extends Device>> missing) {
+    private boolean matters(Parameter<?> parameter, Arguments given, List<Class<? extends Device>> missing) {
         if (parameter.fallback().isEmpty()) {
             return false;
         }

@@ -236,7 +236,7 @@ final class PlanReader {
 
     private Map<String, Object> arguments(String configuration, Value.Mapping overlay) {
         var values = new LinkedHashMap<String, Object>();
-        List<Parameter> declared = scenario.arguments();
+        List<Parameter<?>> declared = scenario.arguments();
         declared.forEach(parameter -> parameter.fallback().ifPresent(value -> values.put(parameter.name(), value)));
         var section = new Section("configurations." + configuration, overlay, problems);
         values.putAll(ArgumentReader.overridden(declared, section.section("args")));
@@ -272,8 +272,7 @@ final class PlanReader {
     private static Duration step(Mrs mrs, List<PlannedRobot> robots) {
         return RunPlan.systems(mrs, robots).stream()
                 .map(Mrs::settings)
-                .filter(settings -> settings.asMap().containsKey(SystemReader.STEP))
-                .map(settings -> settings.seconds(SystemReader.STEP))
+                .flatMap(settings -> SystemReader.step(settings).stream())
                 .findFirst()
                 .orElse(DEFAULT_STEP);
     }

@@ -26,15 +26,13 @@ record RobotNames(List<Role> roles, boolean open) {
     /// Notes each argument that should name robots and names none.
     ///
     /// @param section that the arguments were read from
-    void check(Section section, List<Parameter> parameters, Arguments arguments) {
-        for (Parameter parameter : parameters) {
-            if (parameter.kind() == Parameter.Kind.ROBOTS) {
-                check(section, parameter, arguments.text(parameter.name()));
-            }
+    void check(Section section, List<Parameter<?>> parameters, Arguments arguments) {
+        for (Parameter<?> parameter : parameters) {
+            parameter.ofRobots().ifPresent(robots -> check(section, robots, arguments.get(robots)));
         }
     }
 
-    private void check(Section section, Parameter parameter, String name) {
+    private void check(Section section, Parameter<?> parameter, String name) {
         var known = new ArrayList<>(roles.stream().map(Role::name).toList());
         if (parameter.options().contains(name) || known.contains(name) || mayBeUnread(name)) {
             return;

@@ -37,7 +37,7 @@ public final class Scenario {
     private final String name;
     private final String title;
     private final String description;
-    private final List<Parameter> arguments;
+    private final List<Parameter<?>> arguments;
     private final List<Configuration> configurations;
 
     private Scenario(Value.Mapping settings, FileSource files, Optional<String> text, Problems problems) {
@@ -341,7 +341,7 @@ public final class Scenario {
         return Location.of(settings.location().file());
     }
 
-    public List<Parameter> arguments() {
+    public List<Parameter<?>> arguments() {
         return arguments;
     }
 

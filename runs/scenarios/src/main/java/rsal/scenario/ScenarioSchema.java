@@ -432,15 +432,15 @@ public final class ScenarioSchema {
                 type.description());
     }
 
-    private static <P> Map<String, List<Parameter>> parameters(
-            Map<String, P> providers, Function<P, List<Parameter>> parameters) {
-        var byKey = new LinkedHashMap<String, List<Parameter>>();
+    private static <P> Map<String, List<Parameter<?>>> parameters(
+            Map<String, P> providers, Function<P, List<Parameter<?>>> parameters) {
+        var byKey = new LinkedHashMap<String, List<Parameter<?>>>();
         providers.forEach((key, provider) -> byKey.put(key, parameters.apply(provider)));
         return byKey;
     }
 
     private static Map<String, Object> backEnd(
-            boolean partial, String fallback, Map<String, List<Parameter>> parameters) {
+            boolean partial, String fallback, Map<String, List<Parameter<?>>> parameters) {
         var kinds = new ArrayList<Object>();
         parameters.forEach((key, own) -> kinds.add(group(
                 with(fields("use", fields("const", key)), parameters(own)),
@@ -522,7 +522,7 @@ public final class ScenarioSchema {
     }
 
     /// A number of seconds, or the least and the most.
-    private static Map<String, Object> span(Parameter seconds) {
+    private static Map<String, Object> span(Parameter<?> seconds) {
         Map<String, Object> one = parameter(seconds);
         return described(
                 anyOf(List.of(one, fields("type", "array", "items", one, "minItems", 2, "maxItems", 2))),
@@ -554,13 +554,13 @@ public final class ScenarioSchema {
                 List.of("name", "from"));
     }
 
-    private static Map<String, Object> parameters(List<Parameter> parameters) {
+    private static Map<String, Object> parameters(List<Parameter<?>> parameters) {
         var properties = new LinkedHashMap<String, Object>();
         parameters.forEach(parameter -> properties.put(parameter.name(), parameter(parameter)));
         return properties;
     }
 
-    private static List<String> required(List<Parameter> parameters) {
+    private static List<String> required(List<Parameter<?>> parameters) {
         return parameters.stream()
                 .filter(parameter -> parameter.fallback().isEmpty())
                 .map(Parameter::name)
@@ -568,14 +568,14 @@ public final class ScenarioSchema {
     }
 
     /// A plugin by its name or file, or a group with its parameters.
-    private static Map<String, Object> plugin(Parameter parameter) {
+    private static Map<String, Object> plugin(Parameter<?> parameter) {
         var schema = plugin(parameter.plugins().orElseThrow());
         parameter.fallback().ifPresent(fallback -> schema.put("default", fallback.toString()));
         return described(schema, description(parameter));
     }
 
     /// One plugin, or several in an order.
-    private static Map<String, Object> plugins(Parameter parameter) {
+    private static Map<String, Object> plugins(Parameter<?> parameter) {
         var one = plugin(parameter.plugins().orElseThrow());
         var schema = anyOf(List.of(one, fields("type", "array", "items", one)));
         parameter.fallback().ifPresent(fallback -> schema.put("default", keys(fallback)));
@@ -605,7 +605,7 @@ public final class ScenarioSchema {
         return anyOf(choices);
     }
 
-    private static Map<String, Object> parameter(Parameter parameter) {
+    private static Map<String, Object> parameter(Parameter<?> parameter) {
         if (parameter.kind() == Parameter.Kind.PLUGIN) {
             return plugin(parameter);
         }
@@ -620,6 +620,7 @@ public final class ScenarioSchema {
                     case INTEGER -> "integer";
                     case TEXT, ROBOTS, PLACES, POINTS -> "string";
                     case FLAG -> "boolean";
+                    case TEXTS -> "object";
                     case PLUGIN, PLUGINS -> throw new IllegalArgumentException("It has no one type.");
                 });
         if (Double.isFinite(parameter.min())) {
@@ -637,7 +638,7 @@ public final class ScenarioSchema {
         return described(schema, description(parameter));
     }
 
-    private static String description(Parameter parameter) {
+    private static String description(Parameter<?> parameter) {
         return parameter.description() + (parameter.unit().isEmpty() ? "" : " [" + parameter.unit() + "]");
     }
 

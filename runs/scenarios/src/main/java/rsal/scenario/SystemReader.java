@@ -18,7 +18,7 @@ import rsal.system.RobotSystemProvider;
 /// name.
 final class SystemReader {
     static final String KEY = "mrs";
-    static final String STEP = "step"; // of systems that have one
+    private static final String STEP = "step"; // of systems that have one [s]
 
     private final BackEnd.Kind<RobotSystemProvider> kind;
     private final Value.Mapping scenarios;
@@ -74,7 +74,7 @@ final class SystemReader {
 
     /// With the world's own step, if there are such.
     private BackEnd<RobotSystemProvider> inSteps(BackEnd<RobotSystemProvider> chosen) {
-        List<Parameter> parameters = chosen.provider().parameters();
+        List<Parameter<?>> parameters = chosen.provider().parameters();
         if (worldStep.isEmpty() || parameters.stream().noneMatch(p -> p.name().equals(STEP))) {
             return chosen;
         }
@@ -91,5 +91,12 @@ final class SystemReader {
                         chosen.provider(),
                         chosen.settings(),
                         seeds.of("mrs/" + chosen.provider().key() + chosen.settings())));
+    }
+
+    /// How long a step of a robot system is; empty of one that has no steps.
+    static Optional<Duration> step(Arguments settings) {
+        return settings.asMap().get(STEP) instanceof Double seconds
+                ? Optional.of(Duration.ofNanos(Math.round(seconds * 1e9)))
+                : Optional.empty();
     }
 }

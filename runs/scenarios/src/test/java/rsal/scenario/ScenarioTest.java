@@ -125,7 +125,7 @@ class ScenarioTest {
         assertThat(plan.robots().getFirst().spec().mapFromBase()).contains(Pose2d.ofDegrees(-12, -1, 180));
         assertThat(plan.robots().getFirst().drivers()).singleElement().satisfies(device -> {
             assertThat(device.name()).isEqualTo("localizer");
-            assertThat(device.options().number("error")).isEqualTo(0.1);
+            assertThat(device.options().asMap().get("error")).isEqualTo(0.1);
         });
         assertThat(plan.robots().get(1).spec().color()).isEqualTo("#123456");
         assertThat(plan.agents())
@@ -517,7 +517,7 @@ class ScenarioTest {
         assertThat(plan.robots()).hasSize(3);
         assertThat(plan.stops()).isEmpty();
         RunPlan other = plan(TWO_ROLES, RunOptions.NONE.withConfiguration("without"));
-        assertThat(other.agents().getLast().arguments().text("robots")).isEqualTo("thief");
+        assertThat(other.agents().getLast().arguments().asMap().get("robots")).isEqualTo("thief");
     }
 
     @Test
@@ -533,7 +533,12 @@ class ScenarioTest {
         assertThat(mistakes(host.replaceAll("first: .*\n.*without: .*", "first: {}")))
                 .contains("good.yaml:11:7: Nobody says which robots here are (thief) of scenario (own:without).");
         String one = host.replaceAll("  thief: .*\n", "").replaceAll("first: .*\n.*without: .*", "first: {}");
-        assertThat(plan(one, RunOptions.NONE).agents().getLast().arguments().text("robots"))
+        assertThat(plan(one, RunOptions.NONE)
+                        .agents()
+                        .getLast()
+                        .arguments()
+                        .asMap()
+                        .get("robots"))
                 .isEqualTo("guard");
         RunPlan typed = plan(one, RunOptions.NONE.withJoined("distribution"));
         assertThat(typed.with()).contains("distribution:virtual");

@@ -278,8 +278,8 @@ class WorldScenarioTest {
         assertThat(devices)
                 .extracting(PlannedDevice::name, device -> device.driver().key())
                 .startsWith(tuple("localizer", "amcl"), tuple("navigator", "navigator"));
-        assertThat(devices.getFirst().options().integer("maxParticles")).isEqualTo(900);
-        assertThat(devices.get(1).options().number("maxSpeed")).isEqualTo(0.3);
+        assertThat(devices.getFirst().options().asMap().get("maxParticles")).isEqualTo(900L);
+        assertThat(devices.get(1).options().asMap().get("maxSpeed")).isEqualTo(0.3);
         assertThat(devices.getFirst().seed()).isNotEqualTo(devices.get(1).seed());
         assertThat(plan.robots().get(1).drivers()).isEmpty();
     }

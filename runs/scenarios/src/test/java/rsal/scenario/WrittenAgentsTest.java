@@ -55,7 +55,7 @@ class WrittenAgentsTest {
     void theyAreReadBesideTheScenario() throws IOException {
         var agent = plan(SCENARIO).agents().getFirst();
         assertThat(agent.type().key()).isEqualTo("own.asl");
-        assertThat(agent.arguments().number("speed")).isEqualTo(0.2);
+        assertThat(agent.arguments().asMap().get("speed")).isEqualTo(0.2);
         assertThat(agent.robot()).contains("r");
     }
 
@@ -101,6 +101,6 @@ class WrittenAgentsTest {
                 """);
         var agents = plan(SCENARIO + "with: other.yaml\n").agents();
         assertThat(agents).extracting(agent -> agent.type().key()).containsExactly("own.asl", "greeter.asl");
-        assertThat(agents.getLast().arguments().text("greeting")).isEqualTo("good day");
+        assertThat(agents.getLast().arguments().asMap().get("greeting")).isEqualTo("good day");
     }
 }

@@ -52,10 +52,10 @@ final class Hunt implements Hunting {
         this.robot = self.robot().orElseThrow();
         this.localizer = robot.require(Localizer.class);
         this.navigator = robot.require(Navigator.class);
-        this.prey = arguments.text(JadexHunter.PREY.name());
-        this.tolerance = Tolerance.position(arguments.number(JadexHunter.CATCH_DISTANCE.name()) / 2);
-        this.updateInterval = arguments.seconds(JadexHunter.UPDATE_INTERVAL.name());
-        this.period = arguments.seconds(JadexHunter.PERIOD.name());
+        this.prey = arguments.get(JadexHunter.PREY);
+        this.tolerance = Tolerance.position(arguments.get(JadexHunter.CATCH_DISTANCE) / 2);
+        this.updateInterval = arguments.seconds(JadexHunter.UPDATE_INTERVAL);
+        this.period = arguments.seconds(JadexHunter.PERIOD);
     }
 
     /// @param body in which the mind is to live

@@ -14,13 +14,13 @@ import rsal.settings.Parameter;
 
 /// A hunter whose goals are Jadex's. Lives on the host `jadex` only.
 public final class JadexHunter implements AgentType {
-    static final Parameter PREY =
+    static final Parameter<String> PREY =
             Parameter.robots("prey", "prey", List.of(), "Role of the robots to hunt, or id of the one.");
-    static final Parameter CATCH_DISTANCE =
+    static final Parameter<Double> CATCH_DISTANCE =
             Parameter.number("catchDistance", 2.0, 0.1, 100, "m", "It stops when nearer to its prey than this.");
-    static final Parameter UPDATE_INTERVAL =
+    static final Parameter<Double> UPDATE_INTERVAL =
             Parameter.number("updateInterval", 2.0, 0.1, 600, "s", "How often it goes for the prey's newest pose.");
-    static final Parameter PERIOD =
+    static final Parameter<Double> PERIOD =
             Parameter.number("period", 0.5, 0.05, 60, "s", "How often it tells the others its pose.");
 
     @Override
@@ -34,7 +34,7 @@ public final class JadexHunter implements AgentType {
     }
 
     @Override
-    public List<Parameter> parameters() {
+    public List<Parameter<?>> parameters() {
         return List.of(PREY, CATCH_DISTANCE, UPDATE_INTERVAL, PERIOD);
     }
 

@@ -1,10 +1,12 @@
 package rsal.agents.charging;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import rsal.agent.AgentContext;
 import rsal.agents.driving.NavigationClient;
+import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
@@ -13,14 +15,14 @@ import rsal.settings.Parameter;
 /// Minds the battery of a robot that works: takes it to a charger when it runs low, as soon as it can leave what it
 /// does, and gives it back when it is full ([Charging]).
 public final class Recharging {
-    public static final Parameter CHARGERS = Parameter.places(
+    public static final Parameter<List<Point2d>> CHARGERS = Parameter.places(
             "chargers", "Where robots are charged; none when they are not. Whoever charges stands there.");
-    public static final Parameter LOW =
+    public static final Parameter<Double> LOW =
             Parameter.number("lowBattery", 0.3, 0, 1, "", "Share of its battery below which it goes to a charger.");
-    public static final Parameter FULL =
+    public static final Parameter<Double> FULL =
             Parameter.number("fullBattery", 0.9, 0, 1, "", "Share of its battery at which it goes on.");
 
-    public static final Parameter RANGE = Parameter.number(
+    public static final Parameter<Double> RANGE = Parameter.number(
             "batteryRange",
             150,
             1,
@@ -62,13 +64,7 @@ public final class Recharging {
             Supplier<Optional<Pose2d>> mapFromBase,
             Arguments arguments) {
         return new Charging(
-                self,
-                robot,
-                driver,
-                mapFromBase,
-                arguments.places(CHARGERS.name()),
-                arguments.number(LOW.name()),
-                arguments.number(FULL.name()));
+                self, robot, driver, mapFromBase, arguments.get(CHARGERS), arguments.get(LOW), arguments.get(FULL));
     }
 
     public void begin() {

@@ -67,14 +67,14 @@ final class Deployment {
 
     Deployment(AgentContext self, Arguments arguments) {
         this.self = self;
-        this.robots = arguments.text(DeploymentAgent.ROBOTS.name());
-        this.mapFromPlaces = Words.poses(arguments.places(DeploymentAgent.PLACES.name()));
+        this.robots = arguments.get(DeploymentAgent.ROBOTS);
+        this.mapFromPlaces = Words.poses(arguments.get(DeploymentAgent.PLACES));
         this.areGiven = !mapFromPlaces.isEmpty();
-        this.count = arguments.integer(DeploymentAgent.COUNT.name());
-        this.clearance = arguments.number(PlaceQuest.CLEARANCE.name());
+        this.count = arguments.get(DeploymentAgent.COUNT);
+        this.clearance = arguments.get(PlaceQuest.CLEARANCE);
         this.quest = new PlaceQuest(self, this::spreadOver);
-        this.interval = arguments.seconds(DeploymentAgent.DISPERSION_INTERVAL.name());
-        Duration ping = arguments.seconds(DeploymentAgent.PING_INTERVAL.name());
+        this.interval = arguments.seconds(DeploymentAgent.DISPERSION_INTERVAL);
+        Duration ping = arguments.seconds(DeploymentAgent.PING_INTERVAL);
         this.roll = new FailureDetector(self, ping, ping.multipliedBy(3), _ -> disperseSoon(BETWEEN));
         this.sightings = new TargetTracks(self.blackboard());
         this.costs = PathCostService.service(self);

@@ -10,9 +10,9 @@ import rsal.settings.Parameter;
 /// Stands by people who send robots: sees to it that each hears where it is sent, and tells when one does not answer.
 /// Needs no robot.
 public final class Dispatch extends AgentTypeBase {
-    static final Parameter ROBOTS = Parameter.robots(
+    static final Parameter<String> ROBOTS = Parameter.robots(
             "robots", NewGoal.ALL, List.of(NewGoal.ALL), "Role of the robots that people send, or all.");
-    static final Parameter SILENT_AFTER = Parameter.number(
+    static final Parameter<Double> SILENT_AFTER = Parameter.number(
             "silentAfter", 5, 2, 3600, "s", "A robot of which nothing was heard for that long counts as silent.");
 
     public Dispatch() {

@@ -40,8 +40,8 @@ final class Dispatching {
 
     Dispatching(AgentContext self, Arguments arguments) {
         this.self = self;
-        this.robots = arguments.text(Dispatch.ROBOTS.name());
-        Duration silence = arguments.seconds(Dispatch.SILENT_AFTER.name());
+        this.robots = arguments.get(Dispatch.ROBOTS);
+        Duration silence = arguments.seconds(Dispatch.SILENT_AFTER);
         this.patience = new RetryPolicy(ROUND, silence);
         this.roll = new FailureDetector(self, ROUND, silence, this::note);
         this.drives = GoalService.service(self);

@@ -18,7 +18,7 @@ import rsal.settings.Parameter;
 /// Has places found for a team by one of its robots that can ([PlaceSearch]); by another when that one fails or is
 /// silent. Says in its agent's state what it waits for.
 public final class PlaceQuest {
-    public static final Parameter CLEARANCE = Parameter.number(
+    public static final Parameter<Double> CLEARANCE = Parameter.number(
             "clearance", 0.4, 0.05, 10, "m", "Least distance from places to find, and from ways to them, to walls.");
 
     private final AgentContext self;

@@ -14,9 +14,9 @@ import rsal.settings.Parameter;
 /// Moves stand-ins of robots in a simulated world to where the robots say they are: mixed reality with robots
 /// that are not of this run; those that are can have a `proxy`. Needs no robot.
 public final class View extends AgentTypeBase {
-    private static final Parameter ROBOT = Parameter.robots(
+    private static final Parameter<String> ROBOT = Parameter.robots(
             "robot", NewGoal.ALL, List.of(NewGoal.ALL), "Role of the robots to show, id of the one, or all.");
-    private static final Parameter PROXY = Parameter.text(
+    private static final Parameter<String> PROXY = Parameter.text(
             "proxy", "proxy-*", "What its stand-in is called in the simulated world; * stands for the robot's id.");
 
     public View() {
@@ -33,8 +33,8 @@ public final class View extends AgentTypeBase {
                 .orElseThrow(() -> new IllegalStateException(
                         "Agent (%s) moves stand-ins in a simulated world, but this run has none. Maybe choose a robot system that simulates, or leave the agent out."
                                 .formatted(self.name())));
-        String robot = arguments.text(ROBOT.name());
-        String proxy = arguments.text(PROXY.name());
+        String robot = arguments.get(ROBOT);
+        String proxy = arguments.get(PROXY);
         self.subscribe(PoseReport.TOPIC, message -> {
             PoseReport report = message.content();
             if (robot.equals(NewGoal.ALL) || report.isFrom(robot)) {

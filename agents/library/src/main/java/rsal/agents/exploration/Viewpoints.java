@@ -29,7 +29,7 @@ import rsal.settings.Parameter;
 /// Has a robot go to places that are spread over the map and look all around at each, the nearest first by the way
 /// there, until it or others have been at all of them; then at others. Goes to none where another is about to look.
 public final class Viewpoints {
-    public static final Parameter COUNT = Parameter.integer(
+    public static final Parameter<Integer> COUNT = Parameter.integer(
             "lookouts", 12, 1, 1000, "", "At how many places it looks around, when it roams between lookouts.");
 
     private static final double CLEARANCE = 0.45; // m

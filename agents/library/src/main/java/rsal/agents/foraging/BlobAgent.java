@@ -21,10 +21,10 @@ import rsal.settings.Parameter;
 /// simulated world it puts them there at its start; a simulated thing may so stand for one that a real robot
 /// fetches. Needs no robot.
 public final class BlobAgent extends AgentTypeBase {
-    static final Parameter PLACES = Parameter.places("places", "Where they lie.");
-    static final Parameter COLOR =
+    static final Parameter<List<Point2d>> PLACES = Parameter.places("places", "Where they lie.");
+    static final Parameter<String> COLOR =
             Parameter.text("color", "#2ca02c", "Their color, as cameras see it, #rrggbb or a name.");
-    static final Parameter PUTS = Parameter.flag(
+    static final Parameter<Boolean> PUTS = Parameter.flag(
             "puts", true, "Whether it puts them there, in a simulated world; else they are taken to lie there.");
 
     private static final Solid CAN =
@@ -42,8 +42,8 @@ public final class BlobAgent extends AgentTypeBase {
     protected void begin(AgentContext self, Arguments arguments) {
         Rgb color = Spotting.color(arguments, COLOR)
                 .orElseThrow(() -> new IllegalArgumentException("(color) must be a color, #rrggbb or a name."));
-        List<Point2d> places = arguments.places(PLACES.name());
-        if (arguments.flag(PUTS.name())) {
+        List<Point2d> places = arguments.get(PLACES);
+        if (arguments.get(PUTS)) {
             self.simulation().ifPresent(world -> put(world, self.name(), places, color));
         }
         List<CollectGoal> things =

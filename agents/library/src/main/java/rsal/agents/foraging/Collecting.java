@@ -25,11 +25,11 @@ import rsal.settings.Parameter;
 /// What a robot with a gripper does for a team: it fetches things, one after the other, and brings them to its depot.
 /// What its battery would not last for it does not take on.
 final class Collecting implements Skill<Fetch> {
-    static final Parameter DEPOT = Parameter.places(
+    static final Parameter<List<Point2d>> DEPOT = Parameter.places(
             "depot",
             "Where it brings things: of several places to the one nearest to a thing. None: where it stood 2 s after"
                     + " its start.");
-    static final Parameter DEPOT_RADIUS =
+    static final Parameter<Double> DEPOT_RADIUS =
             Parameter.number("depotRadius", 1.5, 0.3, 10, "m", "What lies that near to the depot is collected.");
 
     static final Duration SETTLING = Duration.ofSeconds(2);
@@ -64,11 +64,11 @@ final class Collecting implements Skill<Fetch> {
                 () -> haul == null,
                 () -> worker.unfit("charging"),
                 this::beFit);
-        double range = arguments.number(Recharging.RANGE.name());
+        double range = arguments.get(Recharging.RANGE);
         worker.learn(Fetch.class, this);
         worker.within(() -> recharging.reach(range));
-        this.depotRadius = arguments.number(DEPOT_RADIUS.name());
-        this.given = arguments.places(DEPOT.name());
+        this.depotRadius = arguments.get(DEPOT_RADIUS);
+        this.given = arguments.get(DEPOT);
         this.depots = new Depots(self);
     }
 

@@ -23,12 +23,12 @@ public final class Explore extends AgentTypeBase {
     private static final String LOOKOUTS = "lookouts";
     private static final double NARROW = 0; // rad, its view: it turns all around
 
-    static final Parameter COLOR =
+    static final Parameter<String> COLOR =
             Parameter.text("color", "", "Of the things that it looks for, #rrggbb or a name; any when empty.");
-    static final Parameter RANGE =
+    static final Parameter<Double> RANGE =
             Parameter.number("range", 2, 0.3, 100, "m", "How far away from its camera things may be to count.");
 
-    static final Parameter ROAM = Parameter.choice(
+    static final Parameter<String> ROAM = Parameter.choice(
             "roam",
             "walls",
             List.of("walls", LOOKOUTS),
@@ -45,7 +45,7 @@ public final class Explore extends AgentTypeBase {
 
     @Override
     protected List<Class<? extends Device>> needsBesides(Arguments arguments) {
-        return arguments.text(ROAM.name()).equals(LOOKOUTS) ? List.of(Navigator.class, PlaceFinder.class) : List.of();
+        return arguments.get(ROAM).equals(LOOKOUTS) ? List.of(Navigator.class, PlaceFinder.class) : List.of();
     }
 
     @Override
@@ -55,16 +55,9 @@ public final class Explore extends AgentTypeBase {
         reporter.begin();
         var finds = new Detections(self);
         finds.begin();
-        new Spotting(
-                        self,
-                        robot,
-                        reporter,
-                        Spotting.color(arguments, COLOR),
-                        arguments.number(RANGE.name()),
-                        finds::see)
-                .begin();
-        if (arguments.text(ROAM.name()).equals(LOOKOUTS)) {
-            roam(self, robot, reporter, arguments.integer(Viewpoints.COUNT.name()));
+        new Spotting(self, robot, reporter, Spotting.color(arguments, COLOR), arguments.get(RANGE), finds::see).begin();
+        if (arguments.get(ROAM).equals(LOOKOUTS)) {
+            roam(self, robot, reporter, arguments.get(Viewpoints.COUNT));
         } else {
             Roaming.alongWalls(self, robot).begin();
         }

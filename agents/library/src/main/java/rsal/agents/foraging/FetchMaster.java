@@ -8,7 +8,7 @@ import rsal.settings.Parameter;
 
 /// Has a team fetch what others ask for. Needs no robot.
 public final class FetchMaster extends AgentTypeBase {
-    static final Parameter ALLOTMENT = Parameter.choice(
+    static final Parameter<String> ALLOTMENT = Parameter.choice(
             "allotment",
             "bids",
             List.of("bids", "first"),

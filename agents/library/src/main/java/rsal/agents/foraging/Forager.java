@@ -67,13 +67,13 @@ final class Forager {
                 robot,
                 reporter,
                 Spotting.color(arguments, Explore.COLOR),
-                arguments.number(Explore.RANGE.name()),
+                arguments.get(Explore.RANGE),
                 this::see);
-        this.lookouts = new Viewpoints(
-                self, robot, driver, reporter::mapFromBase, arguments.integer(Viewpoints.COUNT.name()), () -> 0);
+        this.lookouts =
+                new Viewpoints(self, robot, driver, reporter::mapFromBase, arguments.get(Viewpoints.COUNT), () -> 0);
         this.charging = Recharging.charging(self, robot, driver, reporter::mapFromBase, arguments);
-        this.given = arguments.places(Collecting.DEPOT.name());
-        this.depotRadius = arguments.number(Collecting.DEPOT_RADIUS.name());
+        this.given = arguments.get(Collecting.DEPOT);
+        this.depotRadius = arguments.get(Collecting.DEPOT_RADIUS);
         this.depots = new Depots(self);
         this.mind = new Mind(self);
         this.known = mind.belief("things", "none");

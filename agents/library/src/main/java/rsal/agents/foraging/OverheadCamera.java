@@ -16,11 +16,12 @@ import rsal.settings.Parameter;
 /// Sensors on the ceiling, which see what lies under them and have robots that can collect it. In the simulated world
 /// they see the truth, through walls too: places and range are to be chosen so that a sensor sees one room.
 public final class OverheadCamera extends AgentTypeBase {
-    static final Parameter PLACES = Parameter.points("places", "Where there is a sensor.");
-    static final Parameter THINGS = Parameter.text("things", "What the things are called that it looks for (can).");
-    static final Parameter RANGE =
+    static final Parameter<List<Point2d>> PLACES = Parameter.points("places", "Where there is a sensor.");
+    static final Parameter<String> THINGS =
+            Parameter.text("things", "What the things are called that it looks for (can).");
+    static final Parameter<Double> RANGE =
             Parameter.number("range", 2.5, 0.1, 100, "m", "How far from the place under a sensor it sees.");
-    static final Parameter PERIOD = Parameter.number("period", 1, 0.1, 60, "s", "Time between two looks.");
+    static final Parameter<Double> PERIOD = Parameter.number("period", 1, 0.1, 60, "s", "Time between two looks.");
 
     private static final double LIFTED = 0.01; // m above the floor: a robot holds it
 
@@ -39,10 +40,10 @@ public final class OverheadCamera extends AgentTypeBase {
                         "Agent (%s) sees things in a simulated world, and there is none.".formatted(self.name())));
         var finds = new Detections(self);
         finds.begin();
-        List<Point2d> places = arguments.places(PLACES.name());
-        String name = arguments.text(THINGS.name());
-        double range = arguments.number(RANGE.name());
-        Duration period = arguments.seconds(PERIOD.name());
+        List<Point2d> places = arguments.get(PLACES);
+        String name = arguments.get(THINGS);
+        double range = arguments.get(RANGE);
+        Duration period = arguments.seconds(PERIOD);
         self.scheduler().every(period, () -> {
             for (Standing thing : world.things()) {
                 Point2d where = thing.mapFromThing().position();

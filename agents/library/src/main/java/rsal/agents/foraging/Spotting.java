@@ -46,8 +46,8 @@ public final class Spotting {
     /// A color that was typed; empty when it was left out.
     ///
     /// @throws IllegalArgumentException when it is none
-    public static Optional<Rgb> color(Arguments arguments, Parameter parameter) {
-        String text = arguments.text(parameter.name());
+    public static Optional<Rgb> color(Arguments arguments, Parameter<String> parameter) {
+        String text = arguments.get(parameter);
         return text.isEmpty()
                 ? Optional.empty()
                 : Optional.of(ColorNames.parse(text)

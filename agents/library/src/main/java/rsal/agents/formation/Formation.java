@@ -4,23 +4,24 @@ import java.util.List;
 import rsal.agent.AgentContext;
 import rsal.agent.message.NewGoal;
 import rsal.agents.parts.AgentTypeBase;
+import rsal.data.Point2d;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
 /// Leads a team through the map in a formation, each robot at a place of its own in it. Where there is no room it goes
 /// in a column. Needs no robot.
 public final class Formation extends AgentTypeBase {
-    static final Parameter ROBOTS =
+    static final Parameter<String> ROBOTS =
             Parameter.robots("robots", NewGoal.ALL, List.of(NewGoal.ALL), "Role of the robots to lead, or all.");
-    static final Parameter SHAPE =
+    static final Parameter<String> SHAPE =
             Parameter.choice("shape", Shape.WEDGE.word(), Shape.words(), "How the robots stand to each other.");
-    static final Parameter SPACING =
+    static final Parameter<Double> SPACING =
             Parameter.number("spacing", 1.5, 0.6, 20, "m", "Distance of neighbors in the formation.");
-    static final Parameter ROUTE = Parameter.places(
+    static final Parameter<List<Point2d>> ROUTE = Parameter.places(
             "route", "Where it goes: first where the robots come together, then one place after the other.");
-    static final Parameter SPEED =
+    static final Parameter<Double> SPEED =
             Parameter.number("speed", 0.25, 0.02, 3, "m/s", "How fast it goes while all are at their places.");
-    static final Parameter SILENCE = Parameter.number(
+    static final Parameter<Double> SILENCE = Parameter.number(
             "silence", 3, 1, 600, "s", "A robot of which nothing was heard for that long has its place no more.");
 
     public Formation() {
@@ -33,7 +34,7 @@ public final class Formation extends AgentTypeBase {
 
     @Override
     protected void begin(AgentContext self, Arguments arguments) {
-        if (arguments.places(ROUTE.name()).size() < 2) {
+        if (arguments.get(ROUTE).size() < 2) {
             throw new IllegalArgumentException(
                     "Agent (%s) needs a route of at least two places. Maybe set its argument (route) to \"0 0; 10 0\"."
                             .formatted(self.name()));

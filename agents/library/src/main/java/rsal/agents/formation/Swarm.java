@@ -22,13 +22,13 @@ import rsal.settings.Parameter;
 /// keeps its place in formations. Its robot needs few devices, so that hundreds fit into a run; without a pilot it
 /// waits where others follow walls.
 public final class Swarm extends AgentTypeBase {
-    static final Parameter RADIUS = Parameter.number(
+    static final Parameter<Double> RADIUS = Parameter.number(
             "radius", 0, 0, 10_000, "m", "Robots farther away than this are not heard; 0 hears all of them.");
-    static final Parameter NEAR =
+    static final Parameter<Double> NEAR =
             Parameter.number("near", 5, 0.1, 1000, "m", "Robots that are nearer than this are its neighbors.");
 
     private static final String ROAM = "roam";
-    static final Parameter IDLE = Parameter.choice(
+    static final Parameter<String> IDLE = Parameter.choice(
             "idle", ROAM, List.of(ROAM, "wait"), "What it does when it is told nothing; without a pilot it waits.");
 
     private static final String WAITING = "waiting for a goal";
@@ -44,12 +44,12 @@ public final class Swarm extends AgentTypeBase {
     @Override
     protected void begin(AgentContext self, Arguments arguments) {
         Robot robot = Body.of(self);
-        var neighbors = new Neighbors(self, arguments.number(NEAR.name()));
+        var neighbors = new Neighbors(self, arguments.get(NEAR));
         var reporter = new Reporter(self, robot, arguments, said -> neighbors.isAt(said.mapFromBase()));
-        double radius = arguments.number(RADIUS.name());
+        double radius = arguments.get(RADIUS);
         neighbors.begin(radius == 0 ? Interest.all() : PoseReport.within(radius, reporter::mapFromBase));
         var driver = new NavigationClient(self, robot.require(Navigator.class));
-        if (arguments.text(IDLE.name()).equals(ROAM) && robot.find(Pilot.class).isPresent()) {
+        if (arguments.get(IDLE).equals(ROAM) && robot.find(Pilot.class).isPresent()) {
             Roaming roaming = Roaming.alongWalls(self, robot);
             roaming.begin();
             new FormationFollower(self, robot.id(), driver, roaming::isOnErrand, roaming::pause, roaming::goOn).begin();

@@ -73,12 +73,12 @@ final class VirtualStructure {
 
     VirtualStructure(AgentContext self, Arguments arguments) {
         this.self = self;
-        this.robots = arguments.text(Formation.ROBOTS.name());
-        this.shape = Shape.of(arguments.text(Formation.SHAPE.name()));
-        this.spacing = arguments.number(Formation.SPACING.name());
-        this.speed = arguments.number(Formation.SPEED.name());
-        this.mapFromRoute = Words.poses(arguments.places(Formation.ROUTE.name()));
-        this.roll = new FailureDetector(self, PING, arguments.seconds(Formation.SILENCE.name()), _ -> {});
+        this.robots = arguments.get(Formation.ROBOTS);
+        this.shape = Shape.of(arguments.get(Formation.SHAPE));
+        this.spacing = arguments.get(Formation.SPACING);
+        this.speed = arguments.get(Formation.SPEED);
+        this.mapFromRoute = Words.poses(arguments.get(Formation.ROUTE));
+        this.roll = new FailureDetector(self, PING, arguments.seconds(Formation.SILENCE), _ -> {});
         this.surveys = SurveyService.service(self);
         this.drives = GoalService.service(self);
     }

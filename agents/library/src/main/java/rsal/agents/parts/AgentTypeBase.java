@@ -14,12 +14,12 @@ import rsal.settings.Parameter;
 public abstract class AgentTypeBase implements AgentType {
     private final String key;
     private final String description;
-    private final List<Parameter> parameters;
+    private final List<Parameter<?>> parameters;
     private final List<Class<? extends Device>> needs;
 
     /// @param needs types of devices without which it can't work; none for agents without a robot
     public AgentTypeBase(
-            String key, String description, List<Parameter> parameters, List<Class<? extends Device>> needs) {
+            String key, String description, List<Parameter<?>> parameters, List<Class<? extends Device>> needs) {
         this.key = key;
         this.description = description;
         this.parameters = parameters;
@@ -40,7 +40,7 @@ public abstract class AgentTypeBase implements AgentType {
     }
 
     @Override
-    public final List<Parameter> parameters() {
+    public final List<Parameter<?>> parameters() {
         return parameters;
     }
 

@@ -21,7 +21,7 @@ import rsal.settings.Parameter;
 /// A robot without a localizer reports its odometry, once a second at most, which is right in the map as far as
 /// its odometry started there.
 public final class Reporter {
-    public static final Parameter PERIOD = Parameter.number(
+    public static final Parameter<Double> PERIOD = Parameter.number(
             "period", 0.5, 0, 60, "s", "Least time between two reports of its pose; 0 reports every one.");
 
     private static final Duration WITHOUT_LOCALIZER = Duration.ofSeconds(1);
@@ -47,7 +47,7 @@ public final class Reporter {
             AgentContext self, Robot robot, Arguments arguments, Consumer<? super PoseReport> said, boolean tells) {
         this.self = self;
         this.robot = robot;
-        this.period = arguments.seconds(PERIOD.name());
+        this.period = arguments.seconds(PERIOD);
         this.said = said;
         this.tells = tells;
         this.localizer = robot.find(Localizer.class);

@@ -16,7 +16,7 @@ import rsal.settings.Parameter;
 /// Calls the nearest of a team to an intruder that one of them has seen, whatever they do meanwhile, and lets them go
 /// when one of them has met it or nobody sees it any more. One that was met and stays there is no alarm any more.
 final class Alarms {
-    static final Parameter RESPONDERS = Parameter.integer(
+    static final Parameter<Integer> RESPONDERS = Parameter.integer(
             "responders", 2, 0, 100, "", "How many robots are called when one of them sees an intruder.");
 
     private static final double URGENCY = 1e5; // m, more than any way and any place left alone
@@ -35,7 +35,7 @@ final class Alarms {
     Alarms(AgentContext self, Arguments arguments, Team team) {
         this.self = self;
         this.team = team;
-        this.responders = arguments.integer(RESPONDERS.name());
+        this.responders = arguments.get(RESPONDERS);
     }
 
     void begin() {

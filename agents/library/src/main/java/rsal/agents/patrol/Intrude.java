@@ -32,8 +32,8 @@ public final class Intrude extends AgentTypeBase {
         var surrender = new CaptureDetector(
                 self,
                 robot,
-                arguments.text(Escape.HUNTER.name()),
-                arguments.number(Escape.CATCH_DISTANCE.name()),
+                arguments.get(Escape.HUNTER),
+                arguments.get(Escape.CATCH_DISTANCE),
                 false,
                 wallFollowing::end);
         self.subscribe(PoseReport.TOPIC, message -> surrender.note(message.content(), mapFromBase.get()));

@@ -14,7 +14,7 @@ import rsal.settings.Parameter;
 
 /// Tells the others where it sees intruders through a robot's camera, once a second as long as it does.
 public final class IntruderDetector {
-    public static final Parameter INTRUDER = Parameter.text(
+    public static final Parameter<String> INTRUDER = Parameter.text(
             "intruder",
             "",
             "Color by which its camera knows intruders, #rrggbb or a name; it looks for none when empty. Takes a camera.");

@@ -50,17 +50,16 @@ final class PatrolMonitor {
 
     PatrolMonitor(AgentContext self, Arguments arguments) {
         this.self = self;
-        this.strategy = arguments.text(Patrol.STRATEGY.name());
-        this.urgency = arguments.number(Patrol.URGENCY.name());
-        this.stay = arguments.seconds(Patrol.STAY.name());
+        this.strategy = arguments.get(Patrol.STRATEGY);
+        this.urgency = arguments.get(Patrol.URGENCY);
+        this.stay = arguments.seconds(Patrol.STAY);
         this.quest = new PlaceQuest(self, this::watch);
         Rules rules = Rules.DEFAULT.withObjective(Objective.SUM).oneAtATime().withTries(0);
         this.team = new Team(self, rules, this::note);
         this.alarms = new Alarms(self, arguments, team);
-        List<Point2d> given = arguments.places(Patrol.PLACES.name());
+        List<Point2d> given = arguments.get(Patrol.PLACES);
         this.wanted = given.isEmpty()
-                ? Optional.of(new Wanted(
-                        arguments.integer(Patrol.COUNT.name()), arguments.number(PlaceQuest.CLEARANCE.name())))
+                ? Optional.of(new Wanted(arguments.get(Patrol.COUNT), arguments.get(PlaceQuest.CLEARANCE)))
                 : Optional.empty();
         if (!given.isEmpty()) {
             self.scheduler().execute(() -> watch(given));

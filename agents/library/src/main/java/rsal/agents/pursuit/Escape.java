@@ -13,13 +13,13 @@ import rsal.settings.Parameter;
 /// A prey: follows the wall on its left and says where it is, until a hunter comes too near. Then it gives up and
 /// spins on the spot.
 public final class Escape extends AgentTypeBase {
-    public static final Parameter HUNTER = Parameter.robots(
+    public static final Parameter<String> HUNTER = Parameter.robots(
             "hunter",
             "",
             List.of(""),
             "Role of the robots that catch it, or id of the one; empty when any other robot does.");
     /// The thesis has 1.5 m, which hunters that stop 2 m away do not come to: so the same as theirs.
-    public static final Parameter CATCH_DISTANCE =
+    public static final Parameter<Double> CATCH_DISTANCE =
             Parameter.number("catchDistance", 2.0, 0.1, 100, "m", "It is caught when a hunter is nearer than this.");
 
     public Escape() {

@@ -16,9 +16,10 @@ import rsal.settings.Parameter;
 /// A clever prey: explores along walls, minds its battery, and runs from hunters that it or other prey see, where these
 /// get much later than it does. Caught like any other.
 public final class Evade extends AgentTypeBase {
-    static final Parameter SIGHT =
+    static final Parameter<Double> SIGHT =
             Parameter.number("sight", 10, 0, 1000, "m", "How far it sees hunters, and tells the other prey of them.");
-    static final Parameter FEAR = Parameter.number("fear", 6, 0, 1000, "m", "It runs from hunters nearer than this.");
+    static final Parameter<Double> FEAR =
+            Parameter.number("fear", 6, 0, 1000, "m", "It runs from hunters nearer than this.");
 
     public Evade() {
         super(

@@ -59,21 +59,21 @@ final class Evader {
         this.robot = robot;
         this.pilot = robot.require(Pilot.class);
         this.driver = new NavigationClient(self, robot.require(Navigator.class));
-        String hunter = arguments.text(Escape.HUNTER.name());
+        String hunter = arguments.get(Escape.HUNTER);
         boolean byMarkers = Sight.byMarkers(arguments);
         this.reporter = new Reporter(self, robot, arguments, _ -> look(), !byMarkers);
         this.eyes = byMarkers
                 ? Optional.of(new Sight(self, robot, reporter::mapFromBase, hunter, this::see))
                 : Optional.empty();
         this.evasion = new Evasion(self, robot);
-        this.sight = arguments.number(Evade.SIGHT.name());
-        this.fear = arguments.number(Evade.FEAR.name());
-        this.charging = new Charging(
-                self, robot, driver, reporter::mapFromBase, arguments.places(Recharging.CHARGERS.name()), LOW, FULL);
+        this.sight = arguments.get(Evade.SIGHT);
+        this.fear = arguments.get(Evade.FEAR);
+        this.charging =
+                new Charging(self, robot, driver, reporter::mapFromBase, arguments.get(Recharging.CHARGERS), LOW, FULL);
         this.mind = new Mind(self);
         this.nearest = mind.belief("nearest hunter", Double.POSITIVE_INFINITY);
-        this.surrender = new CaptureDetector(
-                self, robot, hunter, arguments.number(Escape.CATCH_DISTANCE.name()), byMarkers, this::letGo);
+        this.surrender =
+                new CaptureDetector(self, robot, hunter, arguments.get(Escape.CATCH_DISTANCE), byMarkers, this::letGo);
         this.self.atEnd(pilot::release);
     }
 

@@ -14,14 +14,14 @@ import rsal.settings.Parameter;
 /// A hunter: goes for the newest pose of a prey until that has been caught, then for the next. Driving where it is
 /// told comes first.
 public final class Follow extends AgentTypeBase {
-    static final Parameter PREY =
+    static final Parameter<String> PREY =
             Parameter.robots("prey", "prey", List.of(), "Role of the robots to hunt, or id of the one.");
-    static final Parameter CATCH_DISTANCE =
+    static final Parameter<Double> CATCH_DISTANCE =
             Parameter.number("catchDistance", 2.0, 0.1, 100, "m", "It stops when nearer to its prey than this.");
     /// As the thesis's real runs had it; simulated ones had 5 s.
-    static final Parameter UPDATE_INTERVAL =
+    static final Parameter<Double> UPDATE_INTERVAL =
             Parameter.number("updateInterval", 2.0, 0.1, 600, "s", "How often it goes for the prey's newest pose.");
-    static final Parameter ASSIGNMENT = Parameter.choice(
+    static final Parameter<String> ASSIGNMENT = Parameter.choice(
             "assignment",
             "fixed",
             List.of("fixed", "nearest", "bids"),
@@ -50,7 +50,7 @@ public final class Follow extends AgentTypeBase {
 
     @Override
     protected void begin(AgentContext self, Arguments arguments) {
-        if (arguments.text(ASSIGNMENT.name()).equals("bids")) {
+        if (arguments.get(ASSIGNMENT).equals("bids")) {
             new Hunter(self, Body.of(self), arguments).begin();
         } else {
             new Hunt(self, Body.of(self), arguments).begin();

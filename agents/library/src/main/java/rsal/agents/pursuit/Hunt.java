@@ -63,11 +63,11 @@ final class Hunt {
         this.search = new Search(self, robot, driver, reporter::mapFromBase, arguments, this::note);
         this.errands = new GoalService(self, robot.id(), driver, search::pause, this::decide);
         this.sightings = new TargetTracks(self.blackboard());
-        this.preyName = arguments.text(Follow.PREY.name());
-        this.catchDistance = arguments.number(Follow.CATCH_DISTANCE.name());
+        this.preyName = arguments.get(Follow.PREY);
+        this.catchDistance = arguments.get(Follow.CATCH_DISTANCE);
         this.tolerance = Tolerance.position(catchDistance / 2);
-        this.updateInterval = arguments.seconds(Follow.UPDATE_INTERVAL.name());
-        this.nearest = arguments.text(Follow.ASSIGNMENT.name()).equals("nearest");
+        this.updateInterval = arguments.seconds(Follow.UPDATE_INTERVAL);
+        this.nearest = arguments.get(Follow.ASSIGNMENT).equals("nearest");
         this.turn = self.directory().ofRole(self.role()).stream()
                 .map(Directory.Entry::name)
                 .toList()

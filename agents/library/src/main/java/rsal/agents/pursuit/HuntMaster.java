@@ -9,9 +9,9 @@ import rsal.settings.Parameter;
 /// Has a team catch prey: hunters that bid (`follow` with `assignment: bids`) each get a prey so that no way is long,
 /// more than one of them for a prey when there are more hunters; again and again while they move. Needs no robot.
 public final class HuntMaster extends AgentTypeBase {
-    static final Parameter PREY =
+    static final Parameter<String> PREY =
             Parameter.robots("prey", "prey", List.of(), "Role of the robots to hunt, or id of the one.");
-    static final Parameter INTERVAL =
+    static final Parameter<Double> INTERVAL =
             Parameter.number("interval", 4, 0.5, 600, "s", "How often all prey are allotted anew.");
 
     public HuntMaster() {

@@ -44,8 +44,8 @@ final class Hunter {
                 driver,
                 sightings,
                 reporter::mapFromBase,
-                arguments.number(Follow.CATCH_DISTANCE.name()),
-                arguments.seconds(Follow.UPDATE_INTERVAL.name()));
+                arguments.get(Follow.CATCH_DISTANCE),
+                arguments.seconds(Follow.UPDATE_INTERVAL));
         this.worker = new Worker(
                 self, new PlannedWays(robot.find(Planner.class), NEAR), reporter::mapFromBase, this::changed);
         this.worker.learn(Catch.class, chasing);

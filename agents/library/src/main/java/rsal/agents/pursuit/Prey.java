@@ -20,10 +20,10 @@ final class Prey {
     Prey(AgentContext self, Robot robot, Arguments arguments) {
         this.self = self;
         this.wallFollowing = Roaming.alongWalls(self, robot);
-        String hunter = arguments.text(Escape.HUNTER.name());
+        String hunter = arguments.get(Escape.HUNTER);
         boolean byMarkers = Sight.byMarkers(arguments);
         this.surrender = new CaptureDetector(
-                self, robot, hunter, arguments.number(Escape.CATCH_DISTANCE.name()), byMarkers, wallFollowing::end);
+                self, robot, hunter, arguments.get(Escape.CATCH_DISTANCE), byMarkers, wallFollowing::end);
         this.reporter = new Reporter(self, robot, arguments, _ -> lookAround(), !byMarkers);
         this.sight = byMarkers
                 ? Optional.of(new Sight(self, robot, reporter::mapFromBase, hunter, seen -> hear(seen.report())))

@@ -34,11 +34,11 @@ final class PursuitCoordinator {
 
     PursuitCoordinator(AgentContext self, Arguments arguments) {
         this.self = self;
-        this.prey = arguments.text(HuntMaster.PREY.name());
+        this.prey = arguments.get(HuntMaster.PREY);
         Rules rules = Rules.DEFAULT
                 .withObjective(Objective.LONGEST)
                 .withTries(0)
-                .reconsideredEvery(arguments.seconds(HuntMaster.INTERVAL.name()));
+                .reconsideredEvery(arguments.seconds(HuntMaster.INTERVAL));
         this.team = new Team(self, rules, this::changed);
     }
 

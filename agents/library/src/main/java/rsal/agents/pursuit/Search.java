@@ -38,12 +38,12 @@ final class Search {
             Consumer<PoseReport> onNews) {
         this.self = self;
         this.hunters = robot.role();
-        this.prey = arguments.text(Follow.PREY.name());
+        this.prey = arguments.get(Follow.PREY);
         this.onNews = onNews;
         this.sight = Sight.byMarkers(arguments)
                 ? Optional.of(new Sight(self, robot, mapFromBase, prey, seen -> onNews.accept(seen.report())))
                 : Optional.empty();
-        int places = arguments.integer(Viewpoints.COUNT.name());
+        int places = arguments.get(Viewpoints.COUNT);
         this.lookouts = sight.map(eyes -> new Viewpoints(self, robot, driver, mapFromBase, places, eyes::fieldOfView));
     }
 

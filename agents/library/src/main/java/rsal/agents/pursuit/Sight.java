@@ -21,7 +21,7 @@ import rsal.settings.Parameter;
 
 /// Sees other robots by the markers that they wear, and tells those of its kind where.
 final class Sight {
-    static final Parameter SEES = Parameter.choice(
+    static final Parameter<String> SEES = Parameter.choice(
             "sees",
             "reports",
             List.of("reports", "markers"),
@@ -56,7 +56,7 @@ final class Sight {
 
     /// Whether it is to know others by their markers.
     static boolean byMarkers(Arguments arguments) {
-        return arguments.text(SEES.name()).equals("markers");
+        return arguments.get(SEES).equals("markers");
     }
 
     /// Types of devices that it takes to know others so.

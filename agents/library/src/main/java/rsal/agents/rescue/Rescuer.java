@@ -23,13 +23,13 @@ import rsal.settings.Parameter;
 
 /// Tells of victims that its robot sees while that explores or waits. Driving where it is told comes first.
 public abstract class Rescuer extends AgentTypeBase {
-    static final Parameter RETURNS = Parameter.flag(
+    static final Parameter<Boolean> RETURNS = Parameter.flag(
             "returns",
             true,
             "Whether a robot drives back to where it began when nobody needs it and nothing is left to map, not to"
                     + " wait in anybody's way.");
 
-    Rescuer(String key, String description, List<Parameter> own) {
+    Rescuer(String key, String description, List<Parameter<?>> own) {
         super(
                 key,
                 description,
@@ -51,7 +51,7 @@ public abstract class Rescuer extends AgentTypeBase {
         parts.reporter.begin();
         parts.scouting.begin();
         parts.exploring.begin(free);
-        if (arguments.flag(RETURNS.name())) {
+        if (arguments.get(RETURNS)) {
             new Homing(
                             self,
                             parts.driver,
@@ -92,9 +92,9 @@ public abstract class Rescuer extends AgentTypeBase {
 
     /// Helps victims, too.
     public static final class Helper extends Rescuer {
-        static final Parameter REACH = Parameter.number(
+        static final Parameter<Double> REACH = Parameter.number(
                 "reach", 1.2, 0.3, 10, "m", "How near to a victim's middle the robot's must be to help it.");
-        static final Parameter STAY =
+        static final Parameter<Double> STAY =
                 Parameter.number("stay", 10, 0, 600, "s", "How long a robot stays with a victim to help it.");
 
         public Helper() {
@@ -109,8 +109,8 @@ public abstract class Rescuer extends AgentTypeBase {
             AgentContext self = parts.self;
             NavigationClient driver = parts.driver;
             Exploring exploring = parts.exploring;
-            double reach = arguments.number(REACH.name());
-            Duration stay = arguments.seconds(STAY.name());
+            double reach = arguments.get(REACH);
+            Duration stay = arguments.seconds(STAY);
             var ways = new PlannedWays(parts.robot.find(Planner.class), Helping.near(reach));
             var worker = new Worker(self, ways, parts.reporter::mapFromBase, now -> {
                 if (now.job().isEmpty()) {

@@ -9,12 +9,13 @@ import rsal.settings.Parameter;
 
 /// Keeps a board of notes that a team shares. Needs no robot.
 public final class BlackboardMaster extends AgentTypeBase {
-    static final Parameter BOARD = Parameter.text("board", "team", "Name of the board, by which agents find it.");
-    static final Parameter NOTES =
+    static final Parameter<String> BOARD =
+            Parameter.text("board", "team", "Name of the board, by which agents find it.");
+    static final Parameter<Integer> NOTES =
             Parameter.integer("notes", 250, 1, 10_000, "", "How many notes one agent may have on it.");
-    static final Parameter AUTHORS =
+    static final Parameter<Integer> AUTHORS =
             Parameter.integer("authors", 1_000, 1, 10_000, "", "How many agents may have notes on it.");
-    static final Parameter WATCHES =
+    static final Parameter<Integer> WATCHES =
             Parameter.integer("watches", 1_000, 0, 10_000, "", "How many may be told what changes on it.");
 
     private static final int WATCHES_EACH = 16;
@@ -30,10 +31,7 @@ public final class BlackboardMaster extends AgentTypeBase {
     @Override
     protected void begin(AgentContext self, Arguments arguments) {
         var limits = new BoardKeeper.Limits(
-                arguments.integer(AUTHORS.name()),
-                arguments.integer(NOTES.name()),
-                arguments.integer(WATCHES.name()),
-                WATCHES_EACH);
-        new BoardKeeper(self, arguments.text(BOARD.name()), limits).begin();
+                arguments.get(AUTHORS), arguments.get(NOTES), arguments.get(WATCHES), WATCHES_EACH);
+        new BoardKeeper(self, arguments.get(BOARD), limits).begin();
     }
 }

@@ -50,7 +50,7 @@ public final class WorkerAgent extends AgentTypeBase {
 
     @Override
     protected List<Class<? extends Device>> needsBesides(Arguments arguments) {
-        return arguments.text(IntruderDetector.INTRUDER.name()).isEmpty() ? List.of() : List.of(BlobFinder.class);
+        return arguments.get(IntruderDetector.INTRUDER).isEmpty() ? List.of() : List.of(BlobFinder.class);
     }
 
     @Override

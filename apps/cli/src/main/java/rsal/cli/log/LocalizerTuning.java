@@ -3,7 +3,6 @@ package rsal.cli.log;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Set;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -15,8 +14,7 @@ import rsal.navigation.amcl.Amcl;
 import rsal.navigation.amcl.LocalizationMap;
 import rsal.navigation.amcl.OdometryModel;
 import rsal.navigation.amcl.SensorModel;
-import rsal.robot.DeviceDriver;
-import rsal.scenario.installed.Providers;
+import rsal.navigation.parameter.AmclParameters;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 import rsal.settings.Suggestion;
@@ -54,10 +52,7 @@ final class LocalizerTuning {
 
     /// @throws ParameterException when a parameter does not exist, or its value is out of range
     Arguments arguments() {
-        List<Parameter> parameters = Objects.requireNonNull(
-                        Providers.byKey(DeviceDriver.class, DeviceDriver::key).get("amcl"))
-                .parameters()
-                .stream()
+        List<Parameter<?>> parameters = AmclParameters.ALL.stream()
                 .filter(parameter -> OF_LOGS.contains(parameter.name()))
                 .toList();
         var given = new LinkedHashMap<String, Object>();
@@ -65,8 +60,8 @@ final class LocalizerTuning {
         return Arguments.of(parameters, given);
     }
 
-    private Object value(RunChoices.Setting setting, List<Parameter> parameters) {
-        Parameter parameter = parameters.stream()
+    private Object value(RunChoices.Setting setting, List<Parameter<?>> parameters) {
+        Parameter<?> parameter = parameters.stream()
                 .filter(known -> known.name().equals(setting.name()))
                 .findFirst()
                 .orElseThrow(() -> unknown(setting.name(), parameters));
@@ -77,7 +72,7 @@ final class LocalizerTuning {
         }
     }
 
-    private ParameterException unknown(String name, List<Parameter> parameters) {
+    private ParameterException unknown(String name, List<Parameter<?>> parameters) {
         String option = OPTIONS.get(name);
         return wrong("Option '--set' can't set '%s' here. %s"
                 .formatted(
@@ -94,19 +89,20 @@ final class LocalizerTuning {
     }
 
     static LocalizationMap map(OccupancyGrid grid, Arguments tuned) {
-        return new LocalizationMap(grid, tuned.number("hitDeviation"), tuned.number("randomShare"));
+        return new LocalizationMap(
+                grid, tuned.get(AmclParameters.HIT_DEVIATION), tuned.get(AmclParameters.RANDOM_SHARE));
     }
 
     static Amcl.Settings settings(int minParticles, int maxParticles, SensorModel.Kind model, Arguments tuned) {
         Amcl.Settings usual = Amcl.Settings.of(minParticles, maxParticles);
         OdometryModel wheels = usual.odometry();
-        double doubt = tuned.number("odometryDoubt") / USUAL_DOUBT;
+        double doubt = tuned.get(AmclParameters.ODOMETRY_DOUBT) / USUAL_DOUBT;
         return new Amcl.Settings(
                 minParticles,
                 maxParticles,
-                tuned.number("independentBeams"),
-                tuned.number("updateDistance"),
-                tuned.radians("updateAngle"),
+                tuned.get(AmclParameters.INDEPENDENT_BEAMS),
+                tuned.get(AmclParameters.UPDATE_DISTANCE),
+                tuned.radians(AmclParameters.UPDATE_ANGLE),
                 new OdometryModel(
                         doubt * wheels.distancePerMeter(),
                         doubt * wheels.headingPerMeter(),

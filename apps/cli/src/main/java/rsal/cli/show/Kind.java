@@ -75,7 +75,7 @@ public record Kind(
                     && Stream.of(description.split("\\W+")).anyMatch(choices::contains);
         }
 
-        static Setting of(Parameter p) {
+        static Setting of(Parameter<?> p) {
             return new Setting(
                     p.name(),
                     p.kind().name().toLowerCase(Locale.ROOT),
@@ -173,7 +173,7 @@ public record Kind(
                 .map(s -> settable("mrs", s.key(), s.description(), s.parameters()));
     }
 
-    private static Kind settable(String kind, String key, String description, List<Parameter> parameters) {
+    private static Kind settable(String kind, String key, String description, List<Parameter<?>> parameters) {
         return new Kind(kind, key, description, Optional.empty(), List.of(), List.of(), settings(parameters));
     }
 
@@ -275,7 +275,7 @@ public record Kind(
         return Providers.byKey(kind, key).values().stream();
     }
 
-    private static List<Setting> settings(List<Parameter> parameters) {
+    private static List<Setting> settings(List<Parameter<?>> parameters) {
         return parameters.stream().map(Setting::of).toList();
     }
 

@@ -59,7 +59,7 @@ record ShownScenario(
     }
 
     record Argument(String name, Object value, String expected, String description) {
-        static Argument of(Parameter parameter, RunPlan plan) {
+        static Argument of(Parameter<?> parameter, RunPlan plan) {
             Object value = Objects.requireNonNull(plan.arguments().get(parameter.name()), "a plan has all arguments");
             return new Argument(parameter.name(), value, parameter.expected(), parameter.description());
         }

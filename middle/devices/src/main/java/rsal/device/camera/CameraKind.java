@@ -10,14 +10,16 @@ import rsal.settings.Parameter;
 /// stereo do (K. Khoshelham, S. Oude Elberink, *Accuracy and Resolution of Kinect Depth Data for Indoor Mapping
 /// Applications*, 2012, equation 10: 1.4 mm at 1 m).
 public final class CameraKind implements DeviceKind {
-    public static final Parameter COLUMNS = Parameter.integer("columns", 160, 1, 1920, "px", "width of the image");
-    public static final Parameter ROWS = Parameter.integer("rows", 120, 1, 1080, "px", "height of the image");
-    public static final Parameter FIELD_OF_VIEW =
+    public static final Parameter<Integer> COLUMNS =
+            Parameter.integer("columns", 160, 1, 1920, "px", "width of the image");
+    public static final Parameter<Integer> ROWS = Parameter.integer("rows", 120, 1, 1080, "px", "height of the image");
+    public static final Parameter<Double> FIELD_OF_VIEW =
             Parameter.number("fieldOfView", 60, 1, 150, "deg", "from the left edge of the image to its right");
-    public static final Parameter RANGE =
+    public static final Parameter<Double> RANGE =
             Parameter.number("range", 8, 0.1, 65, "m", "how far away depth is measured at most");
-    public static final Parameter VIEW = Parameter.number("view", 30, 0.1, 1000, "m", "how far away colors are seen");
-    public static final Parameter DEPTH_NOISE = Parameter.number(
+    public static final Parameter<Double> VIEW =
+            Parameter.number("view", 30, 0.1, 1000, "m", "how far away colors are seen");
+    public static final Parameter<Double> DEPTH_NOISE = Parameter.number(
             "depthNoise", 0.0014, 0, 1, "1/m", "standard deviation of depth, times the square of the depth");
 
     @Override
@@ -31,13 +33,13 @@ public final class CameraKind implements DeviceKind {
     }
 
     @Override
-    public List<Parameter> parameters() {
+    public List<Parameter<?>> parameters() {
         return List.of(COLUMNS, ROWS, FIELD_OF_VIEW, RANGE, VIEW, DEPTH_NOISE);
     }
 
     @Override
     public Optional<String> refusal(Arguments arguments) {
-        return arguments.number(RANGE.name()) > arguments.number(VIEW.name())
+        return arguments.get(RANGE) > arguments.get(VIEW)
                 ? Optional.of("Its 'range' must not be greater than its 'view'.")
                 : Optional.empty();
     }
@@ -54,6 +56,6 @@ public final class CameraKind implements DeviceKind {
 
     /// [px]
     public static double focalLength(Arguments arguments) {
-        return arguments.integer(COLUMNS.name()) / 2.0 / Math.tan(arguments.radians(FIELD_OF_VIEW.name()) / 2);
+        return arguments.get(COLUMNS) / 2.0 / Math.tan(arguments.radians(FIELD_OF_VIEW) / 2);
     }
 }

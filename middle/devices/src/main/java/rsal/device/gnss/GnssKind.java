@@ -8,15 +8,15 @@ import rsal.settings.Parameter;
 /// (a first-order Gauss–Markov process, J. Rankin, *An Error Model for Sensor Simulation: GPS and Differential
 /// GPS*, 1994), and white noise. Defaults are of a common receiver under open sky.
 public final class GnssKind implements DeviceKind {
-    public static final Parameter DEVIATION = Parameter.number(
+    public static final Parameter<Double> DEVIATION = Parameter.number(
             "deviation", 1.2, 0, 1000, "m", "standard deviation of the error that changes slowly, of x and of y");
-    public static final Parameter CORRELATION_TIME =
+    public static final Parameter<Double> CORRELATION_TIME =
             Parameter.number("correlationTime", 60, 0.1, 1e6, "s", "after which little of that error is left");
-    public static final Parameter NOISE =
+    public static final Parameter<Double> NOISE =
             Parameter.number("noise", 0.1, 0, 1000, "m", "standard deviation of what is added to each reading");
-    public static final Parameter LATITUDE =
+    public static final Parameter<Double> LATITUDE =
             Parameter.number("latitude", 53.599, -89, 89, "deg", "of the map's origin, north");
-    public static final Parameter LONGITUDE =
+    public static final Parameter<Double> LONGITUDE =
             Parameter.number("longitude", 9.933, -180, 180, "deg", "of the map's origin, east");
 
     @Override
@@ -30,7 +30,7 @@ public final class GnssKind implements DeviceKind {
     }
 
     @Override
-    public List<Parameter> parameters() {
+    public List<Parameter<?>> parameters() {
         return List.of(DEVIATION, CORRELATION_TIME, NOISE, LATITUDE, LONGITUDE);
     }
 

@@ -9,9 +9,9 @@ import rsal.settings.Parameter;
 
 /// Progress is a move, wherever it leads, as Nav2's SimpleProgressChecker and PoseProgressChecker have it.
 public final class MovementProgressCheckerType implements ProgressCheckerType {
-    private static final Parameter DISTANCE = Parameter.number(
+    private static final Parameter<Double> DISTANCE = Parameter.number(
             "distance", 0.5, 0.01, 10, "m", "the robot makes progress when it is so far from where it last did");
-    private static final Parameter ANGLE =
+    private static final Parameter<Double> ANGLE =
             Parameter.number("angle", 60, 1, 180, "deg", "or when it has turned by more than this");
 
     @Override
@@ -25,14 +25,14 @@ public final class MovementProgressCheckerType implements ProgressCheckerType {
     }
 
     @Override
-    public List<Parameter> parameters() {
+    public List<Parameter<?>> parameters() {
         return List.of(DISTANCE, ANGLE);
     }
 
     @Override
     public ProgressChecker create(Arguments arguments) {
-        double distance = arguments.number(DISTANCE.name());
-        double angle = arguments.radians(ANGLE.name());
+        double distance = arguments.get(DISTANCE);
+        double angle = arguments.radians(ANGLE);
         return new ProgressChecker() {
             private @Nullable Pose2d mapFromLast;
 

@@ -8,6 +8,11 @@ import rsal.settings.Parameter;
 
 /// Makes controllers by [Nd].
 public final class NdControllerType implements ControllerType {
+    private static final Parameter<Double> AVOID_DIST = Parameter.number(
+            "avoidDist", 0.5, 0.05, 3, "m", "from what is nearer to its edge it turns away and slows down");
+    private static final Parameter<Double> SAFETY_DIST =
+            Parameter.number("safetyDist", 0, 0, 1, "m", "room around the robot that counts as part of it");
+
     @Override
     public String key() {
         return "nd";
@@ -19,11 +24,8 @@ public final class NdControllerType implements ControllerType {
     }
 
     @Override
-    public List<Parameter> parameters() {
-        return List.of(
-                Parameter.number(
-                        "avoidDist", 0.5, 0.05, 3, "m", "from what is nearer to its edge it turns away and slows down"),
-                Parameter.number("safetyDist", 0, 0, 1, "m", "room around the robot that counts as part of it"));
+    public List<Parameter<?>> parameters() {
+        return List.of(AVOID_DIST, SAFETY_DIST);
     }
 
     @Override
@@ -31,7 +33,7 @@ public final class NdControllerType implements ControllerType {
         return new Nd(
                 driven.footprint(),
                 driven.limits(),
-                new Nd.Settings(arguments.number("avoidDist"), arguments.number("safetyDist")),
+                new Nd.Settings(arguments.get(AVOID_DIST), arguments.get(SAFETY_DIST)),
                 driven.reaction());
     }
 }

@@ -7,7 +7,7 @@ import rsal.settings.Parameter;
 
 /// Progress is less of the path that is left, or of the turn at the goal.
 public final class PathProgressCheckerType implements ProgressCheckerType {
-    private static final Parameter NEARER = Parameter.number(
+    private static final Parameter<Double> NEARER = Parameter.number(
             "nearer", 0.1, 0.01, 10, "m", "less of the path that is left; as an angle [rad] at the goal");
 
     @Override
@@ -21,13 +21,13 @@ public final class PathProgressCheckerType implements ProgressCheckerType {
     }
 
     @Override
-    public List<Parameter> parameters() {
+    public List<Parameter<?>> parameters() {
         return List.of(NEARER);
     }
 
     @Override
     public ProgressChecker create(Arguments arguments) {
-        double nearer = arguments.number(NEARER.name());
+        double nearer = arguments.get(NEARER);
         return new ProgressChecker() {
             private double least = Double.POSITIVE_INFINITY;
 

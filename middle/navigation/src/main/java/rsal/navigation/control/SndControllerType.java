@@ -9,6 +9,13 @@ import rsal.settings.Parameter;
 
 /// Makes controllers by [Snd].
 public final class SndControllerType implements ControllerType {
+    private static final Parameter<Double> OBSTACLE_AVOID_DIST =
+            Parameter.number("obstacleAvoidDist", 0.6, 0.05, 5, "m", "from what is nearer to its edge it turns away");
+    private static final Parameter<Double> MIN_GAP_WIDTH =
+            Parameter.number("minGapWidth", 0.5, 0.05, 3, "m", "by how much ranges must jump where it sees a gap");
+    private static final Parameter<Double> ROBOT_RADIUS = Parameter.number(
+            "robotRadius", 0, 0, 3, "m", "of the circle that it takes the robot for; 0: one as large as it is");
+
     @Override
     public String key() {
         return "snd";
@@ -20,30 +27,20 @@ public final class SndControllerType implements ControllerType {
     }
 
     @Override
-    public List<Parameter> parameters() {
-        return List.of(
-                Parameter.number(
-                        "obstacleAvoidDist", 0.6, 0.05, 5, "m", "from what is nearer to its edge it turns away"),
-                Parameter.number("minGapWidth", 0.5, 0.05, 3, "m", "by how much ranges must jump where it sees a gap"),
-                Parameter.number(
-                        "robotRadius",
-                        0,
-                        0,
-                        3,
-                        "m",
-                        "of the circle that it takes the robot for; 0: one as large as it is"));
+    public List<Parameter<?>> parameters() {
+        return List.of(OBSTACLE_AVOID_DIST, MIN_GAP_WIDTH, ROBOT_RADIUS);
     }
 
     @Override
     public Controller create(Arguments arguments, Driven driven) {
-        double radius = arguments.number("robotRadius");
+        double radius = arguments.get(ROBOT_RADIUS);
         return new Snd(
                 driven.footprint(),
                 driven.limits(),
                 new Snd.Settings(
                         radius > 0 ? radius : Outline.radius(driven.footprint()),
-                        arguments.number("minGapWidth"),
-                        arguments.number("obstacleAvoidDist")),
+                        arguments.get(MIN_GAP_WIDTH),
+                        arguments.get(OBSTACLE_AVOID_DIST)),
                 driven.reaction());
     }
 }

@@ -9,9 +9,9 @@ import rsal.settings.Parameter;
 
 /// A goal is reached within its tolerance, once the robot stands still.
 public final class StoppedGoalCheckerType implements GoalCheckerType {
-    private static final Parameter SPEED =
+    private static final Parameter<Double> SPEED =
             Parameter.number("speed", 0.02, 0, 10, "m/s", "the robot stands still when it is no faster");
-    private static final Parameter TURN_RATE =
+    private static final Parameter<Double> TURN_RATE =
             Parameter.number("turnRate", 2, 0, 360, "deg/s", "the robot stands still when it turns no faster");
     private static final double LEAVING = 1.3;
 
@@ -26,15 +26,15 @@ public final class StoppedGoalCheckerType implements GoalCheckerType {
     }
 
     @Override
-    public List<Parameter> parameters() {
+    public List<Parameter<?>> parameters() {
         return List.of(SPEED, TURN_RATE);
     }
 
     @Override
     public GoalChecker create(Arguments arguments, Pose2d mapFromGoal, Tolerance tolerance) {
         var within = new ToleranceGoalCheckerType.WithinTolerance(mapFromGoal, tolerance, LEAVING);
-        double speed = arguments.number(SPEED.name());
-        double turnRate = arguments.radians(TURN_RATE.name());
+        double speed = arguments.get(SPEED);
+        double turnRate = arguments.radians(TURN_RATE);
         return new GoalChecker() {
             @Override
             public boolean isAtPlace(Pose2d mapFromBase, Twist2d velocity) {

@@ -10,7 +10,7 @@ import rsal.settings.Parameter;
 
 /// A goal is reached within the tolerance that it is sent with.
 public final class ToleranceGoalCheckerType implements GoalCheckerType {
-    private static final Parameter LEAVING = Parameter.number(
+    private static final Parameter<Double> LEAVING = Parameter.number(
             "leaving", 1.3, 1, 10, "", "how many times the tolerance the robot may be away again while it turns");
 
     @Override
@@ -24,13 +24,13 @@ public final class ToleranceGoalCheckerType implements GoalCheckerType {
     }
 
     @Override
-    public List<Parameter> parameters() {
+    public List<Parameter<?>> parameters() {
         return List.of(LEAVING);
     }
 
     @Override
     public GoalChecker create(Arguments arguments, Pose2d mapFromGoal, Tolerance tolerance) {
-        return new WithinTolerance(mapFromGoal, tolerance, arguments.number(LEAVING.name()));
+        return new WithinTolerance(mapFromGoal, tolerance, arguments.get(LEAVING));
     }
 
     /// Stays at the place until it is farther away: a robot that turns there must not begin to drive again.

@@ -20,7 +20,7 @@ public final class VfhControllerType implements ControllerType {
     }
 
     @Override
-    public List<Parameter> parameters() {
+    public List<Parameter<?>> parameters() {
         return VfhOptions.parameters();
     }
 

@@ -12,72 +12,87 @@ final class VfhOptions {
     private static final double NO_TURN_LIMIT = 360; // deg/s
     private static final double AT_LEAST = 0.01; // m per m/s; more room at speed
 
+    private static final Parameter<Double> SAFETY_DIST0MS =
+            Parameter.number("safetyDist0ms", 0.1, 0, 1, "m", "room that it keeps from obstacles while standing");
+    private static final Parameter<Double> SAFETY_DIST1MS =
+            Parameter.number("safetyDist1ms", 0.4, 0, 2, "m", "room that it keeps from obstacles at 1 m/s");
+    private static final Parameter<Double> WINDOW_DIAMETER = Parameter.number(
+            "windowDiameter",
+            0,
+            0,
+            200,
+            "cells",
+            "it looks so far to all sides together; 0: twice 0.6 m and what it drives in 2 s");
+    private static final Parameter<Double> CELL_SIZE =
+            Parameter.number("cellSize", 0.1, 0.01, 1, "m", "what windowDiameter is counted in");
+    private static final Parameter<Double> SECTOR_ANGLE =
+            Parameter.number("sectorAngle", 5, 1, 30, "deg", "between directions that it tells apart");
+    private static final Parameter<Double> MAX_SPEED_NARROW_OPENING = Parameter.number(
+            "maxSpeedNarrowOpening",
+            NO_LIMIT,
+            0.05,
+            NO_LIMIT,
+            "m/s",
+            "it is never faster in openings of less than 80°");
+    private static final Parameter<Double> MAX_SPEED_WIDE_OPENING = Parameter.number(
+            "maxSpeedWideOpening", NO_LIMIT, 0.05, NO_LIMIT, "m/s", "it is never faster in wider ones");
+    private static final Parameter<Double> MAX_TURN_RATE0MS = Parameter.number(
+            "maxTurnRate0ms", NO_TURN_LIMIT, 5, NO_TURN_LIMIT, "deg/s", "it never turns faster while standing");
+    private static final Parameter<Double> MAX_TURN_RATE1MS = Parameter.number(
+            "maxTurnRate1ms", NO_TURN_LIMIT, 5, NO_TURN_LIMIT, "deg/s", "it never turns faster at 1 m/s");
+    private static final Parameter<Double> MIN_TURN_RADIUS_SAFETY_FACTOR =
+            Parameter.number("minTurnRadiusSafetyFactor", 1, 0.1, 10, "", "it takes curves for so many times wider");
+    private static final Parameter<Double> WEIGHT_DESIRED_DIR = Parameter.number(
+            "weightDesiredDir",
+            5,
+            0,
+            100,
+            "",
+            "what it is worth to go to the target; more than the other two weights together");
+    private static final Parameter<Double> WEIGHT_CURRENT_DIR =
+            Parameter.number("weightCurrentDir", 2, 0, 100, "", "what it is worth to go straight on");
+    private static final Parameter<Double> WEIGHT_PREVIOUS_DIR =
+            Parameter.number("weightPreviousDir", 2, 0, 100, "", "what it is worth to keep its choice");
+
     private VfhOptions() {}
 
-    static List<Parameter> parameters() {
+    static List<Parameter<?>> parameters() {
         return List.of(
-                Parameter.number("safetyDist0ms", 0.1, 0, 1, "m", "room that it keeps from obstacles while standing"),
-                Parameter.number("safetyDist1ms", 0.4, 0, 2, "m", "room that it keeps from obstacles at 1 m/s"),
-                Parameter.number(
-                        "windowDiameter",
-                        0,
-                        0,
-                        200,
-                        "cells",
-                        "it looks so far to all sides together; 0: twice 0.6 m" + " and what it drives in 2 s"),
-                Parameter.number("cellSize", 0.1, 0.01, 1, "m", "what windowDiameter is counted in"),
-                Parameter.number("sectorAngle", 5, 1, 30, "deg", "between directions that it tells apart"),
-                Parameter.number(
-                        "maxSpeedNarrowOpening",
-                        NO_LIMIT,
-                        0.05,
-                        NO_LIMIT,
-                        "m/s",
-                        "it is never faster in openings of" + " less than 80°"),
-                Parameter.number(
-                        "maxSpeedWideOpening", NO_LIMIT, 0.05, NO_LIMIT, "m/s", "it is never faster in wider ones"),
-                Parameter.number(
-                        "maxTurnRate0ms",
-                        NO_TURN_LIMIT,
-                        5,
-                        NO_TURN_LIMIT,
-                        "deg/s",
-                        "it never turns faster while" + " standing"),
-                Parameter.number(
-                        "maxTurnRate1ms", NO_TURN_LIMIT, 5, NO_TURN_LIMIT, "deg/s", "it never turns faster at 1 m/s"),
-                Parameter.number(
-                        "minTurnRadiusSafetyFactor", 1, 0.1, 10, "", "it takes curves for so many times wider"),
-                Parameter.number(
-                        "weightDesiredDir",
-                        5,
-                        0,
-                        100,
-                        "",
-                        "what it is worth to go to the target; more" + " than the other two weights together"),
-                Parameter.number("weightCurrentDir", 2, 0, 100, "", "what it is worth to go straight on"),
-                Parameter.number("weightPreviousDir", 2, 0, 100, "", "what it is worth to keep its choice"));
+                SAFETY_DIST0MS,
+                SAFETY_DIST1MS,
+                WINDOW_DIAMETER,
+                CELL_SIZE,
+                SECTOR_ANGLE,
+                MAX_SPEED_NARROW_OPENING,
+                MAX_SPEED_WIDE_OPENING,
+                MAX_TURN_RATE0MS,
+                MAX_TURN_RATE1MS,
+                MIN_TURN_RADIUS_SAFETY_FACTOR,
+                WEIGHT_DESIRED_DIR,
+                WEIGHT_CURRENT_DIR,
+                WEIGHT_PREVIOUS_DIR);
     }
 
     /// How far it looks [m].
     static double window(Arguments arguments, double otherwise) {
-        double diameter = arguments.number("windowDiameter") * arguments.number("cellSize");
+        double diameter = arguments.get(WINDOW_DIAMETER) * arguments.get(CELL_SIZE);
         return diameter > 0 ? diameter / 2 : otherwise;
     }
 
     /// @param lookahead how far it looks where no window is set [m]
     static Vfh.Settings settings(Arguments arguments, double lookahead) {
-        double standing = arguments.number("safetyDist0ms");
-        double more = Math.max(AT_LEAST, arguments.number("safetyDist1ms") - standing);
+        double standing = arguments.get(SAFETY_DIST0MS);
+        double more = Math.max(AT_LEAST, arguments.get(SAFETY_DIST1MS) - standing);
         return new Vfh.Settings(
                 window(arguments, lookahead),
                 standing,
                 more,
-                arguments.radians("sectorAngle"),
-                new Vfh.Openings(arguments.number("maxSpeedNarrowOpening"), arguments.number("maxSpeedWideOpening")),
+                arguments.radians(SECTOR_ANGLE),
+                new Vfh.Openings(arguments.get(MAX_SPEED_NARROW_OPENING), arguments.get(MAX_SPEED_WIDE_OPENING)),
                 new Vfh.Turning(
-                        arguments.radians("maxTurnRate0ms"),
-                        arguments.radians("maxTurnRate1ms"),
-                        arguments.number("minTurnRadiusSafetyFactor")),
+                        arguments.radians(MAX_TURN_RATE0MS),
+                        arguments.radians(MAX_TURN_RATE1MS),
+                        arguments.get(MIN_TURN_RADIUS_SAFETY_FACTOR)),
                 weights(arguments));
     }
 
@@ -94,8 +109,8 @@ final class VfhOptions {
 
     private static Vfh.Weights weights(Arguments arguments) {
         return new Vfh.Weights(
-                arguments.number("weightDesiredDir"),
-                arguments.number("weightCurrentDir"),
-                arguments.number("weightPreviousDir"));
+                arguments.get(WEIGHT_DESIRED_DIR),
+                arguments.get(WEIGHT_CURRENT_DIR),
+                arguments.get(WEIGHT_PREVIOUS_DIR));
     }
 }

@@ -20,6 +20,7 @@ import rsal.navigation.amcl.LocalizationMap;
 import rsal.navigation.amcl.OdometryModel;
 import rsal.navigation.amcl.OdometryModel.Base;
 import rsal.navigation.amcl.SensorModel;
+import rsal.navigation.parameter.AmclParameters;
 import rsal.robot.DeviceDriver;
 import rsal.robot.RobotModel.Drive;
 import rsal.robot.RobotModel.OdometryNoise;
@@ -61,29 +62,8 @@ public final class AmclDriver implements DeviceDriver {
     }
 
     @Override
-    public List<Parameter> parameters() {
-        return List.of(
-                Parameter.choice(
-                        "model",
-                        "auto",
-                        List.of("auto", "field", "beam"),
-                        "how beams are judged: near walls (field) or as long as expected (beam); auto: beam for sonars"),
-                Parameter.integer("beams", 60, 5, 1000, "", "beams of a laser scan to look at"),
-                Parameter.number("maxRange", 30, 0.5, 200, "m", "ranges beyond this are not looked at"),
-                Parameter.number("hitDeviation", 0.1, 0.01, 1, "m", "how far laser hits are from the map's walls"),
-                Parameter.number("sonarDeviation", 0.25, 0.01, 1, "m", "the same for sonars"),
-                Parameter.number(
-                        "randomShare", 0.05, 0.001, 0.5, "", "share of readings that have nothing to do with the map"),
-                Parameter.number("independentBeams", 15, 1, 1000, "", "how many beams a scan counts for"),
-                Parameter.number("independentSonars", 3, 1, 1000, "", "how many of a round of sonars count"),
-                Parameter.integer("minParticles", 150, 20, 100_000, "", "particles when it knows well where it is"),
-                Parameter.integer("maxParticles", 5000, 100, 100_000, "", "particles when it knows least"),
-                Parameter.number("updateDistance", 0.1, 0.01, 5, "m", "way after which it looks at a scan"),
-                Parameter.number("updateAngle", 6, 0.5, 180, "deg", "turn after which it looks at a scan"),
-                Parameter.number("initialDeviation", 0.2, 0, 100, "m", "how uncertain the start position is"),
-                Parameter.number("initialAngleDeviation", 10, 0, 360, "deg", "how uncertain the start heading is"),
-                Parameter.number(
-                        "odometryDoubt", 2, 0.5, 20, "", "how many times worse odometry may be than the model says"));
+    public List<Parameter<?>> parameters() {
+        return AmclParameters.ALL;
     }
 
     @Override
@@ -93,8 +73,8 @@ public final class AmclDriver implements DeviceDriver {
 
     @Override
     public Optional<String> refusal(Arguments arguments) {
-        int least = arguments.integer("minParticles");
-        int most = arguments.integer("maxParticles");
+        int least = arguments.get(AmclParameters.MIN_PARTICLES);
+        int most = arguments.get(AmclParameters.MAX_PARTICLES);
         return least <= most
                 ? Optional.empty()
                 : Optional.of(
@@ -106,9 +86,10 @@ public final class AmclDriver implements DeviceDriver {
     public Device create(Context context, Arguments arguments) {
         var base = context.robot().require(DriveBase.class);
         Optional<LaserScanner> laser = context.robot().find(LaserScanner.class);
-        double deviation = arguments.number(laser.isPresent() ? "hitDeviation" : "sonarDeviation");
+        double deviation =
+                arguments.get(laser.isPresent() ? AmclParameters.HIT_DEVIATION : AmclParameters.SONAR_DEVIATION);
         var map = maps.of(
-                new MapKey(context.map(), deviation, arguments.number("randomShare")),
+                new MapKey(context.map(), deviation, arguments.get(AmclParameters.RANDOM_SHARE)),
                 key -> new LocalizationMap(key.map(), key.deviation(), key.randomShare()));
         if (context.mapFromBase().isEmpty() && !map.isSearchable()) {
             LOG.log(
@@ -121,20 +102,20 @@ public final class AmclDriver implements DeviceDriver {
                                             map.freeFloor(),
                                             LocalizationMap.MOST_SEARCHED));
         }
-        int minParticles = arguments.integer("minParticles");
+        int minParticles = arguments.get(AmclParameters.MIN_PARTICLES);
         var settings = new Amcl.Settings(
                 minParticles,
-                arguments.integer("maxParticles"),
-                arguments.number(laser.isPresent() ? "independentBeams" : "independentSonars"),
-                arguments.number("updateDistance"),
-                arguments.radians("updateAngle"),
-                odometry(context.robot().model().drive(), arguments.number("odometryDoubt")),
+                arguments.get(AmclParameters.MAX_PARTICLES),
+                arguments.get(laser.isPresent() ? AmclParameters.INDEPENDENT_BEAMS : AmclParameters.INDEPENDENT_SONARS),
+                arguments.get(AmclParameters.UPDATE_DISTANCE),
+                arguments.radians(AmclParameters.UPDATE_ANGLE),
+                odometry(context.robot().model().drive(), arguments.get(AmclParameters.ODOMETRY_DOUBT)),
                 new Kld(0.05, 2.33),
-                model(arguments.text("model"), laser.isPresent()));
+                model(arguments.get(AmclParameters.MODEL), laser.isPresent()));
         var deviations = Covariance2d.ofDeviations(
-                arguments.number("initialDeviation"),
-                arguments.number("initialDeviation"),
-                arguments.radians("initialAngleDeviation"));
+                arguments.get(AmclParameters.INITIAL_DEVIATION),
+                arguments.get(AmclParameters.INITIAL_DEVIATION),
+                arguments.radians(AmclParameters.INITIAL_ANGLE_DEVIATION));
         var localizer = new AmclLocalizer(
                 new DeviceInfo(context.robot().id(), context.name(), key()),
                 new Amcl(map, settings, context.random()),
@@ -142,9 +123,9 @@ public final class AmclDriver implements DeviceDriver {
                 context.mapFromBase().map(pose -> PoseEstimate.of(pose, deviations)),
                 context.scheduler());
         localizer.follow(base);
-        double maxRange = arguments.number("maxRange");
+        double maxRange = arguments.get(AmclParameters.MAX_RANGE);
         if (laser.isPresent()) {
-            localizer.look(laser.get(), arguments.integer("beams"), maxRange);
+            localizer.look(laser.get(), arguments.get(AmclParameters.BEAMS), maxRange);
         } else {
             localizer.look(context.robot().require(SonarArray.class), maxRange);
         }

@@ -40,7 +40,7 @@ public final class ExploredDriver implements DeviceDriver {
     }
 
     @Override
-    public List<Parameter> parameters() {
+    public List<Parameter<?>> parameters() {
         return List.of(WavefrontDriver.GOAL_DISTANCE);
     }
 
@@ -50,7 +50,7 @@ public final class ExploredDriver implements DeviceDriver {
             throw new IllegalArgumentException(
                     "(%s) has no explorer.".formatted(context.robot().id()));
         }
-        double goalDistance = arguments.number(WavefrontDriver.GOAL_DISTANCE.name());
+        double goalDistance = arguments.get(WavefrontDriver.GOAL_DISTANCE);
         return new MapPlanner(
                 new DeviceInfo(context.robot().id(), context.name(), key()),
                 () -> new WavefrontDriver.Waves(explorer.ways(), goalDistance),

@@ -19,6 +19,14 @@ import rsal.settings.Parameter;
 /// Makes explorers, of robots with `localizer: {type: slam}` and a navigator. Those of a run that know where
 /// they start explore together.
 public final class ExplorerDriver implements DeviceDriver {
+    private static final Parameter<Double> VIEW =
+            Parameter.number("view", 4, 0.5, 50, "m", "how far the laser is believed to see");
+    private static final Parameter<Double> SHORTEST =
+            Parameter.number("shortest", 0.6, 0.1, 10, "m", "ends of the map that are shorter are left alone");
+    private static final Parameter<Double> RESOLUTION =
+            Parameter.number("resolution", 0.1, 0.02, 1, "m", "side of a cell of the map");
+    private static final Parameter<Boolean> WAITS =
+            Parameter.flag("waits", false, "whether it only maps what its robot sees and leaves the driving to others");
     private static final String SLAM = "slam";
     private static final String NAVIGATOR = "navigator";
 
@@ -63,14 +71,12 @@ public final class ExplorerDriver implements DeviceDriver {
     }
 
     @Override
-    public List<Parameter> parameters() {
-        var parameters = new ArrayList<Parameter>();
-        parameters.add(Parameter.number("resolution", 0.1, 0.02, 1, "m", "side of a cell of the map"));
-        parameters.add(
-                Parameter.number("shortest", 0.6, 0.1, 10, "m", "ends of the map that are shorter are left alone"));
-        parameters.add(Parameter.flag(
-                "waits", false, "whether it only maps what its robot sees and leaves the driving to others"));
-        parameters.add(Parameter.number("view", 4, 0.5, 50, "m", "how far the laser is believed to see"));
+    public List<Parameter<?>> parameters() {
+        var parameters = new ArrayList<Parameter<?>>();
+        parameters.add(RESOLUTION);
+        parameters.add(SHORTEST);
+        parameters.add(WAITS);
+        parameters.add(VIEW);
         parameters.addAll(Ways.parameters());
         return parameters;
     }
@@ -95,14 +101,14 @@ public final class ExplorerDriver implements DeviceDriver {
                 navigator,
                 team,
                 new Exploration.Body(footprint.circumscribedRadius(), Ways.clearance(footprint, arguments)),
-                arguments.flag("waits"),
+                arguments.get(WAITS),
                 context.scheduler());
         explorer.start();
         return explorer;
     }
 
     private static Exploration team(Arguments arguments) {
-        return new Exploration(new Exploration.Settings(
-                arguments.number("resolution"), arguments.number("shortest"), arguments.number("view")));
+        return new Exploration(
+                new Exploration.Settings(arguments.get(RESOLUTION), arguments.get(SHORTEST), arguments.get(VIEW)));
     }
 }

@@ -154,7 +154,7 @@ final class ForeignOptions {
     }
 
     /// What to say to somebody who sets an option that is not known by this name.
-    Optional<String> advice(String option, List<Parameter> parameters) {
+    Optional<String> advice(String option, List<Parameter<?>> parameters) {
         return Optional.ofNullable(advice.get(plain(option)))
                 .or(() -> parameters.stream()
                         .map(Parameter::name)

@@ -32,7 +32,7 @@ public final class JumpPointDriver implements DeviceDriver {
     }
 
     @Override
-    public List<Parameter> parameters() {
+    public List<Parameter<?>> parameters() {
         return List.of(Ways.WALL_DISTANCE, WavefrontDriver.GOAL_DISTANCE);
     }
 
@@ -44,7 +44,7 @@ public final class JumpPointDriver implements DeviceDriver {
     @Override
     public Device create(Context context, Arguments arguments) {
         JumpPoints jumps = ways.shortest(context.map(), context.robot().model().footprint(), arguments);
-        var search = new Jumps(jumps, arguments.number(WavefrontDriver.GOAL_DISTANCE.name()));
+        var search = new Jumps(jumps, arguments.get(WavefrontDriver.GOAL_DISTANCE));
         return new MapPlanner(
                 new DeviceInfo(context.robot().id(), context.name(), key()), () -> search, context.scheduler());
     }

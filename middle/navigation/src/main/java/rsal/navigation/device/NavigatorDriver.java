@@ -32,28 +32,42 @@ import rsal.settings.PluginKind;
 /// Makes navigators: a global planner plans the way, a controller drives along it. Recoveries
 /// drive when it makes no progress. All are plugins, as what decides about goals and progress is.
 public final class NavigatorDriver implements DeviceDriver {
+    private static final Parameter<Double> ESCAPE_TIME =
+            Parameter.number("escapeTime", 5, 0.5, 30, "s", "how long recoveries back up at most");
+    private static final Parameter<Double> ESCAPE_SPEED =
+            Parameter.number("escapeSpeed", 0.1, 0.02, 0.5, "m/s", "how fast recoveries back up");
+    private static final Parameter<Double> PATIENCE =
+            Parameter.number("patience", 45, 5, 600, "s", "without progress, until it gives up");
+    private static final Parameter<Double> REPLAN_PERIOD =
+            Parameter.number("replanPeriod", 4, 0.2, 60, "s", "how often it looks for a better way");
+    private static final Parameter<Double> MAX_ACCELERATION =
+            Parameter.number("maxAcceleration", 10, 0.05, 10, "m/s²", "never speeds up or brakes harder");
+    private static final Parameter<Double> MAX_TURN_RATE =
+            Parameter.number("maxTurnRate", 70, 5, 360, "deg/s", "never turns faster");
+    private static final Parameter<Double> MAX_SPEED =
+            Parameter.number("maxSpeed", 0.4, 0.05, 3, "m/s", "never faster");
     private static final double LOOKAHEAD_TIME = 2.0; // s
     private static final double LEAST_LOOKAHEAD = 0.6; // m
     private static final double REACTION = 2 * PathNavigator.BEAT_SECONDS;
 
     private static final PluginKind CONTROLLERS =
             PluginKind.of("controller", ControllerType.class, ServiceLoader.load(ControllerType.class));
-    private static final Parameter CONTROLLER =
+    private static final Parameter<PluginChoice> CONTROLLER =
             Parameter.plugin("controller", "vfh", CONTROLLERS, "drives along the way and around what is in it");
 
     private static final PluginKind PLANNERS =
             PluginKind.of("planner", PlannerType.class, ServiceLoader.load(PlannerType.class));
-    private static final Parameter PLANNER =
+    private static final Parameter<PluginChoice> PLANNER =
             Parameter.plugin("planner", "wavefront", PLANNERS, "plans the way over the map");
 
     private static final PluginKind GOAL_CHECKERS =
             PluginKind.of("goalChecker", GoalCheckerType.class, ServiceLoader.load(GoalCheckerType.class));
-    private static final Parameter GOAL_CHECKER =
+    private static final Parameter<PluginChoice> GOAL_CHECKER =
             Parameter.plugin("goalChecker", "tolerance", GOAL_CHECKERS, "decides when a goal counts as reached");
 
     private static final PluginKind PROGRESS_CHECKERS =
             PluginKind.of("progressChecker", ProgressCheckerType.class, ServiceLoader.load(ProgressCheckerType.class));
-    private static final Parameter PROGRESS_CHECKER = Parameter.plugin(
+    private static final Parameter<PluginChoice> PROGRESS_CHECKER = Parameter.plugin(
             "progressChecker",
             "path",
             PROGRESS_CHECKERS,
@@ -61,12 +75,12 @@ public final class NavigatorDriver implements DeviceDriver {
 
     private static final PluginKind RECOVERY_TYPES =
             PluginKind.of("recovery", RecoveryType.class, ServiceLoader.load(RecoveryType.class));
-    private static final Parameter RECOVERIES = Parameter.plugins(
+    private static final Parameter<List<PluginChoice>> RECOVERIES = Parameter.plugins(
             "recoveries",
             List.of("multiPointTurn", "turnAround", "backUp"),
             RECOVERY_TYPES,
             "what to do without progress: of these, the first one that fits");
-    private static final Parameter LOST_RECOVERY = Parameter.plugin(
+    private static final Parameter<PluginChoice> LOST_RECOVERY = Parameter.plugin(
             "lostRecovery", "lookAround", RECOVERY_TYPES, "what to do while the robot does not know where it is");
 
     private final Ways ways = new Ways();
@@ -93,21 +107,21 @@ public final class NavigatorDriver implements DeviceDriver {
     }
 
     @Override
-    public List<Parameter> parameters() {
-        var parameters = new ArrayList<Parameter>();
+    public List<Parameter<?>> parameters() {
+        var parameters = new ArrayList<Parameter<?>>();
         parameters.add(PLANNER);
         parameters.add(CONTROLLER);
         parameters.add(GOAL_CHECKER);
         parameters.add(PROGRESS_CHECKER);
         parameters.add(RECOVERIES);
         parameters.add(LOST_RECOVERY);
-        parameters.add(Parameter.number("maxSpeed", 0.4, 0.05, 3, "m/s", "never faster"));
-        parameters.add(Parameter.number("maxTurnRate", 70, 5, 360, "deg/s", "never turns faster"));
-        parameters.add(Parameter.number("maxAcceleration", 10, 0.05, 10, "m/s²", "never speeds up or brakes harder"));
-        parameters.add(Parameter.number("replanPeriod", 4, 0.2, 60, "s", "how often it looks for a better way"));
-        parameters.add(Parameter.number("escapeSpeed", 0.1, 0.02, 0.5, "m/s", "how fast recoveries back up"));
-        parameters.add(Parameter.number("escapeTime", 5, 0.5, 30, "s", "how long recoveries back up at most"));
-        parameters.add(Parameter.number("patience", 45, 5, 600, "s", "without progress, until it gives up"));
+        parameters.add(MAX_SPEED);
+        parameters.add(MAX_TURN_RATE);
+        parameters.add(MAX_ACCELERATION);
+        parameters.add(REPLAN_PERIOD);
+        parameters.add(ESCAPE_SPEED);
+        parameters.add(ESCAPE_TIME);
+        parameters.add(PATIENCE);
         parameters.addAll(Ways.parameters());
         return parameters;
     }
@@ -156,16 +170,16 @@ public final class NavigatorDriver implements DeviceDriver {
         Optional<LaserScanner> laser = context.robot().find(LaserScanner.class);
         Optional<SonarArray> sonars = context.robot().find(SonarArray.class);
         context.robot().require(RangeSensor.class); // or it would drive blindly
-        double speed = Math.min(arguments.number("maxSpeed"), model.drive().maxSpeed());
+        double speed = Math.min(arguments.get(MAX_SPEED), model.drive().maxSpeed());
         var limits = new DriveLimits(
                 speed,
-                Math.min(arguments.radians("maxTurnRate"), model.drive().maxTurnRate()),
-                Math.min(arguments.number("maxAcceleration"), model.drive().maxAcceleration()),
+                Math.min(arguments.radians(MAX_TURN_RATE), model.drive().maxTurnRate()),
+                Math.min(arguments.get(MAX_ACCELERATION), model.drive().maxAcceleration()),
                 model.drive().maxTurnAcceleration());
         double lookahead = LEAST_LOOKAHEAD + LOOKAHEAD_TIME * speed;
         var driven =
                 new ControllerType.Driven(model.footprint(), limits, lookahead, PathNavigator.BEAT_SECONDS, REACTION);
-        PluginChoice chosen = arguments.plugin(CONTROLLER.name());
+        PluginChoice chosen = arguments.get(CONTROLLER);
         ControllerType type = chosen.as(ControllerType.class);
         Controller controller = type.create(chosen.arguments(), driven);
         var navigator = new PathNavigator(
@@ -176,7 +190,7 @@ public final class NavigatorDriver implements DeviceDriver {
                         laser,
                         sonars,
                         controller,
-                        ways.planner(context.map(), model.footprint(), arguments, arguments.plugin(PLANNER.name())),
+                        ways.planner(context.map(), model.footprint(), arguments, arguments.get(PLANNER)),
                         plugins(context, arguments, driven, controller),
                         ways.field(context.map())),
                 new PathNavigator.Settings(
@@ -186,8 +200,8 @@ public final class NavigatorDriver implements DeviceDriver {
                                 type.view(chosen.arguments(), driven),
                                 lookahead + 2 * model.footprint().circumscribedRadius()),
                         model.footprint().circumscribedRadius(),
-                        arguments.seconds("replanPeriod"),
-                        arguments.seconds("patience")),
+                        arguments.seconds(REPLAN_PERIOD),
+                        arguments.seconds(PATIENCE)),
                 context.scheduler());
         navigator.start();
         return navigator;
@@ -196,17 +210,17 @@ public final class NavigatorDriver implements DeviceDriver {
     private static TaskPlugins plugins(
             Context context, Arguments arguments, ControllerType.Driven driven, Controller controller) {
         return new TaskPlugins(
-                arguments.plugin(GOAL_CHECKER.name()),
-                arguments.plugin(PROGRESS_CHECKER.name()),
-                arguments.plugins(RECOVERIES.name()),
-                arguments.plugin(LOST_RECOVERY.name()),
+                arguments.get(GOAL_CHECKER),
+                arguments.get(PROGRESS_CHECKER),
+                arguments.get(RECOVERIES),
+                arguments.get(LOST_RECOVERY),
                 new RecoveryType.Driven(
                         driven.footprint(),
                         driven.limits(),
                         driven.lookahead(),
                         driven.reaction(),
-                        arguments.number("escapeSpeed"),
-                        arguments.seconds("escapeTime"),
+                        arguments.get(ESCAPE_SPEED),
+                        arguments.seconds(ESCAPE_TIME),
                         controller,
                         context.scheduler(),
                         context.random()));

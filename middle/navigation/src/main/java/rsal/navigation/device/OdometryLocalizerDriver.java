@@ -13,6 +13,11 @@ import rsal.settings.Parameter;
 
 /// Makes localizers of exact odometry, such as that of a simulation's robots that have no noise.
 public final class OdometryLocalizerDriver implements DeviceDriver {
+    private static final Parameter<Double> DEVIATION =
+            Parameter.number("deviation", 0, 0, 100, "m", "how uncertain the start position is");
+    private static final Parameter<Double> ANGLE_DEVIATION =
+            Parameter.number("angleDeviation", 0, 0, 360, "deg", "how uncertain the start heading is");
+
     @Override
     public String key() {
         return "odometry";
@@ -34,16 +39,14 @@ public final class OdometryLocalizerDriver implements DeviceDriver {
     }
 
     @Override
-    public List<Parameter> parameters() {
-        return List.of(
-                Parameter.number("deviation", 0, 0, 100, "m", "how uncertain the start position is"),
-                Parameter.number("angleDeviation", 0, 0, 360, "deg", "how uncertain the start heading is"));
+    public List<Parameter<?>> parameters() {
+        return List.of(DEVIATION, ANGLE_DEVIATION);
     }
 
     @Override
     public Device create(Context context, Arguments arguments) {
-        double deviation = arguments.number("deviation");
-        var covariance = Covariance2d.ofDeviations(deviation, deviation, arguments.radians("angleDeviation"));
+        double deviation = arguments.get(DEVIATION);
+        var covariance = Covariance2d.ofDeviations(deviation, deviation, arguments.radians(ANGLE_DEVIATION));
         var localizer = new OdometryLocalizer(
                 new DeviceInfo(context.robot().id(), context.name(), key()),
                 context.map(),

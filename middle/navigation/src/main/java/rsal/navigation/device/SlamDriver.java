@@ -14,6 +14,15 @@ import rsal.settings.Parameter;
 
 /// Makes localizers that map while they go.
 public final class SlamDriver implements DeviceDriver {
+    private static final Parameter<Double> MAX_RANGE =
+            Parameter.number("maxRange", 25, 0.5, 200, "m", "hits beyond this are not matched");
+    private static final Parameter<Double> KEEP_DISTANCE =
+            Parameter.number("keepDistance", 0.5, 0.05, 5, "m", "how far apart scans are that are kept");
+    private static final Parameter<Double> KEEP_ANGLE =
+            Parameter.number("keepAngle", 20, 1, 180, "deg", "likewise of their headings");
+    private static final Parameter<Integer> MOST_SCANS =
+            Parameter.integer("mostScans", 10_000, 2, 100_000, "", "scans kept; then it only finds its way");
+
     @Override
     public String key() {
         return "slam";
@@ -35,12 +44,8 @@ public final class SlamDriver implements DeviceDriver {
     }
 
     @Override
-    public List<Parameter> parameters() {
-        return List.of(
-                Parameter.number("maxRange", 25, 0.5, 200, "m", "hits beyond this are not matched"),
-                Parameter.number("keepDistance", 0.5, 0.05, 5, "m", "how far apart scans are that are kept"),
-                Parameter.number("keepAngle", 20, 1, 180, "deg", "likewise of their headings"),
-                Parameter.integer("mostScans", 10_000, 2, 100_000, "", "scans kept; then it only finds its way"));
+    public List<Parameter<?>> parameters() {
+        return List.of(MAX_RANGE, KEEP_DISTANCE, KEEP_ANGLE, MOST_SCANS);
     }
 
     @Override
@@ -55,13 +60,13 @@ public final class SlamDriver implements DeviceDriver {
         var localizer = new SlamLocalizer(
                 new DeviceInfo(context.robot().id(), context.name(), key()),
                 new Slam.Settings(
-                        arguments.number("maxRange"),
-                        arguments.number("keepDistance"),
-                        arguments.radians("keepAngle"),
+                        arguments.get(MAX_RANGE),
+                        arguments.get(KEEP_DISTANCE),
+                        arguments.radians(KEEP_ANGLE),
                         usual.odometry(),
                         usual.recent(),
                         usual.closesLoops(),
-                        arguments.integer("mostScans")),
+                        arguments.get(MOST_SCANS)),
                 context.mapFromBase(),
                 context.scheduler());
         localizer.follow(

@@ -15,7 +15,7 @@ import rsal.settings.Parameter;
 
 /// Makes planners that use [Wavefront] on the run's map.
 public final class WavefrontDriver implements DeviceDriver {
-    static final Parameter GOAL_DISTANCE = Parameter.number(
+    static final Parameter<Double> GOAL_DISTANCE = Parameter.number(
             "goalDistance", 0.4, 0, 10, "m", "how far from the goal a way may end when the robot doesn't fit there");
 
     private final Ways ways = new Ways();
@@ -36,7 +36,7 @@ public final class WavefrontDriver implements DeviceDriver {
     }
 
     @Override
-    public List<Parameter> parameters() {
+    public List<Parameter<?>> parameters() {
         var parameters = new ArrayList<>(Ways.parameters());
         parameters.add(GOAL_DISTANCE);
         return parameters;
@@ -50,7 +50,7 @@ public final class WavefrontDriver implements DeviceDriver {
     @Override
     public Device create(Context context, Arguments arguments) {
         Wavefront wavefront = ways.of(context.map(), context.robot().model().footprint(), arguments);
-        var search = new Waves(wavefront, arguments.number(GOAL_DISTANCE.name()));
+        var search = new Waves(wavefront, arguments.get(GOAL_DISTANCE));
         return new MapPlanner(
                 new DeviceInfo(context.robot().id(), context.name(), key()), () -> search, context.scheduler());
     }

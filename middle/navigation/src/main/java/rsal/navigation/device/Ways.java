@@ -17,7 +17,12 @@ import rsal.settings.PluginChoice;
 
 /// Who plans for robots of some size, shared by those of the same size and settings.
 final class Ways {
-    static final Parameter WALL_DISTANCE =
+    private static final Parameter<Double> COMFORT_DISTANCE =
+            Parameter.number("comfortDistance", 0.5, 0, 5, "m", "room beyond which more room is worth nothing");
+    private static final Parameter<Double> WALL_COST =
+            Parameter.number("wallCost", 3, 0, 5, "", "how many times longer a way may be to keep off a wall");
+
+    static final Parameter<Double> WALL_DISTANCE =
             Parameter.number("wallDistance", 0.1, 0, 2, "m", "least room to plan between the robot and a wall");
 
     private record Key(OccupancyGrid map, Clearance clearance) {}
@@ -29,11 +34,8 @@ final class Ways {
 
     private record Planned(Key key, PluginChoice planner) {}
 
-    static List<Parameter> parameters() {
-        return List.of(
-                WALL_DISTANCE,
-                Parameter.number("comfortDistance", 0.5, 0, 5, "m", "room beyond which more room is worth nothing"),
-                Parameter.number("wallCost", 3, 0, 5, "", "how many times longer a way may be to keep off a wall"));
+    static List<Parameter<?>> parameters() {
+        return List.of(WALL_DISTANCE, COMFORT_DISTANCE, WALL_COST);
     }
 
     /// What its [#parameters] say for a robot that counts as a circle: the one that fits into its outline, since it
@@ -42,12 +44,12 @@ final class Ways {
         double radius = footprint.inscribedRadius();
         double least = least(footprint, arguments);
         return new Clearance(
-                least, Math.max(least, radius + arguments.number("comfortDistance")), arguments.number("wallCost"));
+                least, Math.max(least, radius + arguments.get(COMFORT_DISTANCE)), arguments.get(WALL_COST));
     }
 
     /// How near it comes to walls at most [m].
     private static double least(Footprint footprint, Arguments arguments) {
-        return footprint.inscribedRadius() + VelocityFilter.room(footprint, arguments.number(WALL_DISTANCE.name()));
+        return footprint.inscribedRadius() + VelocityFilter.room(footprint, arguments.get(WALL_DISTANCE));
     }
 
     /// For a robot with such a [#clearance].

@@ -9,7 +9,7 @@ import rsal.settings.Parameter;
 
 /// Drives straight back a bit, then turns to the path. It ends early where something is behind.
 public final class BackUpRecoveryType implements RecoveryType {
-    static final Parameter AFTER =
+    static final Parameter<Double> AFTER =
             Parameter.number("after", 6, 0.5, 600, "s", "it begins when the robot makes no progress for so long");
 
     @Override
@@ -23,13 +23,13 @@ public final class BackUpRecoveryType implements RecoveryType {
     }
 
     @Override
-    public List<Parameter> parameters() {
+    public List<Parameter<?>> parameters() {
         return List.of(AFTER);
     }
 
     @Override
     public Recovery create(Arguments arguments, Driven driven) {
-        return new BackUp(driven, arguments.seconds(AFTER.name()));
+        return new BackUp(driven, arguments.seconds(AFTER));
     }
 
     private static final class BackUp implements Recovery {

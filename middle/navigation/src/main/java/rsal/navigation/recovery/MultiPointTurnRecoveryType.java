@@ -19,7 +19,7 @@ import rsal.settings.Parameter;
 /// Turns in several short legs, forward and back ([MultiPointTurn]), where the robot stands between walls that
 /// leave no room to turn in place and nobody is near. It fails where it finds no such legs, or they come to nothing.
 public final class MultiPointTurnRecoveryType implements RecoveryType {
-    private static final Parameter AGAIN =
+    private static final Parameter<Double> AGAIN =
             Parameter.number("again", 1.5, 0.5, 600, "s", "the same, after it came on by this recovery just before");
 
     @Override
@@ -33,13 +33,13 @@ public final class MultiPointTurnRecoveryType implements RecoveryType {
     }
 
     @Override
-    public List<Parameter> parameters() {
+    public List<Parameter<?>> parameters() {
         return List.of(BackUpRecoveryType.AFTER, AGAIN);
     }
 
     @Override
     public Recovery create(Arguments arguments, Driven driven) {
-        return new Turn(driven, arguments.seconds(BackUpRecoveryType.AFTER.name()), arguments.seconds(AGAIN.name()));
+        return new Turn(driven, arguments.seconds(BackUpRecoveryType.AFTER), arguments.seconds(AGAIN));
     }
 
     private static final class Turn implements Recovery {

@@ -10,9 +10,9 @@ import rsal.settings.Parameter;
 
 /// Attempts in place by an angle to see what is around, as Nav2's spin does. It fails where there is no room to turn.
 public final class SpinRecoveryType implements RecoveryType {
-    private static final Parameter ANGLE =
+    private static final Parameter<Double> ANGLE =
             Parameter.number("angle", 90, -720, 720, "deg", "to turn by, left is positive");
-    private static final Parameter LONGEST =
+    private static final Parameter<Double> LONGEST =
             Parameter.number("longest", 20, 0.5, 600, "s", "how long it turns at most");
 
     @Override
@@ -26,7 +26,7 @@ public final class SpinRecoveryType implements RecoveryType {
     }
 
     @Override
-    public List<Parameter> parameters() {
+    public List<Parameter<?>> parameters() {
         return List.of(WaitRecoveryType.AFTER, WaitRecoveryType.TIMES, ANGLE, LONGEST);
     }
 
@@ -34,11 +34,9 @@ public final class SpinRecoveryType implements RecoveryType {
     public Recovery create(Arguments arguments, Driven driven) {
         return new Spin(
                 driven,
-                new Attempts(
-                        arguments.seconds(WaitRecoveryType.AFTER.name()),
-                        arguments.integer(WaitRecoveryType.TIMES.name())),
-                arguments.radians(ANGLE.name()),
-                arguments.seconds(LONGEST.name()));
+                new Attempts(arguments.seconds(WaitRecoveryType.AFTER), arguments.get(WaitRecoveryType.TIMES)),
+                arguments.radians(ANGLE),
+                arguments.seconds(LONGEST));
     }
 
     private static final class Spin implements Recovery {

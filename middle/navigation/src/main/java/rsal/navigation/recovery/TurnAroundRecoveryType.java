@@ -13,7 +13,7 @@ import rsal.settings.Parameter;
 /// Turns around, drives back a bit the way that the robot sees then, and turns to the path again. For robots that
 /// don't see behind, where somebody may stand. Where it has no room to turn it fails.
 public final class TurnAroundRecoveryType implements RecoveryType {
-    private static final Parameter LONGEST_TURN =
+    private static final Parameter<Double> LONGEST_TURN =
             Parameter.number("longestTurn", 12, 1, 60, "s", "how long it turns at most");
 
     @Override
@@ -27,14 +27,13 @@ public final class TurnAroundRecoveryType implements RecoveryType {
     }
 
     @Override
-    public List<Parameter> parameters() {
+    public List<Parameter<?>> parameters() {
         return List.of(BackUpRecoveryType.AFTER, LONGEST_TURN);
     }
 
     @Override
     public Recovery create(Arguments arguments, Driven driven) {
-        return new TurnAround(
-                driven, arguments.seconds(BackUpRecoveryType.AFTER.name()), arguments.seconds(LONGEST_TURN.name()));
+        return new TurnAround(driven, arguments.seconds(BackUpRecoveryType.AFTER), arguments.seconds(LONGEST_TURN));
     }
 
     private static final class TurnAround implements Recovery {

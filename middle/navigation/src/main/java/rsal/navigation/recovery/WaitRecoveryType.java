@@ -9,11 +9,12 @@ import rsal.settings.Parameter;
 
 /// Stands still for a while, so that others can pass, as Nav2's wait does.
 public final class WaitRecoveryType implements RecoveryType {
-    static final Parameter AFTER =
+    static final Parameter<Double> AFTER =
             Parameter.number("after", 3, 0.5, 600, "s", "it begins when the robot makes no progress for so long");
-    static final Parameter TIMES =
+    static final Parameter<Integer> TIMES =
             Parameter.integer("times", 1, 1, 1000, "", "how often it is tried until there is progress");
-    private static final Parameter TIME = Parameter.number("time", 5, 0.1, 600, "s", "how long the robot stands");
+    private static final Parameter<Double> TIME =
+            Parameter.number("time", 5, 0.1, 600, "s", "how long the robot stands");
 
     @Override
     public String key() {
@@ -26,14 +27,14 @@ public final class WaitRecoveryType implements RecoveryType {
     }
 
     @Override
-    public List<Parameter> parameters() {
+    public List<Parameter<?>> parameters() {
         return List.of(AFTER, TIMES, TIME);
     }
 
     @Override
     public Recovery create(Arguments arguments, Driven driven) {
-        var attempts = new Attempts(arguments.seconds(AFTER.name()), arguments.integer(TIMES.name()));
-        Duration time = arguments.seconds(TIME.name());
+        var attempts = new Attempts(arguments.seconds(AFTER), arguments.get(TIMES));
+        Duration time = arguments.seconds(TIME);
         return new Recovery() {
             private Instant until = Instant.MIN;
 

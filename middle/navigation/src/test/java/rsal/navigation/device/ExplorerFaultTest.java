@@ -46,7 +46,7 @@ class ExplorerFaultTest extends RobotBench {
         }
 
         @Override
-        public List<Parameter> parameters() {
+        public List<Parameter<?>> parameters() {
             return inner.parameters();
         }
 

@@ -18,73 +18,74 @@ final class Keys {
     /// Walls.
     static final BodyReader WALLS = new BodyReader(new BodyReader.Limits(1, 10_000, FARTHEST, -FARTHEST, WALL_HEIGHT));
 
-    static final Parameter STEP =
+    static final Parameter<Double> STEP =
             Parameter.number("step", 0.1, 0.01, 0.2, "s", "Time between two states of the world.");
-    static final Parameter END = Parameter.number("end", 0, 0, 1e9, "s", "How long a run of it takes.");
-    static final Parameter TOUCH = Parameter.choice(
+    static final Parameter<Double> END = Parameter.number("end", 0, 0, 1e9, "s", "How long a run of it takes.");
+    static final Parameter<String> TOUCH = Parameter.choice(
             "touch",
             Touch.STALL.word(),
             Touch.words(),
             "Whether robots that drive into something stop or slide along it.");
-    static final Parameter SEED = Parameter.integer(
+    static final Parameter<Integer> SEED = Parameter.integer(
             "seed",
             0,
             Long.MIN_VALUE,
             Long.MAX_VALUE,
             "",
             "What the field follows from; the seed of the run when left out.");
-    static final Parameter COUNT = Parameter.integer("count", 1, 1, MAX_SAME, "", "How many there are.");
+    static final Parameter<Integer> COUNT = Parameter.integer("count", 1, 1, MAX_SAME, "", "How many there are.");
 
-    static final Parameter OBSTACLE = Parameter.flag("obstacle", true, "Whether it is in the way.");
-    static final Parameter REFLECTANCE = Parameter.number(
+    static final Parameter<Boolean> OBSTACLE = Parameter.flag("obstacle", true, "Whether it is in the way.");
+    static final Parameter<Double> REFLECTANCE = Parameter.number(
             "reflectance", 1, -1e9, 1e9, "", "How bright range sensors see it; they look through what is negative.");
-    static final Parameter BLOB = Parameter.flag("blob", true, "Whether blob finders tell of it.");
-    static final Parameter FIDUCIAL =
+    static final Parameter<Boolean> BLOB = Parameter.flag("blob", true, "Whether blob finders tell of it.");
+    static final Parameter<Integer> FIDUCIAL =
             Parameter.integer("fiducial", 0, Integer.MIN_VALUE, Integer.MAX_VALUE, "", "Its id as a marker; 0: none.");
-    static final Parameter KEY = Parameter.integer(
+    static final Parameter<Integer> KEY = Parameter.integer(
             "key", 0, Integer.MIN_VALUE, Integer.MAX_VALUE, "", "Only finders of this key see the marker.");
-    static final Parameter GRIPPABLE = Parameter.flag("grippable", false, "Whether grippers can hold it.");
-    static final List<Parameter> SURFACE = List.of(OBSTACLE, REFLECTANCE, BLOB, FIDUCIAL, KEY, GRIPPABLE);
+    static final Parameter<Boolean> GRIPPABLE = Parameter.flag("grippable", false, "Whether grippers can hold it.");
+    static final List<Parameter<?>> SURFACE = List.of(OBSTACLE, REFLECTANCE, BLOB, FIDUCIAL, KEY, GRIPPABLE);
 
-    static final Parameter MOVES =
+    static final Parameter<Boolean> MOVES =
             Parameter.flag("moves", false, "Whether it may be elsewhere later, so that the map does not show it.");
 
-    static final Parameter GIVING = Parameter.number(
+    static final Parameter<Double> GIVING = Parameter.number(
             "givingPower", 0, 0, 1e9, "W", "With which it charges each robot that touches it, at most.");
 
-    static final Parameter CLOSED =
+    static final Parameter<Boolean> CLOSED =
             Parameter.flag("closed", false, "Whether the line goes on from its end to its beginning.");
-    static final Parameter THICKNESS = Parameter.number(
+    static final Parameter<Double> THICKNESS = Parameter.number(
             "thickness",
             0.1,
             0,
             1000,
             "m",
             "Of a line; 0: thin as a sheet. Of a shape: it is hollow, its border so thick.");
-    static final Parameter THRESHOLD = Parameter.number(
+    static final Parameter<Double> THRESHOLD = Parameter.number(
             "threshold", 0.5, 0, 1, "", "How bright a solid pixel may be, from 0 (black) to 1 (white).");
-    static final Parameter FENCED = Parameter.flag("fenced", false, "Whether no robot leaves the image.");
+    static final Parameter<Boolean> FENCED = Parameter.flag("fenced", false, "Whether no robot leaves the image.");
 
-    static final Parameter DENSITY = Parameter.number("density", 0.1, 0, 1000, "1/m²", "How many per square meter.");
-    static final Parameter GAP =
+    static final Parameter<Double> DENSITY =
+            Parameter.number("density", 0.1, 0, 1000, "1/m²", "How many per square meter.");
+    static final Parameter<Double> GAP =
             Parameter.number("gap", 0.5, 0, 100, "m", "Between an obstacle and others, walls and things, at least.");
-    static final Parameter ROBOT_GAP =
+    static final Parameter<Double> ROBOT_GAP =
             Parameter.number("robotGap", 1, 0, 100, "m", "Between an obstacle and robots at their start, at least.");
 
-    static final Parameter CLEARANCE =
+    static final Parameter<Double> CLEARANCE =
             Parameter.number("clearance", 0.4, 0.05, 100, "m", "Free space around a place that is chosen.");
 
     private Keys() {}
 
-    static boolean flag(Section section, Parameter parameter) {
+    static boolean flag(Section section, Parameter<?> parameter) {
         return Boolean.TRUE.equals(section.value(parameter).orElse(false));
     }
 
-    static double number(Section section, Parameter parameter) {
+    static double number(Section section, Parameter<?> parameter) {
         return section.value(parameter).map(value -> (Double) value).orElse(1.0);
     }
 
-    static long whole(Section section, Parameter parameter) {
+    static long whole(Section section, Parameter<?> parameter) {
         return section.value(parameter).map(value -> (Long) value).orElse(1L);
     }
 }

@@ -37,7 +37,7 @@ final class SurfaceReader {
                 grippable.map(Boolean.class::cast).orElse(base.grippable()));
     }
 
-    private static Optional<Object> find(Section section, Parameter parameter) {
+    private static Optional<Object> find(Section section, Parameter<?> parameter) {
         return section.has(parameter.name()) ? section.value(parameter) : Optional.empty();
     }
 }

@@ -117,7 +117,7 @@ final class WorldReader {
         }
     }
 
-    private Optional<Duration> time(Parameter parameter) {
+    private Optional<Duration> time(Parameter<?> parameter) {
         return root.has(parameter.name())
                 ? Optional.of(Keys.number(root, parameter))
                         .map(seconds -> Duration.ofNanos(

@@ -39,12 +39,12 @@ public final class SimCameraKind implements SimulatedKind {
         SimCamera(DeviceInfo info, Arguments arguments, SimulatedRobot robot) {
             super(info);
             this.robot = robot;
-            this.columns = arguments.integer(CameraKind.COLUMNS.name());
-            this.rows = arguments.integer(CameraKind.ROWS.name());
+            this.columns = arguments.get(CameraKind.COLUMNS);
+            this.rows = arguments.get(CameraKind.ROWS);
             this.focalLength = CameraKind.focalLength(arguments);
-            this.range = arguments.number(CameraKind.RANGE.name());
-            this.view = arguments.number(CameraKind.VIEW.name());
-            this.noise = robot.noise() * arguments.number(CameraKind.DEPTH_NOISE.name());
+            this.range = arguments.get(CameraKind.RANGE);
+            this.view = arguments.get(CameraKind.VIEW);
+            this.noise = robot.noise() * arguments.get(CameraKind.DEPTH_NOISE);
             this.colors = new int[columns * rows];
             this.depths = new float[columns * rows];
         }

@@ -37,11 +37,11 @@ public final class SimGnssKind implements SimulatedKind {
         SimGnss(DeviceInfo info, Arguments arguments, SimulatedRobot robot) {
             super(info, "map");
             this.robot = robot;
-            this.deviation = robot.noise() * arguments.number(GnssKind.DEVIATION.name());
-            this.correlationTime = arguments.number(GnssKind.CORRELATION_TIME.name());
-            this.noise = robot.noise() * arguments.number(GnssKind.NOISE.name());
-            this.latitude = arguments.number(GnssKind.LATITUDE.name());
-            this.longitude = arguments.number(GnssKind.LONGITUDE.name());
+            this.deviation = robot.noise() * arguments.get(GnssKind.DEVIATION);
+            this.correlationTime = arguments.get(GnssKind.CORRELATION_TIME);
+            this.noise = robot.noise() * arguments.get(GnssKind.NOISE);
+            this.latitude = arguments.get(GnssKind.LATITUDE);
+            this.longitude = arguments.get(GnssKind.LONGITUDE);
         }
 
         @Override

@@ -47,12 +47,12 @@ public final class SimImuKind implements SimulatedKind {
         SimImu(DeviceInfo info, Arguments arguments, SimulatedRobot robot) {
             super(info);
             this.robot = robot;
-            this.hasCompass = arguments.flag(ImuKind.COMPASS.name());
-            this.compassNoise = robot.noise() * arguments.radians(ImuKind.COMPASS_NOISE.name());
-            this.gyroscopeNoise = robot.noise() * arguments.radians(ImuKind.GYROSCOPE_NOISE.name());
-            this.accelerometerNoise = robot.noise() * arguments.number(ImuKind.ACCELEROMETER_NOISE.name());
-            this.gyroscopeBias = robot.noise() * drawn(arguments.radians(ImuKind.GYROSCOPE_BIAS.name()));
-            double bias = arguments.number(ImuKind.ACCELEROMETER_BIAS.name());
+            this.hasCompass = arguments.get(ImuKind.COMPASS);
+            this.compassNoise = robot.noise() * arguments.radians(ImuKind.COMPASS_NOISE);
+            this.gyroscopeNoise = robot.noise() * arguments.radians(ImuKind.GYROSCOPE_NOISE);
+            this.accelerometerNoise = robot.noise() * arguments.get(ImuKind.ACCELEROMETER_NOISE);
+            this.gyroscopeBias = robot.noise() * drawn(arguments.radians(ImuKind.GYROSCOPE_BIAS));
+            double bias = arguments.get(ImuKind.ACCELEROMETER_BIAS);
             this.biasX = robot.noise() * drawn(bias);
             this.biasY = robot.noise() * drawn(bias);
         }

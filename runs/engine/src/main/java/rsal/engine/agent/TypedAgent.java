@@ -9,8 +9,8 @@ import java.util.stream.Stream;
 import rsal.agent.AgentType;
 import rsal.device.Device;
 import rsal.robot.Robot;
-import rsal.scenario.installed.Providers;
 import rsal.scenario.RunPlan.PlannedAgent;
+import rsal.scenario.installed.Providers;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 import rsal.settings.Suggestion;
@@ -42,11 +42,11 @@ public final class TypedAgent {
         return new PlannedAgent(key, key, type, arguments, robot.map(Robot::id), seed);
     }
 
-    private static Arguments arguments(List<Parameter> parameters, Map<String, String> typed, List<Robot> team) {
+    private static Arguments arguments(List<Parameter<?>> parameters, Map<String, String> typed, List<Robot> team) {
         var values = new LinkedHashMap<String, Object>();
         var mistakes = new ArrayList<String>();
         typed.forEach((name, text) -> {
-            Optional<Parameter> parameter =
+            Optional<Parameter<?>> parameter =
                     parameters.stream().filter(one -> one.name().equals(name)).findFirst();
             try {
                 values.put(name, parameter.isPresent() ? parameter.get().parse(text) : text);
@@ -62,15 +62,13 @@ public final class TypedAgent {
                 .flatMap(robot -> Stream.of(robot.role(), robot.id()))
                 .distinct()
                 .toList();
-        for (Parameter parameter : parameters) {
-            if (parameter.kind() == Parameter.Kind.ROBOTS) {
-                String name = arguments.text(parameter.name());
-                if (!parameter.options().contains(name) && !names.contains(name)) {
-                    throw new IllegalArgumentException("(%s) must be %s, not (%s). %s"
-                            .formatted(parameter.name(), parameter.expected(), name, Suggestion.among(name, names)));
-                }
+        parameters.stream().flatMap(each -> each.ofRobots().stream()).forEach(parameter -> {
+            String name = arguments.get(parameter);
+            if (!parameter.options().contains(name) && !names.contains(name)) {
+                throw new IllegalArgumentException("(%s) must be %s, not (%s). %s"
+                        .formatted(parameter.name(), parameter.expected(), name, Suggestion.among(name, names)));
             }
-        }
+        });
         return arguments;
     }
 

@@ -17,11 +17,11 @@ import rsal.engine.event.EventLog;
 import rsal.engine.metric.MetricsObserver;
 import rsal.engine.report.LossReason;
 import rsal.fault.Fault;
+import rsal.scenario.RunPlan;
 import rsal.scenario.fault.PlannedFault;
 import rsal.scenario.fault.PlannedFault.OfMessages;
 import rsal.scenario.fault.PlannedFault.OfRobot;
 import rsal.scenario.fault.PlannedFault.Target;
-import rsal.scenario.RunPlan;
 import rsal.time.Phase;
 import rsal.time.Scheduler;
 

@@ -37,7 +37,7 @@ final class Overlaid implements RobotSystemProvider {
     }
 
     @Override
-    public List<Parameter> parameters() {
+    public List<Parameter<?>> parameters() {
         return List.of();
     }
 

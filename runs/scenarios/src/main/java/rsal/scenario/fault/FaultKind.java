@@ -37,15 +37,29 @@ public enum FaultKind {
         }
     }
 
-    public static final String SHARE = "share";
+    public static final Parameter<Double> SHARE = Parameter.number(
+            "share", 1, 0, 1, "", "How likely it is, for each message and each agent that should hear it.");
 
     private static final String RANGE = "range";
     private static final String ANGLE = "angle";
-    private static final String POWER = "power";
-    private static final String WAY = "way";
-    private static final String TURN = "turn";
-    private static final String DRIFT = "drift";
-    private static final String STAYS = "stays";
+    private static final Parameter<Double> RANGE_BIAS =
+            Parameter.number(RANGE, 0, -100, 100, "m", "By how much all is farther away; a pose: farther ahead.");
+    private static final Parameter<Double> ANGLE_BIAS =
+            Parameter.number(ANGLE, 0, -180, 180, "deg", "By how much all is more to the left.");
+    private static final Parameter<Double> RANGE_NOISE =
+            Parameter.number(RANGE, 0, 0, 100, "m", "Standard deviation of ranges; of a pose: ahead and aside.");
+    private static final Parameter<Double> ANGLE_NOISE =
+            Parameter.number(ANGLE, 0, 0, 180, "deg", "Standard deviation of angles.");
+    private static final Parameter<Double> POWER =
+            Parameter.number("power", 0, 0, 1, "", "Part of the speeds wanted that is left.");
+    private static final Parameter<Double> WAY =
+            Parameter.number("way", 0.2, -0.9, 10, "", "Part of the way that is counted besides.");
+    private static final Parameter<Double> TURN =
+            Parameter.number("turn", 0, -0.9, 10, "", "Part of the turn that is counted besides.");
+    private static final Parameter<Double> DRIFT =
+            Parameter.number("drift", 0, -360, 360, "deg/m", "Turn to the left counted for each meter forward.");
+    private static final Parameter<Boolean> STAYS =
+            Parameter.flag("stays", false, "Whether they stand in the way of others where they were.");
 
     private final String word;
     private final Of of;
@@ -69,31 +83,15 @@ public enum FaultKind {
         return description;
     }
 
-    public List<Parameter> parameters() {
+    public List<Parameter<?>> parameters() {
         return switch (this) {
             case DEAD, FROZEN -> List.of();
-            case BIASED ->
-                List.of(
-                        Parameter.number(
-                                RANGE, 0, -100, 100, "m", "By how much all is farther away; a pose: farther ahead."),
-                        Parameter.number(ANGLE, 0, -180, 180, "deg", "By how much all is more to the left."));
-            case NOISY ->
-                List.of(
-                        Parameter.number(
-                                RANGE, 0, 0, 100, "m", "Standard deviation of ranges; of a pose: ahead and aside."),
-                        Parameter.number(ANGLE, 0, 0, 180, "deg", "Standard deviation of angles."));
-            case MOTOR_DEAD -> List.of(Parameter.number(POWER, 0, 0, 1, "", "Part of the speeds wanted that is left."));
-            case SLIP ->
-                List.of(
-                        Parameter.number(WAY, 0.2, -0.9, 10, "", "Part of the way that is counted besides."),
-                        Parameter.number(TURN, 0, -0.9, 10, "", "Part of the turn that is counted besides."),
-                        Parameter.number(
-                                DRIFT, 0, -360, 360, "deg/m", "Turn to the left counted for each meter forward."));
-            case GONE ->
-                List.of(Parameter.flag(STAYS, false, "Whether they stand in the way of others where they were."));
-            case LOST, LATE, DOUBLED ->
-                List.of(Parameter.number(
-                        SHARE, 1, 0, 1, "", "How likely it is, for each message and each agent that should hear it."));
+            case BIASED -> List.of(RANGE_BIAS, ANGLE_BIAS);
+            case NOISY -> List.of(RANGE_NOISE, ANGLE_NOISE);
+            case MOTOR_DEAD -> List.of(POWER);
+            case SLIP -> List.of(WAY, TURN, DRIFT);
+            case GONE -> List.of(STAYS);
+            case LOST, LATE, DOUBLED -> List.of(SHARE);
         };
     }
 
@@ -111,11 +109,11 @@ public enum FaultKind {
         return switch (this) {
             case DEAD -> new Fault.Dead();
             case FROZEN -> new Fault.Frozen();
-            case BIASED -> new Fault.Biased(arguments.number(RANGE), arguments.radians(ANGLE));
-            case NOISY -> new Fault.Noisy(arguments.number(RANGE), arguments.radians(ANGLE));
-            case MOTOR_DEAD -> new Fault.MotorDead(arguments.number(POWER));
-            case SLIP -> new Fault.Slip(arguments.number(WAY), arguments.number(TURN), arguments.radians(DRIFT));
-            case GONE -> new Fault.Gone(arguments.flag(STAYS));
+            case BIASED -> new Fault.Biased(arguments.get(RANGE_BIAS), arguments.radians(ANGLE_BIAS));
+            case NOISY -> new Fault.Noisy(arguments.get(RANGE_NOISE), arguments.radians(ANGLE_NOISE));
+            case MOTOR_DEAD -> new Fault.MotorDead(arguments.get(POWER));
+            case SLIP -> new Fault.Slip(arguments.get(WAY), arguments.get(TURN), arguments.radians(DRIFT));
+            case GONE -> new Fault.Gone(arguments.get(STAYS));
             case LOST, LATE, DOUBLED -> throw new IllegalStateException("(%s) is no fault of robots.".formatted(word));
         };
     }

@@ -13,7 +13,7 @@ import rsal.settings.Value;
 ///
 /// @param key path of the file
 /// @param parameters those that the scenario sets, as it sets them
-public record UntrustedType(String key, List<Parameter> parameters) implements AgentType {
+public record UntrustedType(String key, List<Parameter<?>> parameters) implements AgentType {
     public UntrustedType {
         parameters = List.copyOf(parameters);
     }
@@ -23,11 +23,11 @@ public record UntrustedType(String key, List<Parameter> parameters) implements A
         return new UntrustedType(
                 file,
                 args.mapping().entries().entrySet().stream()
-                        .map(set -> parameter(set.getKey(), set.getValue()))
+                        .<Parameter<?>>map(set -> parameter(set.getKey(), set.getValue()))
                         .toList());
     }
 
-    private static Parameter parameter(String name, Value value) {
+    private static Parameter<?> parameter(String name, Value value) {
         Object set = value instanceof Value.Scalar scalar ? scalar.value() : "";
         return switch (set) {
             case Boolean flag -> Parameter.flag(name, flag, "");

@@ -9,6 +9,8 @@ import rsal.settings.Parameter;
 
 /// Drives straight to the next point of the planned way, the slower the nearer something is ahead.
 public final class Cautious implements ControllerType {
+    private static final Parameter<Double> ROOM =
+            Parameter.number("room", 0.6, 0.1, 3, "m", "The robot slows down with less room ahead.");
     @Override
     public String key() {
         return "cautious";
@@ -20,13 +22,13 @@ public final class Cautious implements ControllerType {
     }
 
     @Override
-    public List<Parameter> parameters() {
-        return List.of(Parameter.number("room", 0.6, 0.1, 3, "m", "The robot slows down with less room ahead."));
+    public List<Parameter<?>> parameters() {
+        return List.of(ROOM);
     }
 
     @Override
     public Controller create(Arguments arguments, Driven driven) {
-        return new Cautiously(driven, arguments.number("room"));
+        return new Cautiously(driven, arguments.get(ROOM));
     }
 
     /// The controller of one robot. Poses and points are in its base frame: x ahead, y to the left [m].

@@ -20,6 +20,14 @@ import rsal.settings.Parameter;
 
 /// Goes for the newest pose of a prey until that has been caught.
 public final class Hunter implements AgentType {
+    private static final Parameter<String> PREY = Parameter.text("prey", "prey", "Role of the robots to hunt.");
+    private static final Parameter<Double> CATCH_DISTANCE =
+            Parameter.number("catchDistance", 1.5, 0.8, 3, "m", "It stops when nearer to its prey than this.");
+    private static final Parameter<Double> PERIOD =
+            Parameter.number("period", 0.5, 0.1, 10, "s", "How often it says where it is.");
+    private static final Parameter<Double> INTERVAL =
+            Parameter.number("interval", 2, 0.5, 60, "s", "How often it goes for the prey's newest pose.");
+
     @Override
     public String key() {
         return "hunter";
@@ -31,12 +39,8 @@ public final class Hunter implements AgentType {
     }
 
     @Override
-    public List<Parameter> parameters() {
-        return List.of(
-                Parameter.text("prey", "prey", "Role of the robots to hunt."),
-                Parameter.number("catchDistance", 1.5, 0.8, 3, "m", "It stops when nearer to its prey than this."),
-                Parameter.number("period", 0.5, 0.1, 10, "s", "How often it says where it is."),
-                Parameter.number("interval", 2, 0.5, 60, "s", "How often it goes for the prey's newest pose."));
+    public List<Parameter<?>> parameters() {
+        return List.of(PREY, CATCH_DISTANCE, PERIOD, INTERVAL);
     }
 
     @Override
@@ -67,10 +71,10 @@ public final class Hunter implements AgentType {
             this.self = self;
             this.robot = robot;
             this.navigator = robot.require(Navigator.class);
-            this.role = arguments.text("prey");
-            this.catchDistance = arguments.number("catchDistance");
-            this.period = arguments.seconds("period");
-            this.interval = arguments.seconds("interval");
+            this.role = arguments.get(PREY);
+            this.catchDistance = arguments.get(CATCH_DISTANCE);
+            this.period = arguments.seconds(PERIOD);
+            this.interval = arguments.seconds(INTERVAL);
         }
 
         void begin() {

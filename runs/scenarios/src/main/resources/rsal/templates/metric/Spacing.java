@@ -14,6 +14,8 @@ import rsal.settings.Parameter;
 
 /// How far robots are from their nearest neighbors, and how often two of them meet.
 public final class Spacing implements MetricType {
+    private static final Parameter<Double> NEAR =
+            Parameter.number("near", 1, 0.1, 100, "m", "How near two robots are that meet.");
     private static final SignalType SPACING =
             SignalType.ofRobots("spacing", "m", "distance of a robot to the nearest other one, after each step");
     private static final QuantityType ENCOUNTERS =
@@ -30,8 +32,8 @@ public final class Spacing implements MetricType {
     }
 
     @Override
-    public List<Parameter> parameters() {
-        return List.of(Parameter.number("near", 1, 0.1, 100, "m", "How near two robots are that meet."));
+    public List<Parameter<?>> parameters() {
+        return List.of(NEAR);
     }
 
     @Override
@@ -46,7 +48,7 @@ public final class Spacing implements MetricType {
 
     @Override
     public Metric create(Arguments arguments, RunState run) {
-        return new Neighbors(run, arguments.number("near"));
+        return new Neighbors(run, arguments.get(NEAR));
     }
 
     /// The metric in one run.

@@ -236,7 +236,10 @@ public abstract class ArchitectureRules {
                 .resideInAPackage(NAVIGATION)
                 .and()
                 .resideOutsideOfPackages(
-                        "rsal.navigation.device..", "rsal.navigation.control..", "rsal.navigation.recovery..")
+                        "rsal.navigation.device..",
+                        "rsal.navigation.control..",
+                        "rsal.navigation.parameter..",
+                        "rsal.navigation.recovery..")
                 .should()
                 .dependOnClassesThat(outside("rsal.data..", NAVIGATION)));
         check(noClasses()

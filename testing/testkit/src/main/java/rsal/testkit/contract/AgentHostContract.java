@@ -45,6 +45,7 @@ import rsal.time.Task;
 /// one at a time, and when all is over nothing of the host is left. Tested in simulated time where the host follows
 /// that, else in real time, in which only orders count, not instants.
 public abstract class AgentHostContract extends ContractNetContract {
+    private static final Parameter<String> GREETING = Parameter.text("words", "hello", "What it says.");
     private static final Topic<Integer> NUMBERS = new Topic<>("numbers", Integer.class);
     private static final int MANY = 1000;
     private static final List<String> BIDDERS = List.of("amy", "bob", "eve");
@@ -74,13 +75,13 @@ public abstract class AgentHostContract extends ContractNetContract {
             }
 
             @Override
-            public List<Parameter> parameters() {
-                return List.of(Parameter.text("words", "hello", "What it says."));
+            public List<Parameter<?>> parameters() {
+                return List.of(GREETING);
             }
 
             @Override
             public Agent create(Arguments arguments) {
-                return self -> log.add(self.name() + " (" + self.role() + "): " + arguments.text("words"));
+                return self -> log.add(self.name() + " (" + self.role() + "): " + arguments.get(GREETING));
             }
         };
         try (var run = run()) {

@@ -49,7 +49,7 @@ public abstract class RobotSystemContract extends RobotBench {
 
     @Test
     void itsParametersHaveNamesWordsAndFallbacksThatPass() {
-        List<Parameter> parameters = provider().parameters();
+        List<Parameter<?>> parameters = provider().parameters();
         assertThat(parameters)
                 .extracting(Parameter::name)
                 .doesNotHaveDuplicates()
@@ -57,7 +57,7 @@ public abstract class RobotSystemContract extends RobotBench {
         assertThat(parameters)
                 .extracting(Parameter::description)
                 .allSatisfy(d -> assertThat(d).isNotBlank());
-        for (Parameter parameter : parameters) {
+        for (Parameter<?> parameter : parameters) {
             parameter
                     .fallback()
                     .ifPresent(

@@ -20,6 +20,10 @@ import rsal.time.Phase;
 
 /// Fails after a second, at once, or when somebody looks at it.
 public final class BrokenDevice implements DeviceDriver {
+    private static final Parameter<Boolean> AT_ONCE = Parameter.flag("atOnce", false, "Whether it can't even be made.");
+    private static final Parameter<Boolean> UNREADABLE =
+            Parameter.flag("unreadable", false, "Whether it works, but nobody can look at it.");
+
     @Override
     public String key() {
         return "broken";
@@ -36,19 +40,17 @@ public final class BrokenDevice implements DeviceDriver {
     }
 
     @Override
-    public List<Parameter> parameters() {
-        return List.of(
-                Parameter.flag("atOnce", false, "Whether it can't even be made."),
-                Parameter.flag("unreadable", false, "Whether it works, but nobody can look at it."));
+    public List<Parameter<?>> parameters() {
+        return List.of(AT_ONCE, UNREADABLE);
     }
 
     @Override
     public Device create(Context context, Arguments arguments) {
-        if (arguments.flag("atOnce")) {
+        if (arguments.get(AT_ONCE)) {
             throw new IllegalStateException("no batteries included");
         }
         var info = new DeviceInfo(context.robot().id(), context.name(), key());
-        if (arguments.flag("unreadable")) {
+        if (arguments.get(UNREADABLE)) {
             context.scheduler().compute(() -> "busy");
             context.scheduler().compute(() -> "busy, too"); // beside the other: on a thread that helps
             return new Unreadable(info);

@@ -21,8 +21,8 @@ import rsal.time.Scheduler;
 /// Robots that nobody knows the truth about, as real ones are, in a hall without walls: reality is not as the map
 /// has it, and fakes look at each wall with each beam.
 public class Reality implements RobotSystemProvider {
-    private static final Parameter HOST = Parameter.text("host", "localhost", "Where they are.");
-    private static final Parameter PORT = Parameter.integer("port", 6665, 1, 65535, "", "Where they listen.");
+    private static final Parameter<String> HOST = Parameter.text("host", "localhost", "Where they are.");
+    private static final Parameter<Integer> PORT = Parameter.integer("port", 6665, 1, 65535, "", "Where they listen.");
 
     @Override
     public String key() {
@@ -40,14 +40,14 @@ public class Reality implements RobotSystemProvider {
     }
 
     @Override
-    public List<Parameter> parameters() {
+    public List<Parameter<?>> parameters() {
         return List.of(HOST, PORT);
     }
 
     @Override
     public RobotSystem create(Config config, Scheduler scheduler) {
         boolean planning = scheduler instanceof LockstepScheduler; // whoever only checks a plan has his own
-        String host = planning ? "" : config.settings().text("host");
+        String host = planning ? "" : config.settings().get(HOST);
         if (host.equals("nowhere")) {
             throw new IllegalStateException("Nobody is there.");
         }

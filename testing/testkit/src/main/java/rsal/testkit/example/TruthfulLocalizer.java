@@ -20,6 +20,9 @@ import rsal.settings.Parameter;
 
 /// Believes in its odometry, but for a constant error.
 public final class TruthfulLocalizer implements DeviceDriver {
+    private static final Parameter<Double> ERROR =
+            Parameter.number("error", 0, 0, 10, "m", "How far its readings are off.");
+
     @Override
     public String key() {
         return "truthful";
@@ -41,8 +44,8 @@ public final class TruthfulLocalizer implements DeviceDriver {
     }
 
     @Override
-    public List<Parameter> parameters() {
-        return List.of(Parameter.number("error", 0, 0, 10, "m", "How far its readings are off."));
+    public List<Parameter<?>> parameters() {
+        return List.of(ERROR);
     }
 
     @Override
@@ -52,7 +55,7 @@ public final class TruthfulLocalizer implements DeviceDriver {
                 info,
                 context.robot().require(DriveBase.class),
                 context.mapFromBase().orElseThrow(),
-                arguments.number("error"));
+                arguments.get(ERROR));
     }
 
     private static final class Odometer extends SensorCore<PoseEstimate> implements Localizer {

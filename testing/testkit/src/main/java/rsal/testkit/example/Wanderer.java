@@ -15,7 +15,7 @@ import rsal.settings.Parameter;
 
 /// Drives about at random. Says what it was told.
 public final class Wanderer implements AgentType {
-    private static final Parameter SPEED = Parameter.number("speed", 0.3, 0, 1, "m/s", "How fast it drives.");
+    private static final Parameter<Double> SPEED = Parameter.number("speed", 0.3, 0, 1, "m/s", "How fast it drives.");
 
     @Override
     public String key() {
@@ -28,7 +28,7 @@ public final class Wanderer implements AgentType {
     }
 
     @Override
-    public List<Parameter> parameters() {
+    public List<Parameter<?>> parameters() {
         return List.of(SPEED);
     }
 
@@ -50,7 +50,7 @@ public final class Wanderer implements AgentType {
                 .every(
                         Duration.ofMillis(200),
                         () -> base.command(Twist2d.drive(
-                                arguments.number("speed"), self.random().nextDouble(-1, 1))));
+                                arguments.get(SPEED), self.random().nextDouble(-1, 1))));
         self.subscribe(
                 NewGoal.TOPIC,
                 goal -> self.publish(

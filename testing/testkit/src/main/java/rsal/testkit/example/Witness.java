@@ -11,6 +11,10 @@ import rsal.settings.Parameter;
 
 /// Shows how near a robot has been to a place in truth [m].
 public final class Witness implements AgentType {
+    private static final Parameter<String> OF = Parameter.robots("of", "prey", List.of(), "Id of the robot.");
+    private static final Parameter<Double> X = Parameter.number("x", 0, -1000, 1000, "m", "Where the place is.");
+    private static final Parameter<Double> Y = Parameter.number("y", 0, -1000, 1000, "m", "Where the place is.");
+
     public static final String NEAREST = "nearest";
 
     @Override
@@ -24,17 +28,14 @@ public final class Witness implements AgentType {
     }
 
     @Override
-    public List<Parameter> parameters() {
-        return List.of(
-                Parameter.robots("of", "prey", List.of(), "Id of the robot."),
-                Parameter.number("x", 0, -1000, 1000, "m", "Where the place is."),
-                Parameter.number("y", 0, -1000, 1000, "m", "Where the place is."));
+    public List<Parameter<?>> parameters() {
+        return List.of(OF, X, Y);
     }
 
     @Override
     public Agent create(Arguments arguments) {
-        var place = new Pose2d(arguments.number("x"), arguments.number("y"), 0);
-        return self -> watch(self, arguments.text("of"), place);
+        var place = new Pose2d(arguments.get(X), arguments.get(Y), 0);
+        return self -> watch(self, arguments.get(OF), place);
     }
 
     private static void watch(AgentContext self, String robot, Pose2d place) {

@@ -24,7 +24,7 @@ public final class FakeProvider implements RobotSystemProvider {
     }
 
     @Override
-    public List<Parameter> parameters() {
+    public List<Parameter<?>> parameters() {
         return List.of();
     }
 

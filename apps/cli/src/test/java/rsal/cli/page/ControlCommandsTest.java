@@ -6,10 +6,10 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import rsal.cli.page.OperatorCommands.Controlled;
+import rsal.cli.page.ControlCommands.Controlled;
 import rsal.cli.terminal.Unreachable;
 
-class OperatorCommandsTest {
+class ControlCommandsTest {
     private final List<String> done = new ArrayList<>();
 
     private String refuse(String why) {

@@ -17,11 +17,11 @@ import tools.jackson.databind.JsonNode;
 
 /// What an operator does with a run that has a page, without looking at that. The same person must have started it.
 @AllowedToReadWallClock("Says how fast a command was confirmed, and waits for what it leads to.")
-public final class OperatorCommands {
+public final class ControlCommands {
     private static final long LOOK_MILLIS = 200; // between two looks at what is waited for
     private static final int LOOKS = 50;
 
-    private OperatorCommands() {}
+    private ControlCommands() {}
 
     /// `rsal status`
     @Command(name = "status", description = "Show how a run with a page gets on: its robots, and where they are.")

@@ -24,7 +24,7 @@ import rsal.engine.robot.Team;
 import rsal.engine.world.SimulatedWorld;
 
 /// What people tell robots to do, and all of them to stop. All calls on the run's thread.
-public final class OperatorCommands {
+public final class RobotCommands {
     private final OccupancyGrid map;
     private final EventLog eventLog;
     private final Faults faults;
@@ -34,7 +34,7 @@ public final class OperatorCommands {
     private final SentGoals goals;
     private boolean stopped;
 
-    public OperatorCommands(
+    public RobotCommands(
             OccupancyGrid map,
             EventLog eventLog,
             Faults faults,

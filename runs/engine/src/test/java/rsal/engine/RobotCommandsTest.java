@@ -33,7 +33,7 @@ import rsal.system.CommandTimeout;
 
 /// What people tell the robots of a world to do: by keys, by a behavior, by a place to go to.
 @Timeout(60)
-class OperatorCommandsTest {
+class RobotCommandsTest {
     private static final String HALL = """
             define scanner ranger ( sensor ( range [0 5] fov 240 samples 121 ) )
             define cart position ( size [0.4 0.3 0.2] scanner ( ) )
