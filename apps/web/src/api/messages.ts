@@ -1,4 +1,4 @@
-// Generated from the Java records in rsal/server/Messages by PageTypesTest. Do not edit.
+// Generated from the Java records in rsal/server/message/Messages by PageTypesTest. Do not edit.
 
 export interface Abilities {
   forward: number;

@@ -24,6 +24,6 @@ module rsal.server {
 
     exports rsal.server;
 
-    opens rsal.server to
+    opens rsal.server.message to
             tools.jackson.databind;
 }

@@ -10,6 +10,8 @@ import rsal.agent.AgentType;
 import rsal.cli.show.Kind;
 import rsal.cli.show.ShownMap;
 import rsal.cli.show.ShownPart;
+import rsal.engine.OperatorCommands;
+import rsal.engine.report.Answer;
 import rsal.map.Maps;
 import rsal.metric.MetricType;
 import rsal.model.RobotModels;
@@ -21,6 +23,7 @@ import rsal.navigation.recovery.RecoveryType;
 import rsal.robot.DeviceDriver;
 import rsal.robot.DeviceKind;
 import rsal.scenario.installed.Providers;
+import rsal.settings.Parameter;
 import rsal.system.BridgeProvider;
 import rsal.system.RobotSystemProvider;
 
@@ -48,6 +51,7 @@ final class Reference {
                                 "mas",
                                 "mrs",
                                 "bridges",
+                                "operatorCommands",
                                 "models",
                                 "parts",
                                 "maps"),
@@ -71,6 +75,7 @@ final class Reference {
             case "mas" -> kinds(Kind.hosts(), AgentHostProvider.class, AgentHostProvider::key);
             case "mrs" -> kinds(Kind.systems(), RobotSystemProvider.class, RobotSystemProvider::key);
             case "bridges" -> bridges();
+            case "operatorCommands" -> operatorCommands();
             case "devices" -> DeviceTypes.all();
             case "models" -> models();
             case "parts" -> DeviceTypes.parts();
@@ -129,6 +134,28 @@ final class Reference {
 
     private static String link(String device) {
         return "[%s](devices.md#%s)".formatted(device, Markdown.anchor(device));
+    }
+
+    private static String operatorCommands() {
+        var table = new Markdown.Table("command", "", "parameters", "answer");
+        OperatorCommands.ALL.forEach(command -> table.row(
+                Markdown.code(command.name()),
+                Markdown.text(command.description()),
+                command.parameters().stream().map(Reference::parameter).collect(Collectors.joining("; ")),
+                command.answer() == Answer.Done.class
+                        ? ""
+                        : Markdown.code(command.answer().getSimpleName())));
+        return table.toString();
+    }
+
+    /// `kind`: what it is (BOX, BALL)
+    private static String parameter(Parameter<?> parameter) {
+        String unit = parameter.unit().isEmpty() ? "" : " [" + parameter.unit() + "]";
+        String options = parameter.options().isEmpty() ? "" : " (" + String.join(", ", parameter.options()) + ")";
+        String optional = parameter.fallback().isPresent() ? " (optional)" : "";
+        return Markdown.code(parameter.name())
+                + ": "
+                + Markdown.text(parameter.description() + unit + options + optional);
     }
 
     private static String bridges() {

@@ -3,10 +3,26 @@ package rsal.server;
 import io.javalin.config.RoutesConfig;
 import io.javalin.http.Context;
 import io.javalin.http.HandlerType;
+import rsal.server.http.AccessControl;
+import rsal.server.http.Http;
+import rsal.server.http.Page;
+import rsal.server.http.PageRoutes;
+import rsal.server.http.Routes;
+import rsal.server.monitor.Exposition;
+import rsal.server.run.CommandApi;
+import rsal.server.run.ControlApi;
+import rsal.server.run.MapApi;
+import rsal.server.run.RunApi;
+import rsal.server.run.RunSlot;
+import rsal.server.run.RunSlots;
+import rsal.server.run.TextApi;
+import rsal.server.scenario.ScenarioCatalog;
+import rsal.server.sweep.SweepApi;
 
 /// What can be asked and told over HTTP. `GET` shows, `POST` changes and needs the token. A refusal comes as
-/// [Messages.Refused] with a status: 400 not understood, 401 no token, 409 not possible now, 422 bad settings.
-final class Api {
+/// [rsal.server.message.Messages.Refused] with a status: 400 not understood, 401 no token, 409 not possible
+/// now, 422 bad settings.
+public final class Api {
     private final RunSlots slots;
     private final Page page;
     private final Exposition exposition;

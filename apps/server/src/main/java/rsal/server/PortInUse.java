@@ -3,6 +3,7 @@ package rsal.server;
 import java.io.IOException;
 import java.net.BindException;
 import java.nio.channels.ServerSocketChannel;
+import rsal.server.http.PageServer;
 
 /// Another program listens on the port already. Nothing was started.
 public final class PortInUse extends Exception {

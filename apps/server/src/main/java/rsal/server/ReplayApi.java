@@ -24,9 +24,26 @@ import rsal.engine.report.Snapshot;
 import rsal.recording.Playback;
 import rsal.recording.Playback.Whereabouts;
 import rsal.scenario.RunPlan.PlannedAgent;
-import rsal.server.Messages.RobotInfo;
-import rsal.server.Messages.RunInfo;
-import rsal.server.Messages.Trails;
+import rsal.server.description.CameraViews;
+import rsal.server.description.Descriptions;
+import rsal.server.description.DeviceMountings;
+import rsal.server.description.FloorPlan;
+import rsal.server.description.Numbers;
+import rsal.server.description.ReadingWords;
+import rsal.server.frame.TrailMaker;
+import rsal.server.history.AgentPast;
+import rsal.server.history.Past;
+import rsal.server.history.RecordedNumbers;
+import rsal.server.history.RecordedPast;
+import rsal.server.http.AccessControl;
+import rsal.server.http.Grids;
+import rsal.server.http.Http;
+import rsal.server.http.Page;
+import rsal.server.http.PageRoutes;
+import rsal.server.message.Messages.RobotInfo;
+import rsal.server.message.Messages.RunInfo;
+import rsal.server.message.Messages.Trails;
+import rsal.server.message.Refusal;
 
 /// What can be asked about a recording over HTTP, as [Api] has it of a run. What asks for a time takes `time` in s of
 /// the run; left out, it is the end.

@@ -5,6 +5,12 @@ import java.net.URI;
 import java.nio.channels.ServerSocketChannel;
 import java.nio.file.Path;
 import rsal.recording.Playback;
+import rsal.server.history.RecordedPast;
+import rsal.server.http.AccessControl;
+import rsal.server.http.Page;
+import rsal.server.http.PageServer;
+import rsal.server.live.Live;
+import rsal.server.live.RecordingViewSource;
 
 /// Shows a recording as [RunServer] shows a run, to be looked at alone: whatever would change a run is refused.
 ///

@@ -14,6 +14,16 @@ import java.util.function.Supplier;
 import rsal.engine.LiveRun;
 import rsal.recording.Recorder;
 import rsal.scenario.RunPlan;
+import rsal.server.http.AccessControl;
+import rsal.server.http.Page;
+import rsal.server.http.PageServer;
+import rsal.server.live.CurrentRun;
+import rsal.server.monitor.Exposition;
+import rsal.server.run.RunSlots;
+import rsal.server.scenario.ScenarioCatalog;
+import rsal.server.sweep.SweepApi;
+import rsal.server.sweep.SweepHome;
+import rsal.server.sweep.Sweeps;
 
 /// Runs a scenario, and others beside it, and shows them on this machine's loopback address, and there only.
 /// Whoever can reach the port may look; changing anything takes the token.

@@ -1,5 +1,5 @@
-/// One run at a time, seen by any number of browsers on this machine. Everything here happens on the server's
-/// threads and sees the run only as immutable snapshots, so that watching neither changes a run nor slows it.
+/// A server that shows runs and recordings in a browser. Everything here happens on the server's threads and
+/// sees runs only as immutable snapshots, so that watching neither changes a run nor slows it.
 @NullMarked
 package rsal.server;
 

@@ -16,9 +16,11 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.engine.report.RunEvent;
-import rsal.server.Messages.Control;
-import rsal.server.Messages.ControlWish;
 import rsal.server.RawHttp.Response;
+import rsal.server.http.AccessControl;
+import rsal.server.message.Json;
+import rsal.server.message.Messages.Control;
+import rsal.server.message.Messages.ControlWish;
 
 /// Who has control of a server, of several who have its token.
 @Timeout(60)

@@ -14,17 +14,17 @@ import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
 
 /// A small scenario, and a server that shows it.
-final class Errand {
+public final class Errand {
     static final String TOKEN = "the-token";
     private static final List<String> SCENARIOS = List.of("hunt-and-prey", "teleop");
 
     private Errand() {}
 
-    static RunPlan plan() {
+    public static RunPlan plan() {
         return plan("errand.yaml", RunOptions.NONE);
     }
 
-    static RunPlan plan(String name, RunOptions options) {
+    public static RunPlan plan(String name, RunOptions options) {
         try {
             Path file = Path.of(Errand.class.getResource(name).toURI());
             return Scenario.load(file.toString()).plan(options);
@@ -33,7 +33,7 @@ final class Errand {
         }
     }
 
-    static RunServer serve(Path directory, int port) throws IOException, PortInUse {
+    public static RunServer serve(Path directory, int port) throws IOException, PortInUse {
         return serve("errand.yaml", directory, port);
     }
 
@@ -42,7 +42,7 @@ final class Errand {
         return directory.resolve("sweeps");
     }
 
-    static RunServer serve(String name, Path directory, int port) throws IOException, PortInUse {
+    public static RunServer serve(String name, Path directory, int port) throws IOException, PortInUse {
         Files.writeString(directory.resolve("index.html"), "<!doctype html><title>The page</title>");
         Path assets = Files.createDirectories(directory.resolve("assets"));
         Files.writeString(assets.resolve("index-1a2b.js"), "/* the page's code */");

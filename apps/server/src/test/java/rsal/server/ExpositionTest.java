@@ -33,8 +33,10 @@ import rsal.engine.report.Snapshot;
 import rsal.recording.Recorder;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
-import rsal.server.Family.Sample;
 import rsal.server.RawHttp.Response;
+import rsal.server.live.Viewer;
+import rsal.server.monitor.Family;
+import rsal.server.monitor.Family.Sample;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.ObjectMapper;
 

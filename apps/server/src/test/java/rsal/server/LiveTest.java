@@ -25,7 +25,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.scenario.RunOptions;
-import rsal.server.ViewerCounts.Kind;
+import rsal.server.frame.FrameEncoder;
+import rsal.server.http.Http;
+import rsal.server.live.Live;
+import rsal.server.live.Viewer;
+import rsal.server.live.ViewerCounts;
+import rsal.server.live.ViewerCounts.Kind;
 
 class LiveTest {
     @TempDir

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import rsal.engine.OperatorCommands;
+import rsal.server.message.Messages;
 
 /// Keeps the page's types in step with what the server sends. `-Drsal.update=true` writes them anew.
 class PageTypesTest {

@@ -14,7 +14,9 @@ import rsal.data.Pose2d;
 import rsal.engine.report.Answer;
 import rsal.engine.report.RobotView;
 import rsal.engine.report.Snapshot;
-import rsal.server.Messages.RealDetails;
+import rsal.server.description.Descriptions;
+import rsal.server.frame.FrameEncoder;
+import rsal.server.message.Messages.RealDetails;
 
 /// How the page is told of robots that nobody simulates.
 class RealRobotsTest {

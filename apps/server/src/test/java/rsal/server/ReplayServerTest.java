@@ -17,9 +17,10 @@ import rsal.engine.report.Answer;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
-import rsal.server.Messages.PastNumbers;
-import rsal.server.Messages.Trails;
 import rsal.server.RawHttp.Response;
+import rsal.server.history.RecordedPastTest;
+import rsal.server.message.Messages.PastNumbers;
+import rsal.server.message.Messages.Trails;
 import tools.jackson.databind.ObjectMapper;
 
 class ReplayServerTest {

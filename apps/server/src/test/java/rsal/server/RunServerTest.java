@@ -39,6 +39,8 @@ import rsal.engine.LiveRun;
 import rsal.engine.report.RunEvent;
 import rsal.engine.report.Snapshot;
 import rsal.server.RawHttp.Response;
+import rsal.server.http.Http;
+import rsal.server.message.Json;
 
 class RunServerTest {
     private static final String WITH_TOKEN = "Authorization: Bearer " + TOKEN;

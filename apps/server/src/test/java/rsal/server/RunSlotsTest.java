@@ -29,9 +29,11 @@ import rsal.engine.report.Snapshot;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
-import rsal.server.Messages.SeatInfo;
-import rsal.server.Messages.SideBySide;
 import rsal.server.RawHttp.Response;
+import rsal.server.live.Live;
+import rsal.server.message.Json;
+import rsal.server.message.Messages.SeatInfo;
+import rsal.server.message.Messages.SideBySide;
 
 @Timeout(120)
 class RunSlotsTest {

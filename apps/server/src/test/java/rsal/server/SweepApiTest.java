@@ -31,17 +31,19 @@ import rsal.experiment.SweepFolder;
 import rsal.experiment.statistics.Mean;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
-import rsal.server.Messages.EarlierSweep;
-import rsal.server.Messages.SweepCombination;
-import rsal.server.Messages.SweepInfo;
-import rsal.server.Messages.SweepInfo.SweepStatus;
-import rsal.server.Messages.SweepRunAgain;
-import rsal.server.Messages.SweepRunInfo;
-import rsal.server.Messages.SweepRuns;
-import rsal.server.Messages.SweepState;
-import rsal.server.Messages.SweepWish;
-import rsal.server.Messages.SweepsBefore;
 import rsal.server.RawHttp.Response;
+import rsal.server.message.Json;
+import rsal.server.message.Messages.EarlierSweep;
+import rsal.server.message.Messages.SweepCombination;
+import rsal.server.message.Messages.SweepInfo;
+import rsal.server.message.Messages.SweepInfo.SweepStatus;
+import rsal.server.message.Messages.SweepRunAgain;
+import rsal.server.message.Messages.SweepRunInfo;
+import rsal.server.message.Messages.SweepRuns;
+import rsal.server.message.Messages.SweepState;
+import rsal.server.message.Messages.SweepWish;
+import rsal.server.message.Messages.SweepsBefore;
+import rsal.server.sweep.SweepReader;
 
 @Timeout(120)
 class SweepApiTest {

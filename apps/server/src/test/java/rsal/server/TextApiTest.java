@@ -24,13 +24,15 @@ import org.junit.jupiter.api.io.TempDir;
 import rsal.engine.LiveRun;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
-import rsal.server.Messages.Restart;
-import rsal.server.Messages.ScenarioText;
-import rsal.server.Messages.TextCheck;
-import rsal.server.Messages.TextMistake;
-import rsal.server.Messages.TextToCheck;
-import rsal.server.Messages.TextToSave;
 import rsal.server.RawHttp.Response;
+import rsal.server.http.Http;
+import rsal.server.message.Json;
+import rsal.server.message.Messages.Restart;
+import rsal.server.message.Messages.ScenarioText;
+import rsal.server.message.Messages.TextCheck;
+import rsal.server.message.Messages.TextMistake;
+import rsal.server.message.Messages.TextToCheck;
+import rsal.server.message.Messages.TextToSave;
 
 class TextApiTest {
     private static final String WITH_TOKEN = "Authorization: Bearer " + TOKEN;

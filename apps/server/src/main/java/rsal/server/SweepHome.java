@@ -1,9 +1,0 @@
-package rsal.server;
-
-import java.nio.file.Path;
-
-/// Where sweeps that are begun in the page are kept, each in a folder of its own.
-///
-/// @param folder made when the first begins
-/// @param program its name and version, to be noted with them
-record SweepHome(Path folder, String program) {}

@@ -1,0 +1,5 @@
+/// Metrics for Prometheus.
+@NullMarked
+package rsal.server.monitor;
+
+import org.jspecify.annotations.NullMarked;

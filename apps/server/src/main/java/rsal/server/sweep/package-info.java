@@ -1,0 +1,5 @@
+/// Sweeps that are begun in the page.
+@NullMarked
+package rsal.server.sweep;
+
+import org.jspecify.annotations.NullMarked;
