@@ -47,8 +47,5 @@ export interface Scene {
   tape: Tape | null;
 }
 
-/** What can be drawn on, whether it is seen or not. */
-export type Context = CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D;
-
 /** Draws one kind of thing. The context is in map coordinates (metres, y up), so a pixel is `1 / view.scale`. */
 export type Layer = (context: CanvasRenderingContext2D, scene: Scene) => void;

@@ -1,5 +1,5 @@
 import type { Pose } from '../live/frame';
-import type { Context } from './scene';
+import type { Context } from './context';
 import { wrap } from '../live/motion';
 
 /** A place in the map frame [m], x right, y up. */

@@ -1,5 +1,5 @@
 import type { PieceInfo } from '../../api/messages';
-import type { Context } from '../scene';
+import type { Context } from '../context';
 import type { Pose } from '../../live/frame';
 import { shaded } from '../palette';
 import type { Point, View } from '../view';

@@ -1,5 +1,5 @@
 import type { Pose } from '../../live/frame';
-import type { Context } from '../scene';
+import type { Context } from '../context';
 
 /** From here on, coordinates are in the frame that has this pose. Between `save` and `restore`. */
 export function enter(context: Context, pose: Pose) {

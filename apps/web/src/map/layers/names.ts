@@ -2,7 +2,8 @@ import type { RealDetails } from '../../api/messages';
 import { texts } from '../../texts';
 import { placeLabels, type Box } from '../labels';
 import type { Palette } from '../palette';
-import type { Context, Layer, Scene } from '../scene';
+import type { Context } from '../context';
+import type { Layer, Scene } from '../scene';
 import { heightOf, radius } from './robots';
 import { MANY, pictureOf } from './sprites';
 

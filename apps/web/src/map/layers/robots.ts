@@ -1,6 +1,7 @@
 import type { CarriedInfo, LightInfo, PieceInfo, RobotInfo } from '../../api/messages';
 import type { Pose, RobotState } from '../../live/frame';
-import type { Context, Layer, Scene } from '../scene';
+import type { Context } from '../context';
+import type { Layer, Scene } from '../scene';
 import type { Point, View } from '../view';
 import { toOklab } from '../../shades';
 import type { Palette } from '../palette';

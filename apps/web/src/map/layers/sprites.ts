@@ -1,6 +1,6 @@
 import type { RobotInfo } from '../../api/messages';
 import type { Palette } from '../palette';
-import type { Context } from '../scene';
+import type { Context } from '../context';
 import { View } from '../view';
 
 /** Of more robots than this, what is drawn again and again is copied from pictures. */

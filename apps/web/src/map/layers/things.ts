@@ -94,6 +94,10 @@ function meetsWalls(thing: Thing, map: MapInfo, cells: Uint8Array): boolean {
   return false;
 }
 
+/** Numbers of things, and more numbers. */
+export const numbersOf = (things: readonly Thing[], more: Iterable<number>): ReadonlySet<number> =>
+  new Set([...more, ...things.map(({ number }) => number)]);
+
 /**
  * Things that walls are drawn over, the lowest first: those that are lower and reach into them; and in an oblique view
  * all that are lower and that others stand in.

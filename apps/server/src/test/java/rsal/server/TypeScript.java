@@ -33,13 +33,11 @@ final class TypeScript {
 
     /// What commands take and answer.
     static String of(List<OperatorCommand> commands) {
-        return commands.stream()
-                .map(TypeScript::declaration)
-                .collect(Collectors.joining(
-                        "",
-                        "\n/** Commands that people give to runs, from OperatorCommands: what each takes and answers. */\n"
-                                + "export interface Commands {\n",
-                        "}\n"));
+        return commands.stream().map(TypeScript::declaration).collect(Collectors.joining("", """
+
+                        /** Commands that people give to runs, from OperatorCommands: what each takes and answers. */
+                        export interface Commands {
+                        """, "}\n"));
     }
 
     private static String declaration(OperatorCommand command) {

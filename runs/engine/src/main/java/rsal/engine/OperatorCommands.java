@@ -58,9 +58,6 @@ public final class OperatorCommands {
     private static final Parameter<String> FACTOR =
             Parameter.text("factor", "simulated over real time, from 0.1 to 1000, or max");
 
-    private static final Predicate<Arguments> NEVER = _ -> false;
-    private static final Predicate<Arguments> ALWAYS = _ -> true;
-
     /// In the order in which people read them.
     public static final List<OperatorCommand> ALL = List.of(
             control("pause", "Lets time stand still. A run in real time goes on.", LiveRun::pause),
@@ -97,14 +94,14 @@ public final class OperatorCommands {
                     "Gives a robot that was driven by hand back to its agents.",
                     List.of(ROBOT, DRIVER),
                     Answer.Done.class,
-                    ALWAYS,
+                    _ -> true,
                     (run, given) -> run.operator().release(given.get(ROBOT), driver(given))),
             new OperatorCommand(
                     "estop",
                     "Switches off the motors of all robots, in all runs side by side.",
                     List.of(),
                     Answer.Stopped.class,
-                    ALWAYS,
+                    _ -> true,
                     true,
                     (run, _) -> run.operator().estop()),
             command(
@@ -203,7 +200,7 @@ public final class OperatorCommands {
             List<Parameter<?>> parameters,
             Class<? extends Answer> answer,
             BiFunction<LiveRun, Arguments, CompletionStage<Answer>> execution) {
-        return new OperatorCommand(name, description, parameters, answer, NEVER, false, execution);
+        return new OperatorCommand(name, description, parameters, answer, _ -> false, false, execution);
     }
 
     private static OperatorCommand safe(

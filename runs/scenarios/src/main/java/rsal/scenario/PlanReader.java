@@ -12,12 +12,9 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import rsal.agent.AgentHostProvider;
-import rsal.agent.AgentLanguage;
-import rsal.agent.AgentType;
 import rsal.agent.message.NewGoal;
 import rsal.data.OccupancyGrid;
 import rsal.device.Device;
-import rsal.device.RangeSensor;
 import rsal.robot.RobotSpec;
 import rsal.scenario.RobotReader.Role;
 import rsal.scenario.RunPlan.Clock;
@@ -30,11 +27,8 @@ import rsal.scenario.condition.Grammar;
 import rsal.scenario.fault.PlannedFault;
 import rsal.scenario.installed.Catalog;
 import rsal.scenario.installed.PluginReader;
-import rsal.scenario.installed.UntrustedType;
 import rsal.scene.Entity;
 import rsal.scene.Scene;
-import rsal.settings.Arguments;
-import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.settings.Parameter;
@@ -42,15 +36,10 @@ import rsal.settings.Problems;
 import rsal.settings.Section;
 import rsal.settings.Suggestion;
 import rsal.settings.Value;
-import rsal.system.RobotSystem;
-import rsal.system.RobotSystemProvider.InvalidRobots;
-import rsal.time.LockstepScheduler;
-import rsal.yaml.Yaml;
 
 /// Reads a scenario with one configuration and its arguments filled in. Goes on after a mistake as far as that
 /// makes sense, so that all of them are reported together.
 final class PlanReader {
-    private static final String INSTEAD = "wander";
     private static final Duration DEFAULT_STEP = Duration.ofMillis(100);
 
     private final Scenario scenario;
@@ -64,6 +53,42 @@ final class PlanReader {
         this.catalog = catalog;
     }
 
+    /// The run's own settings.
+    ///
+    /// @param speed simulated over real time
+    private record RunSettings(long seed, boolean toleratesFailedAgents, Clock clock, double speed) {}
+
+    /// What agents find.
+    ///
+    /// @param mrs empty when it can't be read, as `mas`
+    /// @param roles with robots that lack what their agents need
+    private record Surroundings(
+            World world,
+            Optional<Mrs> mrs,
+            Optional<Mas> mas,
+            List<Role> roles,
+            RobotNames names,
+            List<PlannedThings> things,
+            RobotChecker checker) {
+        Optional<Scene> scene() {
+            return world.scene();
+        }
+
+        List<PlannedRobot> robots() {
+            return roles.stream().flatMap(role -> role.robots().stream()).toList();
+        }
+    }
+
+    /// @param robots with what their agents need
+    private record Team(List<PlannedAgent> agents, Optional<Joined> joined, List<PlannedRobot> robots) {}
+
+    /// What a run is judged by.
+    private record Judgment(
+            List<Place> places,
+            List<PlannedMetric> metrics,
+            List<RunPlan.Stop> stops,
+            List<RunPlan.Measured> measures) {}
+
     /// @throws InvalidSettings with all mistakes
     RunPlan read() {
         String configuration = configuration();
@@ -71,6 +96,61 @@ final class PlanReader {
         checkOverlay(over);
         Map<String, Object> arguments = arguments(configuration, over);
         checkOptions();
+        Section root = root(configuration, arguments);
+        Section run = root.section("run");
+        RunSettings settings = runSettings(run);
+        var seeds = new Seeds(settings.seed());
+        Surroundings found = surroundings(root, settings.clock(), seeds);
+        int before = problems.all().size();
+        Team team = team(root, found, seeds);
+        Optional<Communication> communication = CommunicationReader.read(root, seeds);
+        boolean mayCheck = problems.all().size() == before;
+        var faultReader = new FaultReader(found.names(), team.robots(), team.agents(), mayCheck, seeds, problems);
+        List<PlannedFault> faults = faultReader.read(root);
+        Judgment judgment = judgment(root, run, found);
+        run.done();
+        root.done();
+        if (found.scene().isPresent()
+                && found.mrs().isPresent()
+                && found.roles().stream().allMatch(Role::complete)) {
+            found.checker()
+                    .checkRobots(
+                            found.scene().get(),
+                            found.mrs().get(),
+                            team.robots(),
+                            faultReader,
+                            root.locationOf("things"),
+                            found.things());
+        }
+        problems.throwIfAny();
+        return new RunPlan(
+                scenario,
+                configuration,
+                options,
+                arguments,
+                settings.seed(),
+                found.world().name(),
+                found.scene().orElseThrow(),
+                found.mrs().orElseThrow(),
+                found.mas().orElseThrow(),
+                settings.clock(),
+                team.robots(),
+                found.things(),
+                judgment.places(),
+                team.agents(),
+                team.joined().map(Joined::name),
+                communication,
+                faults,
+                settings.speed(),
+                step(found.mrs().get(), team.robots()),
+                judgment.stops(),
+                settings.toleratesFailedAgents(),
+                judgment.metrics(),
+                judgment.measures());
+    }
+
+    /// All settings of a configuration, with the values of arguments and what the options say.
+    private Section root(String configuration, Map<String, Object> arguments) {
         Value.Mapping merged = chosen(scenario.settings(configuration));
         Value.Mapping body =
                 ArgumentReader.replace(merged.without("arguments"), scenario.arguments(), arguments, problems);
@@ -78,20 +158,25 @@ final class PlanReader {
         for (String read : List.of("rsal", "scenario", "title", "description", "arguments", "configurations")) {
             root.has(read); // by Scenario
         }
+        return root;
+    }
 
-        Section run = root.section("run");
+    private RunSettings runSettings(Section run) {
         long seed = options.seed().orElse((Long) run.value(Format.SEED).orElse(1L));
         boolean toleratesFailedAgents =
                 run.value(Format.FAILED_AGENTS).filter("tolerate"::equals).isPresent();
-        var seeds = new Seeds(seed);
         Section clockSection = run.section("clock");
         Clock clock = "wall".equals(clockSection.value(Format.MODE).orElse("")) ? Clock.WALL : Clock.SIMULATED;
         double written = speed(clockSection);
-        double speed = options.speed().orElse(written);
         clockSection.done();
+        return new RunSettings(
+                seed, toleratesFailedAgents, clock, options.speed().orElse(written));
+    }
 
+    private Surroundings surroundings(Section root, Clock clock, Seeds seeds) {
+        Section worldSection = root.section("world");
         var worldReader = new WorldReader(catalog, scenario.files(), seeds, problems);
-        World world = worldReader.read(root.section("world"));
+        World world = worldReader.read(worldSection);
         Optional<Duration> worldStep = world.scene().flatMap(Scene::step);
         var systems = new SystemReader(root.section(SystemReader.KEY), catalog, clock, seeds, worldStep);
         Optional<Mrs> mrs = systems.scenarios();
@@ -102,14 +187,12 @@ final class PlanReader {
         List<RobotSpec> brought = world.scene().map(Scene::robots).orElse(List.of());
         List<Role> roles = new ArrayList<>();
         if (world.scene().isPresent() && mrs.isPresent()) {
-            roles.addAll(worldReader.roles(world.scene().get(), root.section("world"), mrs.get()));
+            roles.addAll(worldReader.roles(world.scene().get(), worldSection, mrs.get()));
         }
-        boolean mayHaveRobots = root.section("world").mapping().find("file").isPresent();
+        boolean mayHaveRobots = worldSection.mapping().find("file").isPresent();
         if (world.scene().isPresent() || root.has("robots") || !mayHaveRobots) {
             roles.addAll(robotReader.read(root.section("robots"), brought, !scenario.isWorld()));
         }
-        List<PlannedRobot> bare =
-                roles.stream().flatMap(role -> role.robots().stream()).toList();
         var names = new RobotNames(roles, mayHaveRobots && (world.scene().isEmpty() || mrs.isEmpty()));
         Set<String> inWorld = world.scene().stream()
                 .flatMap(scene -> scene.things().stream())
@@ -117,60 +200,35 @@ final class PlanReader {
                 .collect(Collectors.toSet());
         List<PlannedThings> things =
                 new ThingReader(names, map, inWorld, robotReader.taken(), seeds, problems).read(root.section("things"));
-        checkMarkers(roles, things, root.locationOf("things"));
-        int before = problems.all().size();
-        List<PlannedAgent> agents = new ArrayList<>(agents(root.section("agents"), mas, names, seeds));
+        var checker = new RobotChecker(roles, scenario.location(), problems);
+        checker.checkMarkers(things, root.locationOf("things"));
+        return new Surroundings(world, mrs, mas, roles, names, things, checker);
+    }
+
+    private Team team(Section root, Surroundings found, Seeds seeds) {
+        var reader = new AgentReader(catalog, scenario.files(), found.mas(), found.names(), seeds, problems);
+        List<PlannedAgent> agents = new ArrayList<>(reader.read(root.section("agents")));
         Optional<Joined> joined = new JoinReader(scenario, catalog, problems).read(root);
-        joined.ifPresent(other -> agents.addAll(joining(other, agents, mas, names, world.name(), seeds)));
+        joined.ifPresent(other ->
+                agents.addAll(reader.joining(other, agents, found.world().name())));
         if (scenario.isWorld()) {
-            agents.addAll(instead(bare, world, seeds));
+            agents.addAll(reader.instead(
+                    found.robots(), found.scene().map(Scene::programs).orElse(Map.of())));
         }
-        List<PlannedRobot> robots = equipped(bare, agents);
+        return new Team(agents, joined, equipped(found.robots(), agents));
+    }
 
-        Optional<Communication> communication = CommunicationReader.read(root, seeds);
-        var faultReader = new FaultReader(names, robots, agents, problems.all().size() == before, seeds, problems);
-        List<PlannedFault> faults = faultReader.read(root);
-
+    private Judgment judgment(Section root, Section run, Surroundings found) {
         List<Place> places = PlaceReader.read(root.section("places"));
-        var metricReader = new MetricReader(catalog, scenario.files(), names, problems);
+        var metricReader = new MetricReader(catalog, scenario.files(), found.names(), problems);
         List<PlannedMetric> metrics = metricReader.read(root);
-        var goals = new GoalReader(names, things, places, metricReader.words(metrics), problems);
+        var goals = new GoalReader(found.names(), found.things(), places, metricReader.words(metrics), problems);
         List<RunPlan.Stop> stops = new ArrayList<>(goals.stops(run));
         if (scenario.isWorld()) {
-            world.scene().flatMap(Scene::end).map(PlanReader::after).ifPresent(stops::add);
+            found.scene().flatMap(Scene::end).map(PlanReader::after).ifPresent(stops::add);
         }
-        run.done();
         List<RunPlan.Measured> measures = scenario.isWorld() ? GoalReader.OF_WORLDS : goals.measures(root);
-        root.done();
-
-        if (world.scene().isPresent() && mrs.isPresent() && roles.stream().allMatch(Role::complete)) {
-            checkRobots(world.scene().get(), mrs.get(), robots, roles, faultReader, root.locationOf("things"), things);
-        }
-        problems.throwIfAny();
-        return new RunPlan(
-                scenario,
-                configuration,
-                options,
-                arguments,
-                seed,
-                world.name(),
-                world.scene().orElseThrow(),
-                mrs.orElseThrow(),
-                mas.orElseThrow(),
-                clock,
-                robots,
-                things,
-                places,
-                agents,
-                joined.map(Joined::name),
-                communication,
-                faults,
-                speed,
-                step(mrs.get(), robots),
-                stops,
-                toleratesFailedAgents,
-                metrics,
-                measures);
+        return new Judgment(places, metrics, stops, measures);
     }
 
     private String configuration() {
@@ -277,24 +335,6 @@ final class PlanReader {
                 .orElse(DEFAULT_STEP);
     }
 
-    /// Agents that drive robots instead of the programs that the world names.
-    private List<PlannedAgent> instead(List<PlannedRobot> robots, World world, Seeds seeds) {
-        Optional<AgentType> type = Optional.ofNullable(catalog.agents().get(INSTEAD));
-        Map<String, String> programs = world.scene().map(Scene::programs).orElse(Map.of());
-        return robots.stream()
-                .filter(robot -> type.isPresent() && robot.spares().pilot().isPossible())
-                .filter(robot -> programs.containsKey(robot.spec().id()))
-                .map(robot -> robot.spec().id())
-                .map(id -> new PlannedAgent(
-                        id,
-                        INSTEAD,
-                        type.orElseThrow(),
-                        Arguments.defaults(type.orElseThrow().parameters()),
-                        Optional.of(id),
-                        seeds.of("agent/" + id)))
-                .toList();
-    }
-
     /// Robots of a world have what their agents need.
     private static List<PlannedRobot> equipped(List<PlannedRobot> robots, List<PlannedAgent> agents) {
         var needs = new HashMap<String, Set<Class<? extends Device>>>();
@@ -319,353 +359,6 @@ final class PlanReader {
                         Grammar.Names.of(List.of())),
                 RunPlan.Outcome.SUCCESS,
                 Duration.ZERO);
-    }
-
-    private List<PlannedAgent> agents(Section section, Optional<Mas> mas, RobotNames robots, Seeds seeds) {
-        var agents = new ArrayList<PlannedAgent>();
-        var names = new HashSet<String>();
-        var drivers = new HashMap<String, String>(); // agents by the robot that they drive
-        for (String role : section.names()) {
-            Section agent = section.section(role);
-            if (!isName(role)) {
-                agent.problem(agent.location(), "(%s) can't be the name of an agent.".formatted(role), "");
-            }
-            List<PlannedAgent> each = agents(role, agent, mas, robots, seeds);
-            for (PlannedAgent planned : each) {
-                if (!names.add(planned.name())) {
-                    agent.problem(
-                            agent.location(),
-                            "There are two agents (%s).".formatted(planned.name()),
-                            "Rename one of them.");
-                }
-                checkName(planned.name(), agents, mas, agent.location());
-                agents.add(planned);
-            }
-            boolean yields = (Boolean) agent.value(Format.YIELDS).orElse(false);
-            agent.done();
-            checkDrivers(each, yields, drivers, agent.location());
-        }
-        section.done();
-        checkNumber(agents.size(), section.location());
-        return agents;
-    }
-
-    /// Agents of a scenario that joins this one.
-    private List<PlannedAgent> joining(
-            Joined other, List<PlannedAgent> own, Optional<Mas> mas, RobotNames robots, String map, Seeds seeds) {
-        other.checkRoles(robots, problems);
-        var agents = new ArrayList<PlannedAgent>();
-        var section = new Section("agents", other.agents(), problems);
-        for (String name : section.names()) {
-            Section agent = section.section(name);
-            Optional<AgentType> type = type(agent, mas, other.files());
-            Section args = agent.section("args");
-            agent.done();
-            if (own.stream().anyMatch(one -> one.name().equals(name))) {
-                problems.add(
-                        other.at(),
-                        "There is an agent (%s) here and in scenario (%s).".formatted(name, other.name()),
-                        "Rename the one here.");
-            }
-            checkName(name, own, mas, other.at());
-            if (type.isEmpty()) {
-                continue;
-            }
-            Optional<Arguments> given = args.arguments(type.get().parameters());
-            checkNeeds(agent, new Needs(type.get(), given), Optional.empty());
-            given.ifPresent(read -> {
-                other.checkPlaces(name, type.get(), read, map, problems);
-                Arguments arguments = other.here(type.get(), read, robots, problems);
-                agents.add(new PlannedAgent(
-                        name, name, type.get(), arguments, Optional.empty(), seeds.of("agent/" + name)));
-            });
-        }
-        checkNumber(own.size() + agents.size(), other.at());
-        return agents;
-    }
-
-    /// One that is installed, or that its author wrote in a language of the host.
-    ///
-    /// @param mas empty when it can't be read
-    /// @param files of the scenario that names it
-    private Optional<AgentType> type(Section agent, Optional<Mas> mas, FileSource files) {
-        String key = agent.text("type");
-        if (key.isEmpty()) {
-            return Optional.empty();
-        }
-        Location at = agent.locationOf("type");
-        List<String> hosts = catalog.hostsOf(key);
-        if (hosts.isEmpty()) {
-            return catalog.agent(key, at, problems);
-        }
-        return mas.flatMap(host -> written(agent, host, hosts, files));
-    }
-
-    private Optional<AgentType> written(Section agent, Mas mas, List<String> hosts, FileSource files) {
-        String file = agent.text("type");
-        Location at = agent.locationOf("type");
-        Optional<AgentLanguage> language = catalog.language(mas.provider(), file);
-        if (language.isEmpty()) {
-            problems.add(
-                    at,
-                    "Multi-agent system (%s) can't run (%s)."
-                            .formatted(mas.provider().key(), file),
-                    "Maybe mas: {use: %s}.".formatted(hosts.getFirst()));
-            return Optional.empty();
-        }
-        if (language.get().runsCode() && !files.isTrusted()) {
-            files.read(file, Yaml.MAX_CHARACTERS, at); // it must be there
-            return Optional.of(UntrustedType.of(file, agent.section("args")));
-        }
-        try {
-            return Optional.of(language.get().read(file, files, at));
-        } catch (InvalidSettings e) {
-            problems.addAll(e);
-            return Optional.empty();
-        }
-    }
-
-    /// Two agents that drive one robot take it from each other again and again, and both get nowhere.
-    ///
-    /// @param drivers those before, by their robots; those of these are added
-    private void checkDrivers(List<PlannedAgent> agents, boolean yields, Map<String, String> drivers, Location at) {
-        boolean told = false;
-        for (PlannedAgent agent : agents) {
-            if (yields || agent.type().yields() || !agent.type().drives(agent.arguments())) {
-                continue;
-            }
-            String other = agent.robot()
-                    .map(robot -> drivers.putIfAbsent(robot, agent.name()))
-                    .orElse(null);
-            if (other != null && !told) { // one of a team says it all
-                told = true;
-                problems.add(
-                        at,
-                        "Agents '%s' and '%s' both drive robot '%s': each would take it from the other."
-                                .formatted(other, agent.name(), agent.robot().orElseThrow()),
-                        "Leave one out, or give it another robot. 'yields: true' says of one that it leaves the robot to"
-                                + " the other as long as that drives it.");
-            }
-        }
-    }
-
-    /// A language may have other uses for a name, and a multi-agent system too.
-    private void checkName(String agent, List<PlannedAgent> others, Optional<Mas> mas, Location at) {
-        mas.map(Mas::provider)
-                .flatMap(host -> host.nameProblem(
-                        agent, others.stream().map(PlannedAgent::name).toList()))
-                .ifPresent(why ->
-                        problems.add(at, "No agent can be called '%s' here. %s".formatted(agent, why), "Rename it."));
-        mas.map(Mas::provider)
-                .filter(host -> catalog.languages(host)
-                        .anyMatch(language -> language.takenNames().contains(agent)))
-                .ifPresent(host -> problems.add(
-                        at,
-                        "No agent can be called (%s) on multi-agent system (%s): its language has another use for that name."
-                                .formatted(agent, host.key()),
-                        "Rename it."));
-    }
-
-    private void checkNumber(int agents, Location at) {
-        if (agents > Format.MAX_AGENTS) {
-            problems.add(at, "There are %d agents; at most %d can be.".formatted(agents, Format.MAX_AGENTS), "");
-        }
-    }
-
-    private List<PlannedAgent> agents(String name, Section section, Optional<Mas> mas, RobotNames robots, Seeds seeds) {
-        Optional<AgentType> type = type(section, mas, scenario.files());
-        Optional<Role> role = robotRole(section, robots);
-        Section args = section.section("args");
-        if (type.isEmpty()) {
-            return List.of();
-        }
-        Optional<Arguments> arguments = args.arguments(type.get().parameters());
-        checkNeeds(section, new Needs(type.get(), arguments), role);
-        if (arguments.isEmpty()) {
-            return List.of();
-        }
-        robots.check(args, type.get().parameters(), arguments.get());
-        if (role.isEmpty()) {
-            return List.of(new PlannedAgent(
-                    name, name, type.get(), arguments.get(), Optional.empty(), seeds.of("agent/" + name)));
-        }
-        return role.get().robots().stream()
-                .map(robot -> robot.spec().id())
-                .map(id -> {
-                    String own = id.startsWith(role.get().name())
-                            ? name + id.substring(role.get().name().length()) // hunter-2 → follow-2
-                            : name + "-" + id;
-                    return new PlannedAgent(
-                            own, name, type.get(), arguments.get(), Optional.of(id), seeds.of("agent/" + own));
-                })
-                .toList();
-    }
-
-    private Optional<Role> robotRole(Section section, RobotNames robots) {
-        if (!section.has("robot")) {
-            return Optional.empty();
-        }
-        String name = section.text("robot");
-        Optional<Role> role = robots.role(name);
-        if (role.isEmpty() && !name.isEmpty() && !robots.open()) {
-            section.problem(
-                    "robot",
-                    "No robots have the role (%s).".formatted(name),
-                    Suggestion.among(
-                            name, robots.roles().stream().map(Role::name).toList()));
-        }
-        return role;
-    }
-
-    private static void checkNeeds(Section section, Needs needs, Optional<Role> role) {
-        if (role.isEmpty()) {
-            if (!needs.all().isEmpty() && !section.has("robot")) {
-                section.problem(
-                        "type",
-                        "%s needs a robot with %s."
-                                .formatted(needs.whose(needs.all()), DeviceReader.words(needs.all())),
-                        "Add a line (robot: ROLE).");
-            }
-            return;
-        }
-        var missing = role.get().missing(needs.all());
-        if (role.get().complete() && !missing.isEmpty()) {
-            section.problem(
-                    "robot",
-                    "%s needs a robot with %s, which robots of role (%s) don't have."
-                            .formatted(
-                                    needs.whose(missing),
-                                    DeviceReader.words(missing),
-                                    role.get().name()),
-                    "Add it to (robots.%s.devices).".formatted(role.get().name()));
-        }
-    }
-
-    /// Finders of markers must not take one for another.
-    private void checkMarkers(List<Role> roles, List<PlannedThings> things, Location atThings) {
-        var wearers = new HashMap<Integer, String>();
-        for (Role role : roles) {
-            for (PlannedRobot robot : role.robots()) {
-                robot.spec()
-                        .marker()
-                        .ifPresent(marker -> note(
-                                wearers,
-                                marker,
-                                robot.spec().id(),
-                                role.placeOf(robot.spec().id(), Format.FIDUCIAL.name())));
-            }
-        }
-        for (PlannedThings.PlannedThing thing :
-                things.stream().flatMap(group -> group.each().stream()).toList()) {
-            thing.thing()
-                    .marker()
-                    .ifPresent(
-                            marker -> note(wearers, marker.id(), thing.thing().name(), atThings));
-        }
-    }
-
-    private void note(Map<Integer, String> wearers, int marker, String name, Location at) {
-        String other = wearers.putIfAbsent(marker, name);
-        if (other != null) {
-            problems.add(
-                    at,
-                    "(%s) and (%s) wear the same marker (%d).".formatted(other, name, marker),
-                    "Give (fiducial) of one group another number, so that its ids don't meet the other's.");
-        }
-    }
-
-    /// Lets the robot systems say what they think of their robots, of faults and things, without starting them.
-    ///
-    /// @param mrs the scenario's
-    private void checkRobots(
-            Scene scene,
-            Mrs mrs,
-            List<PlannedRobot> robots,
-            List<Role> roles,
-            FaultReader faults,
-            Location thingsAt,
-            List<PlannedThings> things) {
-        var simulated = new ArrayList<Mrs>();
-        boolean refused = false;
-        for (Mrs each : RunPlan.systems(mrs, robots)) {
-            try (RobotSystem system = each.provider().create(each.config(scene, robots), new LockstepScheduler())) {
-                faults.check(system, each);
-                system.simulation().ifPresent(_ -> simulated.add(each));
-            } catch (InvalidRobots e) {
-                refused = true; // and may simulate or not
-                for (InvalidRobots.Problem problem : e.problems()) {
-                    problems.add(
-                            placeOf(problem.robot(), problem.setting(), roles),
-                            "Robot (%s): %s".formatted(problem.robot(), problem.message()),
-                            "");
-                }
-            }
-        }
-        if (!things.isEmpty() && simulated.isEmpty() && !refused) {
-            problems.add(
-                    thingsAt,
-                    "%s simulates no world that (things) could be put into.".formatted(mrs.name()),
-                    "Leave (things) out, or use robot system (sim).");
-        }
-        if (!refused) {
-            checkMixed(robots, simulated, roles);
-        }
-        simulated.stream().skip(1).forEach(other -> {
-            String robot = other.own(robots).getFirst().id();
-            problems.add(
-                    placeOf(robot, SystemReader.KEY, roles),
-                    "Robot (%s) would be in another simulated world than those of %s; a run has one."
-                            .formatted(robot, simulated.getFirst().words()),
-                    "Give all simulated robots the same (mrs).");
-        });
-    }
-
-    /// @param simulated systems
-    private void checkMixed(List<PlannedRobot> robots, List<Mrs> simulated, List<Role> roles) {
-        for (PlannedRobot robot : robots) {
-            checkSeeing(robot, simulated, roles);
-            String id = robot.spec().id();
-            Location at = placeOf(id, Format.PROXY.name(), roles);
-            if (robot.proxy() && simulated.contains(robot.mrs())) {
-                problems.add(
-                        at, "Robot (%s) is simulated itself and has no stand-in.".formatted(id), "Leave (proxy) out.");
-            } else if (robot.proxy() && simulated.isEmpty()) {
-                problems.add(
-                        at,
-                        "There is no simulated world for a stand-in of robot (%s).".formatted(id),
-                        "Leave (proxy) out, or let the scenario use robot system (sim).");
-            }
-        }
-    }
-
-    private void checkSeeing(PlannedRobot robot, List<Mrs> simulated, List<Role> roles) {
-        if (!robot.overlay()) {
-            return;
-        }
-        String id = robot.spec().id();
-        Location at = placeOf(id, Format.OVERLAY.name(), roles);
-        if (simulated.contains(robot.mrs())) {
-            problems.add(
-                    at, "Robot (%s) is simulated itself and sees its world.".formatted(id), "Leave (overlay) out.");
-        } else if (simulated.isEmpty()) {
-            problems.add(
-                    at,
-                    "There is no simulated world that robot (%s) could see.".formatted(id),
-                    "Leave (overlay) out, or let the scenario use robot system (sim).");
-        } else if (!DeviceSelector.has(robot.spec().model(), RangeSensor.class)) {
-            problems.add(
-                    at,
-                    "Robot (%s) has no laser and no sonars by which it could see what is simulated.".formatted(id),
-                    "Add one to its (devices), or leave (overlay) out.");
-        }
-    }
-
-    private Location placeOf(String robot, String setting, List<Role> roles) {
-        return roles.stream()
-                .filter(role -> role.has(robot))
-                .findFirst()
-                .map(role -> role.placeOf(robot, setting))
-                .orElse(scenario.location());
     }
 
     /// Robots and agents can't be called what means something else.

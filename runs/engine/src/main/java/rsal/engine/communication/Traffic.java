@@ -36,7 +36,7 @@ public final class Traffic {
             }
         }
 
-        public void said() {
+        void said() {
             addOne(said);
         }
 

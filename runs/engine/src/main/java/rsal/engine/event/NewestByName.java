@@ -33,7 +33,7 @@ public final class NewestByName<V> {
             values = new Numbered[size];
         }
 
-        public void add(Numbered<V> value) {
+        void add(Numbered<V> value) {
             values[next] = value;
             next = (next + 1) % values.length;
         }
