@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.function.Supplier;
 import java.util.random.RandomGenerator;
 import org.jspecify.annotations.Nullable;
-import rsal.data.Angles;
 import rsal.data.ParticleCloud;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
@@ -47,8 +46,6 @@ public final class Amcl {
     private static final int FEWEST_BEAMS = 5; // for a global search
     private static final int CANDIDATES = 120;
     private static final int MOST_UPDATES_BETWEEN_SEARCHES = 10;
-    private static final double ANYWHERE_SHARE = 0.1;
-    private static final double INJECTED_SHARE = 0.2;
     private static final double NEWEST = 0.1; // share of the newest scan in what is followed
     private static final double NO_MISFIT = 0.02; // share of beams; as many may go through walls anywhere
     private static final double MOST_MISFIT = 0.2; // likewise, of one scan, or a moment would do
@@ -127,19 +124,11 @@ public final class Amcl {
     }
 
     private final Settings settings;
-    private final LocalizationMap map;
-    private final RandomGenerator random;
+    private final ParticleFilter filter;
     private final GlobalSearch search;
     private final Refinement refinement;
     private final AlternativeHypotheses rivals;
     private final LocalizationMonitor evidence;
-    private final PoseBins bins;
-    private final Clusters clusters = new Clusters();
-    private final PoseBlock block = new PoseBlock();
-    private double[] logs = {};
-    private int[] drawn = {};
-    private Particles particles;
-    private Particles spare;
     private Pose2d odomFromBase = Pose2d.ORIGIN;
     private boolean fresh = true;
     private boolean anywhere = true;
@@ -160,15 +149,11 @@ public final class Amcl {
     /// until it is told where it is.
     public Amcl(LocalizationMap map, Settings settings, RandomGenerator random) {
         this.settings = settings;
-        this.map = map;
-        this.random = random;
+        this.filter = new ParticleFilter(map, settings, random);
         this.search = new GlobalSearch(map);
         this.refinement = new Refinement(map.toFace, map.deviation, settings.independentBeams());
         this.rivals = new AlternativeHypotheses(search, refinement, settings.independentBeams());
         this.evidence = new LocalizationMonitor(settings.independentBeams());
-        this.particles = new Particles(settings.maxParticles());
-        this.spare = new Particles(settings.maxParticles());
-        this.bins = new PoseBins(0.5, 36);
     }
 
     /// Starts again from a belief, drawn as KLD-sampling does: as many particles as the bins they fall into ask
@@ -184,17 +169,7 @@ public final class Amcl {
         if (trusted) {
             evidence.trust();
         }
-        List<Hypothesis> hypotheses = belief.hypotheses();
-        bins.clear();
-        particles.count = 0;
-        int wanted = settings.minParticles();
-        while (particles.count < wanted) {
-            add(hypotheses.isEmpty() ? new Hypothesis(1, belief.mapFromBase(), belief.covariance()) : draw(hypotheses));
-            int last = particles.count - 1;
-            bins.add(particles.x[last], particles.y[last], particles.theta[last]);
-            wanted = bounded(settings.kld().particles(bins.count()));
-        }
-        particles.weighEqually();
+        filter.start(belief);
     }
 
     private static boolean isSingle(PoseEstimate belief) {
@@ -242,15 +217,15 @@ public final class Amcl {
         if (anywhere) {
             scatter(beams);
         } else if (!fresh) {
-            settings.odometry().move(this.odomFromBase, odomFromBase, particles, random);
+            filter.move(this.odomFromBase, odomFromBase);
         }
         this.odomFromBase = odomFromBase;
         scansStanding = 0;
         fresh = false;
         if (beams.count() > 0) {
-            weigh(beams);
+            filter.weigh(beams);
         }
-        PoseEstimate clustered = seen(clusters.estimate(particles), way, beams.count() > 0);
+        PoseEstimate clustered = seen(filter.estimate(), way, beams.count() > 0);
         Pose2d pose = refinement.refine(beams, clustered.mapFromBase(), clustered.covariance());
         if (newest != null && !newest.mapFromBase().compose(way).isNear(pose, NEAR, NEARLY)) {
             evidence.restart(); // what spoke for the other place says nothing of this one
@@ -273,11 +248,9 @@ public final class Amcl {
         }
         PoseEstimate estimate = judged(clustered, pose);
         newest = estimate.hypotheses().getFirst();
-        if (particles.effectiveCount() < particles.count / 2.0 || wrongSize()) {
-            resample();
-        }
+        filter.resampleIfDue();
         if (rivals.count() > 0 && rivals.share(pose, NEAR, NEARLY) < 1 - SURE) {
-            injectBestRival();
+            filter.inject(rivals.best());
         }
         return estimate;
     }
@@ -362,12 +335,12 @@ public final class Amcl {
 
     /// The particles as they are now.
     public ParticleCloud particles() {
-        return particles.cloud();
+        return filter.cloud();
     }
 
     /// How many particles there are now.
     public int particleCount() {
-        return particles.count;
+        return filter.count();
     }
 
     private void restart(boolean anywhere) {
@@ -388,105 +361,17 @@ public final class Amcl {
         rivals.clear();
     }
 
-    private Hypothesis draw(List<Hypothesis> hypotheses) {
-        double left = random.nextDouble()
-                * hypotheses.stream().mapToDouble(Hypothesis::weight).sum();
-        for (Hypothesis hypothesis : hypotheses) {
-            left -= hypothesis.weight();
-            if (left < 0) {
-                return hypothesis;
-            }
-        }
-        return hypotheses.getFirst();
-    }
-
-    /// A particle from a hypothesis's normal distribution, by the Cholesky factor of its covariance.
-    private void add(Hypothesis hypothesis) {
-        var c = hypothesis.covariance();
-        double l00 = Math.sqrt(Math.max(0, c.xx()));
-        double l10 = l00 > 0 ? c.xy() / l00 : 0;
-        double l20 = l00 > 0 ? c.xTheta() / l00 : 0;
-        double l11 = Math.sqrt(Math.max(0, c.yy() - l10 * l10));
-        double l21 = l11 > 0 ? (c.yTheta() - l20 * l10) / l11 : 0;
-        double l22 = Math.sqrt(Math.max(0, c.thetaTheta() - l20 * l20 - l21 * l21));
-        double a = random.nextGaussian();
-        double b = random.nextGaussian();
-        double d = random.nextGaussian();
-        Pose2d mean = hypothesis.mapFromBase();
-        particles.add(
-                mean.x() + l00 * a,
-                mean.y() + l10 * a + l11 * b,
-                Angles.wrap(mean.theta() + l20 * a + l21 * b + l22 * d));
-    }
-
-    private int bounded(int wanted) {
-        return Math.clamp(wanted, settings.minParticles(), settings.maxParticles());
-    }
-
     /// Particles where the scan could have been taken, and some anywhere.
     private void scatter(Beams beams) {
         anywhere = false;
         rivals.clear();
-        particles.count = 0;
-        int scattered = particles.capacity();
-        if (beams.count() >= FEWEST_BEAMS) {
-            var candidates = search.candidates(beams, CANDIDATES);
-            candidates.forEach(candidate -> rivals.add(candidate.mapFromBase(), 0));
-            scattered = candidates.isEmpty() ? scattered : (int) (ANYWHERE_SHARE * scattered);
-            for (int i = 0; particles.count < particles.capacity() - scattered; i++) {
-                addNear(candidates.get(i % candidates.size()).mapFromBase());
-            }
-        }
-        for (int i = 0; i < scattered; i++) {
-            addAnywhere();
-        }
-        particles.weighEqually();
-    }
-
-    private void addNear(Pose2d pose) {
-        particles.add(
-                pose.x() + AlternativeHypotheses.DEVIATION * random.nextGaussian(),
-                pose.y() + AlternativeHypotheses.DEVIATION * random.nextGaussian(),
-                Angles.wrap(pose.theta() + AlternativeHypotheses.TURN_DEVIATION * random.nextGaussian()));
-    }
-
-    private void addAnywhere() {
-        double x;
-        double y;
-        int tries = 0;
-        do {
-            x = map.grid.originX() + random.nextDouble() * map.grid.width() * map.grid.resolution();
-            y = map.grid.originY() + random.nextDouble() * map.grid.height() * map.grid.resolution();
-        } while (!map.grid.isFree(x, y) && ++tries < 1000); // a map without free cells must not hang us
-        particles.add(x, y, Angles.wrap(random.nextDouble() * 2 * Math.PI));
-    }
-
-    private void weigh(Beams beams) {
-        double beamWeight = Math.min(1, settings.independentBeams() / beams.count());
-        double best = Double.NEGATIVE_INFINITY;
-        if (particles.count > logs.length) {
-            logs = new double[particles.x.length];
-        }
-        switch (settings.model()) {
-            case FIELD -> map.walls.logs(beams, particles, block, logs);
-            case BEAM -> map.reaches.logs(beams, particles, block, logs);
-        }
-        for (int i = 0; i < particles.count; i++) {
-            logs[i] *= beamWeight;
-            best = Math.max(best, logs[i]);
-        }
-        double sum = 0;
-        for (int i = 0; i < particles.count; i++) {
-            particles.weight[i] *= Math.exp(logs[i] - best);
-            sum += particles.weight[i];
-        }
-        if (!(sum > 0)) { // all the weight was where the scan can't be
-            particles.weighEqually();
-            return;
-        }
-        for (int i = 0; i < particles.count; i++) {
-            particles.weight[i] /= sum;
-        }
+        List<Pose2d> candidates = beams.count() < FEWEST_BEAMS
+                ? List.of()
+                : search.candidates(beams, CANDIDATES).stream()
+                        .map(GlobalSearch.Candidate::mapFromBase)
+                        .toList();
+        candidates.forEach(candidate -> rivals.add(candidate, 0));
+        filter.scatter(candidates);
     }
 
     /// What became of the beams of a scan; what left the map says nothing.
@@ -526,71 +411,5 @@ public final class Amcl {
             usualMisfit *= USUAL_FOR;
             doubt = Math.max(0, doubt + Math.min(MOST_MISFIT, now - usualMisfit - NO_MISFIT));
         }
-    }
-
-    private boolean wrongSize() {
-        bins.clear();
-        for (int i = 0; i < particles.count; i++) {
-            bins.add(particles.x[i], particles.y[i], particles.theta[i]);
-        }
-        int wanted = bounded(settings.kld().particles(bins.count()));
-        return particles.count > 2 * wanted || 2 * particles.count < wanted;
-    }
-
-    /// Draws as many particles as the bins of those that survive ask for. A first draw only counts these bins.
-    private void resample() {
-        draw(particles.count);
-        bins.clear();
-        for (int i = 0; i < particles.count; i++) {
-            if (i == 0 || drawn[i] != drawn[i - 1]) {
-                bins.add(particles.x[drawn[i]], particles.y[drawn[i]], particles.theta[drawn[i]]);
-            }
-        }
-        survive(bounded(settings.kld().particles(bins.count())));
-        particles.weighEqually();
-    }
-
-    /// Replaces the particles by so many that are drawn from them.
-    private void survive(int count) {
-        draw(count);
-        spare.take(particles, drawn, count);
-        Particles before = particles;
-        particles = spare;
-        spare = before;
-    }
-
-    /// Which particles are drawn, in their order, by low variance sampling: Thrun, Burgard, Fox, Probabilistic
-    /// Robotics, table 4.4.
-    private void draw(int count) {
-        if (count > drawn.length) {
-            drawn = new int[Math.max(count, particles.x.length)];
-        }
-        double step = 1.0 / count;
-        double at = random.nextDouble() * step;
-        double reached = particles.weight[0];
-        int i = 0;
-        for (int n = 0; n < count; n++) {
-            while (reached < at && i < particles.count - 1) {
-                reached += particles.weight[++i];
-            }
-            drawn[n] = i;
-            at += step;
-        }
-    }
-
-    /// Puts some particles where the scans fit best, when none are there.
-    private void injectBestRival() {
-        int injected = makeRoom(1);
-        for (int i = 0; i < injected; i++) {
-            addNear(rivals.best());
-        }
-        particles.weighEqually();
-    }
-
-    /// @return how many particles can be added now, at least as many as said
-    private int makeRoom(int least) {
-        int injected = Math.max(least, (int) (INJECTED_SHARE * particles.count));
-        survive(Math.min(particles.count, particles.capacity() - injected));
-        return injected;
     }
 }
