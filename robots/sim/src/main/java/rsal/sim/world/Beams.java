@@ -108,11 +108,13 @@ public final class Beams {
     private void meet(
             World world, Rays rays, Figure base, double z, double reach, double astray, Predicate<Body> through) {
         PieceGrid.Found near = rays.near;
-        world.seenNear(base.pose().x(), base.pose().y(), reach + farthestOrigin, near);
+        world.sensorView().near(base.pose().x(), base.pose().y(), reach + farthestOrigin, near);
         for (int i = 0; i < near.count; i++) {
             int slot = near.slots[i];
-            PlacedShape piece = world.seen(slot);
-            if (piece.surface.seenByRangers() && piece.isAt(z) && !through.test(world.seenOwner(slot))) {
+            PlacedShape piece = world.sensorView().piece(slot);
+            if (piece.surface.seenByRangers()
+                    && piece.isAt(z)
+                    && !through.test(world.sensorView().owner(slot))) {
                 for (int fan = 0; fan < originX.length; fan++) {
                     clip(rays, slot, piece, base, fan, reach, astray);
                 }

@@ -143,11 +143,11 @@ public final class ColumnRenderer {
 
     void meetPieces(World world, Body self) {
         PieceGrid.Found near = Rays.ofThisThread(1).near;
-        world.seenNear(fromX, fromY, reach, near);
+        world.sensorView().near(fromX, fromY, reach, near);
         for (int k = 0; k < near.count; k++) {
             int slot = near.slots[k];
-            if (world.seenOwner(slot) != self) {
-                meet(world.seen(slot));
+            if (world.sensorView().owner(slot) != self) {
+                meet(world.sensorView().piece(slot));
             }
         }
     }

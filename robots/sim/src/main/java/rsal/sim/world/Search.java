@@ -54,11 +54,13 @@ public final class Search {
     private static Set<Candidate> candidates(World world, Body self, Pose2d from, double reach, int key) {
         var candidates = new LinkedHashSet<Candidate>();
         PieceGrid.Found near = Rays.ofThisThread(1).near;
-        world.seenNear(from.x(), from.y(), reach + FARTHEST_PIECE, near);
+        world.sensorView().near(from.x(), from.y(), reach + FARTHEST_PIECE, near);
         for (int i = 0; i < near.count; i++) {
-            Surface surface = world.seen(near.slots[i]).surface;
-            if (surface.fiducial() != 0 && surface.fiducialKey() == key && world.seenOwner(near.slots[i]) != self) {
-                candidates.add(new Candidate(world.seenBody(near.slots[i]), surface.fiducial()));
+            Surface surface = world.sensorView().piece(near.slots[i]).surface;
+            if (surface.fiducial() != 0
+                    && surface.fiducialKey() == key
+                    && world.sensorView().owner(near.slots[i]) != self) {
+                candidates.add(new Candidate(world.sensorView().body(near.slots[i]), surface.fiducial()));
             }
         }
         return candidates;
@@ -75,16 +77,17 @@ public final class Search {
         rays.dy[0] = distance == 0 ? 0 : (to.y() - from.y()) / distance;
         rays.range[0] = Double.POSITIVE_INFINITY;
         PieceGrid.Found near = rays.near;
-        world.seenNear(from.x(), from.y(), distance, near);
+        world.sensorView().near(from.x(), from.y(), distance, near);
         Body first = null;
         for (int i = 0; i < near.count; i++) {
-            PlacedShape piece = world.seen(near.slots[i]);
-            boolean meets = piece.isAt(z) || (markerAtAllHeights && world.seenBody(near.slots[i]) == marker);
-            if (meets && world.seenOwner(near.slots[i]) != self) {
+            PlacedShape piece = world.sensorView().piece(near.slots[i]);
+            boolean meets =
+                    piece.isAt(z) || (markerAtAllHeights && world.sensorView().body(near.slots[i]) == marker);
+            if (meets && world.sensorView().owner(near.slots[i]) != self) {
                 double range = piece.ray(from.x(), from.y(), rays.dx[0], rays.dy[0]);
                 if (range < rays.range[0]) {
                     rays.range[0] = range;
-                    first = world.seenBody(near.slots[i]);
+                    first = world.sensorView().body(near.slots[i]);
                 }
             }
         }

@@ -3,10 +3,8 @@ package rsal.sim.world;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
-import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
@@ -29,9 +27,8 @@ public final class World {
     /// What obstacles are called that are no bodies.
     public static final String WALL = "wall";
 
-    private static final double HAIR = 0.001; // [m]
+    static final double HAIR = 0.001; // [m]
     private static final double FARTHEST = 1e6; // [m]; as poses in files
-    private static final double STRIDE = 0.005; // [m]; of who makes his way out of others
     private static final double LOOK_AHEAD = 0.3; // [m]; farther away nothing needs to be measured
     private static final double TOUCH = 0.01; // [m]; bodies that are so near touch, as far as others can tell
 
@@ -40,25 +37,18 @@ public final class World {
     private final Set<Body> bodies = new LinkedHashSet<>();
     private final List<@Nullable Body> owners = new ArrayList<>(); // by slot
     private final List<@Nullable PlacedShape> now = new ArrayList<>(); // by slot
-    private final List<@Nullable PlacedShape> seen = new ArrayList<>(); // by slot; sensors read only what is called so
-    private final List<@Nullable Body> seenBodies = new ArrayList<>(); // by slot
-    private final List<@Nullable Body> seenOwners = new ArrayList<>(); // by slot; of what is carried, who carries it
-    private final List<Body> moved = new ArrayList<>(); // since sensors looked
-    private final List<Body> changed = new ArrayList<>(); // since sensors looked: came, was picked up or put down
-    private final List<Body> gone = new ArrayList<>(); // since sensors looked
     private final Deque<Integer> freeSlots = new ArrayDeque<>();
     private final PieceGrid nowGrid;
-    private final PieceGrid seenGrid;
+    private final SensorView sensorView;
     private final PieceGrid.Found near = new PieceGrid.Found();
     private @Nullable Body obstacle; // null: a wall
-    private boolean watched;
 
     /// @param extent where most bodies are; elsewhere they may be, too, but are found more slowly
     public World(List<Walls> walls, Extent extent) {
         this.walls = List.copyOf(walls);
         this.extent = extent;
         this.nowGrid = new PieceGrid(extent);
-        this.seenGrid = new PieceGrid(extent);
+        this.sensorView = new SensorView(extent, freeSlots::add);
     }
 
     /// The world of a map.
@@ -86,11 +76,9 @@ public final class World {
             now.set(slots[i], body.figure.pieces[i]);
         }
         bodies.add(body);
-        changed.add(body);
+        sensorView.changed(body);
         arrive(body);
-        if (!watched) {
-            show(); // at once: who comes while sensors don't look is seen by the first that does
-        }
+        sensorView.showUnlessWatched();
         return body;
     }
 
@@ -108,16 +96,11 @@ public final class World {
     public void remove(Body body) {
         if (bodies.remove(body)) {
             leave(body);
-            moved.removeIf(body::equals);
-            changed.removeIf(body::equals);
             for (int slot : body.slots) {
                 owners.set(slot, null);
                 now.set(slot, null);
             }
-            gone.add(body);
-            if (!watched) {
-                show();
-            }
+            sensorView.gone(body);
         }
     }
 
@@ -125,11 +108,7 @@ public final class World {
     public void hide(Body body) {
         body.hidden = true;
         leave(body);
-        moved.removeIf(body::equals);
-        changed.add(body);
-        if (!watched) {
-            show();
-        }
+        sensorView.hidden(body);
     }
 
     /// Lets a body that was hidden appear where it was.
@@ -139,31 +118,29 @@ public final class World {
         boolean free = clearance(body.figure, body, HAIR) >= HAIR;
         if (free) {
             body.hidden = false;
-            changed.add(body);
+            sensorView.changed(body);
             arrive(body);
-            if (!watched) {
-                show();
-            }
+            sensorView.showUnlessWatched();
         }
         return free;
     }
 
     /// Whether sensors look, maybe on other threads. What they see stays as it is meanwhile.
     public void watched(boolean now) {
-        watched = now;
+        sensorView.watched(now);
     }
 
     /// A body takes another along: it is in nobody's way any more, and who carries it looks through it.
     public void pickUp(Body thing, Body carrier) {
         thing.carrier = carrier;
         leave(thing);
-        changed.add(thing);
+        sensorView.changed(thing);
     }
 
     /// Moves what was picked up, through whatever is there.
     public void carry(Body thing, Pose2d mapFromThing, double height) {
         thing.figure.placeAt(mapFromThing, height);
-        moved.add(thing);
+        sensorView.moved(thing);
     }
 
     /// Puts down what was picked up.
@@ -176,7 +153,7 @@ public final class World {
         if (free) {
             thing.figure.placeAt(thing.trial);
             thing.carrier = null;
-            changed.add(thing);
+            sensorView.changed(thing);
             arrive(thing);
         }
         return free;
@@ -188,7 +165,7 @@ public final class World {
     public void drop(Body thing, double height) {
         thing.figure.placeAt(thing.pose(), height);
         thing.carrier = null;
-        changed.add(thing);
+        sensorView.changed(thing);
         arrive(thing);
     }
 
@@ -265,7 +242,7 @@ public final class World {
             return 1;
         }
         double made = free < 0
-                ? withdraw(body, arc, way)
+                ? new Withdrawal(this, body).goOn(arc, way)
                 : approach(
                         body,
                         way,
@@ -276,57 +253,6 @@ public final class World {
             body.jam.begin(arc, obstacle);
         }
         return made;
-    }
-
-    /// Moves a body that overlaps others, as they were [#put] into it, as far as that leads no deeper into any of them
-    /// and into nothing else. It is checked every few millimeters.
-    ///
-    /// @param way that any point of it makes, at most [m]
-    /// @return how much of the way it made, 0–1; when less than 1, [#obstacle] says why
-    private double withdraw(Body body, Arc arc, double way) {
-        var depths = new HashMap<Body, Double>();
-        isNoDeeper(body.figure, body, _ -> Double.NEGATIVE_INFINITY, depths);
-        int strides = (int) Math.ceil(way / STRIDE);
-        for (int made = 0; made < strides; made++) {
-            body.trial.placeAt(arc.at((made + 1.0) / strides), body.height());
-            var now = new HashMap<Body, Double>();
-            if (!isNoDeeper(body.trial, body, other -> depths.getOrDefault(other, HAIR), now)) {
-                return (double) made / strides;
-            }
-            body.figure.placeAt(body.trial);
-            depths.clear();
-            depths.putAll(now);
-        }
-        return 1;
-    }
-
-    /// Whether a figure keeps off walls, and off each body by as much as that asks for.
-    ///
-    /// @param least by which it must keep off a body [m]; less than 0 for how deep it may be in it
-    /// @param depths takes by how much it is in each that it is in [m], all less than a hair
-    private boolean isNoDeeper(Figure figure, Body itself, ToDoubleFunction<Body> least, Map<Body, Double> depths) {
-        obstacle = null;
-        if (clearanceOfWalls(figure, HAIR) < HAIR) {
-            return false;
-        }
-        for (PlacedShape piece : figure.pieces) {
-            nowGrid.near(piece.x(), piece.y(), piece.radius() + HAIR, near);
-            for (int i = 0; i < near.count; i++) {
-                Body owner = owner(near.slots[i]);
-                PlacedShape other = Objects.requireNonNull(now.get(near.slots[i]));
-                if (owner != itself && inTheWay(piece, other)) {
-                    double gap = piece.separation(other);
-                    if (gap < least.applyAsDouble(owner)) {
-                        obstacle = owner;
-                        return false;
-                    }
-                    if (gap < HAIR) {
-                        depths.merge(owner, gap, Math::min);
-                    }
-                }
-            }
-        }
-        return true;
     }
 
     /// Lets actuators carry pieces of a body until one would touch something, or all the way.
@@ -396,6 +322,11 @@ public final class World {
         return moved;
     }
 
+    /// Notes who is in the way; null for a wall.
+    void obstacle(@Nullable Body other) {
+        obstacle = other;
+    }
+
     /// Who was in the way last; empty when it was a wall.
     public Optional<Body> obstacle() {
         return Optional.ofNullable(obstacle);
@@ -434,52 +365,7 @@ public final class World {
     /// From now on sensors see bodies where they are now, whatever moves while they look. Not while they are
     /// [#watched].
     public void look() {
-        show();
-        for (Body body : moved) {
-            see(body);
-        }
-        moved.clear();
-    }
-
-    /// Lets sensors know who came, who is gone, and who belongs to whom.
-    private void show() {
-        for (Body body : gone) {
-            unsee(body);
-            for (int slot : body.slots) {
-                freeSlots.add(slot);
-            }
-        }
-        gone.clear();
-        for (Body body : changed) {
-            if (body.hidden) {
-                unsee(body);
-                continue;
-            }
-            Body owner = body.carrier == null ? body : body.carrier;
-            for (int i = 0; i < body.slots.length; i++) {
-                while (seen.size() <= body.slots[i]) {
-                    seen.add(null);
-                    seenBodies.add(null);
-                    seenOwners.add(null);
-                }
-                seen.set(body.slots[i], body.seen.pieces[i]);
-                seenBodies.set(body.slots[i], body);
-                seenOwners.set(body.slots[i], owner);
-            }
-            see(body);
-        }
-        changed.clear();
-    }
-
-    private void unsee(Body body) {
-        for (int slot : body.slots) {
-            if (slot < seen.size() && seen.get(slot) != null) {
-                seenGrid.remove(slot);
-                seen.set(slot, null);
-                seenBodies.set(slot, null);
-                seenOwners.set(slot, null);
-            }
-        }
+        sensorView.look();
     }
 
     /// Whether a figure that is no body overlaps what is in a body's way.
@@ -489,7 +375,7 @@ public final class World {
 
     private void arrive(Body body) {
         enter(nowGrid, body.slots, body.figure);
-        moved.add(body);
+        sensorView.moved(body);
     }
 
     /// It is in nobody's way any more.
@@ -500,12 +386,7 @@ public final class World {
         }
     }
 
-    private void see(Body body) {
-        body.seen.placeAt(body.figure);
-        enter(seenGrid, body.slots, body.seen);
-    }
-
-    private static void enter(PieceGrid grid, int[] slots, Figure figure) {
+    static void enter(PieceGrid grid, int[] slots, Figure figure) {
         for (int i = 0; i < slots.length; i++) {
             PlacedShape piece = figure.pieces[i];
             grid.put(slots[i], piece.x(), piece.y(), piece.radius());
@@ -531,23 +412,9 @@ public final class World {
         return Objects.requireNonNull(owners.get(slot));
     }
 
-    /// Finds the pieces that reach into a circle, where sensors see them.
-    void seenNear(double x, double y, double radius, PieceGrid.Found found) {
-        seenGrid.near(x, y, radius, found);
-    }
-
-    PlacedShape seen(int slot) {
-        return Objects.requireNonNull(seen.get(slot));
-    }
-
-    /// Whose piece sensors see there.
-    Body seenBody(int slot) {
-        return Objects.requireNonNull(seenBodies.get(slot));
-    }
-
-    /// Whose piece sensors see there; of what is carried, who carries it.
-    Body seenOwner(int slot) {
-        return Objects.requireNonNull(seenOwners.get(slot));
+    /// What sensors see of bodies.
+    SensorView sensorView() {
+        return sensorView;
     }
 
     /// How much room a figure has [m], no more than `reach`.
@@ -565,7 +432,7 @@ public final class World {
         return clearanceOfBodies(figure, itself, fromWalls, rises);
     }
 
-    private double clearanceOfWalls(Figure figure, double reach) {
+    double clearanceOfWalls(Figure figure, double reach) {
         double least = reach;
         for (int i = 0; i < walls.size(); i++) {
             for (PlacedShape piece : figure.pieces) {
@@ -602,7 +469,7 @@ public final class World {
         return least;
     }
 
-    private static boolean inTheWay(PlacedShape one, PlacedShape other) {
+    static boolean inTheWay(PlacedShape one, PlacedShape other) {
         return one.surface.obstacle() && other.surface.obstacle() && one.isLevelWith(other);
     }
 }
