@@ -43,7 +43,7 @@ public interface AgentType {
     }
 
     /// What stands in its file; empty for one in Java.
-    default Optional<Outline> outline() {
+    default Optional<AgentOutline> outline() {
         return Optional.empty();
     }
 

@@ -53,11 +53,11 @@ final class Platform {
     /// @throws IllegalStateException when JADE can't
     static Platform start() {
         Platform platform = startBare();
-        Tables.mend(platform.container);
+        AgentTables.mend(platform.container);
         return platform;
     }
 
-    /// Starts one as JADE has it, in which what is said while others start may be lost ([Tables]).
+    /// Starts one as JADE has it, in which what is said while others start may be lost ([AgentTables]).
     ///
     /// @throws IllegalStateException when JADE can't
     static Platform startBare() {

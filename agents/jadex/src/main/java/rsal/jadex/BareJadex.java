@@ -22,7 +22,7 @@ public final class BareJadex implements BareSystem {
     public Platform start() {
         IExternalAccess platform = LonelyPlatform.start();
         var agents = new CopyOnWriteArrayList<BareBody>();
-        var bodies = new CopyOnWriteArrayList<Body>(); // handed tasks
+        var bodies = new CopyOnWriteArrayList<JadexMicroAgent>(); // handed tasks
         return new Platform() {
             @Override
             public void start(int count, Life life) {
@@ -42,14 +42,14 @@ public final class BareJadex implements BareSystem {
 
             @Override
             public void contract(int bidders, Runnable ended) {
-                List<Body> all = IntStream.range(0, bidders)
+                List<JadexMicroAgent> all = IntStream.range(0, bidders)
                         .mapToObj(i -> body("bidder-" + i))
                         .toList();
                 BareContracts.begin(body("manager"), all, ended);
             }
 
-            private Body body(String name) {
-                var body = new Body(name, _ -> {});
+            private JadexMicroAgent body(String name) {
+                var body = new JadexMicroAgent(name, _ -> {});
                 bodies.add(body);
                 create(body, name);
                 return body;
@@ -64,7 +64,7 @@ public final class BareJadex implements BareSystem {
 
             @Override
             public void close() {
-                bodies.forEach(Body::end);
+                bodies.forEach(JadexMicroAgent::end);
                 platform.killComponent();
             }
         };

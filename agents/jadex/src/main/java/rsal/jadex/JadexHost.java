@@ -21,7 +21,7 @@ import rsal.time.Scheduler;
 final class JadexHost implements AgentHost {
     private final Scheduler run;
     private final IExternalAccess platform;
-    private final Map<String, Body> bodies = new HashMap<>(); // of those that run, by name
+    private final Map<String, JadexMicroAgent> bodies = new HashMap<>(); // of those that run, by name
     private final List<IFuture<Map<String, Object>>> leaving = new ArrayList<>(); // and not yet gone
     private final Map<String, Integer> lives = new HashMap<>(); // how often there was one of that name, by Jadex's
     private Consumer<String> onKilled = _ -> {};
@@ -33,7 +33,7 @@ final class JadexHost implements AgentHost {
 
     @Override
     public Scheduler lane(String name) {
-        var body = new Body(name, killed -> run.execute(() -> killed(killed)));
+        var body = new JadexMicroAgent(name, killed -> run.execute(() -> killed(killed)));
         bodies.put(name, body);
         platform.createComponent(new CreationInfo().setPojo(body).setName(componentName(name)))
                 .catchEx(e -> run.exclusively(() -> notMade(body, e)));
@@ -41,7 +41,7 @@ final class JadexHost implements AgentHost {
     }
 
     /// One that was ended while Jadex still made it is not missed: that has come in between.
-    private void notMade(Body body, Exception why) {
+    private void notMade(JadexMicroAgent body, Exception why) {
         if (body.equals(bodies.get(body.name()))) {
             throw new IllegalStateException("Jadex could not make agent (%s).".formatted(body.name()), why);
         }
@@ -55,7 +55,7 @@ final class JadexHost implements AgentHost {
     }
 
     /// Jadex has ended it by itself.
-    private void killed(Body body) {
+    private void killed(JadexMicroAgent body) {
         if (bodies.remove(body.name(), body)) {
             onKilled.accept(body.name());
         }

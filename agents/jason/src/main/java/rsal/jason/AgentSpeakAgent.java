@@ -37,7 +37,7 @@ final class AgentSpeakAgent implements Agent {
 
     private final Program program;
     private final Map<String, Object> settings;
-    private final Map<Percept, List<Literal>> percepts = new EnumMap<>(Percept.class);
+    private final Map<PerceptBelief, List<Literal>> percepts = new EnumMap<>(PerceptBelief.class);
     private @Nullable Life life;
     private boolean awake;
     private boolean thinking;
@@ -227,7 +227,7 @@ final class AgentSpeakAgent implements Agent {
     }
 
     /// What a device tells takes the place of what it told before; what has changed makes events.
-    private void perceive(Percept percept, List<Literal> now) {
+    private void perceive(PerceptBelief percept, List<Literal> now) {
         List<Literal> before = percepts.getOrDefault(percept, List.of());
         percepts.put(percept, now);
         boolean changed = false;

@@ -9,9 +9,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import rsal.agent.Agent;
+import rsal.agent.AgentOutline;
+import rsal.agent.AgentOutline.Line;
 import rsal.agent.AgentType;
-import rsal.agent.Outline;
-import rsal.agent.Outline.Line;
 import rsal.device.Device;
 import rsal.settings.Arguments;
 import rsal.settings.InvalidSettings;
@@ -24,7 +24,7 @@ final class AgentSpeakType implements AgentType {
     private final Program program;
     private final List<Parameter<?>> parameters;
     private final List<Class<? extends Device>> needs;
-    private final Outline outline;
+    private final AgentOutline outline;
     private final List<Problem> warnings;
 
     /// @throws InvalidSettings with what the agent names that there is not
@@ -37,7 +37,7 @@ final class AgentSpeakType implements AgentType {
         this.parameters = parameters(program, reasoner.getInitialBels());
         this.needs = review.devices();
         this.warnings = review.warnings();
-        this.outline = new Outline(
+        this.outline = new AgentOutline(
                 reasoner.getInitialGoals().stream()
                         .map(goal -> line(goal.toString(), goal))
                         .toList(),
@@ -117,7 +117,7 @@ final class AgentSpeakType implements AgentType {
     }
 
     @Override
-    public Optional<Outline> outline() {
+    public Optional<AgentOutline> outline() {
         return Optional.of(outline);
     }
 

@@ -28,7 +28,7 @@ final class ExternalActions {
     private final AgentContext self;
     private final AgentSpeakAgent agent;
     private final Optional<Robot> robot;
-    private final Optional<Wheels> wheels;
+    private final Optional<DriveActions> wheels;
     private final List<UnderWay> underWay = new ArrayList<>();
 
     /// Of two intentions that want the same, each has its own: Jason's deeds are equal when their terms are.
@@ -43,7 +43,7 @@ final class ExternalActions {
         this.self = self;
         this.agent = agent;
         this.robot = self.robot();
-        this.wheels = robot.map(own -> new Wheels(self, own));
+        this.wheels = robot.map(own -> new DriveActions(self, own));
     }
 
     /// Begins one. What can't be begun has failed.
@@ -193,7 +193,7 @@ final class ExternalActions {
         return robot.orElseThrow(() -> new IllegalArgumentException("This agent has no robot."));
     }
 
-    private Wheels wheels() {
+    private DriveActions wheels() {
         return wheels.orElseThrow(() -> new IllegalArgumentException("This agent has no robot."));
     }
 }

@@ -29,7 +29,7 @@ final class Hints {
     Hints(Program program) {
         this.program = program;
         known.add(Heard.FUNCTOR);
-        Stream.of(Percept.values()).map(Percept::functor).forEach(known::add);
+        Stream.of(PerceptBelief.values()).map(PerceptBelief::functor).forEach(known::add);
     }
 
     void wants(Literal goal) {

@@ -41,7 +41,7 @@ record Program(String path, Map<String, String> texts) {
     }
 
     /// The files of an agent, each read once.
-    private static final class Reading implements Grammar.Includes {
+    private static final class Reading implements AgentSpeakParser.Includes {
         private final FileSource files;
         private final Map<String, String> texts = new LinkedHashMap<>(); // by path
         private final Problems problems = new Problems();
@@ -89,7 +89,7 @@ record Program(String path, Map<String, String> texts) {
     /// Gives an agent its beliefs, goals and plans; nothing happens yet.
     void into(Agent agent) {
         var left = new LinkedHashMap<>(texts);
-        parse(path, Location.of(path), agent, new Grammar.Includes() {
+        parse(path, Location.of(path), agent, new AgentSpeakParser.Includes() {
             @Override
             public Optional<String> text(String file, Location at) {
                 return Optional.ofNullable(left.remove(file));
@@ -102,9 +102,9 @@ record Program(String path, Map<String, String> texts) {
         });
     }
 
-    private static void parse(String path, Location askedAt, Agent agent, Grammar.Includes includes) {
+    private static void parse(String path, Location askedAt, Agent agent, AgentSpeakParser.Includes includes) {
         String text = includes.text(path, askedAt).orElse("");
-        var grammar = new Grammar(new StringReader(text), path, includes, Program::parse);
+        var grammar = new AgentSpeakParser(new StringReader(text), path, includes, Program::parse);
         try {
             grammar.into(agent);
         } catch (ParseException e) {

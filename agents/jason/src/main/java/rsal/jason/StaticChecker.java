@@ -33,7 +33,7 @@ import rsal.settings.Suggestion;
 final class StaticChecker {
     private final Program program;
     private final Problems problems = new Problems();
-    private final Set<Percept> percepts = EnumSet.noneOf(Percept.class);
+    private final Set<PerceptBelief> percepts = EnumSet.noneOf(PerceptBelief.class);
     private final Set<Topic<?>> topics = new LinkedHashSet<>();
     private final Set<Class<? extends Device>> devices = new LinkedHashSet<>();
     private final List<Literal> said = new ArrayList<>();
@@ -62,7 +62,7 @@ final class StaticChecker {
         return hints.all();
     }
 
-    Set<Percept> percepts() {
+    Set<PerceptBelief> percepts() {
         return percepts;
     }
 
@@ -208,7 +208,7 @@ final class StaticChecker {
             case PlanBody body -> body(body);
             case Trigger event -> event(event.getLiteral());
             case InternalActionLiteral action -> internal(action);
-            case Literal literal -> Percept.of(literal).ifPresent(percepts::add);
+            case Literal literal -> PerceptBelief.of(literal).ifPresent(percepts::add);
             default -> {}
         }
     }

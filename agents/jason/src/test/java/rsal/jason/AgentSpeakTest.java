@@ -8,8 +8,8 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import rsal.agent.AgentOutline;
 import rsal.agent.AgentType;
-import rsal.agent.Outline;
 import rsal.behavior.Pilot;
 import rsal.device.Battery;
 import rsal.device.BlobFinder;
@@ -138,7 +138,7 @@ class AgentSpeakTest {
 
     @Test
     void tellsWhatStandsInItsFile() {
-        Outline outline = Texts.type(Map.of(
+        AgentOutline outline = Texts.type(Map.of(
                         "a.asl",
                         """
                         !go.

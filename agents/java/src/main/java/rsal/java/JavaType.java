@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import rsal.agent.Agent;
+import rsal.agent.AgentOutline;
 import rsal.agent.AgentType;
-import rsal.agent.Outline;
 import rsal.device.Device;
 import rsal.settings.Arguments;
 import rsal.settings.InvalidSettings;
@@ -69,7 +69,7 @@ record JavaType(String key, String description, List<Parameter<?>> parameters, A
     }
 
     @Override
-    public Optional<Outline> outline() {
+    public Optional<AgentOutline> outline() {
         return own.outline();
     }
 

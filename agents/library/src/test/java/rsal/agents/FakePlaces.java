@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
-import rsal.agents.parts.Words;
+import rsal.agents.parts.AgentWords;
 import rsal.data.Pose2d;
 import rsal.device.DeviceCore;
 import rsal.device.DeviceInfo;
@@ -21,7 +21,7 @@ public final class FakePlaces extends DeviceCore implements PlaceFinder {
 
     @Override
     public CompletionStage<Result> find(Pose2d mapFromStart, int count, double clearance) {
-        asked.add("%d from %s, %s".formatted(count, Words.place(mapFromStart), Words.distance(clearance)));
+        asked.add("%d from %s, %s".formatted(count, AgentWords.place(mapFromStart), AgentWords.distance(clearance)));
         return CompletableFuture.completedFuture(result);
     }
 }

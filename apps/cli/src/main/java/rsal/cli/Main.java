@@ -38,12 +38,12 @@ import rsal.cli.show.ValidateCommand;
 import rsal.cli.sweep.ReportCommand;
 import rsal.cli.sweep.SweepCommand;
 import rsal.cli.terminal.Build;
+import rsal.cli.terminal.CommandWords;
 import rsal.cli.terminal.Exit;
 import rsal.cli.terminal.OldLogs;
 import rsal.cli.terminal.Stdout;
 import rsal.cli.terminal.Terminal;
 import rsal.cli.terminal.Unreachable;
-import rsal.cli.terminal.Words;
 import rsal.engine.report.RunBroken;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Suggestion;
@@ -145,8 +145,9 @@ public final class Main implements Runnable {
     private static CommandLine commandLine(OutputStream stdout, List<Class<?>> commands) {
         var commandLine = new CommandLine(new Main());
         commands.forEach(commandLine::addSubcommand);
-        Words.register(commandLine);
-        commandLine.registerConverter(ListCommand.What.class, word -> Words.oneOf(word, ListCommand.What.values()));
+        CommandWords.register(commandLine);
+        commandLine.registerConverter(
+                ListCommand.What.class, word -> CommandWords.oneOf(word, ListCommand.What.values()));
         return commandLine
                 .setOut(new PrintWriter(stdout, false, StandardCharsets.UTF_8))
                 .setErr(new PrintWriter(System.err, true, StandardCharsets.UTF_8))

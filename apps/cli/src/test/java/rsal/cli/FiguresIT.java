@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rsal.cli.terminal.Exit;
 import rsal.experiment.Findings;
 import rsal.experiment.Row;
-import rsal.experiment.report.Numbers;
+import rsal.experiment.report.NumberFormats;
 import rsal.experiment.statistics.Mean;
 import rsal.scenario.text.NumberText;
 import rsal.testkit.LongTest;
@@ -140,7 +140,7 @@ class FiguresIT {
         }
         Mean mean = Mean.of(values);
         return mean.interval()
-                .map(interval -> Numbers.withError(mean.value(), interval.high() - mean.value()))
+                .map(interval -> NumberFormats.withError(mean.value(), interval.high() - mean.value()))
                 .orElse(NOTHING);
     }
 }

@@ -7,7 +7,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentType;
-import rsal.cli.show.Kind;
+import rsal.cli.show.InstalledKind;
 import rsal.cli.show.ShownMap;
 import rsal.cli.show.ShownPart;
 import rsal.engine.OperatorCommands;
@@ -62,18 +62,19 @@ final class Reference {
     /// @param name one of [#names], or a part of a schema: `scenario.schema.json#/properties/communication`
     static String section(String name) {
         return switch (name) {
-            case "agents" -> kinds(Kind.agents(), AgentType.class, AgentType::key);
-            case "drivers" -> kinds(Kind.drivers(), DeviceDriver.class, DeviceDriver::key);
-            case "controllers" -> kinds(Kind.plugins("controller"), ControllerType.class, ControllerType::key);
-            case "planners" -> kinds(Kind.plugins("planner"), PlannerType.class, PlannerType::key);
-            case "goalCheckers" -> kinds(Kind.plugins("goalChecker"), GoalCheckerType.class, GoalCheckerType::key);
+            case "agents" -> kinds(InstalledKind.agents(), AgentType.class, AgentType::key);
+            case "drivers" -> kinds(InstalledKind.drivers(), DeviceDriver.class, DeviceDriver::key);
+            case "controllers" -> kinds(InstalledKind.plugins("controller"), ControllerType.class, ControllerType::key);
+            case "planners" -> kinds(InstalledKind.plugins("planner"), PlannerType.class, PlannerType::key);
+            case "goalCheckers" ->
+                kinds(InstalledKind.plugins("goalChecker"), GoalCheckerType.class, GoalCheckerType::key);
             case "progressCheckers" ->
-                kinds(Kind.plugins("progressChecker"), ProgressCheckerType.class, ProgressCheckerType::key);
-            case "recoveries" -> kinds(Kind.plugins("recovery"), RecoveryType.class, RecoveryType::key);
-            case "deviceKinds" -> kinds(Kind.devices(), DeviceKind.class, DeviceKind::key);
-            case "metrics" -> kinds(Kind.metrics(), MetricType.class, MetricType::key);
-            case "mas" -> kinds(Kind.hosts(), AgentHostProvider.class, AgentHostProvider::key);
-            case "mrs" -> kinds(Kind.systems(), RobotSystemProvider.class, RobotSystemProvider::key);
+                kinds(InstalledKind.plugins("progressChecker"), ProgressCheckerType.class, ProgressCheckerType::key);
+            case "recoveries" -> kinds(InstalledKind.plugins("recovery"), RecoveryType.class, RecoveryType::key);
+            case "deviceKinds" -> kinds(InstalledKind.devices(), DeviceKind.class, DeviceKind::key);
+            case "metrics" -> kinds(InstalledKind.metrics(), MetricType.class, MetricType::key);
+            case "mas" -> kinds(InstalledKind.hosts(), AgentHostProvider.class, AgentHostProvider::key);
+            case "mrs" -> kinds(InstalledKind.systems(), RobotSystemProvider.class, RobotSystemProvider::key);
             case "bridges" -> bridges();
             case "operatorCommands" -> operatorCommands();
             case "devices" -> DeviceTypes.all();
@@ -84,7 +85,7 @@ final class Reference {
         };
     }
 
-    private static <P> String kinds(Stream<Kind> kinds, Class<P> type, Function<P, String> key) {
+    private static <P> String kinds(Stream<InstalledKind> kinds, Class<P> type, Function<P, String> key) {
         Set<String> shipped = Providers.byKey(type, key).values().stream()
                 .filter(provider -> !provider.getClass().getName().matches(NOT_SHIPPED))
                 .map(key)
@@ -94,7 +95,7 @@ final class Reference {
                 .collect(Collectors.joining("\n"));
     }
 
-    private static String kind(Kind kind) {
+    private static String kind(InstalledKind kind) {
         var text = new StringBuilder("### %s%n%n%s".formatted(heading(kind), Markdown.text(kind.description())));
         kind.makes()
                 .filter(_ -> kind.kind().equals("driver"))
@@ -128,7 +129,7 @@ final class Reference {
     }
 
     /// A driver's says what it is, as some are called like the type that they make.
-    private static String heading(Kind kind) {
+    private static String heading(InstalledKind kind) {
         return kind.kind().equals("driver") ? "type: " + kind.name() : kind.name();
     }
 

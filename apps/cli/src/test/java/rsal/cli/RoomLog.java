@@ -3,7 +3,7 @@ package rsal.cli;
 import java.util.Locale;
 import rsal.data.Pose2d;
 import rsal.testkit.DrawnMap;
-import rsal.testkit.Rays;
+import rsal.testkit.ObviousRays;
 
 /// The log of a robot that drives through a room and back in 40 steps, turning all the while.
 public final class RoomLog {
@@ -81,7 +81,7 @@ public final class RoomLog {
     }
 
     private static String log(DrawnMap room, int first, int last, Pose2d shift, Pose2d correction, boolean upsideDown) {
-        var rays = new Rays(room.grid());
+        var rays = new ObviousRays(room.grid());
         var log = new StringBuilder("# a robot in a room\n");
         Pose2d from = room.pose('a', 0);
         Pose2d to = room.pose('b', 0);

@@ -109,7 +109,7 @@ final class Client implements MessageSink {
     }
 
     /// Tells the events that it wants and has not been told.
-    void tellEvents(Past past) throws IOException {
+    void tellEvents(RecentEvents past) throws IOException {
         if (ofEvents.isEmpty()) {
             ofEvents = encoder.openEvents();
             advertise();

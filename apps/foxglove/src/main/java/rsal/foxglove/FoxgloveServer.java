@@ -41,7 +41,7 @@ import rsal.recording.Origin;
 
 /// Shows runs to Foxglove, one after the other, on this machine's loopback address: what recordings have, ten
 /// times a second of the run, at most. Programs of this machine may look; pages, as Foxglove itself is one,
-/// need the token, and so does whoever publishes goals and poses ([Wish#TOPICS]).
+/// need the token, and so does whoever publishes goals and poses ([PublishedGoal#TOPICS]).
 ///
 /// There are places for some clients. Who knows the token takes one from those who do not, when all are taken.
 ///
@@ -63,7 +63,7 @@ public final class FoxgloveServer implements AutoCloseable {
     private final FoxgloveAccess door;
     private final URI url;
     private final Thread shower;
-    private final Set<Connection> connections = ConcurrentHashMap.newKeySet();
+    private final Set<ClientSocket> connections = ConcurrentHashMap.newKeySet();
     private final AtomicLong numbers = new AtomicLong(); // of connections
     private volatile @Nullable Showing now;
     private volatile boolean closed;
@@ -78,7 +78,7 @@ public final class FoxgloveServer implements AutoCloseable {
         private volatile @Nullable LiveRun run;
 
         // of the shower's thread
-        private final Past past = new Past();
+        private final RecentEvents past = new RecentEvents();
         private Optional<Entry> state = Optional.empty(); // the newest
         private Duration told = Duration.ZERO; // its time
 
@@ -163,7 +163,8 @@ public final class FoxgloveServer implements AutoCloseable {
         sockets.addMapping("/*", this::open);
     }
 
-    private @Nullable Connection open(ServerUpgradeRequest request, ServerUpgradeResponse response, Callback callback) {
+    private @Nullable ClientSocket open(
+            ServerUpgradeRequest request, ServerUpgradeResponse response, Callback callback) {
         Showing showing = now;
         String token = Request.extractQueryParameters(request).getValue("token");
         Optional<String> refusal = door.refuse(
@@ -184,10 +185,10 @@ public final class FoxgloveServer implements AutoCloseable {
         }
         response.setAcceptedSubProtocol(protocol.get());
         response.setExtensions(List.of()); // compressing costs more than loopback does
-        return new Connection(this, showing, door.knows(token), numbers.incrementAndGet());
+        return new ClientSocket(this, showing, door.knows(token), numbers.incrementAndGet());
     }
 
-    private static @Nullable Connection refuse(
+    private static @Nullable ClientSocket refuse(
             ServerUpgradeRequest request, ServerUpgradeResponse response, Callback callback, int status, String why) {
         LOG.info("Somebody was not let in: {}", why);
         Response.writeError(request, response, callback, status, why);
@@ -241,8 +242,8 @@ public final class FoxgloveServer implements AutoCloseable {
     /// it.
     ///
     /// @return whether there was room
-    boolean add(Connection connection) {
-        Optional<Connection> leaves;
+    boolean add(ClientSocket connection) {
+        Optional<ClientSocket> leaves;
         synchronized (this) {
             if (!connection.showing().equals(now)) {
                 return false;
@@ -259,13 +260,13 @@ public final class FoxgloveServer implements AutoCloseable {
         return true;
     }
 
-    private Optional<Connection> leavesFor(Connection connection) {
+    private Optional<ClientSocket> leavesFor(ClientSocket connection) {
         return connections.stream()
                 .filter(_ -> connection.mayPublish())
-                .min(Comparator.comparing(Connection::mayPublish).thenComparingLong(Connection::number));
+                .min(Comparator.comparing(ClientSocket::mayPublish).thenComparingLong(ClientSocket::number));
     }
 
-    void remove(Connection connection) {
+    void remove(ClientSocket connection) {
         connections.remove(connection);
     }
 
@@ -280,7 +281,7 @@ public final class FoxgloveServer implements AutoCloseable {
             }
             Optional<Entry> next = taken.or(showing::asked); // it is paused, slow, or has ended
             showing.note(next);
-            for (Connection connection : connections) {
+            for (ClientSocket connection : connections) {
                 if (connection.showing().equals(showing)) {
                     show(showing, next, connection);
                 }
@@ -288,7 +289,7 @@ public final class FoxgloveServer implements AutoCloseable {
         }
     }
 
-    private static void show(Showing showing, Optional<Entry> next, Connection connection) {
+    private static void show(Showing showing, Optional<Entry> next, ClientSocket connection) {
         Client client = connection.client();
         try {
             client.tellEvents(showing.past);

@@ -61,6 +61,6 @@ final class ServerMessages {
     record Offer(int id, String topic, String encoding, String schemaName, String schemaEncoding, String schema) {}
 
     static String json(Record message) {
-        return Json.MAPPER.writeValueAsString(message);
+        return ClientJson.MAPPER.writeValueAsString(message);
     }
 }

@@ -63,7 +63,7 @@ class ClientTest {
         List<Entry> events =
                 entries(plan).stream().filter(Entry::isEvent).limit(6).toList();
         assertThat(events).hasSize(6);
-        var past = new Past();
+        var past = new RecentEvents();
         var client = new Client(line, 0, plan.map());
         client.tellEvents(past);
         assertThat(line.texts).singleElement().asString().contains("\"/events\"", "\"/log\"");
@@ -105,12 +105,12 @@ class ClientTest {
                                 .withSpeed(Double.POSITIVE_INFINITY)
                                 .withLimit(Duration.ofSeconds(5))))
                 .getFirst();
-        var past = new Past();
-        for (int i = 0; i < 3 * Past.MOST + 7; i++) {
+        var past = new RecentEvents();
+        for (int i = 0; i < 3 * RecentEvents.MOST + 7; i++) {
             past.add(event);
         }
-        assertThat(past.next()).isEqualTo(3 * Past.MOST + 7);
-        assertThat(past.first()).isEqualTo(2 * Past.MOST + 7);
+        assertThat(past.next()).isEqualTo(3 * RecentEvents.MOST + 7);
+        assertThat(past.first()).isEqualTo(2 * RecentEvents.MOST + 7);
         assertThat(past.event(past.first())).isEqualTo(event);
         assertThat(past.event(past.next() - 1)).isEqualTo(event);
     }

@@ -5,9 +5,9 @@ import io.javalin.http.Context;
 import io.javalin.http.HandlerType;
 import rsal.server.http.AccessControl;
 import rsal.server.http.Http;
+import rsal.server.http.HttpRoutes;
 import rsal.server.http.Page;
 import rsal.server.http.PageRoutes;
-import rsal.server.http.Routes;
 import rsal.server.monitor.Exposition;
 import rsal.server.run.CommandApi;
 import rsal.server.run.ControlApi;
@@ -55,8 +55,8 @@ public final class Api {
     /// All is there for each of the runs side by side, below its address.
     void configure(RoutesConfig routes) {
         routes.before(RunSlots.BESIDE + "/*", slots::find); // also where the answer is the same for all
-        configure(new Routes(routes, ""));
-        configure(new Routes(routes, RunSlots.BESIDE));
+        configure(new HttpRoutes(routes, ""));
+        configure(new HttpRoutes(routes, RunSlots.BESIDE));
         routes.get("/metrics", exposition::answer);
         routes.get(
                 RunSlots.BESIDE + "/*",
@@ -64,7 +64,7 @@ public final class Api {
         PageRoutes.serve(routes, page, this::isLate);
     }
 
-    private void configure(Routes routes) {
+    private void configure(HttpRoutes routes) {
         routes.before("/api/*", this::passOver);
         runs.configure(routes);
         maps.configure(routes);

@@ -28,7 +28,7 @@ import rsal.server.description.CameraViews;
 import rsal.server.description.Descriptions;
 import rsal.server.description.DeviceMountings;
 import rsal.server.description.FloorPlan;
-import rsal.server.description.Numbers;
+import rsal.server.description.PlottableNumbers;
 import rsal.server.description.ReadingWords;
 import rsal.server.frame.TrailMaker;
 import rsal.server.history.AgentPast;
@@ -78,7 +78,7 @@ final class ReplayApi {
                 request ->
                         Http.answer(request, ReadingWords.of(readings(request).readings())));
         routes.get("/api/routine", this::routine);
-        routes.get("/api/numbers", request -> Http.answer(request, Numbers.of(readings(request))));
+        routes.get("/api/numbers", request -> Http.answer(request, PlottableNumbers.of(readings(request))));
         routes.get(
                 "/api/numbers/past",
                 request -> Http.answer(

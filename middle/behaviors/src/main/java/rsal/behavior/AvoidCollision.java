@@ -14,10 +14,10 @@ public final class AvoidCollision implements Behavior {
 
     private static final double TURN_ANYWAY = 0.6; // rad/s
 
-    private final Body body;
+    private final BodyOutline body;
 
     public AvoidCollision(Footprint footprint) {
-        this.body = new Body(footprint);
+        this.body = new BodyOutline(footprint);
     }
 
     @Override

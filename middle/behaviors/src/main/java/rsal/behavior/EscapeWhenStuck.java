@@ -25,12 +25,12 @@ public final class EscapeWhenStuck implements Behavior {
     private static final double THERE = Math.toRadians(10);
 
     private final ArrayDeque<Pose2d> odomFromBases = new ArrayDeque<>();
-    private final Body body;
+    private final BodyOutline body;
     private int escaping;
     private Pose2d odomFromWayOut = Pose2d.ORIGIN;
 
     public EscapeWhenStuck(Footprint footprint) {
-        this.body = new Body(footprint);
+        this.body = new BodyOutline(footprint);
     }
 
     @Override

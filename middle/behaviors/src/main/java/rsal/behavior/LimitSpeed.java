@@ -11,14 +11,14 @@ public final class LimitSpeed implements Behavior {
 
     private final double most;
     private final double stopDistance;
-    private final Body body;
+    private final BodyOutline body;
 
     /// @param most [m/s]
     /// @param stopDistance from the body to what is ahead [m]
     public LimitSpeed(Footprint footprint, double most, double stopDistance) {
         this.most = most;
         this.stopDistance = stopDistance;
-        this.body = new Body(footprint);
+        this.body = new BodyOutline(footprint);
     }
 
     @Override

@@ -9,12 +9,12 @@ public final class LimitTurnRate implements Behavior {
     private static final double HORIZON = 0.3; // s
 
     private final double most;
-    private final Body body;
+    private final BodyOutline body;
 
     /// @param most [rad/s]
     public LimitTurnRate(Footprint footprint, double most) {
         this.most = most;
-        this.body = new Body(footprint);
+        this.body = new BodyOutline(footprint);
     }
 
     @Override

@@ -13,13 +13,13 @@ public final class Wander implements Behavior {
     private static final double ASIDE = Math.toRadians(60);
 
     private final double speed;
-    private final Body body;
+    private final BodyOutline body;
     private double side; // 1 left, −1 right; 0 while there is room ahead
 
     /// @param speed where there is room [m/s]
     public Wander(Footprint footprint, double speed) {
         this.speed = speed;
-        this.body = new Body(footprint);
+        this.body = new BodyOutline(footprint);
     }
 
     @Override

@@ -93,7 +93,7 @@ class PioneerLayersTest {
                 new AvoidCollision(Scene.BODY).act(Scene.open().thing(3, 0.5).percept(), FAST);
         assertThat(twist).isNotEqualTo(FAST);
         assertThat(twist.omega() != 0 || twist.vx() < FAST.vx()).isTrue();
-        var body = new Body(Scene.BODY);
+        var body = new BodyOutline(Scene.BODY);
         assertThat(body.timeToTouch(Scene.open().thing(3, 0.5).percept().surroundings(), twist, 0.05, 1))
                 .isGreaterThanOrEqualTo(1);
     }
@@ -181,7 +181,7 @@ class PioneerLayersTest {
     }
 
     private static double free(Scene scene, Twist2d twist, double margin, double horizon) {
-        return new Body(Scene.BODY).timeToTouch(scene.percept().surroundings(), twist, margin, horizon);
+        return new BodyOutline(Scene.BODY).timeToTouch(scene.percept().surroundings(), twist, margin, horizon);
     }
 
     private static Scene random(SplittableRandom random) {

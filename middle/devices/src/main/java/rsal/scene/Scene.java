@@ -34,14 +34,14 @@ public record Scene(
         Optional<Duration> step,
         Optional<Duration> end,
         Touch touch,
-        List<Raster> walls,
+        List<SolidRaster> walls,
         List<Entity> things,
         List<RobotSpec> robots,
         Map<String, Entity> robotBodies,
         Map<String, Pose2d> odomFromBase,
         Map<String, String> programs,
         SortedMap<String, Integer> contents,
-        List<Service> services,
+        List<RobotService> services,
         List<Problem> warnings) {
 
     public Scene {
@@ -71,7 +71,7 @@ public record Scene(
                 Optional.empty(),
                 Optional.empty(),
                 Touch.STALL,
-                List.of(Raster.of(map)),
+                List.of(SolidRaster.of(map)),
                 List.of(),
                 List.of(),
                 Map.of(),
@@ -114,11 +114,11 @@ public record Scene(
     /// The same, of which servers are to offer something.
     ///
     /// @param others instead of the warnings
-    public Scene serving(List<Service> offered, List<Problem> others) {
+    public Scene serving(List<RobotService> offered, List<Problem> others) {
         return with(map, offered, others);
     }
 
-    private Scene with(OccupancyGrid as, List<Service> offered, List<Problem> others) {
+    private Scene with(OccupancyGrid as, List<RobotService> offered, List<Problem> others) {
         return new Scene(
                 title,
                 as,

@@ -7,7 +7,7 @@ import java.util.Optional;
 import rsal.data.OccupancyGrid;
 import rsal.device.SimulationControl;
 import rsal.robot.Robot;
-import rsal.scene.Service;
+import rsal.scene.RobotService;
 import rsal.time.Scheduler;
 
 /// A way to offer the robots of a run, whatever robot system they are of, to programs that speak another
@@ -40,7 +40,7 @@ public interface BridgeProvider {
             List<Robot> robots,
             OccupancyGrid map,
             Optional<SimulationControl> simulation,
-            List<Service> services,
+            List<RobotService> services,
             CommandTimeout timeout) {
         public Lent {
             robots = List.copyOf(robots);
@@ -49,7 +49,10 @@ public interface BridgeProvider {
 
         /// To clients whose commands hold until others come.
         public Lent(
-                List<Robot> robots, OccupancyGrid map, Optional<SimulationControl> simulation, List<Service> services) {
+                List<Robot> robots,
+                OccupancyGrid map,
+                Optional<SimulationControl> simulation,
+                List<RobotService> services) {
             this(robots, map, simulation, services, CommandTimeout.none());
         }
     }

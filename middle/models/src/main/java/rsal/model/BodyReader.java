@@ -17,7 +17,7 @@ import rsal.settings.Value;
 /// Reads bodies: boxes, discs, outlines, or `pieces` of those. What is wrong is noted, and something harmless taken.
 public final class BodyReader {
     /// For the bodies of robots.
-    static final BodyReader ROBOTS = new BodyReader(new Limits(100, 200, Numbers.MOST, 0, RobotModel.HEIGHT));
+    static final BodyReader ROBOTS = new BodyReader(new Limits(100, 200, NumberReader.MOST, 0, RobotModel.HEIGHT));
 
     private static final double THINNEST = 1e-9; // [m]
     private static final Shape HARMLESS = new Shape.Disc(new Point2d(0, 0), 1);
@@ -67,8 +67,9 @@ public final class BodyReader {
     /// Reads all that is left of a group as one piece.
     public Prism piece(Section piece) {
         Shape shape = shape(piece);
-        double bottom = piece.has("bottom") ? Numbers.checked(piece, "bottom", limits.lowest, limits.most) : 0;
-        double height = piece.has("height") ? Numbers.checked(piece, "height", THINNEST, limits.most) : limits.height;
+        double bottom = piece.has("bottom") ? NumberReader.checked(piece, "bottom", limits.lowest, limits.most) : 0;
+        double height =
+                piece.has("height") ? NumberReader.checked(piece, "height", THINNEST, limits.most) : limits.height;
         Optional<Rgb> color = piece.has("color") ? Optional.of(color(piece, "color")) : Optional.empty();
         piece.done();
         return new Prism(shape, bottom, Math.max(bottom + height, Math.nextUp(bottom)), color);
@@ -94,7 +95,7 @@ public final class BodyReader {
     }
 
     private double length(Section piece, String key) {
-        return Numbers.checked(piece, key, Numbers.LEAST, limits.most);
+        return NumberReader.checked(piece, key, NumberReader.LEAST, limits.most);
     }
 
     private Point2d center(Section piece) {

@@ -25,32 +25,32 @@ final class DriveReader {
             case "omnidirectional" -> new Steering.Omnidirectional();
             case "car" ->
                 new Steering.Car(
-                        Numbers.positive(drive, "wheelbase"),
-                        Math.toRadians(Numbers.checked(drive, "maxSteeringAngle", 1, 80)));
+                        NumberReader.positive(drive, "wheelbase"),
+                        Math.toRadians(NumberReader.checked(drive, "maxSteeringAngle", 1, 80)));
             default -> {
                 drive.problem("type", "There is no type of drive (%s).".formatted(type), Suggestion.among(type, TYPES));
                 yield new Steering.Differential();
             }
         };
-        Axis forward =
-                new Axis(Numbers.bothWays(drive, "maxSpeed", true), Numbers.bothWays(drive, "maxAcceleration", false));
+        Axis forward = new Axis(
+                NumberReader.bothWays(drive, "maxSpeed", true), NumberReader.bothWays(drive, "maxAcceleration", false));
         Axis sideways = steering instanceof Steering.Omnidirectional
                 ? new Axis(
-                        Numbers.bothWays(drive, "maxSideSpeed", true),
-                        Numbers.bothWays(drive, "maxSideAcceleration", false))
+                        NumberReader.bothWays(drive, "maxSideSpeed", true),
+                        NumberReader.bothWays(drive, "maxSideAcceleration", false))
                 : Axis.NONE;
         Axis turn = new Axis(
-                radians(Numbers.bothWays(drive, "maxTurnRate", false)),
-                radians(Numbers.bothWays(drive, "maxTurnAcceleration", false)));
+                radians(NumberReader.bothWays(drive, "maxTurnRate", false)),
+                radians(NumberReader.bothWays(drive, "maxTurnAcceleration", false)));
         OdometryNoise noise = noise(drive.section("odometryNoise"));
         drive.done();
         return new Drive(steering, forward, sideways, turn, noise);
     }
 
     private static OdometryNoise noise(Section noise) {
-        double distancePerMeter = Numbers.checked(noise, "distancePerMeter", 0, MOST_NOISE);
-        double headingPerMeter = Numbers.checked(noise, "headingPerMeter", 0, MOST_NOISE);
-        double headingPerDegree = Numbers.checked(noise, "headingPerDegree", 0, MOST_NOISE);
+        double distancePerMeter = NumberReader.checked(noise, "distancePerMeter", 0, MOST_NOISE);
+        double headingPerMeter = NumberReader.checked(noise, "headingPerMeter", 0, MOST_NOISE);
+        double headingPerDegree = NumberReader.checked(noise, "headingPerDegree", 0, MOST_NOISE);
         noise.done();
         return new OdometryNoise(
                 distancePerMeter, Math.toRadians(headingPerMeter), Math.sqrt(Math.toRadians(1)) * headingPerDegree);

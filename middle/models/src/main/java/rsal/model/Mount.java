@@ -50,11 +50,11 @@ record Mount(Pose2d baseFromDevice, OptionalDouble height, Optional<String> on, 
                         value instanceof Value.Sequence place && place.items().size() == 4)
                 .isPresent();
         return section.numbers(key, high ? 4 : 3).map(place -> {
-            if (high && !(place[3] >= 0 && place[3] <= Numbers.MOST)) {
+            if (high && !(place[3] >= 0 && place[3] <= NumberReader.MOST)) {
                 section.problem(
                         key,
                         "(%s) must be from 0 to %s high, not (%s)."
-                                .formatted(section.path(key), Numbers.MOST, place[3]),
+                                .formatted(section.path(key), NumberReader.MOST, place[3]),
                         "");
             }
             return new Mount(

@@ -108,7 +108,7 @@ final class PartReader {
     private Part laser() {
         double fieldOfView = fieldOfView();
         Interval range = range();
-        int samples = Numbers.whole(part, "samples", 2, MAX_SAMPLES);
+        int samples = NumberReader.whole(part, "samples", 2, MAX_SAMPLES);
         return new Part.Laser(
                 name,
                 mount,
@@ -118,9 +118,11 @@ final class PartReader {
                 range.least(),
                 range.most(),
                 new RangeNoise(
-                        Numbers.notNegative(part, "noise"),
+                        NumberReader.notNegative(part, "noise"),
                         relativeNoise(),
-                        part.has("angularNoise") ? Math.toRadians(Numbers.checked(part, "angularNoise", 0, 180)) : 0),
+                        part.has("angularNoise")
+                                ? Math.toRadians(NumberReader.checked(part, "angularNoise", 0, 180))
+                                : 0),
                 period());
     }
 
@@ -134,12 +136,12 @@ final class PartReader {
                 fieldOfView(),
                 range.least(),
                 range.most(),
-                new RangeNoise(Numbers.notNegative(part, "noise"), relativeNoise(), 0),
+                new RangeNoise(NumberReader.notNegative(part, "noise"), relativeNoise(), 0),
                 period());
     }
 
     private double relativeNoise() {
-        return part.has("relativeNoise") ? Numbers.checked(part, "relativeNoise", 0, 1) : 0;
+        return part.has("relativeNoise") ? NumberReader.checked(part, "relativeNoise", 0, 1) : 0;
     }
 
     private Part blobFinder() {
@@ -160,27 +162,27 @@ final class PartReader {
                 (int) image[0],
                 (int) image[1],
                 fieldOfView(),
-                Numbers.positive(part, "range"),
+                NumberReader.positive(part, "range"),
                 ColorNames.list(part, "colors"),
                 period());
     }
 
     private Part fiducialFinder() {
-        double range = Numbers.positive(part, "range");
+        double range = NumberReader.positive(part, "range");
         return new Part.FiducialFinder(
                 name,
                 mount,
                 fieldOfView(),
                 range,
-                Numbers.checked(part, "idRange", 0, range),
-                part.has("key") ? Numbers.whole(part, "key", 0, Integer.MAX_VALUE) : 0,
+                NumberReader.checked(part, "idRange", 0, range),
+                part.has("key") ? NumberReader.whole(part, "key", 0, Integer.MAX_VALUE) : 0,
                 flag("allHeights"),
                 period());
     }
 
     private Part gripper() {
-        double length = Numbers.positive(part, "length");
-        double width = Numbers.positive(part, "width");
+        double length = NumberReader.positive(part, "length");
+        double width = NumberReader.positive(part, "width");
         if (flag("raised") && !part.has("liftingTime")) {
             part.problem("raised", "(raised) is true, but it has no lift.", "Give it a (liftingTime).");
         }
@@ -189,9 +191,9 @@ final class PartReader {
                 mount,
                 length,
                 width,
-                Numbers.positive(part, "height"),
-                Numbers.checked(part, "paddleLength", length / 100, length),
-                Numbers.checked(part, "paddleWidth", width / 100, width / 3),
+                NumberReader.positive(part, "height"),
+                NumberReader.checked(part, "paddleLength", length / 100, length),
+                NumberReader.checked(part, "paddleWidth", width / 100, width / 3),
                 seconds("closingTime"),
                 part.has("liftingTime") ? seconds("liftingTime") : Duration.ZERO,
                 flag("closed"),
@@ -203,7 +205,7 @@ final class PartReader {
     private Part bumper() {
         var pads = new ArrayList<Part.Bumper.Pad>();
         for (double[] row : rows("bumpers", "[x, y, heading, length]", 4, 0)) {
-            if (!(row[3] > 0 && row[3] <= Numbers.MOST)) {
+            if (!(row[3] > 0 && row[3] <= NumberReader.MOST)) {
                 part.problem("bumpers", "A bumper's length must be positive, not (%s).".formatted(row[3]), "");
             }
             pads.add(new Part.Bumper.Pad(pose(row), row[3]));
@@ -221,15 +223,15 @@ final class PartReader {
         }
         boolean turns = joint.equals("rotational");
         double unit = turns ? Math.toRadians(1) : 1;
-        Interval limits = interval("limits", -Numbers.MOST);
-        double home = Numbers.checked(part, "home", limits.least(), limits.most());
+        Interval limits = interval("limits", -NumberReader.MOST);
+        double home = NumberReader.checked(part, "home", limits.least(), limits.most());
         return new Part.Actuator(
                 name,
                 mount,
                 turns ? Joint.ROTATIONAL : Joint.LINEAR,
                 part.has("slope") ? slope(turns) : 0,
                 new Interval(limits.least() * unit, limits.most() * unit),
-                Numbers.positive(part, "maxSpeed") * unit,
+                NumberReader.positive(part, "maxSpeed") * unit,
                 home * unit,
                 period());
     }
@@ -238,15 +240,15 @@ final class PartReader {
         if (turns) {
             part.problem("slope", "(slope) is for linear joints; a rotational one turns around what points up.", "");
         }
-        return Math.toRadians(Numbers.checked(part, "slope", -90, 90));
+        return Math.toRadians(NumberReader.checked(part, "slope", -90, 90));
     }
 
     private Part battery() {
-        double capacity = Numbers.checked(part, "capacity", Numbers.LEAST, MAX_ENERGY);
+        double capacity = NumberReader.checked(part, "capacity", NumberReader.LEAST, MAX_ENERGY);
         return new Part.Battery(
                 name,
                 capacity,
-                part.has("charge") ? Numbers.checked(part, "charge", 0, capacity) : capacity,
+                part.has("charge") ? NumberReader.checked(part, "charge", 0, capacity) : capacity,
                 energy("idlePower"),
                 energy("energyPerMeter"),
                 Math.toDegrees(energy("energyPerDegree")),
@@ -256,7 +258,7 @@ final class PartReader {
     }
 
     private double energy(String key) {
-        return Numbers.checked(part, key, 0, MAX_ENERGY);
+        return NumberReader.checked(part, key, 0, MAX_ENERGY);
     }
 
     private Part light() {
@@ -264,7 +266,7 @@ final class PartReader {
                 name,
                 mount,
                 BodyReader.color(part, "color"),
-                new Signal(seconds("flashPeriod"), Numbers.checked(part, "dutyCycle", 0, 1)),
+                new Signal(seconds("flashPeriod"), NumberReader.checked(part, "dutyCycle", 0, 1)),
                 period());
     }
 
@@ -277,7 +279,7 @@ final class PartReader {
     }
 
     private double fieldOfView() {
-        return Math.toRadians(Numbers.checked(part, "fieldOfView", 1e-3, 360));
+        return Math.toRadians(NumberReader.checked(part, "fieldOfView", 1e-3, 360));
     }
 
     private Interval range() {
@@ -298,7 +300,7 @@ final class PartReader {
     }
 
     private Duration seconds(String key) {
-        return Duration.ofNanos(Math.round(Numbers.positive(part, key) * 1e9));
+        return Duration.ofNanos(Math.round(NumberReader.positive(part, key) * 1e9));
     }
 
     /// A list of lists of so many numbers.

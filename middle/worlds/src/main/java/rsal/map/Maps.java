@@ -19,17 +19,17 @@ import rsal.yaml.Yaml;
 
 /// Reads maps in the format of ROS's `map_server`: a YAML file that names an image and says how to read it.
 ///
-/// A pixel's darkness is 0 (white) to 1 (black), the other way round with `negate`. Darker than `occupied_thresh`
-/// is [OccupancyGrid#OCCUPIED], lighter than `free_thresh` is [OccupancyGrid#FREE], what lies between is
-/// [OccupancyGrid#UNKNOWN]; in the mode `scale`, so is what is transparent. Colors count by their mean. Maps that
-/// are turned (`origin` with a third value other than 0) are refused.
+/// A pixel's darkness is 0 (white) to 1 (black), the other way round with `negate`. Darker than
+/// `occupied_thresh` is [OccupancyGrid#OCCUPIED], lighter than `free_thresh` is [OccupancyGrid#FREE], what lies
+/// between is [OccupancyGrid#UNKNOWN]; in the mode `scale`, so is what is transparent. Colors count by their
+/// mean. Maps that are turned (`origin` with a third value other than 0) are refused.
 ///
-/// The mode `mapfile` reads images as Player's driver of that name does: its thresholds are 0.95 and 0.1, opacity
-/// counts as one more color, and the image's middle lies at the origin unless the file says where it lies.
+/// The mode `mapfile` reads images as Player's driver of that name does: its thresholds are 0.95 and 0.1,
+/// opacity counts as one more color, and the image's middle lies at the origin unless the file says where it
+/// lies.
 ///
-/// Instead of an image there can be a [Drawing]. Settings that are not known here are those of other programs: they
-/// have
-/// no effect, which [Found#warnings] says.
+/// Instead of an image there can be a [LetterMap]. Settings that are not known here are those of other
+/// programs: they have no effect, which [Found#warnings] says.
 public final class Maps {
     /// Of an image.
     public static final int MAX_IMAGE_BYTES = 1 << 28;
@@ -110,8 +110,8 @@ public final class Maps {
         Optional<Shading> shading = drawn ? Optional.empty() : Optional.of(shading(section, mode));
         section.doneWithOthers();
         problems.throwIfAny();
-        MapImage cells =
-                shading.map(how -> image(source, path, from, fromAt, how)).orElseGet(() -> Drawing.read(from, fromAt));
+        MapImage cells = shading.map(how -> image(source, path, from, fromAt, how))
+                .orElseGet(() -> LetterMap.read(from, fromAt));
         double[] corner = origin.orElseGet(() -> drawn
                 ? new double[2]
                 : new double[] {-resolution * cells.width() / 2, -resolution * cells.height() / 2});

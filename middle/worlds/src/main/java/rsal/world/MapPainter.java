@@ -9,7 +9,7 @@ import rsal.data.Pose2d;
 import rsal.data.Shape;
 import rsal.scene.Block;
 import rsal.scene.Entity;
-import rsal.scene.Raster;
+import rsal.scene.SolidRaster;
 import rsal.scene.Surface;
 
 /// Draws the map of a world for robots and people: what stays where it is, is in the way or seen by rangers, and is
@@ -25,7 +25,7 @@ public final class MapPainter {
 
     private static final double FARTHEST = 100_000; // from one end to the other [m]
 
-    private final List<Raster> walls;
+    private final List<SolidRaster> walls;
     private final List<Entity> things;
     private final List<Entity> robots;
     private final double reach;
@@ -45,7 +45,7 @@ public final class MapPainter {
     }
 
     /// @param robots which are in the map's extent, but not drawn
-    public MapPainter(List<Raster> walls, List<Entity> things, List<Entity> robots) {
+    public MapPainter(List<SolidRaster> walls, List<Entity> things, List<Entity> robots) {
         this.walls = walls;
         this.things = things;
         this.robots = robots;
@@ -86,7 +86,7 @@ public final class MapPainter {
         int width = (int) Math.ceil((right + MARGIN - originX) / resolution);
         int height = (int) Math.ceil((top + MARGIN - originY) / resolution);
         var map = new OccupancyGrid(width, height, resolution, originX, originY, new byte[width * height]);
-        for (Raster raster : walls) {
+        for (SolidRaster raster : walls) {
             if (counts(raster.surface(), raster.lowest(), raster.highest())) {
                 paint(map, raster);
             }
@@ -112,8 +112,8 @@ public final class MapPainter {
 
     /// The corner of the largest floor plan: on its cells the map's shall lie, or walls would grow thicker.
     private Pose2d aligned() {
-        Raster largest = null;
-        for (Raster raster : walls) {
+        SolidRaster largest = null;
+        for (SolidRaster raster : walls) {
             if (largest == null
                     || (long) raster.width() * raster.height() > (long) largest.width() * largest.height()) {
                 largest = raster;
@@ -128,7 +128,7 @@ public final class MapPainter {
     }
 
     private void measure() {
-        for (Raster raster : walls) {
+        for (SolidRaster raster : walls) {
             include(raster.left(), raster.bottom());
             include(
                     raster.left() + raster.width() * raster.cellX(),
@@ -171,7 +171,7 @@ public final class MapPainter {
         top = Math.max(top, y);
     }
 
-    private void paint(OccupancyGrid map, Raster raster) {
+    private void paint(OccupancyGrid map, SolidRaster raster) {
         BitSet solid = raster.solid();
         for (int row = 0; row < raster.height(); row++) {
             double low = raster.bottom() + row * raster.cellY();

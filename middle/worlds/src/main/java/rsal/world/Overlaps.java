@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
 import rsal.data.Point2d;
 import rsal.scene.Block;
 import rsal.scene.Entity;
-import rsal.scene.Raster;
+import rsal.scene.SolidRaster;
 
 /// Finds robots that start inside of something that is in their way at their height. Those that touch it don't.
 public final class Overlaps {
@@ -44,7 +44,7 @@ public final class Overlaps {
 
     /// What robots start inside of, in the order of the robots. Of several that one is in it tells of one: a wall
     /// before all else.
-    public static List<Overlap> of(List<Raster> walls, List<Entity> things, List<Entity> robots) {
+    public static List<Overlap> of(List<SolidRaster> walls, List<Entity> things, List<Entity> robots) {
         var found = new TreeMap<Integer, Overlap>();
         var ofRobots = new ArrayList<Piece>();
         for (int i = 0; i < robots.size(); i++) {
@@ -152,7 +152,7 @@ public final class Overlaps {
             return common(other.area()) > LEAST;
         }
 
-        boolean isIn(Raster walls) {
+        boolean isIn(SolidRaster walls) {
             if (!walls.surface().obstacle() || !(bottom < walls.highest() && walls.lowest() < top)) {
                 return false;
             }

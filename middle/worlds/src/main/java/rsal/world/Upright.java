@@ -4,7 +4,7 @@ import java.util.Optional;
 import rsal.data.Interval;
 import rsal.data.Pose2d;
 import rsal.image.Bitmap;
-import rsal.scene.Raster;
+import rsal.scene.SolidRaster;
 import rsal.scene.Surface;
 
 /// Places images that stand at right angles, without loss.
@@ -20,7 +20,7 @@ public final class Upright {
     /// @param cellWidth along a column, above 0 [m]
     /// @param heights of underside and top above the floor [m]
     /// @param fenced whether no robot leaves it
-    public static Optional<Raster> of(
+    public static Optional<SolidRaster> of(
             Bitmap bitmap,
             Pose2d mapFromCorner,
             double cellLength,
@@ -37,7 +37,7 @@ public final class Upright {
         double length = bitmap.width() * cellLength;
         double width = bitmap.height() * cellWidth;
         Bitmap turned = bitmap.turned(turns);
-        return Optional.of(new Raster(
+        return Optional.of(new SolidRaster(
                 turned.width(),
                 turned.height(),
                 turned.solid(),

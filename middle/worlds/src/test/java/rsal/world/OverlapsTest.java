@@ -16,7 +16,7 @@ import rsal.data.Prism;
 import rsal.data.Shape;
 import rsal.scene.Block;
 import rsal.scene.Entity;
-import rsal.scene.Raster;
+import rsal.scene.SolidRaster;
 import rsal.scene.Surface;
 import rsal.world.Overlaps.Overlap;
 
@@ -32,8 +32,8 @@ class OverlapsTest {
         return new Entity(name, List.of(block(shape, 0, 1)), new Pose2d(x, y, 0), 0);
     }
 
-    private static Raster raster(int width, int height, BitSet solid) {
-        return new Raster(width, height, solid, -2, -2, 0.05, 0.05, 0, 0.5, false, Surface.PLAIN);
+    private static SolidRaster raster(int width, int height, BitSet solid) {
+        return new SolidRaster(width, height, solid, -2, -2, 0.05, 0.05, 0, 0.5, false, Surface.PLAIN);
     }
 
     /// Counts the places of a fine grid that are in both.
@@ -48,7 +48,7 @@ class OverlapsTest {
             for (int i = 0; i < 6400; i++) {
                 solid.set(i, random.nextDouble() < 0.002);
             }
-            List<Raster> walls = List.of(raster(80, 80, solid));
+            List<SolidRaster> walls = List.of(raster(80, 80, solid));
             List<Entity> things =
                     IntStream.range(0, 3).mapToObj(i -> some("t" + i, random)).toList();
             List<Entity> robots =
@@ -120,7 +120,7 @@ class OverlapsTest {
                                                 < robot.height() + block.prism().top()));
     }
 
-    private static double common(Entity robot, Raster walls) {
+    private static double common(Entity robot, SolidRaster walls) {
         int count = 0;
         Pose2d around = robot.mapFromEntity();
         for (double x = Math.max(-2, around.x() - 0.8); x < Math.min(2, around.x() + 0.8); x += GRAIN) {

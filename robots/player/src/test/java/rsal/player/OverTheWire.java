@@ -26,7 +26,7 @@ import rsal.robot.Robot;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
-import rsal.scene.Service;
+import rsal.scene.RobotService;
 import rsal.settings.Arguments;
 import rsal.settings.Location;
 import rsal.settings.Parameter;
@@ -169,13 +169,13 @@ final class OverTheWire implements RobotSystemProvider {
         }
 
         /// As the file of a server would have them; none for all there are.
-        private List<Service> services(List<Robot> real) {
+        private List<RobotService> services(List<Robot> real) {
             if (served.isEmpty()) {
                 return List.of();
             }
-            var services = new ArrayList<Service>();
+            var services = new ArrayList<RobotService>();
             for (Robot robot : real) {
-                services.add(new Service(
+                services.add(new RobotService(
                         "stage",
                         Location.of("test.cfg"),
                         6665 + services.size(),

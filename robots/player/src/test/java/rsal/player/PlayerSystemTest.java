@@ -42,8 +42,8 @@ import rsal.player.bridge.PlayerBridgeProvider;
 import rsal.robot.Robot;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotSpec;
+import rsal.scene.RobotService;
 import rsal.scene.Scene;
-import rsal.scene.Service;
 import rsal.settings.Arguments;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
@@ -332,7 +332,7 @@ class PlayerSystemTest {
             bridge = open(List.of(
                     service("stage", Map.of("position2d:0", "base", "ranger:0", "laser")),
                     service("stage", Map.of("position2d:1", "base", "ranger:1", "laser")),
-                    service("mapfile", Map.of("map:0", Service.MAP))));
+                    service("mapfile", Map.of("map:0", RobotService.MAP))));
             return true;
         });
         String server = "localhost:" + port();
@@ -342,8 +342,8 @@ class PlayerSystemTest {
                 .allMatch(its -> its.require(Mapper.class).latest().isPresent()));
     }
 
-    private static Service service(String driver, Map<String, String> sources) {
-        return new Service(
+    private static RobotService service(String driver, Map<String, String> sources) {
+        return new RobotService(
                 driver,
                 Location.of("test.cfg"),
                 6665,
@@ -441,7 +441,7 @@ class PlayerSystemTest {
     }
 
     /// What a file of a world asks for, of the one robot.
-    private Bridge open(List<Service> services) throws IOException {
+    private Bridge open(List<RobotService> services) throws IOException {
         return new PlayerBridgeProvider()
                 .open(
                         new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),

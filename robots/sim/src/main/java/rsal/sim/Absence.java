@@ -10,13 +10,13 @@ import rsal.system.RobotSystem.Change;
 /// Robots that are gone for a while: they vanish, or stand where they were like things.
 final class Absence {
     private final World world;
-    private final Team team;
+    private final SimulatedRobots team;
     private final ContactTracker touches;
     private final Consumer<Change> changes;
     private final List<SimRobot> returning = new ArrayList<>(); // as soon as there is room
 
     /// @param changes told who is gone and who is back
-    Absence(World world, Team team, ContactTracker touches, Consumer<Change> changes) {
+    Absence(World world, SimulatedRobots team, ContactTracker touches, Consumer<Change> changes) {
         this.world = world;
         this.team = team;
         this.touches = touches;

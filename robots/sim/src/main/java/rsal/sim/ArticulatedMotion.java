@@ -10,10 +10,10 @@ import rsal.sim.world.World;
 final class ArticulatedMotion {
     private final World world;
     private final Body body;
-    private final List<Mount> mounts;
+    private final List<DeviceMount> mounts;
 
     /// @param mounts that the limbs are on, in the order of the body's carriers
-    ArticulatedMotion(World world, Body body, List<Mount> mounts) {
+    ArticulatedMotion(World world, Body body, List<DeviceMount> mounts) {
         this.world = world;
         this.body = body;
         this.mounts = mounts;
@@ -27,7 +27,7 @@ final class ArticulatedMotion {
     double move(double way, DoubleConsumer actuator) {
         return world.bend(body, way, part -> {
             actuator.accept(part);
-            return mounts.stream().map(Mount::now).toList();
+            return mounts.stream().map(DeviceMount::now).toList();
         });
     }
 

@@ -20,9 +20,9 @@ import rsal.robot.SimulationLimits;
 import rsal.settings.Arguments;
 import rsal.sim.device.SimulatedKind;
 import rsal.sim.device.SimulatedSensor;
-import rsal.sim.world.Beams;
 import rsal.sim.world.Body;
-import rsal.sim.world.View;
+import rsal.sim.world.CameraRays;
+import rsal.sim.world.SensorRays;
 import rsal.sim.world.World;
 import rsal.time.Scheduler;
 
@@ -30,11 +30,11 @@ import rsal.time.Scheduler;
 final class RobotFactory {
     private final Arguments settings;
     private final Scheduler scheduler;
-    private final Seeds seeds;
+    private final RandomStreams seeds;
     private final World world;
     private final Things things;
-    private final Map<Kind, Beams> beams = new HashMap<>();
-    private final Map<Kind, View> views = new HashMap<>();
+    private final Map<Kind, SensorRays> beams = new HashMap<>();
+    private final Map<Kind, CameraRays> views = new HashMap<>();
 
     private static final Map<Class<? extends Device>, SimulatedKind> KINDS =
             ServiceLoader.load(SimulatedKind.class).stream()
@@ -44,7 +44,7 @@ final class RobotFactory {
     /// @param height above the base [m]
     private record Kind(Part part, double height) {}
 
-    RobotFactory(Arguments settings, Scheduler scheduler, Seeds seeds, World world, Things things) {
+    RobotFactory(Arguments settings, Scheduler scheduler, RandomStreams seeds, World world, Things things) {
         this.settings = settings;
         this.scheduler = scheduler;
         this.seeds = seeds;
@@ -56,10 +56,14 @@ final class RobotFactory {
     ///
     /// @param mounts on its actuators, by device
     private record Site(
-            RobotSpec spec, Body body, SimDrive drive, Map<String, SimActuator> actuators, Map<String, Mount> mounts) {
-        Mount mount(String device) {
+            RobotSpec spec,
+            Body body,
+            SimDrive drive,
+            Map<String, SimActuator> actuators,
+            Map<String, DeviceMount> mounts) {
+        DeviceMount mount(String device) {
             String on = spec.model().carriers().get(device);
-            return on == null ? Mount.BASE : mounts.computeIfAbsent(on, _ -> new Mount(carriersOf(device)));
+            return on == null ? DeviceMount.BASE : mounts.computeIfAbsent(on, _ -> new DeviceMount(carriersOf(device)));
         }
 
         private List<SimActuator> carriersOf(String device) {
@@ -86,7 +90,7 @@ final class RobotFactory {
             return;
         }
         RobotModel model = site.spec.model();
-        var mounts = new ArrayList<Mount>();
+        var mounts = new ArrayList<DeviceMount>();
         var moving = new LinkedHashSet<String>();
         for (String carrier : site.body.carriers()) {
             boolean there = site.actuators.containsKey(carrier);
@@ -95,7 +99,7 @@ final class RobotFactory {
                 chain.add(carrier);
             }
             moving.addAll(chain);
-            mounts.add(new Mount(chain.stream().map(site::actuator).toList()));
+            mounts.add(new DeviceMount(chain.stream().map(site::actuator).toList()));
         }
         var bending = new ArticulatedMotion(world, site.body, List.copyOf(mounts));
         moving.forEach(name -> site.actuator(name).bend(bending, site.mount(name)));
@@ -117,7 +121,7 @@ final class RobotFactory {
                 deviceOf(spec, "base"),
                 scheduler,
                 watchdog(),
-                new Wheels(drive),
+                new WheelSpeeds(drive),
                 new Odometer(
                         drive.odometryNoise(),
                         settings.get(SimProvider.ODOMETRY_NOISE),
@@ -127,7 +131,7 @@ final class RobotFactory {
     private SimSensor<?> device(Site site, String name, Part part) {
         DeviceInfo info = deviceOf(site.spec, name);
         double height = site.spec.model().level(name);
-        Mount mount = site.mount(name);
+        DeviceMount mount = site.mount(name);
         var kind = new Kind(part, height);
         return switch (part) {
             case Part.Laser laser ->
@@ -159,7 +163,8 @@ final class RobotFactory {
         };
     }
 
-    private SimSensor<?> registered(DeviceInfo info, Part.Registered part, Site site, double height, Mount mount) {
+    private SimSensor<?> registered(
+            DeviceInfo info, Part.Registered part, Site site, double height, DeviceMount mount) {
         SimulatedKind kind =
                 Objects.requireNonNull(KINDS.get(part.makes()), part.kind().key());
         var robot = new TrueRobot(
@@ -192,8 +197,8 @@ final class RobotFactory {
         return settings.seconds(SimProvider.WATCHDOG);
     }
 
-    private RangeSensor.Noise noise(DeviceInfo info, RangeNoise noise) {
-        return new RangeSensor.Noise(noise.times(settings.get(SimProvider.SENSOR_NOISE)), seeds.stream(info.id()));
+    private NoisyRangeSensor.Noise noise(DeviceInfo info, RangeNoise noise) {
+        return new NoisyRangeSensor.Noise(noise.times(settings.get(SimProvider.SENSOR_NOISE)), seeds.stream(info.id()));
     }
 
     private static DeviceInfo deviceOf(RobotSpec spec, String name) {

@@ -37,7 +37,7 @@ final class SimActuator extends SimActuatedDevice<ActuatorState> implements Actu
     private boolean arrived; // and not told yet
     private @Nullable Stop stop; // what stopped it in the last step
     private @Nullable ArticulatedMotion bending; // of the body; null when it carries nothing of that
-    private Mount standsOn = Mount.BASE;
+    private DeviceMount standsOn = DeviceMount.BASE;
     private @Nullable GoalSource<ActuatorState, Result> goal;
     private @Nullable GoalSource<ActuatorState, Result> underWay; // in the last step
 
@@ -81,7 +81,7 @@ final class SimActuator extends SimActuatedDevice<ActuatorState> implements Actu
     /// Lets it carry pieces of the robot's body.
     ///
     /// @param mount what it stands on itself
-    void bend(ArticulatedMotion body, Mount mount) {
+    void bend(ArticulatedMotion body, DeviceMount mount) {
         bending = body;
         standsOn = mount;
     }

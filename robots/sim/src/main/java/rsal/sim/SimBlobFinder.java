@@ -9,27 +9,27 @@ import rsal.device.DeviceInfo;
 import rsal.robot.RobotModel.Part;
 import rsal.scene.Surface;
 import rsal.sim.world.Body;
+import rsal.sim.world.CameraRays;
 import rsal.sim.world.ColumnRenderer;
-import rsal.sim.world.View;
 import rsal.sim.world.World;
 
 /// A simulated camera that finds patches of color: each pixel has the color of what its ray meets first
-/// ([View]), and [BlobExtractor] joins them. (Stage has one level ray a column, and takes everything for 0.6 m
-/// high.)
+/// ([CameraRays]), and [BlobExtractor] joins them. (Stage has one level ray a column, and takes everything for
+/// 0.6 m high.)
 final class SimBlobFinder extends SimRangeSensor<Blobs> implements BlobFinder {
     private final Part.BlobFinder part;
-    private final View view;
+    private final CameraRays view;
 
     /// @param view made by [#view]
-    SimBlobFinder(DeviceInfo info, Part.BlobFinder part, View view, Mount mount) {
+    SimBlobFinder(DeviceInfo info, Part.BlobFinder part, CameraRays view, DeviceMount mount) {
         super(info, info.id(), part.period(), mount);
         this.part = part;
         this.view = view;
     }
 
     /// @param height above the base [m]
-    static View view(Part.BlobFinder part, double height) {
-        return new View(part.baseFromCamera(), part.width(), part.height(), part.fieldOfView(), height);
+    static CameraRays view(Part.BlobFinder part, double height) {
+        return new CameraRays(part.baseFromCamera(), part.width(), part.height(), part.fieldOfView(), height);
     }
 
     @Override

@@ -18,10 +18,10 @@ final class SimBumper extends SimActuatedDevice<BumperState> implements Bumper {
     private final Body robot;
     private final List<Pose2d> baseFromPads;
     private final List<BumperGeometry> feelers;
-    private final Mount mount;
+    private final DeviceMount mount;
 
     /// @param height above the base [m]
-    SimBumper(DeviceInfo info, Part.Bumper part, World world, Body robot, double height, Mount mount) {
+    SimBumper(DeviceInfo info, Part.Bumper part, World world, Body robot, double height, DeviceMount mount) {
         super(info, info.robot() + "/base_link", part.period());
         this.world = world;
         this.robot = robot;

@@ -22,10 +22,10 @@ import rsal.scene.Block;
 import rsal.scene.Entity;
 import rsal.scene.Surface;
 import rsal.settings.Suggestion;
-import rsal.sim.world.Beams;
 import rsal.sim.world.Body;
 import rsal.sim.world.CollisionShape;
 import rsal.sim.world.Extent;
+import rsal.sim.world.SensorRays;
 import rsal.sim.world.World;
 import rsal.system.RobotSystem;
 
@@ -35,18 +35,18 @@ final class SimControl extends DeviceCore implements SimulationControl {
 
     private final World world;
     private final Things things;
-    private final Team team;
+    private final SimulatedRobots team;
     private final RobotSpawner recruiting;
     private final ContactTracker touches;
     private final Consumer<RobotSystem.Change> changes;
-    private final Map<String, List<Load>> loads = new HashMap<>(); // by robot, of those that were asked for
+    private final Map<String, List<ActuatorLoad>> loads = new HashMap<>(); // by robot, of those that were asked for
     private boolean closed;
 
     /// @param changes told which robots come and go
     SimControl(
             World world,
             Things things,
-            Team team,
+            SimulatedRobots team,
             RobotSpawner recruiting,
             ContactTracker touches,
             Consumer<RobotSystem.Change> changes) {
@@ -86,14 +86,14 @@ final class SimControl extends DeviceCore implements SimulationControl {
     public List<Carried> carried(String robot) {
         return team.find(robot)
                 .filter(one -> one.body().isThere())
-                .map(one -> Load.carried(loads.computeIfAbsent(robot, _ -> load(one))))
+                .map(one -> ActuatorLoad.carried(loads.computeIfAbsent(robot, _ -> load(one))))
                 .orElse(List.of());
     }
 
-    private List<Load> load(SimRobot robot) {
+    private List<ActuatorLoad> load(SimRobot robot) {
         List<Block> blocks =
                 recruiting.kind(robot.id()).map(RobotSpawner.Kind::blocks).orElse(List.of());
-        return Load.of(robot, Entity.lowestFirst(blocks));
+        return ActuatorLoad.of(robot, Entity.lowestFirst(blocks));
     }
 
     @Override
@@ -281,7 +281,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
 
     @Override
     public double[] ranges(List<Fan> fans, Pose2d mapFromBase, double height, double reach, Set<String> through) {
-        return new Beams(fans, height)
+        return new SensorRays(fans, height)
                 .castThroughWalls(world, mapFromBase, reach, body -> through.contains(body.name()));
     }
 

@@ -24,7 +24,7 @@ final class SimDrive extends SensorCore<Odometry> implements DriveBase {
 
     private final InstantSource clock;
     private final Duration watchdog;
-    private final Wheels wheels;
+    private final WheelSpeeds wheels;
     private final Odometer odometer;
     private final DriveFaults faults = new DriveFaults();
     private final SensorFaults<Odometry> odometryFaults = new SensorFaults<>();
@@ -34,7 +34,7 @@ final class SimDrive extends SensorCore<Odometry> implements DriveBase {
     private boolean stalled;
     private double part; // of the way of the last step that the robot made
 
-    SimDrive(DeviceInfo info, InstantSource clock, Duration watchdog, Wheels wheels, Odometer odometer) {
+    SimDrive(DeviceInfo info, InstantSource clock, Duration watchdog, WheelSpeeds wheels, Odometer odometer) {
         super(info);
         this.clock = clock;
         this.watchdog = watchdog;
@@ -73,7 +73,7 @@ final class SimDrive extends SensorCore<Odometry> implements DriveBase {
     }
 
     /// Turns the wheels for a step.
-    Wheels turnWheels(double dt) {
+    WheelSpeeds turnWheels(double dt) {
         boolean driedUp = !clock.instant().isBefore(commanded.plus(watchdog));
         if (driedUp) {
             command = Twist2d.STOP;

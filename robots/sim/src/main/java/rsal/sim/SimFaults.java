@@ -14,11 +14,11 @@ import rsal.sim.world.Body;
 
 /// Breaks simulated robots.
 final class SimFaults implements FaultInjection {
-    private final Team team;
+    private final SimulatedRobots team;
     private final Absence absence;
     private final Map<Body, Integer> gone = new HashMap<>(); // how many faults say so
 
-    SimFaults(Team team, Absence absence) {
+    SimFaults(SimulatedRobots team, Absence absence) {
         this.team = team;
         this.absence = absence;
     }

@@ -10,7 +10,7 @@ import rsal.device.DeviceInfo;
 import rsal.device.FiducialFinder;
 import rsal.robot.RobotModel.Part;
 import rsal.sim.world.Body;
-import rsal.sim.world.Search;
+import rsal.sim.world.MarkerSearch;
 import rsal.sim.world.World;
 
 /// A simulated finder of markers, exact. It sees a marker when the level ray towards the origin of its body meets that
@@ -23,7 +23,7 @@ final class SimFiducialFinder extends SimRangeSensor<Fiducials> implements Fiduc
     private final double height;
 
     /// @param height above the base [m]
-    SimFiducialFinder(DeviceInfo info, Part.FiducialFinder part, double height, Mount mount) {
+    SimFiducialFinder(DeviceInfo info, Part.FiducialFinder part, double height, DeviceMount mount) {
         super(info, info.robot() + "/base_link", part.period(), mount);
         this.part = part;
         this.height = height;
@@ -39,7 +39,7 @@ final class SimFiducialFinder extends SimRangeSensor<Fiducials> implements Fiduc
         Pose2d mapFromBase = robot.seenPose();
         Pose2d baseFromMap = mapFromBase.inverse();
         Pose2d baseFromFinder = shift().moved(part.baseFromFinder());
-        List<Fiducial> fiducials = Search.markers(
+        List<Fiducial> fiducials = MarkerSearch.markers(
                         world,
                         robot,
                         mapFromBase.compose(baseFromFinder),

@@ -35,7 +35,7 @@ final class SimGripper extends SimActuatedDevice<GripperState> implements Grippe
     private final Things things;
     private final Body robot;
     private final SimDrive drive;
-    private final Mount mount;
+    private final DeviceMount mount;
     private final GripperGeometry jaws;
     private final GripperMotion paddles;
     private final GripperMotion lift;
@@ -56,7 +56,7 @@ final class SimGripper extends SimActuatedDevice<GripperState> implements Grippe
             Body robot,
             SimDrive drive,
             double height,
-            Mount mount) {
+            DeviceMount mount) {
         super(info, info.id(), part.period());
         this.part = part;
         this.world = world;

@@ -7,25 +7,25 @@ import rsal.data.LaserScan;
 import rsal.device.DeviceInfo;
 import rsal.device.LaserScanner;
 import rsal.robot.RobotModel.Part.Laser;
-import rsal.sim.world.Beams;
 import rsal.sim.world.Body;
+import rsal.sim.world.SensorRays;
 import rsal.sim.world.World;
 
 /// A simulated laser scanner. All beams of a sweep are taken at once, level at the height of the scanner.
-final class SimLaser extends RangeSensor<LaserScan> implements LaserScanner {
+final class SimLaser extends NoisyRangeSensor<LaserScan> implements LaserScanner {
     private final Laser laser;
-    private final Beams beams;
+    private final SensorRays beams;
 
     /// @param beams made by [#beams]
-    SimLaser(DeviceInfo info, Laser laser, Beams beams, Mount mount, Noise noise) {
+    SimLaser(DeviceInfo info, Laser laser, SensorRays beams, DeviceMount mount, Noise noise) {
         super(info, info.id(), laser.period(), mount, noise);
         this.laser = laser;
         this.beams = beams;
     }
 
     /// @param height above the base [m]
-    static Beams beams(Laser laser, double height) {
-        return new Beams(
+    static SensorRays beams(Laser laser, double height) {
+        return new SensorRays(
                 List.of(new Fan(laser.baseFromLaser(), laser.angleMin(), laser.angleIncrement(), laser.samples())),
                 height);
     }

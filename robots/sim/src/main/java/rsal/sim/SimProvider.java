@@ -8,10 +8,10 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 import rsal.robot.RobotSpec;
-import rsal.scene.Raster;
 import rsal.scene.Scene;
+import rsal.scene.SolidRaster;
 import rsal.settings.Parameter;
-import rsal.sim.world.Walls;
+import rsal.sim.world.RasterWalls;
 import rsal.sim.world.World;
 import rsal.system.RobotSystem;
 import rsal.system.RobotSystemProvider;
@@ -35,7 +35,7 @@ public final class SimProvider implements RobotSystemProvider {
 
     /// Walls with their distances, which take a while to measure: whoever checks a world and then runs it, or runs
     /// it again, needs them once.
-    private record Measured(List<Raster> rasters, List<Walls> walls) {}
+    private record Measured(List<SolidRaster> rasters, List<RasterWalls> walls) {}
 
     @Override
     public String key() {
@@ -62,7 +62,7 @@ public final class SimProvider implements RobotSystemProvider {
         var specs = new ArrayList<>(config.robots());
         specs.sort(Comparator.comparing(RobotSpec::id));
         refuse(problems(specs));
-        var seeds = new Seeds(config.seed());
+        var seeds = new RandomStreams(config.seed());
         var lineup = new SpawnPlacement(config.scene(), walls(config.scene().walls()), specs, seeds);
         refuse(lineup.problems());
         var assembly = new RobotFactory(config.settings(), scheduler, seeds, lineup.world(), lineup.things());
@@ -91,10 +91,10 @@ public final class SimProvider implements RobotSystemProvider {
                 scene.odomFromBase().containsKey(robot.id()));
     }
 
-    private List<Walls> walls(List<Raster> rasters) {
+    private List<RasterWalls> walls(List<SolidRaster> rasters) {
         Measured known = last.get();
         if (known == null || !known.rasters.equals(rasters)) {
-            known = new Measured(rasters, rasters.stream().map(Walls::new).toList());
+            known = new Measured(rasters, rasters.stream().map(RasterWalls::new).toList());
             last.set(known);
         }
         return known.walls;

@@ -9,9 +9,9 @@ import rsal.sim.world.World;
 
 /// A sensor that looks into the distance, maybe on another thread than the run's.
 abstract class SimRangeSensor<T> extends SimSensor<T> {
-    private final Mount mount;
+    private final DeviceMount mount;
 
-    SimRangeSensor(DeviceInfo info, String frame, Duration period, Mount mount) {
+    SimRangeSensor(DeviceInfo info, String frame, Duration period, DeviceMount mount) {
         super(info, frame, period);
         this.mount = mount;
     }

@@ -12,7 +12,7 @@ import rsal.sim.world.World;
 final class SimRegisteredEye<T> extends SimRangeSensor<T> {
     private final SimulatedSensor<T> sensor;
 
-    SimRegisteredEye(SimulatedSensor<T> sensor, Duration period, Mount mount) {
+    SimRegisteredEye(SimulatedSensor<T> sensor, Duration period, DeviceMount mount) {
         super(sensor.info(), sensor.frame(), period, mount);
         this.sensor = sensor;
         onHealth(sensor::isNow);

@@ -28,9 +28,10 @@ record SimRobot(
         List<SimSensor<?>> devices,
         List<SimRangeSensor<?>> eyes,
         List<SimActuatedDevice<?>> parts,
-        List<Mount> mounts) {
+        List<DeviceMount> mounts) {
 
-    static SimRobot of(RobotSpec spec, Body body, SimDrive drive, List<SimSensor<?>> devices, List<Mount> mounts) {
+    static SimRobot of(
+            RobotSpec spec, Body body, SimDrive drive, List<SimSensor<?>> devices, List<DeviceMount> mounts) {
         var eyes = new ArrayList<SimRangeSensor<?>>();
         var parts = new ArrayList<SimActuatedDevice<?>>();
         for (SimSensor<?> device : devices) {
@@ -62,7 +63,7 @@ record SimRobot(
     /// @param dt [s]
     /// @return whether it touched nothing; when it did, [World#obstacle] says what
     boolean move(World world, double dt, Touch touch) {
-        Wheels wheels = drive.turnWheels(dt);
+        WheelSpeeds wheels = drive.turnWheels(dt);
         var arc = new Arc(body.pose(), wheels.forward(), wheels.left(), wheels.turn());
         double made = world.advance(body, arc);
         boolean slides = made < 1 && touch == Touch.SLIDE && world.slide(body, arc, made);
@@ -85,7 +86,7 @@ record SimRobot(
 
     /// From now on its sensors look from where actuators have carried them now.
     void lookFromHere() {
-        for (Mount mount : mounts) {
+        for (DeviceMount mount : mounts) {
             mount.look();
         }
     }

@@ -8,19 +8,19 @@ import rsal.data.RangeArray;
 import rsal.device.DeviceInfo;
 import rsal.device.SonarArray;
 import rsal.robot.RobotModel.Part.Sonars;
-import rsal.sim.world.Beams;
 import rsal.sim.world.Body;
+import rsal.sim.world.SensorRays;
 import rsal.sim.world.World;
 
 /// A simulated ring of sonars. Each cone is a [fan][Fan#cone], and its range that of the shortest ray. Level, all of
 /// them.
-final class SimSonar extends RangeSensor<RangeArray> implements SonarArray {
+final class SimSonar extends NoisyRangeSensor<RangeArray> implements SonarArray {
     private final Sonars sonars;
-    private final Beams cones;
+    private final SensorRays cones;
     private final int raysOfEach;
 
     /// @param cones made by [#cones]
-    SimSonar(DeviceInfo info, Sonars sonars, Beams cones, Mount mount, Noise noise) {
+    SimSonar(DeviceInfo info, Sonars sonars, SensorRays cones, DeviceMount mount, Noise noise) {
         super(info, info.robot() + "/base_link", sonars.period(), mount, noise);
         this.sonars = sonars;
         this.cones = cones;
@@ -28,8 +28,8 @@ final class SimSonar extends RangeSensor<RangeArray> implements SonarArray {
     }
 
     /// @param height above the base [m]
-    static Beams cones(Sonars sonars, double height) {
-        return new Beams(
+    static SensorRays cones(Sonars sonars, double height) {
+        return new SensorRays(
                 sonars.baseFromSensors().stream()
                         .map(baseFromSensor -> Fan.cone(baseFromSensor, sonars.fieldOfView()))
                         .toList(),

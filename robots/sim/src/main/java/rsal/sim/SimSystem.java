@@ -36,12 +36,12 @@ final class SimSystem implements RobotSystem {
     private final Duration step;
     private final World world;
     private final Touch touch;
-    private final Team team;
+    private final SimulatedRobots team;
     private final ContactTracker touches = new ContactTracker();
     private final Listeners<Change> changes = new Listeners<>(e -> {
         throw e;
     });
-    private final Charging charging;
+    private final EnergyTransfer charging;
     private final SimControl control;
     private final Absence absence;
     private final SimFaults faults;
@@ -61,8 +61,8 @@ final class SimSystem implements RobotSystem {
         this.step = step;
         this.world = world;
         this.touch = touch;
-        this.team = new Team(robots);
-        this.charging = new Charging(team, things);
+        this.team = new SimulatedRobots(robots);
+        this.charging = new EnergyTransfer(team, things);
         this.control = new SimControl(world, things, team, recruiting, touches, changes::tell);
         this.absence = new Absence(world, team, touches, changes::tell);
         this.faults = new SimFaults(team, absence);
@@ -122,10 +122,10 @@ final class SimSystem implements RobotSystem {
         }
     }
 
-    /// Does something with each robot, but with none that has gone meanwhile: whoever hears of one may take others out
-    /// of the world.
+    /// Does something with each robot, but with none that has gone meanwhile: whoever hears of one may take
+    /// others out of the world.
     ///
-    /// @param since [Team#changes] when they were all there
+    /// @param since [SimulatedRobots#changes] when they were all there
     private void forEach(List<SimRobot> robots, int since, Consumer<SimRobot> work) {
         for (SimRobot robot : robots) {
             if (team.changes() == since || team.has(robot)) {

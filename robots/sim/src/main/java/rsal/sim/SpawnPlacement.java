@@ -19,7 +19,7 @@ import rsal.scene.Surface;
 import rsal.sim.world.Body;
 import rsal.sim.world.CollisionShape;
 import rsal.sim.world.Extent;
-import rsal.sim.world.Walls;
+import rsal.sim.world.RasterWalls;
 import rsal.sim.world.World;
 import rsal.system.RobotSystemProvider.InvalidRobots.Problem;
 
@@ -32,14 +32,14 @@ final class SpawnPlacement {
     private final OccupancyGrid map;
     private final World world;
     private final Things things = new Things();
-    private final Seeds seeds;
+    private final RandomStreams seeds;
     private final Map<Double, FreeSpace> spaces = new HashMap<>(); // by clearance
     private final Map<List<Block>, List<CollisionShape>> chunks = new HashMap<>();
     private final Map<String, Body> bodies = new LinkedHashMap<>(); // by robot
     private final List<Problem> problems = new ArrayList<>();
 
     /// @param walls of the scene
-    SpawnPlacement(Scene scene, List<Walls> walls, List<RobotSpec> robots, Seeds seeds) {
+    SpawnPlacement(Scene scene, List<RasterWalls> walls, List<RobotSpec> robots, RandomStreams seeds) {
         this.map = scene.map();
         this.world = new World(walls, extent(map));
         this.seeds = seeds;

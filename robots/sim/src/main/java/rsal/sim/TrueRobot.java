@@ -5,25 +5,25 @@ import org.jspecify.annotations.Nullable;
 import rsal.data.Pose2d;
 import rsal.sim.device.SimulatedRobot;
 import rsal.sim.world.Body;
-import rsal.sim.world.View;
+import rsal.sim.world.CameraRays;
 import rsal.sim.world.World;
 
 /// A robot as a device of a registered kind may know it.
 final class TrueRobot implements SimulatedRobot {
     private final World world;
     private final Body body;
-    private final Mount mount;
+    private final DeviceMount mount;
     private final Pose2d baseFromDevice; // while the actuators that it stands on are at home
     private final double height;
     private final RandomGenerator random;
     private final double noise;
-    private @Nullable View view; // of its last image
+    private @Nullable CameraRays view; // of its last image
 
     /// @param height of the device above the base [m]
     TrueRobot(
             World world,
             Body body,
-            Mount mount,
+            DeviceMount mount,
             Pose2d baseFromDevice,
             double height,
             RandomGenerator random,
@@ -49,10 +49,10 @@ final class TrueRobot implements SimulatedRobot {
 
     @Override
     public void paint(int columns, int rows, double focalLength, double reach, int[] colors, float[] depths) {
-        var pinhole = new View.Pinhole(columns, rows, focalLength);
-        View known = view;
+        var pinhole = new CameraRays.Pinhole(columns, rows, focalLength);
+        CameraRays known = view;
         if (known == null || !known.isOf(pinhole)) {
-            known = new View(baseFromDevice, pinhole, height);
+            known = new CameraRays(baseFromDevice, pinhole, height);
             view = known;
         }
         known.paint(world, body, mount.seen(), reach, colors, depths);

@@ -23,7 +23,7 @@ import rsal.settings.FileSource;
 import rsal.settings.Location;
 import rsal.system.RobotSystemProvider.InvalidRobots;
 import rsal.testkit.DrawnMap;
-import rsal.testkit.Rays;
+import rsal.testkit.ObviousRays;
 
 class SimProviderTest {
     static final OccupancyGrid OFFICE = new Maps(FileSource.folder(Path.of("."))).read("office", Location.of("test"));
@@ -146,7 +146,7 @@ class SimProviderTest {
         var run = SimRun.seeded(OFFICE, seed, Runnable::run, specs);
         var again = SimRun.seeded(OFFICE, seed, Runnable::run, specs);
         var other = SimRun.seeded(OFFICE, seed + 1, Runnable::run, specs);
-        var slow = new Rays(OFFICE);
+        var slow = new ObviousRays(OFFICE);
         for (RobotSpec spec : specs) {
             Pose2d start = run.truth(spec.id());
             assertThat(slow.clearance(start.x(), start.y())).isGreaterThanOrEqualTo(0.4 - 1e-9);

@@ -105,8 +105,8 @@ class SimSensorsTest {
     /// As REP 117 has it: below the least -∞, above the most +∞.
     @Test
     void shownRangesAreThoseThatCanBeMeasured() {
-        var exact = new RangeSensor.Noise(RangeNoise.of(0), new SplittableRandom(1));
-        RangeSensor<?> sensor = sensor(exact);
+        var exact = new NoisyRangeSensor.Noise(RangeNoise.of(0), new SplittableRandom(1));
+        NoisyRangeSensor<?> sensor = sensor(exact);
         double[][] table = {
             {0.5, 0.5},
             {0.3, 0.3},
@@ -124,7 +124,8 @@ class SimSensorsTest {
     /// A true range below the least is never shown as a hit, whatever its error; nor is one shown out of the range.
     @Test
     void noErrorMakesAHitOfWhatCannotBeMeasured() {
-        RangeSensor<?> sensor = sensor(new RangeSensor.Noise(new RangeNoise(0.2, 0.1, 0), new SplittableRandom(2)));
+        NoisyRangeSensor<?> sensor =
+                sensor(new NoisyRangeSensor.Noise(new RangeNoise(0.2, 0.1, 0), new SplittableRandom(2)));
         for (int draw = 0; draw < 2000; draw++) {
             assertThat(sensor.shown(0.29, 0.3, 5)).isEqualTo(Float.NEGATIVE_INFINITY);
             assertThat(sensor.shown(5.01, 0.3, 5)).isEqualTo(Float.POSITIVE_INFINITY);
@@ -135,10 +136,10 @@ class SimSensorsTest {
         }
     }
 
-    private static RangeSensor<?> sensor(RangeSensor.Noise noise) {
+    private static NoisyRangeSensor<?> sensor(NoisyRangeSensor.Noise noise) {
         Part.Sonars sonars = Models.SONARS;
         return new SimSonar(
-                new DeviceInfo("r1", "sonar", "sim"), sonars, SimSonar.cones(sonars, 0.2), Mount.BASE, noise);
+                new DeviceInfo("r1", "sonar", "sim"), sonars, SimSonar.cones(sonars, 0.2), DeviceMount.BASE, noise);
     }
 
     /// From one edge of its cone to the other a sonar sees a post, and not beyond.

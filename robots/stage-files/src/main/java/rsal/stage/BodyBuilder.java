@@ -7,8 +7,8 @@ import java.util.stream.DoubleStream;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.image.Bitmap;
-import rsal.stage.Body.Prism;
-import rsal.stage.Body.Raster;
+import rsal.stage.SolidBody.Prism;
+import rsal.stage.SolidBody.Raster;
 
 /// Makes bodies of blocks, bitmaps, boxes and boundaries, scaled to a model's size and moved to its origin.
 final class BodyBuilder {
@@ -26,15 +26,15 @@ final class BodyBuilder {
         this.origin = origin;
     }
 
-    Body build() {
-        return new Body(prisms, raster);
+    SolidBody build() {
+        return new SolidBody(prisms, raster);
     }
 
     /// A block as it is written.
     ///
     /// @param corners in units of its own
     /// @param heights likewise
-    record Block(List<Point2d> corners, Interval heights, Optional<Color> color) {}
+    record Block(List<Point2d> corners, ValueRange heights, Optional<StageColor> color) {}
 
     /// All of the size.
     void box() {
@@ -44,7 +44,7 @@ final class BodyBuilder {
     /// A box in the body's frame, standing on its underside.
     void box(double left, double right, double bottom, double top, double height) {
         if (right > left && top > bottom) {
-            prisms.add(prism(rectangle(left, right, bottom, top), new Interval(0, height), Optional.empty()));
+            prisms.add(prism(rectangle(left, right, bottom, top), new ValueRange(0, height), Optional.empty()));
         }
     }
 
@@ -62,9 +62,9 @@ final class BodyBuilder {
     /// Blocks, which together fill the size in x and y; z is stretched only, so that what is above the ground
     /// stays so.
     void blocks(List<Block> blocks) {
-        Interval x = extent(blocks.stream().flatMap(b -> b.corners().stream()).mapToDouble(Point2d::x));
-        Interval y = extent(blocks.stream().flatMap(b -> b.corners().stream()).mapToDouble(Point2d::y));
-        Interval z = extent(
+        ValueRange x = extent(blocks.stream().flatMap(b -> b.corners().stream()).mapToDouble(Point2d::x));
+        ValueRange y = extent(blocks.stream().flatMap(b -> b.corners().stream()).mapToDouble(Point2d::y));
+        ValueRange z = extent(
                 blocks.stream().mapToDouble(b -> b.heights().min()),
                 blocks.stream().mapToDouble(b -> b.heights().max()));
         double scaleX = scale(size.x(), x);
@@ -76,8 +76,8 @@ final class BodyBuilder {
             List<Point2d> corners = block.corners().stream()
                     .map(c -> new Point2d((c.x() - middleX) * scaleX, (c.y() - middleY) * scaleY))
                     .toList();
-            var heights =
-                    new Interval(block.heights().min() * scaleZ, block.heights().max() * scaleZ);
+            var heights = new ValueRange(
+                    block.heights().min() * scaleZ, block.heights().max() * scaleZ);
             prisms.add(prism(corners, heights, block.color()));
         }
     }
@@ -100,7 +100,7 @@ final class BodyBuilder {
                     origin.pose().compose(bodyFromCorner),
                     length,
                     width,
-                    new Interval(origin.z(), origin.z() + size.z())));
+                    new ValueRange(origin.z(), origin.z() + size.z())));
             return;
         }
         for (int[] r : rectangles) {
@@ -113,12 +113,12 @@ final class BodyBuilder {
         }
     }
 
-    private Prism prism(List<Point2d> corners, Interval heights, Optional<Color> color) {
+    private Prism prism(List<Point2d> corners, ValueRange heights, Optional<StageColor> color) {
         Pose2d modelFromBody = origin.pose();
         List<Point2d> placed = corners.stream().map(modelFromBody::transform).toList();
         return new Prism(
                 area(placed) < 0 ? placed.reversed() : placed,
-                new Interval(origin.z() + heights.min(), origin.z() + heights.max()),
+                new ValueRange(origin.z() + heights.min(), origin.z() + heights.max()),
                 color);
     }
 
@@ -139,17 +139,17 @@ final class BodyBuilder {
     }
 
     /// What is flat stays so.
-    private static double scale(double side, Interval extent) {
+    private static double scale(double side, ValueRange extent) {
         double length = extent.max() - extent.min();
         return length > 0 ? side / length : 1;
     }
 
-    private static Interval extent(DoubleStream values) {
+    private static ValueRange extent(DoubleStream values) {
         var statistics = values.summaryStatistics();
-        return new Interval(statistics.getMin(), statistics.getMax());
+        return new ValueRange(statistics.getMin(), statistics.getMax());
     }
 
-    private static Interval extent(DoubleStream least, DoubleStream greatest) {
-        return new Interval(least.min().orElse(0), greatest.max().orElse(0));
+    private static ValueRange extent(DoubleStream least, DoubleStream greatest) {
+        return new ValueRange(least.min().orElse(0), greatest.max().orElse(0));
     }
 }

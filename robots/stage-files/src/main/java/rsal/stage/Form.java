@@ -11,7 +11,7 @@ import rsal.stage.Units.Kind;
 /// @param meaning of its numbers, for people; `{length}` and `{angle}` stand for the units of the world
 /// @param bounds of its lengths [m] and of its numbers that are neither lengths nor angles
 /// @param parts one for each number
-record Form(String shape, String meaning, Interval bounds, List<Part> parts) {
+record Form(String shape, String meaning, ValueRange bounds, List<Part> parts) {
     /// Coordinates beyond are mistakes [m].
     static final double FARTHEST = 1e6;
 
@@ -19,12 +19,12 @@ record Form(String shape, String meaning, Interval bounds, List<Part> parts) {
     static final double ABOVE_0 = Double.MIN_VALUE;
 
     /// Numbers beyond are mistakes: lengths in m, angles in the unit that the world has.
-    static final Interval ANY = new Interval(-1e9, 1e9);
+    static final ValueRange ANY = new ValueRange(-1e9, 1e9);
 
     static final Form POSE = of(
             "[x y z a]",
             "x, y and z in {length}, and the heading in {angle}",
-            new Interval(-FARTHEST, FARTHEST),
+            new ValueRange(-FARTHEST, FARTHEST),
             length(0),
             length(0),
             length(0),
@@ -32,7 +32,7 @@ record Form(String shape, String meaning, Interval bounds, List<Part> parts) {
     static final Form SIZE = of(
             "[x y z]",
             "length, width and height in {length}",
-            new Interval(0, FARTHEST),
+            new ValueRange(0, FARTHEST),
             length(0.4),
             length(0.4),
             length(1));
@@ -74,7 +74,7 @@ record Form(String shape, String meaning, Interval bounds, List<Part> parts) {
     static final Form PADDLES = of(
             "[x y z]",
             "shares of the gripper's length, width and height",
-            new Interval(0, 1),
+            new ValueRange(0, 1),
             number(0.66),
             number(0.1),
             number(0.4));
@@ -90,7 +90,7 @@ record Form(String shape, String meaning, Interval bounds, List<Part> parts) {
     ///
     /// @param most of each
     static Form image(int most, int columns, int rows) {
-        return of("[width height]", "columns and rows", new Interval(1, most), number(columns), number(rows));
+        return of("[width height]", "columns and rows", new ValueRange(1, most), number(columns), number(rows));
     }
 
     private static Form limits(String per) {
@@ -112,7 +112,7 @@ record Form(String shape, String meaning, Interval bounds, List<Part> parts) {
     /// @param usual what is proposed where it is missing, in m and degrees
     record Part(Kind kind, double usual) {}
 
-    private static Form of(String shape, String meaning, Interval bounds, Part... parts) {
+    private static Form of(String shape, String meaning, ValueRange bounds, Part... parts) {
         return new Form(shape, meaning, bounds, List.of(parts));
     }
 

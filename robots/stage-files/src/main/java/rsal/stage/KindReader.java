@@ -5,35 +5,35 @@ import java.util.List;
 import java.util.Optional;
 import rsal.data.Twist2d;
 import rsal.settings.Location;
-import rsal.stage.Kind.Drive;
-import rsal.stage.Kind.Limits;
-import rsal.stage.Kind.Localization;
-import rsal.stage.Kind.OdometryError;
-import rsal.stage.Kind.RangeNoise;
-import rsal.stage.Kind.Strip;
-import rsal.stage.Kind.Transducer;
+import rsal.stage.ModelKind.Drive;
+import rsal.stage.ModelKind.Limits;
+import rsal.stage.ModelKind.Localization;
+import rsal.stage.ModelKind.OdometryError;
+import rsal.stage.ModelKind.RangeNoise;
+import rsal.stage.ModelKind.Strip;
+import rsal.stage.ModelKind.Transducer;
 
 /// Reads the properties that only one type of model has, with Stage's defaults.
 final class KindReader {
     private static final int MOST_SAMPLES = 100_000;
     private static final int MOST_PIXELS = 10_000; // of a side
     private static final int MOST_STRIPS = 1000;
-    private static final Interval SPEED = new Interval(-1, 1); // [m/s]
-    private static final Interval TURN = new Interval(-Math.PI / 2, Math.PI / 2); // [rad/s]
+    private static final ValueRange SPEED = new ValueRange(-1, 1); // [m/s]
+    private static final ValueRange TURN = new ValueRange(-Math.PI / 2, Math.PI / 2); // [rad/s]
     private static final Size TRANSDUCER = new Size(0.02, 0.02, 0.02);
 
     private final Paint paint;
     private final Units units;
-    private final Findings findings;
+    private final WorldProblems findings;
 
-    KindReader(Paint paint, Units units, Findings findings) {
+    KindReader(Paint paint, Units units, WorldProblems findings) {
         this.paint = paint;
         this.units = units;
         this.findings = findings;
     }
 
     /// @param fields of an entity of one of [Types#MODELS]
-    Kind read(Fields fields, Size size) {
+    ModelKind read(EntityFields fields, Size size) {
         return switch (fields.entity().type()) {
             case "position" -> position(fields);
             case "ranger" -> ranger(fields);
@@ -44,12 +44,12 @@ final class KindReader {
             case "actuator" -> actuator(fields);
             case "camera" -> camera(fields);
             case "blinkenlight" -> blinkenlight(fields);
-            case "lightindicator" -> new Kind.LightIndicator();
-            default -> new Kind.Thing();
+            case "lightindicator" -> new ModelKind.LightIndicator();
+            default -> new ModelKind.Thing();
         };
     }
 
-    private static Kind position(Fields fields) {
+    private static ModelKind position(EntityFields fields) {
         Drive drive = switch (fields.choice("drive", "diff", List.of("diff", "omni", "car"))) {
             case "omni" -> Drive.OMNIDIRECTIONAL;
             case "car" -> Drive.CAR;
@@ -61,7 +61,7 @@ final class KindReader {
         Twist2d velocity = fields.tuple("velocity", Form.VELOCITY)
                 .map(v -> new Twist2d(v[0], v[1], v[3]))
                 .orElse(Twist2d.STOP);
-        return new Kind.Position(
+        return new ModelKind.Position(
                 drive,
                 wheelbase,
                 velocity,
@@ -72,7 +72,7 @@ final class KindReader {
                 fields.tuple("odom_error", Form.ODOMETRY_ERROR).map(e -> new OdometryError(e[0], e[1], e[2], e[3])));
     }
 
-    private static Limits limits(Fields fields, String name, Form form) {
+    private static Limits limits(EntityFields fields, String name, Form form) {
         double[] b = fields.tuple(name, form).orElse(null);
         return b == null
                 ? new Limits(SPEED, SPEED, SPEED, TURN)
@@ -83,18 +83,18 @@ final class KindReader {
                         fields.interval(name, b[6], b[7], Units.Kind.ANGLE).orElse(TURN));
     }
 
-    private Kind ranger(Fields fields) {
+    private ModelKind ranger(EntityFields fields) {
         var transducers = new ArrayList<Transducer>();
-        for (Entity child : fields.entity().children()) {
+        for (WorldfileEntity child : fields.entity().children()) {
             if (child.type().equals(Types.SENSOR)) {
-                transducers.add(transducer(new Fields(child, "a sensor", units, findings)));
+                transducers.add(transducer(new EntityFields(child, "a sensor", units, findings)));
             }
         }
-        return new Kind.Ranger(transducers);
+        return new ModelKind.Ranger(transducers);
     }
 
-    private Transducer transducer(Fields fields) {
-        Interval range = fields.interval("range", new Interval(0, 5));
+    private Transducer transducer(EntityFields fields) {
+        ValueRange range = fields.interval("range", new ValueRange(0, 5));
         if (range.min() < 0) {
             fields.problem(
                     "range",
@@ -110,12 +110,12 @@ final class KindReader {
                 fields.turn("fov", 0.1),
                 fields.integer("samples", 1, 1, MOST_SAMPLES),
                 noise);
-        paint.color(fields, Color.BLUE); // drawing only; a wrong name is told all the same
+        paint.color(fields, StageColor.BLUE); // drawing only; a wrong name is told all the same
         fields.done();
         return transducer;
     }
 
-    private RangeNoise noise(Fields fields) {
+    private RangeNoise noise(EntityFields fields) {
         double[] noise = fields.tuple("noise", Form.NOISE).orElseGet(() -> new double[3]);
         if (noise[0] < 0) {
             fields.problem(
@@ -127,7 +127,7 @@ final class KindReader {
         return new RangeNoise(noise[0], noise[1], noise[2]);
     }
 
-    private Kind blobfinder(Fields fields) {
+    private ModelKind blobfinder(EntityFields fields) {
         List<String> names = fields.texts("colors");
         int count = fields.integer("colors_count", names.size(), 0, 1_000_000);
         if (count > names.size()) {
@@ -137,12 +137,12 @@ final class KindReader {
                     "Maybe (colors_count %d)?".formatted(names.size()));
             count = names.size();
         }
-        var colors = new ArrayList<Color>();
+        var colors = new ArrayList<StageColor>();
         for (String name : names.subList(0, count)) {
             paint.named(name, fields.locationOf("colors")).ifPresent(colors::add);
         }
         int[] image = image(fields, "image", 80, 60);
-        return new Kind.Blobfinder(
+        return new ModelKind.Blobfinder(
                 colors,
                 image[0],
                 image[1],
@@ -151,46 +151,46 @@ final class KindReader {
                 fields.angle("pan", 0));
     }
 
-    private static int[] image(Fields fields, String name, int columns, int rows) {
+    private static int[] image(EntityFields fields, String name, int columns, int rows) {
         return fields.tuple(name, Form.image(MOST_PIXELS, columns, rows))
                 .map(image -> new int[] {(int) image[0], (int) image[1]})
                 .orElseGet(() -> new int[] {columns, rows});
     }
 
-    private static Kind fiducial(Fields fields) {
+    private static ModelKind fiducial(EntityFields fields) {
         double min = fields.notNegative("range_min", Units.Kind.LENGTH, 0);
         double max = fields.notNegative("range_max", Units.Kind.LENGTH, 8);
-        return new Kind.Fiducial(
-                fields.interval("range_min", min, max, Units.Kind.LENGTH).orElse(new Interval(0, max)),
+        return new ModelKind.Fiducial(
+                fields.interval("range_min", min, max, Units.Kind.LENGTH).orElse(new ValueRange(0, max)),
                 fields.notNegative("range_max_id", Units.Kind.LENGTH, 5),
                 fields.turn("fov", Math.PI),
                 fields.integer("fiducial_key", 0, Integer.MIN_VALUE, Integer.MAX_VALUE),
                 fields.flag("ignore_zloc", false));
     }
 
-    private static Kind gripper(Fields fields, Size size) {
+    private static ModelKind gripper(EntityFields fields, Size size) {
         double[] part = fields.tuple("paddle_size", Form.PADDLES).orElseGet(() -> new double[] {0.66, 0.1, 0.4});
         List<String> state = fields.texts("paddle_state");
         boolean closed = word(fields, state, 0, "open", "closed");
         boolean up = word(fields, state, 1, "down", "up");
         var paddle = new Size(part[0] * size.x(), part[1] * size.y(), part[2] * size.z());
-        return new Kind.Gripper(paddle, closed, up, fields.flag("autosnatch", false));
+        return new ModelKind.Gripper(paddle, closed, up, fields.flag("autosnatch", false));
     }
 
     /// Whether a word of the paddles' state is the second of two.
-    private static boolean word(Fields fields, List<String> state, int index, String no, String yes) {
+    private static boolean word(EntityFields fields, List<String> state, int index, String no, String yes) {
         String word = index < state.size() ? state.get(index) : no;
         if (!word.equals(no) && !word.equals(yes)) {
             fields.problem(
                     "paddle_state",
                     "(paddle_state) has (%s) where (%s) or (%s) was expected."
-                            .formatted(Findings.shortened(word), no, yes),
+                            .formatted(WorldProblems.shortened(word), no, yes),
                     "Write [\"open\" \"down\"] or the like.");
         }
         return word.equals(yes);
     }
 
-    private static Kind bumper(Fields fields) {
+    private static ModelKind bumper(EntityFields fields) {
         int count = fields.integer("bcount", 0, 0, MOST_STRIPS);
         if (count == 0 && fields.entity().find("bcount").isEmpty()) {
             fields.findings()
@@ -205,10 +205,10 @@ final class KindReader {
             Placement pose = fields.pose("bpose[%d]".formatted(i)).orElse(Placement.ORIGIN);
             strips.add(new Strip(pose, fields.notNegative("blength[%d]".formatted(i), Units.Kind.LENGTH, length)));
         }
-        return new Kind.Bumper(strips);
+        return new ModelKind.Bumper(strips);
     }
 
-    private static Kind actuator(Fields fields) {
+    private static ModelKind actuator(EntityFields fields) {
         boolean turning =
                 fields.choice("type", "linear", List.of("linear", "rotational")).equals("rotational");
         Units.Kind kind = turning ? Units.Kind.ANGLE : Units.Kind.LENGTH;
@@ -220,40 +220,40 @@ final class KindReader {
         }
         double min = fields.scaled("min_position", kind, 0);
         double max = fields.scaled("max_position", kind, 1);
-        return new Kind.Actuator(
+        return new ModelKind.Actuator(
                 turning,
                 axis[0] / norm,
                 axis[1] / norm,
                 axis[2] / norm,
-                fields.interval("min_position", min, max, kind).orElse(new Interval(0, 1)),
+                fields.interval("min_position", min, max, kind).orElse(new ValueRange(0, 1)),
                 fields.notNegative("max_speed", kind, 1),
                 fields.scaled("start_position", kind, 0));
     }
 
-    private static Kind camera(Fields fields) {
+    private static ModelKind camera(EntityFields fields) {
         fields.findings()
                 .warn(
                         fields.entity().location(),
                         "A camera gives no images here.",
                         "A blobfinder sees colors, a fiducial markers.");
         int[] image = image(fields, "resolution", 32, 32);
-        Interval range = fields.interval("range", new Interval(0.2, 8));
+        ValueRange range = fields.interval("range", new ValueRange(0.2, 8));
         double[] fov =
                 fields.tuple("fov", Form.VIEW).orElseGet(() -> new double[] {Math.toRadians(70), Math.toRadians(40)});
         double[] pantilt = fields.tuple("pantilt", Form.PAN_AND_TILT).orElseGet(() -> new double[2]);
-        return new Kind.Camera(image[0], image[1], range, fov[0], fov[1], pantilt[0], pantilt[1]);
+        return new ModelKind.Camera(image[0], image[1], range, fov[0], fov[1], pantilt[0], pantilt[1]);
     }
 
-    private static Kind blinkenlight(Fields fields) {
-        double duty = fields.within(new Interval(0, 1), "dutycycle", Units.Kind.NUMBER, 1);
-        return new Kind.Blinkenlight(fields.milliseconds("period", 1000), duty, fields.flag("enabled", true));
+    private static ModelKind blinkenlight(EntityFields fields) {
+        double duty = fields.within(new ValueRange(0, 1), "dutycycle", Units.Kind.NUMBER, 1);
+        return new ModelKind.Blinkenlight(fields.milliseconds("period", 1000), duty, fields.flag("enabled", true));
     }
 
     /// Colors as worlds write them.
     interface Paint {
         /// The color of an entity; empty when it is drawn at random.
-        Optional<Color> color(Fields fields, Color fallback);
+        Optional<StageColor> color(EntityFields fields, StageColor fallback);
 
-        Optional<Color> named(String name, Location at);
+        Optional<StageColor> named(String name, Location at);
     }
 }

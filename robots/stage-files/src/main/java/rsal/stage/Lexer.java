@@ -35,7 +35,7 @@ final class Lexer {
 
     private final WorldFiles files;
     private final String world;
-    private final Findings findings;
+    private final WorldProblems findings;
     private final Dialect dialect;
     private final List<Token> tokens = new ArrayList<>();
     private final Deque<String> open = new ArrayDeque<>(); // paths of files that are being read
@@ -43,7 +43,7 @@ final class Lexer {
     private boolean missing;
     private boolean unclosed;
 
-    private Lexer(WorldFiles files, String world, Findings findings, Dialect dialect) {
+    private Lexer(WorldFiles files, String world, WorldProblems findings, Dialect dialect) {
         this.files = files;
         this.world = world;
         this.findings = findings;
@@ -54,7 +54,7 @@ final class Lexer {
     /// @param closed whether all texts are; those that are not may have brackets in them that are missed elsewhere
     record Tokens(List<Token> all, boolean complete, boolean closed) {}
 
-    static Tokens read(String world, WorldFiles files, Findings findings, Dialect dialect) {
+    static Tokens read(String world, WorldFiles files, WorldProblems findings, Dialect dialect) {
         var lexer = new Lexer(files, world, findings, dialect);
         lexer.read(files.open(world, MAX_BYTES));
         return new Tokens(lexer.tokens, !lexer.missing, !lexer.unclosed);
@@ -295,8 +295,8 @@ final class Lexer {
             String path = text.substring(start, next);
             findings.error(
                     at,
-                    "(%s) stands without quotes.".formatted(Findings.shortened(path)),
-                    "Maybe \"%s\" was meant? Texts stand in \" \".".formatted(Findings.shortened(path)));
+                    "(%s) stands without quotes.".formatted(WorldProblems.shortened(path)),
+                    "Maybe \"%s\" was meant? Texts stand in \" \".".formatted(WorldProblems.shortened(path)));
             add(new Token.Literal(at, path));
         }
 
@@ -340,7 +340,7 @@ final class Lexer {
                     begun ? "(include) does not close the name of its file." : "(include) names no file in quotes.",
                     name.isEmpty() || name.indexOf('"') >= 0
                             ? "Write include \"FILE\" on one line."
-                            : "Maybe include \"%s\"?".formatted(Findings.shortened(name)));
+                            : "Maybe include \"%s\"?".formatted(WorldProblems.shortened(name)));
         }
 
         private void number() {
@@ -378,7 +378,8 @@ final class Lexer {
                     if (!read.equals(digits)) {
                         findings.warn(
                                 at,
-                                "'%s' is read as %s, as Stage reads it.".formatted(Findings.shortened(digits), read),
+                                "'%s' is read as %s, as Stage reads it."
+                                        .formatted(WorldProblems.shortened(digits), read),
                                 "Write the number that is meant.");
                     }
                     add(new Token.Literal(at, Double.isInfinite(value) ? digits : plain(value)));
@@ -394,7 +395,7 @@ final class Lexer {
         }
 
         private void wrong(Location at, String number, String remedy) {
-            findings.error(at, "(%s) is not a number.".formatted(Findings.shortened(number)), remedy);
+            findings.error(at, "(%s) is not a number.".formatted(WorldProblems.shortened(number)), remedy);
             findings.spoil(at);
             add(new Token.Literal(at, 0L));
         }

@@ -10,7 +10,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import rsal.settings.Location;
-import rsal.stage.Entity.Setting;
+import rsal.stage.WorldfileEntity.Setting;
 
 /// Puts macros in where they are used. A macro is worked out once and what is in it shared by all that is made of
 /// it, so that a thousand robots of a kind take little room.
@@ -27,13 +27,13 @@ final class Macros {
 
     private static final Set<String> COPIED = Set.of("name", "pose");
 
-    private final Findings findings;
+    private final WorldProblems findings;
     private final Dialect dialect;
     private final Map<String, Macro> macros = new LinkedHashMap<>();
     private final Map<String, Macro> baseless = new LinkedHashMap<>(); // whose base nobody knows, yet
     private long copies;
 
-    Macros(Findings findings, Dialect dialect) {
+    Macros(WorldProblems findings, Dialect dialect) {
         this.findings = findings;
         this.dialect = dialect;
     }
@@ -45,7 +45,7 @@ final class Macros {
         final int depth; // how many macros it builds upon
 
         @Nullable
-        Entity expanded; // null until it is used
+        WorldfileEntity expanded; // null until it is used
 
         boolean expanding;
 
@@ -72,7 +72,7 @@ final class Macros {
                 findings.warn(
                         location,
                         "(%s) is defined again, without effect: its first definition counts, at %s."
-                                .formatted(Findings.shortened(name), first.location),
+                                .formatted(WorldProblems.shortened(name), first.location),
                         "Give one of them another name.");
             }
             return;
@@ -87,7 +87,7 @@ final class Macros {
         if (macro.depth > MAX_DEPTH) {
             throw findings.fatal(
                     location,
-                    "(%s) builds upon more than %d macros.".formatted(Findings.shortened(name), MAX_DEPTH),
+                    "(%s) builds upon more than %d macros.".formatted(WorldProblems.shortened(name), MAX_DEPTH),
                     "Leave some out.");
         }
         macros.put(name, macro);
@@ -104,7 +104,7 @@ final class Macros {
                         macro.body.location(),
                         "(%s) builds upon itself%s."
                                 .formatted(
-                                        Findings.shortened(name),
+                                        WorldProblems.shortened(name),
                                         circle.size() == 2 ? "" : ": " + String.join(" → ", circle)),
                         "Write define NAME BASE ( ... ), BASE being a type such as (model) or (position).");
             }
@@ -117,7 +117,8 @@ final class Macros {
                     : "It is defined at %s; put that first.".formatted(later.location);
             findings.error(
                     macro.body.location(),
-                    "(%s) is neither a type nor a macro that is defined above.".formatted(Findings.shortened(base)),
+                    "(%s) is neither a type nor a macro that is defined above."
+                            .formatted(WorldProblems.shortened(base)),
                     remedy);
         });
     }
@@ -143,31 +144,31 @@ final class Macros {
         return known;
     }
 
-    Entity expand(Syntax written) {
+    WorldfileEntity expand(Syntax written) {
         return expand(written, macros.get(written.name()), 0);
     }
 
-    private Entity expand(Syntax written, @Nullable Macro macro, int depth) {
+    private WorldfileEntity expand(Syntax written, @Nullable Macro macro, int depth) {
         if (depth > MAX_EXPANDED_DEPTH) {
             throw findings.fatal(
                     written.location(),
                     "(%s) is more than %d deep in macros."
-                            .formatted(Findings.shortened(written.name()), MAX_EXPANDED_DEPTH),
+                            .formatted(WorldProblems.shortened(written.name()), MAX_EXPANDED_DEPTH),
                     "Maybe macros hold each other.");
         }
-        Entity base = macro == null
-                ? new Entity(
+        WorldfileEntity base = macro == null
+                ? new WorldfileEntity(
                         written.name(), written.name(), written.location(), Map.of(), List.of(), Optional.empty(), 1)
                 : template(macro, written, depth);
         long size = base.size();
-        List<Entity> own = new ArrayList<>();
+        List<WorldfileEntity> own = new ArrayList<>();
         for (Syntax child : written.children()) {
-            Entity entity = expand(child, macros.get(child.name()), depth + 1);
+            WorldfileEntity entity = expand(child, macros.get(child.name()), depth + 1);
             own.add(entity);
             size += entity.size();
         }
         count(written, size, own.size(), base);
-        return new Entity(
+        return new WorldfileEntity(
                 base.type(),
                 written.name(),
                 written.location(),
@@ -183,16 +184,17 @@ final class Macros {
                 && COPIED.containsAll(written.settings().keySet());
     }
 
-    private Entity template(Macro macro, Syntax user, int depth) {
-        Entity template = macro.expanded;
+    private WorldfileEntity template(Macro macro, Syntax user, int depth) {
+        WorldfileEntity template = macro.expanded;
         if (template == null) {
             if (macro.expanding) {
                 findings.error(
                         user.location(),
                         "(%s) is part of its own definition at %s."
-                                .formatted(Findings.shortened(user.name()), macro.location),
+                                .formatted(WorldProblems.shortened(user.name()), macro.location),
                         "Take it out there.");
-                return new Entity("model", user.name(), user.location(), Map.of(), List.of(), Optional.empty(), 1);
+                return new WorldfileEntity(
+                        "model", user.name(), user.location(), Map.of(), List.of(), Optional.empty(), 1);
             }
             macro.expanding = true;
             template = expand(macro.body, macro.base, depth + 1);
@@ -202,12 +204,12 @@ final class Macros {
         return template;
     }
 
-    private void count(Syntax written, long size, int ownChildren, Entity base) {
+    private void count(Syntax written, long size, int ownChildren, WorldfileEntity base) {
         if (size > MAX_ENTITIES) {
             throw findings.fatal(
                     written.location(),
                     "(%s) would make more than %d entities."
-                            .formatted(Findings.shortened(written.name()), MAX_ENTITIES),
+                            .formatted(WorldProblems.shortened(written.name()), MAX_ENTITIES),
                     "Maybe macros hold each other many times.");
         }
         copies += 1 + written.settings().size() + ownChildren;
@@ -228,11 +230,11 @@ final class Macros {
         return all;
     }
 
-    private static List<Entity> joined(List<Entity> base, List<Entity> own) {
+    private static List<WorldfileEntity> joined(List<WorldfileEntity> base, List<WorldfileEntity> own) {
         if (base.isEmpty() || own.isEmpty()) {
             return base.isEmpty() ? own : base;
         }
-        var all = new ArrayList<Entity>(base.size() + own.size());
+        var all = new ArrayList<WorldfileEntity>(base.size() + own.size());
         all.addAll(base);
         all.addAll(own);
         return all;

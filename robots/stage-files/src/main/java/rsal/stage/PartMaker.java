@@ -53,7 +53,7 @@ final class PartMaker {
     Optional<String> add(StageModel model, Placement robotFromModel, Optional<String> carrier) {
         this.carrier = carrier;
         add(model, robotFromModel);
-        boolean carries = model.traits().kind() instanceof Kind.Actuator actuator && actuator.maxSpeed() > 0;
+        boolean carries = model.traits().kind() instanceof ModelKind.Actuator actuator && actuator.maxSpeed() > 0;
         return carries ? Optional.of(devices.getLast().name()) : carrier;
     }
 
@@ -63,8 +63,8 @@ final class PartMaker {
         String name = model.macro();
         double height = robotFromModel.z();
         switch (model.traits().kind()) {
-            case Kind.Ranger ranger -> ranger(model, ranger, robotFromModel, period);
-            case Kind.Blobfinder finder ->
+            case ModelKind.Ranger ranger -> ranger(model, ranger, robotFromModel, period);
+            case ModelKind.Blobfinder finder ->
                 device(
                         "blob-finder",
                         model,
@@ -80,7 +80,7 @@ final class PartMaker {
                                         .map(color -> Rgb.of(color.rgb()))
                                         .toList(),
                                 period));
-            case Kind.Fiducial finder ->
+            case ModelKind.Fiducial finder ->
                 device(
                         "fiducial-finder",
                         model,
@@ -94,8 +94,8 @@ final class PartMaker {
                                 finder.key(),
                                 finder.ignoresHeight(),
                                 period));
-            case Kind.Gripper gripper -> device("gripper", model, height, gripper(model, gripper, pose, period));
-            case Kind.Bumper bumper ->
+            case ModelKind.Gripper gripper -> device("gripper", model, height, gripper(model, gripper, pose, period));
+            case ModelKind.Bumper bumper ->
                 device(
                         "bumper",
                         model,
@@ -109,8 +109,9 @@ final class PartMaker {
                                                 strip.length()))
                                         .toList(),
                                 period));
-            case Kind.Actuator actuator -> device("actuator", model, height, actuator(name, actuator, pose, period));
-            case Kind.Blinkenlight light ->
+            case ModelKind.Actuator actuator ->
+                device("actuator", model, height, actuator(name, actuator, pose, period));
+            case ModelKind.Blinkenlight light ->
                 device(
                         "light",
                         model,
@@ -120,13 +121,13 @@ final class PartMaker {
                                 pose,
                                 Rgb.of(model.traits()
                                         .color()
-                                        .orElse(Color.GREEN)
+                                        .orElse(StageColor.GREEN)
                                         .rgb()),
                                 new Signal(
                                         light.period().isPositive() ? light.period() : step,
                                         light.enabled() ? light.dutyCycle() : 0),
                                 period));
-            case Kind.Position _, Kind.Thing _, Kind.Camera _, Kind.LightIndicator _ -> {}
+            case ModelKind.Position _, ModelKind.Thing _, ModelKind.Camera _, ModelKind.LightIndicator _ -> {}
         }
     }
 
@@ -165,7 +166,7 @@ final class PartMaker {
         return sum;
     }
 
-    private static Part gripper(StageModel model, Kind.Gripper gripper, Pose2d pose, Duration period) {
+    private static Part gripper(StageModel model, ModelKind.Gripper gripper, Pose2d pose, Duration period) {
         Size size = model.traits().size();
         Duration moving = model.traits().updateInterval().multipliedBy(PADDLE_STEPS);
         return new Part.Gripper(
@@ -184,21 +185,21 @@ final class PartMaker {
                 period);
     }
 
-    private static Interval limits(Kind.Actuator actuator) {
+    private static Interval limits(ModelKind.Actuator actuator) {
         return new Interval(
                 Math.min(actuator.positions().min(), actuator.positions().max()),
                 Math.max(actuator.positions().min(), actuator.positions().max()));
     }
 
     /// Where an actuator is at first, and all that is in it: Stage moves it from its pose by where it starts.
-    static Placement atStart(Kind.Actuator actuator) {
+    static Placement atStart(ModelKind.Actuator actuator) {
         double start = limits(actuator).clamp(actuator.start());
         return actuator.turning()
                 ? Placement.of(0, 0, 0, start)
                 : Placement.of(start * actuator.x(), start * actuator.y(), start * actuator.z(), 0);
     }
 
-    private static Part actuator(String name, Kind.Actuator actuator, Pose2d pose, Duration period) {
+    private static Part actuator(String name, ModelKind.Actuator actuator, Pose2d pose, Duration period) {
         Interval limits = limits(actuator);
         double axis = actuator.turning() ? 0 : Math.atan2(actuator.y(), actuator.x());
         double slope = actuator.turning() ? 0 : Math.atan2(actuator.z(), Math.hypot(actuator.x(), actuator.y()));
@@ -214,11 +215,11 @@ final class PartMaker {
     }
 
     /// Transducers of one ray each that are alike in all but their place.
-    private record Alike(rsal.stage.Interval range, RangeNoise noise, double height) {}
+    private record Alike(rsal.stage.ValueRange range, RangeNoise noise, double height) {}
 
-    private void ranger(StageModel model, Kind.Ranger ranger, Placement robotFromModel, Duration period) {
+    private void ranger(StageModel model, ModelKind.Ranger ranger, Placement robotFromModel, Duration period) {
         var rings = new LinkedHashMap<Alike, List<Pose2d>>();
-        for (Kind.Transducer eye : ranger.transducers()) {
+        for (ModelKind.Transducer eye : ranger.transducers()) {
             Placement placed = robotFromModel.compose(eye.rangerFromTransducer());
             double height = placed.z() + eye.size().z() / 2;
             if (eye.spacing() > 0) {
@@ -256,8 +257,8 @@ final class PartMaker {
     }
 
     /// Stage turns rays by a part of the angle between them.
-    private static RangeNoise noise(Kind.Transducer eye) {
-        Kind.RangeNoise noise = eye.noise();
+    private static RangeNoise noise(ModelKind.Transducer eye) {
+        ModelKind.RangeNoise noise = eye.noise();
         return new RangeNoise(
                 Math.sqrt(Math.max(0, noise.variance())),
                 Math.min(1, Math.abs(noise.relative())),

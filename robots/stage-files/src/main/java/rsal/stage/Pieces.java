@@ -17,9 +17,9 @@ final class Pieces {
     private static final int MOST_RECTANGLES = 50_000; // of an image
     private static final double THIN = 0.001; // of what has no thickness [m]
 
-    private final Findings findings;
+    private final WorldProblems findings;
 
-    Pieces(Findings findings) {
+    Pieces(WorldProblems findings) {
         this.findings = findings;
     }
 
@@ -46,9 +46,9 @@ final class Pieces {
     }
 
     /// A part of a model's body.
-    List<Piece> of(StageModel model, Body body, Placement frameFromModel) {
+    List<Piece> of(StageModel model, SolidBody body, Placement frameFromModel) {
         var pieces = new ArrayList<Piece>();
-        for (Body.Prism prism : body.prisms()) {
+        for (SolidBody.Prism prism : body.prisms()) {
             add(pieces, model, prism, frameFromModel);
         }
         body.raster().ifPresent(raster -> {
@@ -57,7 +57,7 @@ final class Pieces {
                 throw findings.fatal(
                         model.location(),
                         "The image of (%s) has more than %d pieces, too many for what is turned or moves."
-                                .formatted(Findings.shortened(model.macro()), MOST_RECTANGLES),
+                                .formatted(WorldProblems.shortened(model.macro()), MOST_RECTANGLES),
                         "Use a simpler image, or turn the image itself.");
             }
             for (int[] r : rectangles) {
@@ -66,20 +66,20 @@ final class Pieces {
                         corner(raster, r[1], r[2]),
                         corner(raster, r[1], r[3]),
                         corner(raster, r[0], r[3]));
-                add(pieces, model, new Body.Prism(corners, raster.heights(), Optional.empty()), frameFromModel);
+                add(pieces, model, new SolidBody.Prism(corners, raster.heights(), Optional.empty()), frameFromModel);
             }
         });
         return pieces;
     }
 
-    private static Point2d corner(Body.Raster raster, int column, int row) {
+    private static Point2d corner(SolidBody.Raster raster, int column, int row) {
         return raster.modelFromCorner().transform(new Point2d(column * raster.cellLength(), row * raster.cellWidth()));
     }
 
-    private void add(List<Piece> pieces, StageModel model, Body.Prism prism, Placement frameFromModel) {
+    private void add(List<Piece> pieces, StageModel model, SolidBody.Prism prism, Placement frameFromModel) {
         Traits traits = model.traits();
-        Optional<Color> color = prism.color().or(traits::color);
-        Surface surface = surface(traits.returns(), color.orElse(Color.RED));
+        Optional<StageColor> color = prism.color().or(traits::color);
+        Surface surface = surface(traits.returns(), color.orElse(StageColor.RED));
         List<Point2d> corners =
                 prism.outline().stream().map(frameFromModel.pose()::transform).toList();
         double bottom = frameFromModel.z()
@@ -94,7 +94,7 @@ final class Pieces {
                         Optional.empty())));
     }
 
-    static Surface surface(Traits.Returns returns, Color color) {
+    static Surface surface(Traits.Returns returns, StageColor color) {
         return new Surface(
                 Rgb.of(color.rgb()),
                 returns.obstacle(),
@@ -117,7 +117,7 @@ final class Pieces {
                     findings.warn(
                             model.location(),
                             "A block of (%s) has an outline that meets itself; the outline around it is taken instead."
-                                    .formatted(Findings.shortened(model.macro())),
+                                    .formatted(WorldProblems.shortened(model.macro())),
                             "Write its points in order, each once, or make two blocks of it.");
                     return hull;
                 }

@@ -36,13 +36,13 @@ public final class RobotMaker {
     private static final double USUAL_TURN_ERROR = 0.025 / Math.sqrt(3); // of Stage's uniform ±2.5 %
 
     private final Duration step;
-    private final Findings findings;
+    private final WorldProblems findings;
     private final Pieces pieces;
     private final Map<Make, Made> made = new HashMap<>();
     private final IdentityHashMap<Traits, Integer> numbers = new IdentityHashMap<>();
 
     /// @param step between two states of the world
-    RobotMaker(Duration step, Findings findings) {
+    RobotMaker(Duration step, WorldProblems findings) {
         this.step = step;
         this.findings = findings;
         this.pieces = new Pieces(findings);
@@ -78,7 +78,7 @@ public final class RobotMaker {
     /// Names of the devices that a base and what stands on it become, by the names of those models: of each its
     /// first.
     ///
-    /// @param base of kind [Kind.Position]
+    /// @param base of kind [ModelKind.Position]
     /// @param step between two states of the world
     public static Map<String, String> devices(StageModel base, Duration step) {
         var parts = new PartMaker(step);
@@ -89,7 +89,7 @@ public final class RobotMaker {
         return names;
     }
 
-    /// @param base of kind [Kind.Position]
+    /// @param base of kind [ModelKind.Position]
     Made make(StageModel base) {
         return made.computeIfAbsent(make(base, Placement.ORIGIN), _ -> makeNew(base));
     }
@@ -113,7 +113,7 @@ public final class RobotMaker {
     /// @return what the models use while they work [W]
     private double collect(
             StageModel model, Placement told, Optional<String> carrier, List<Piece> body, PartMaker parts) {
-        Placement robotFromModel = model.traits().kind() instanceof Kind.Actuator actuator
+        Placement robotFromModel = model.traits().kind() instanceof ModelKind.Actuator actuator
                 ? told.compose(PartMaker.atStart(actuator))
                 : told;
         Optional<String> carrierOfChildren = parts.add(model, robotFromModel, carrier);
@@ -130,7 +130,7 @@ public final class RobotMaker {
     /// What it takes for itself when it keeps out of the way: what runs into things, if anything does.
     ///
     /// @param color of the robot, which its pieces need not tell
-    private static Solid solid(List<Piece> body, Optional<Color> color) {
+    private static Solid solid(List<Piece> body, Optional<StageColor> color) {
         Optional<Rgb> own = color.map(c -> Rgb.of(c.rgb()));
         List<Piece> solid =
                 body.stream().filter(piece -> piece.surface().obstacle()).toList();
@@ -152,7 +152,7 @@ public final class RobotMaker {
     }
 
     private RobotModel model(StageModel base, Solid body, List<Device> devices) {
-        Kind.Position position = (Kind.Position) base.traits().kind();
+        ModelKind.Position position = (ModelKind.Position) base.traits().kind();
         var parts = new LinkedHashMap<String, Part>();
         var heights = new HashMap<String, Double>();
         var carriers = new HashMap<String, String>();
@@ -168,41 +168,41 @@ public final class RobotMaker {
                 findings.warn(
                         device.model().location(),
                         "A part of (%s) is left out. %s"
-                                .formatted(Findings.shortened(base.macro()), String.join(" ", problems)),
+                                .formatted(WorldProblems.shortened(base.macro()), String.join(" ", problems)),
                         "");
             }
         }
         return new RobotModel(base.macro(), base.macro(), body, drive, parts, heights, carriers);
     }
 
-    private static Drive drive(Kind.Position position) {
+    private static Drive drive(ModelKind.Position position) {
         Steering steering = switch (position.drive()) {
             case DIFFERENTIAL -> new Steering.Differential();
             case OMNIDIRECTIONAL -> new Steering.Omnidirectional();
             case CAR -> new Steering.Car(position.wheelbase(), WHEEL_ANGLE);
         };
-        Kind.Limits speeds = position.speeds();
-        Kind.Limits accelerations = position.accelerations();
+        ModelKind.Limits speeds = position.speeds();
+        ModelKind.Limits accelerations = position.accelerations();
         return new Drive(
                 steering,
                 axis(speeds.x(), accelerations.x()),
-                position.drive() == Kind.Drive.OMNIDIRECTIONAL ? axis(speeds.y(), accelerations.y()) : Axis.NONE,
+                position.drive() == ModelKind.Drive.OMNIDIRECTIONAL ? axis(speeds.y(), accelerations.y()) : Axis.NONE,
                 axis(speeds.turn(), accelerations.turn()),
                 noise(position));
     }
 
-    private static Axis axis(rsal.stage.Interval speed, rsal.stage.Interval acceleration) {
+    private static Axis axis(rsal.stage.ValueRange speed, rsal.stage.ValueRange acceleration) {
         return new Axis(around0(speed), around0(acceleration));
     }
 
-    private static Interval around0(rsal.stage.Interval bounds) {
+    private static Interval around0(rsal.stage.ValueRange bounds) {
         return new Interval(
                 Math.min(-SLOWEST, Math.min(bounds.min(), bounds.max())),
                 Math.max(SLOWEST, Math.max(bounds.min(), bounds.max())));
     }
 
-    private static OdometryNoise noise(Kind.Position position) {
-        if (position.localization() == Kind.Localization.GPS) {
+    private static OdometryNoise noise(ModelKind.Position position) {
+        if (position.localization() == ModelKind.Localization.GPS) {
             return new OdometryNoise(0, 0, 0);
         }
         return position.odometryError()
@@ -219,7 +219,8 @@ public final class RobotMaker {
         }
         findings.warn(
                 base.location(),
-                "(%s) gets a plain drive. %s".formatted(Findings.shortened(base.macro()), String.join(" ", problems)),
+                "(%s) gets a plain drive. %s"
+                        .formatted(WorldProblems.shortened(base.macro()), String.join(" ", problems)),
                 "");
         return new Drive(
                 new Steering.Differential(),

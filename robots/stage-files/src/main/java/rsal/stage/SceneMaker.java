@@ -16,8 +16,8 @@ import rsal.robot.RobotSpec;
 import rsal.scene.Block;
 import rsal.scene.Entity;
 import rsal.scene.NamedSeed;
-import rsal.scene.Raster;
 import rsal.scene.Scene;
+import rsal.scene.SolidRaster;
 import rsal.scene.Surface;
 import rsal.scene.Touch;
 import rsal.settings.InvalidSettings;
@@ -39,11 +39,11 @@ final class SceneMaker {
     private final String path;
     private final long seed;
     private final Duration step;
-    private final Findings findings = new Findings();
+    private final WorldProblems findings = new WorldProblems();
     private final Pieces pieces = new Pieces(findings);
     private final RobotMaker makes;
     private final IdentityHashMap<Traits, List<Piece>> bodies = new IdentityHashMap<>();
-    private final List<Raster> walls = new ArrayList<>();
+    private final List<SolidRaster> walls = new ArrayList<>();
     private final List<Entity> things = new ArrayList<>();
     private final List<RobotSpec> robots = new ArrayList<>();
     private final Map<String, Entity> robotBodies = new HashMap<>();
@@ -115,7 +115,7 @@ final class SceneMaker {
     }
 
     private void add(StageModel model) {
-        if (model.traits().kind() instanceof Kind.Position position) {
+        if (model.traits().kind() instanceof ModelKind.Position position) {
             addRobot(model, position);
         } else {
             addThing(model);
@@ -125,21 +125,21 @@ final class SceneMaker {
 
     private void addThing(StageModel model) {
         Traits traits = model.traits();
-        Color color = traits.color().orElseGet(() -> drawn(model.name()));
+        StageColor color = traits.color().orElseGet(() -> drawn(model.name()));
         double giving = Math.min(traits.energy().give(), MOST_POWER);
         if (traits.body().raster().isPresent() && !traits.returns().gripper() && giving == 0) {
-            Optional<Raster> upright = upright(
+            Optional<SolidRaster> upright = upright(
                     traits.body().raster().get(), model.worldFromModel(), Pieces.surface(traits.returns(), color));
             if (upright.isPresent()) {
                 walls.add(upright.get());
-                addThing(model, new Body(traits.body().prisms(), Optional.empty()), color);
+                addThing(model, new SolidBody(traits.body().prisms(), Optional.empty()), color);
                 return;
             }
         }
         addThing(model, traits.body(), color);
     }
 
-    private static Optional<Raster> upright(Body.Raster raster, Placement worldFromModel, Surface surface) {
+    private static Optional<SolidRaster> upright(SolidBody.Raster raster, Placement worldFromModel, Surface surface) {
         if (!(raster.cellLength() > 0 && raster.cellWidth() > 0)) {
             return Optional.empty();
         }
@@ -155,7 +155,7 @@ final class SceneMaker {
                 false);
     }
 
-    private void addThing(StageModel model, Body body, Color color) {
+    private void addThing(StageModel model, SolidBody body, StageColor color) {
         warnOfSupply(model, body);
         if (body.isEmpty()) {
             return;
@@ -173,32 +173,34 @@ final class SceneMaker {
         }
     }
 
-    private void warnOfSupply(StageModel model, Body body) {
+    private void warnOfSupply(StageModel model, SolidBody body) {
         Traits.Energy energy = model.traits().energy();
         if (energy.give() > 0 && body.isEmpty()) {
             findings.warn(
                     model.location(),
-                    "(give_watts) has no effect: nothing can touch (%s).".formatted(Findings.shortened(model.name())),
+                    "(give_watts) has no effect: nothing can touch (%s)."
+                            .formatted(WorldProblems.shortened(model.name())),
                     "Give it a body.");
         } else if (energy.give() > 0 && energy.stored().orElse(Double.POSITIVE_INFINITY) < Double.POSITIVE_INFINITY) {
             findings.warn(
                     model.location(),
-                    "What (%s) gives does not end when its (joules) have.".formatted(Findings.shortened(model.macro())),
+                    "What (%s) gives does not end when its (joules) have."
+                            .formatted(WorldProblems.shortened(model.macro())),
                     "Write (joules -1), which says so.");
         }
     }
 
-    private void addRobot(StageModel base, Kind.Position position) {
+    private void addRobot(StageModel base, ModelKind.Position position) {
         RobotMaker.Made made = makes.make(base);
         String id = base.name().replace('/', '.'); // as a slash is what sets devices off from robots
-        Color color = base.traits().color().orElseGet(() -> drawn(base.name()));
+        StageColor color = base.traits().color().orElseGet(() -> drawn(base.name()));
         Rgb rgb = Rgb.of(color.rgb());
         Pose2d pose = base.worldFromModel().pose();
         robots.add(new RobotSpec(id, base.macro(), made.model(), Optional.of(pose), rgb.toString()));
         robotBodies.put(
                 id, new Entity(id, made.blocks(rgb), pose, base.worldFromModel().z()));
         starts.put(id, base.location());
-        boolean knows = position.localization() == Kind.Localization.GPS;
+        boolean knows = position.localization() == ModelKind.Localization.GPS;
         odomFromBase.put(
                 id,
                 knows ? pose : position.odometryOrigin().map(Placement::pose).orElse(pose));
@@ -208,8 +210,8 @@ final class SceneMaker {
     }
 
     /// A color that follows from the seed and the model's name.
-    private Color drawn(String name) {
+    private StageColor drawn(String name) {
         var random = new SplittableRandom(NamedSeed.of(seed, name));
-        return new Color(random.nextInt(256), random.nextInt(256), random.nextInt(256), 255);
+        return new StageColor(random.nextInt(256), random.nextInt(256), random.nextInt(256), 255);
     }
 }

@@ -33,9 +33,9 @@ public record StageWorld(
     /// @param path as a person writes it; messages call it so
     /// @throws InvalidSettings with all mistakes that could be found, each with its file and line
     public static StageWorld read(String path, WorldFiles files) {
-        var findings = new Findings();
+        var findings = new WorldProblems();
         WorldFile file = WorldFile.read(path, files, findings);
-        return new WorldReader(path, file, files, findings).world();
+        return new StageModelReader(path, file, files, findings).world();
     }
 
     /// Every model, parents before their children.

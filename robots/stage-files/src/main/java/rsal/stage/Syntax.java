@@ -3,7 +3,7 @@ package rsal.stage;
 import java.util.List;
 import java.util.Map;
 import rsal.settings.Location;
-import rsal.stage.Entity.Setting;
+import rsal.stage.WorldfileEntity.Setting;
 
 /// An entity as it is written, macros not yet put in.
 ///

@@ -18,11 +18,11 @@ import java.util.OptionalDouble;
 /// @param updateInterval between two readings; they are taken at the world's steps
 /// @param controllers programs for Stage that would drive it
 public record Traits(
-        Kind kind,
+        ModelKind kind,
         Size size,
         Placement origin,
-        Body body,
-        Optional<Color> color,
+        SolidBody body,
+        Optional<StageColor> color,
         Returns returns,
         Energy energy,
         double mass,
@@ -50,7 +50,7 @@ public record Traits(
     ///
     /// @param stored at first [J]; empty when it has no store, +∞ when it never runs dry
     /// @param capacity [J]; empty as above
-    /// @param use while it works [W]; a base's grows with mass and speed, see [Kind.Position]
+    /// @param use while it works [W]; a base's grows with mass and speed, see [ModelKind.Position]
     /// @param give to models that touch it and take [W], at most
     /// @param take from models that touch it and give [W], at most
     public record Energy(OptionalDouble stored, OptionalDouble capacity, double use, double give, double take) {}

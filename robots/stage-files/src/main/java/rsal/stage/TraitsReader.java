@@ -49,19 +49,19 @@ final class TraitsReader implements KindReader.Paint {
     private static final Size USUAL = new Size(0.4, 0.4, 1);
     private static final Set<String> BODILESS = Set.of("ranger", "blobfinder", "fiducial", "bumper");
 
-    private static final Map<String, Color> COLORS =
-            Map.of("gripper", new Color(190, 190, 190, 255), "blinkenlight", Color.GREEN);
+    private static final Map<String, StageColor> COLORS =
+            Map.of("gripper", new StageColor(190, 190, 190, 255), "blinkenlight", StageColor.GREEN);
 
     private final String world;
     private final WorldFiles files;
     private final Units units;
-    private final Findings findings;
+    private final WorldProblems findings;
     private final KindReader kinds;
     private final Map<String, Optional<Bitmap>> bitmaps = new HashMap<>(); // by path
     private long pixels;
     private int points;
 
-    TraitsReader(String world, WorldFiles files, Units units, Findings findings) {
+    TraitsReader(String world, WorldFiles files, Units units, WorldProblems findings) {
         this.world = world;
         this.files = files;
         this.units = units;
@@ -70,21 +70,21 @@ final class TraitsReader implements KindReader.Paint {
     }
 
     /// @param entity of one of [Types#MODELS]
-    Traits read(Entity entity) {
+    Traits read(WorldfileEntity entity) {
         String type = entity.type();
-        var fields = new Fields(entity, article(type) + type, units, findings);
+        var fields = new EntityFields(entity, article(type) + type, units, findings);
         fields.ignore(FOR_VIEWERS);
         fields.text("name");
         fields.pose("pose");
         Size size = fields.size(SIZES.getOrDefault(type, USUAL));
         Placement origin = fields.pose("origin").orElse(Placement.ORIGIN);
-        Kind kind = kinds.read(fields, size);
+        ModelKind kind = kinds.read(fields, size);
         var traits = new Traits(
                 kind,
                 size,
                 origin,
                 body(fields, kind, size, origin),
-                color(fields, COLORS.getOrDefault(type, Color.RED)),
+                color(fields, COLORS.getOrDefault(type, StageColor.RED)),
                 returns(fields),
                 energy(fields, kind),
                 fields.notNegative("mass", Units.Kind.NUMBER, 0),
@@ -117,11 +117,11 @@ final class TraitsReader implements KindReader.Paint {
         return "aeiou".indexOf(type.charAt(0)) >= 0 ? "an " : "a ";
     }
 
-    private static Duration interval(Fields fields) {
+    private static Duration interval(EntityFields fields) {
         return fields.milliseconds("update_interval", 100);
     }
 
-    private static Returns returns(Fields fields) {
+    private static Returns returns(EntityFields fields) {
         return new Returns(
                 fields.flag("obstacle_return", true),
                 fields.number("ranger_return", 1),
@@ -131,10 +131,10 @@ final class TraitsReader implements KindReader.Paint {
                 fields.flag("gripper_return", false));
     }
 
-    private static Energy energy(Fields fields, Kind kind) {
+    private static Energy energy(EntityFields fields, ModelKind kind) {
         double usual = switch (kind) {
-            case Kind.Ranger ranger -> 0.2 * ranger.transducers().size();
-            case Kind.Blobfinder _ -> 2;
+            case ModelKind.Ranger ranger -> 0.2 * ranger.transducers().size();
+            case ModelKind.Blobfinder _ -> 2;
             default -> 0;
         };
         OptionalDouble stored = joules(fields, "joules", "kjoules");
@@ -156,7 +156,7 @@ final class TraitsReader implements KindReader.Paint {
                 fields.notNegative("take_watts", Units.Kind.NUMBER, 0));
     }
 
-    private static OptionalDouble joules(Fields fields, String plain, String thousands) {
+    private static OptionalDouble joules(EntityFields fields, String plain, String thousands) {
         if (fields.has(thousands)) {
             fields.has(plain);
             return OptionalDouble.of(1000 * fields.number(thousands, 0));
@@ -164,13 +164,13 @@ final class TraitsReader implements KindReader.Paint {
         return fields.has(plain) ? OptionalDouble.of(fields.number(plain, 0)) : OptionalDouble.empty();
     }
 
-    private List<Controller> controllers(Fields fields, Kind kind) {
+    private List<Controller> controllers(EntityFields fields, ModelKind kind) {
         var controllers = new ArrayList<Controller>();
         for (String text : fields.texts("ctrl")) {
             String[] parts = text.strip().split("\\s+", 2);
             if (!parts[0].isEmpty()) {
                 controllers.add(new Controller(parts[0], parts.length > 1 ? parts[1] : ""));
-                if (kind instanceof Kind.Position && parts[0].equals("wander") && hasRanger(fields.entity())) {
+                if (kind instanceof ModelKind.Position && parts[0].equals("wander") && hasRanger(fields.entity())) {
                     continue; // there is a behavior that does the same
                 }
                 findings.warn(
@@ -178,24 +178,24 @@ final class TraitsReader implements KindReader.Paint {
                         parts[0].equals("wander")
                                 ? "Controller (wander) is for robots that have a ranger."
                                 : "Controller (%s) is a program for Stage and can't be loaded here."
-                                        .formatted(Findings.shortened(parts[0])),
-                        kind instanceof Kind.Position ? instead(fields.entity()) : "");
+                                        .formatted(WorldProblems.shortened(parts[0])),
+                        kind instanceof ModelKind.Position ? instead(fields.entity()) : "");
             }
         }
         return controllers;
     }
 
-    private static String instead(Entity robot) {
+    private static String instead(WorldfileEntity robot) {
         return hasRanger(robot)
                 ? "The robot wanders instead. Give it a behavior or an agent in a scenario."
                 : "The robot stands still: it has no ranger to wander by. Give it one, or an agent in a scenario.";
     }
 
-    private static boolean hasRanger(Entity entity) {
+    private static boolean hasRanger(WorldfileEntity entity) {
         return entity.type().equals("ranger") || entity.children().stream().anyMatch(TraitsReader::hasRanger);
     }
 
-    private Body body(Fields fields, Kind kind, Size size, Placement origin) {
+    private SolidBody body(EntityFields fields, ModelKind kind, Size size, Placement origin) {
         var builder = new BodyBuilder(size, origin);
         List<Block> blocks = blocks(fields.entity());
         boolean boundary = fields.flag("boundary", false);
@@ -215,7 +215,7 @@ final class TraitsReader implements KindReader.Paint {
             builder.boundary();
         }
         boolean usual = file.isEmpty() && blocks.isEmpty() && !boundary && !none;
-        if (usual && kind instanceof Kind.Gripper gripper) {
+        if (usual && kind instanceof ModelKind.Gripper gripper) {
             double x = size.x() / 2;
             builder.box(-x, x - gripper.paddle().x(), -size.y() / 2, size.y() / 2, size.z());
         } else if (usual && !BODILESS.contains(fields.entity().type())) {
@@ -224,17 +224,17 @@ final class TraitsReader implements KindReader.Paint {
         return builder.build();
     }
 
-    private List<Block> blocks(Entity entity) {
+    private List<Block> blocks(WorldfileEntity entity) {
         var blocks = new ArrayList<Block>();
-        for (Entity child : entity.children()) {
+        for (WorldfileEntity child : entity.children()) {
             if (child.type().equals(Types.BLOCK)) {
-                block(new Fields(child, "a block", units, findings)).ifPresent(blocks::add);
+                block(new EntityFields(child, "a block", units, findings)).ifPresent(blocks::add);
             }
         }
         return blocks;
     }
 
-    private Optional<Block> block(Fields fields) {
+    private Optional<Block> block(EntityFields fields) {
         int count = fields.whole("points", 2, MOST_CORNERS).orElse(0);
         if (!fields.has("points")) {
             fields.problem("points", "A block must say how many (points) it has.", howMany(fields));
@@ -260,15 +260,15 @@ final class TraitsReader implements KindReader.Paint {
             }
             fields.tuple(name, Form.POINT).ifPresent(p -> corners.add(new Point2d(p[0], p[1])));
         }
-        Interval heights = fields.interval("z", new Interval(0, 1));
-        Optional<Color> color =
-                fields.has("color") || fields.has("color_rgba") ? color(fields, Color.RED) : Optional.empty();
+        ValueRange heights = fields.interval("z", new ValueRange(0, 1));
+        Optional<StageColor> color =
+                fields.has("color") || fields.has("color_rgba") ? color(fields, StageColor.RED) : Optional.empty();
         fields.done();
         return corners.size() < 2 ? Optional.empty() : Optional.of(new Block(corners, heights, color));
     }
 
     /// What `points` of a block may have been meant to be.
-    private static String howMany(Fields block) {
+    private static String howMany(EntityFields block) {
         int given = 0;
         while (given < MOST_CORNERS && block.has("point[%d]".formatted(given))) {
             given++;
@@ -311,25 +311,25 @@ final class TraitsReader implements KindReader.Paint {
     }
 
     @Override
-    public Optional<Color> color(Fields fields, Color fallback) {
+    public Optional<StageColor> color(EntityFields fields, StageColor fallback) {
         Optional<double[]> parts = fields.tuple("color_rgba", Form.COLOR);
         Optional<String> name = fields.text("color");
         if (name.isPresent()) {
             return name.get().equals("random")
                     ? Optional.empty()
-                    : named(name.get(), fields.locationOf("color")).or(() -> Optional.of(Color.RED));
+                    : named(name.get(), fields.locationOf("color")).or(() -> Optional.of(StageColor.RED));
         }
-        return Optional.of(parts.map(Color::of).orElse(fallback));
+        return Optional.of(parts.map(StageColor::of).orElse(fallback));
     }
 
     @Override
-    public Optional<Color> named(String name, Location at) {
-        Optional<Color> color = Color.named(name);
+    public Optional<StageColor> named(String name, Location at) {
+        Optional<StageColor> color = StageColor.named(name);
         if (color.isEmpty()) {
             findings.warn(
                     at,
-                    "There is no color (%s).".formatted(Findings.shortened(name)),
-                    findings.maybe(name, Color.names(), "Stage would take red."));
+                    "There is no color (%s).".formatted(WorldProblems.shortened(name)),
+                    findings.maybe(name, StageColor.names(), "Stage would take red."));
         }
         return color;
     }

@@ -11,7 +11,7 @@ import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.settings.Suggestion;
 import rsal.settings.Value;
-import rsal.stage.Entity.Setting;
+import rsal.stage.WorldfileEntity.Setting;
 
 /// A world file as it is written: properties and entities, includes and macros put in.
 ///
@@ -29,20 +29,20 @@ import rsal.stage.Entity.Setting;
 /// @param root the world's own properties and its entities
 /// @param known names of all types and macros, to guess what was meant
 /// @param complete whether all included files were there; when not, much else follows from that
-public record WorldFile(Entity root, Set<String> known, boolean complete) {
+public record WorldFile(WorldfileEntity root, Set<String> known, boolean complete) {
 
     /// @param path of the world
     /// @param findings takes all mistakes that leave something to read
     /// @throws InvalidSettings when there is no such file, or too much of anything
-    static WorldFile read(String path, WorldFiles files, Findings findings) {
+    static WorldFile read(String path, WorldFiles files, WorldProblems findings) {
         return read(path, files, findings, Dialect.STAGE);
     }
 
     /// Reads another kind of file, likewise.
-    public static WorldFile read(String path, WorldFiles files, Findings findings, Dialect dialect) {
+    public static WorldFile read(String path, WorldFiles files, WorldProblems findings, Dialect dialect) {
         Lexer.Tokens tokens = Lexer.read(path, files, findings, dialect);
         var parser = new Parser(tokens, findings, dialect);
-        Entity root = parser.world(path);
+        WorldfileEntity root = parser.world(path);
         boolean complete = tokens.complete() && !parser.incomplete;
         if (complete) {
             parser.macros.tellBaseless();
@@ -55,22 +55,22 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
         private static final String FINITE = "Only finite numbers can be written.";
 
         private final List<Token> tokens;
-        private final Findings findings;
+        private final WorldProblems findings;
         private final Macros macros;
         private final boolean closed;
         private boolean incomplete; // a file was meant to be included
         private int next;
 
-        Parser(Lexer.Tokens tokens, Findings findings, Dialect dialect) {
+        Parser(Lexer.Tokens tokens, WorldProblems findings, Dialect dialect) {
             this.tokens = tokens.all();
             this.closed = tokens.closed();
             this.findings = findings;
             this.macros = new Macros(findings, dialect);
         }
 
-        Entity world(String path) {
+        WorldfileEntity world(String path) {
             var settings = new LinkedHashMap<String, Setting>();
-            var entities = new ArrayList<Entity>();
+            var entities = new ArrayList<WorldfileEntity>();
             long size = 1;
             while (next < tokens.size()) {
                 Token token = tokens.get(next);
@@ -84,7 +84,7 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
                     var children = new ArrayList<Syntax>();
                     statement(settings, children, 0);
                     for (Syntax child : children) {
-                        Entity entity = macros.expand(child);
+                        WorldfileEntity entity = macros.expand(child);
                         entities.add(entity);
                         size += entity.size();
                         if (size > Macros.MAX_ENTITIES) {
@@ -96,7 +96,7 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
                     }
                 }
             }
-            return new Entity("world", "world", Location.of(path), settings, entities, Optional.empty(), size);
+            return new WorldfileEntity("world", "world", Location.of(path), settings, entities, Optional.empty(), size);
         }
 
         /// A property, or an entity with all that is in it.
@@ -138,7 +138,7 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
             } else {
                 findings.error(
                         word.location(),
-                        "(%s) has no value.".formatted(Findings.shortened(word.text())),
+                        "(%s) has no value.".formatted(WorldProblems.shortened(word.text())),
                         after instanceof Token.Word value && onLine(after, word) ? meant(word, value) : "");
                 skipLine(word);
             }
@@ -149,8 +149,8 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
             String name = "%s[%s]".formatted(word.text(), index);
             findings.error(
                     word.location(),
-                    "A blank stands between (%s) and its index.".formatted(Findings.shortened(word.text())),
-                    "Maybe %s was meant?".formatted(Findings.shortened(name)));
+                    "A blank stands between (%s) and its index.".formatted(WorldProblems.shortened(word.text())),
+                    "Maybe %s was meant?".formatted(WorldProblems.shortened(name)));
             Token opening = tokens.get(next++);
             settings.put(name, new Setting(name, word.location(), tuple(word, opening)));
         }
@@ -160,7 +160,7 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
             String word = value.text();
             Token third = next + 1 < tokens.size() ? tokens.get(next + 1) : null;
             if (macros.isKnown(name.text())) {
-                return "Models are written as %s ( ... ).".formatted(Findings.shortened(name.text()));
+                return "Models are written as %s ( ... ).".formatted(WorldProblems.shortened(name.text()));
             }
             if (Suggestion.closest(name.text(), List.of("define")).isPresent() && third instanceof Token.Word) {
                 return "Maybe (define) was meant?";
@@ -170,7 +170,7 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
                     return FINITE;
                 }
                 return third instanceof Token.Literal || (third != null && Token.isBracket(third, '['))
-                        ? "Write one before (%s).".formatted(Findings.shortened(word))
+                        ? "Write one before (%s).".formatted(WorldProblems.shortened(word))
                         : "Maybe \"%s\" was meant? Texts stand in \" \".".formatted(word);
             });
         }
@@ -189,9 +189,9 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
             if (values.size() > 1) {
                 findings.error(
                         name.location(),
-                        "(%s) has %d values.".formatted(Findings.shortened(name.text()), values.size()),
+                        "(%s) has %d values.".formatted(WorldProblems.shortened(name.text()), values.size()),
                         "Several stand in [ ]: %s [%s]."
-                                .formatted(name.text(), Findings.shortened(String.join(" ", values))));
+                                .formatted(name.text(), WorldProblems.shortened(String.join(" ", values))));
                 findings.spoil(name.location());
             }
         }
@@ -202,7 +202,7 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
                     && Suggestion.closest(name.text(), List.of("include")).isPresent()) {
                 findings.error(
                         name.location(),
-                        "(%s) is not known in a world.".formatted(Findings.shortened(name.text())),
+                        "(%s) is not known in a world.".formatted(WorldProblems.shortened(name.text())),
                         "Maybe (include) was meant?");
                 incomplete = true;
             }
@@ -213,7 +213,8 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
             if (depth > Macros.MAX_DEPTH) {
                 throw findings.fatal(
                         location,
-                        "(%s) is more than %d deep in others.".formatted(Findings.shortened(name), Macros.MAX_DEPTH),
+                        "(%s) is more than %d deep in others."
+                                .formatted(WorldProblems.shortened(name), Macros.MAX_DEPTH),
                         "Maybe a ) is missing.");
             }
             var settings = new LinkedHashMap<String, Setting>();
@@ -224,7 +225,7 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
                 if (token instanceof Token.Word word && word.text().equals("define")) {
                     findings.error(
                             token.location(),
-                            "(define) can't stand inside of (%s).".formatted(Findings.shortened(name)),
+                            "(define) can't stand inside of (%s).".formatted(WorldProblems.shortened(name)),
                             "Maybe a ) is missing above; else put the definition first.");
                     next++;
                     define(word);
@@ -243,11 +244,11 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
                 if (closed) {
                     findings.error(
                             opening.location(),
-                            "The ( of (%s) is not closed.".formatted(Findings.shortened(name)),
+                            "The ( of (%s) is not closed.".formatted(WorldProblems.shortened(name)),
                             atMargin == null
                                     ? "Close it with )."
                                     : "Close it with ), maybe before (%s) at %s."
-                                            .formatted(Findings.shortened(atMargin.text()), atMargin.location()));
+                                            .formatted(WorldProblems.shortened(atMargin.text()), atMargin.location()));
                 }
             } else {
                 next++;
@@ -291,7 +292,7 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
             } else if (next < tokens.size() && tokens.get(next) instanceof Token.Word word && onLine(word, opening)) {
                 findings.error(
                         word.location(),
-                        "(%s) can't stand in a tuple.".formatted(Findings.shortened(word.text())),
+                        "(%s) can't stand in a tuple.".formatted(WorldProblems.shortened(word.text())),
                         isInfinite(word.text())
                                 ? FINITE
                                 : "Maybe \"%s\" was meant, or a ] is missing before it.".formatted(word.text()));
@@ -342,7 +343,7 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
         }
 
         private static String quoted(Token token) {
-            return token instanceof Token.Literal ? token.text() : "(" + Findings.shortened(token.text()) + ")";
+            return token instanceof Token.Literal ? token.text() : "(" + WorldProblems.shortened(token.text()) + ")";
         }
     }
 }

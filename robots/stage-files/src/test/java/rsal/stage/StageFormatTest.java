@@ -22,8 +22,8 @@ import rsal.robot.RobotModel.RangeNoise;
 import rsal.robot.RobotModel.Steering;
 import rsal.robot.RobotSpec;
 import rsal.scene.Entity;
-import rsal.scene.Raster;
 import rsal.scene.Scene;
+import rsal.scene.SolidRaster;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Problem;
 
@@ -80,7 +80,7 @@ class StageFormatTest {
             "#".repeat(120) + "\n" + ("#" + ".".repeat(118) + "#\n").repeat(118) + "#".repeat(120);
 
     /// A picture of a raster, the uppermost row first.
-    private static String drawn(Raster raster) {
+    private static String drawn(SolidRaster raster) {
         return IntStream.range(0, raster.height())
                 .map(row -> raster.height() - 1 - row)
                 .mapToObj(row -> IntStream.range(0, raster.width())
@@ -156,7 +156,7 @@ class StageFormatTest {
                 .andImage("plan.pgm", wide);
     }
 
-    private static String small(Raster raster) {
+    private static String small(SolidRaster raster) {
         List<String> rows = drawn(raster).lines().toList();
         var small = new StringBuilder();
         for (int row = 30; row < rows.size(); row += 60) {
@@ -172,7 +172,7 @@ class StageFormatTest {
     void largeBitmapsAreWalls() {
         Scene scene = scene(plan("[10 20 0 0]"), 1);
         assertThat(scene.things()).isEmpty();
-        Raster walls = scene.walls().getFirst();
+        SolidRaster walls = scene.walls().getFirst();
         assertThat(small(walls)).isEqualTo(BITMAP);
         assertThat(walls.left()).isCloseTo(7.5, within(1e-9));
         assertThat(walls.bottom()).isCloseTo(18.5, within(1e-9));

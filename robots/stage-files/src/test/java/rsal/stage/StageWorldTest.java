@@ -52,10 +52,10 @@ class StageWorldTest {
     @Test
     void aModelHasStagesDefaults() {
         Traits traits = Worlds.of("model ( )").model().traits();
-        assertThat(traits.kind()).isEqualTo(new Kind.Thing());
+        assertThat(traits.kind()).isEqualTo(new ModelKind.Thing());
         assertThat(traits.size()).isEqualTo(new Size(0.4, 0.4, 1));
         assertThat(traits.origin()).isEqualTo(Placement.ORIGIN);
-        assertThat(traits.color()).contains(Color.RED);
+        assertThat(traits.color()).contains(StageColor.RED);
         assertThat(traits.returns()).isEqualTo(new Returns(true, 1, true, 0, 0, false));
         assertThat(traits.energy()).isEqualTo(new Energy(OptionalDouble.empty(), OptionalDouble.empty(), 0, 0, 0));
         assertThat(traits.mass()).isZero();
@@ -74,7 +74,7 @@ class StageWorldTest {
                 """).model().traits();
         assertThat(traits.size()).isEqualTo(new Size(1, 2, 3));
         assertThat(traits.origin()).isEqualTo(Placement.of(0.1, 0.2, 0.3, Math.PI / 2));
-        assertThat(traits.color()).contains(new Color(0, 0, 128, 255));
+        assertThat(traits.color()).contains(new StageColor(0, 0, 128, 255));
         assertThat(traits.returns()).isEqualTo(new Returns(false, -1, false, 12, 3, true));
         assertThat(traits.mass()).isEqualTo(7);
         assertThat(traits.stacksChildren()).isFalse();
@@ -92,7 +92,7 @@ class StageWorldTest {
         "red, ff0000"
     })
     void colorsGoByTheirNamesInX11(String name, String rgb) {
-        Color color = Worlds.of("model ( color \"%s\" )".formatted(name))
+        StageColor color = Worlds.of("model ( color \"%s\" )".formatted(name))
                 .model()
                 .traits()
                 .color()
@@ -107,12 +107,12 @@ class StageWorldTest {
                         .model()
                         .traits()
                         .color())
-                .contains(new Color(0, 128, 255, 51));
+                .contains(new StageColor(0, 128, 255, 51));
         assertThat(Worlds.of("model ( color \"blue\" color_rgba [1 0 0 1] )")
                         .model()
                         .traits()
                         .color())
-                .contains(Color.BLUE);
+                .contains(StageColor.BLUE);
         assertThat(Worlds.of("model ( color \"random\" )").model().traits().color())
                 .isEmpty();
     }
@@ -162,13 +162,14 @@ class StageWorldTest {
         assertThat(base.traits().size().x()).isCloseTo(10 * meters, within(1e-12));
         assertThat(base.traits().mass()).isEqualTo(8);
         assertThat(world.resolution()).isEqualTo(0.05);
-        var position = (Kind.Position) base.traits().kind();
+        var position = (ModelKind.Position) base.traits().kind();
         assertThat(position.speeds().x().max()).isCloseTo(5 * meters, within(1e-12));
         assertThat(position.speeds().turn().max()).isCloseTo(Math.PI, within(1e-9));
-        var ranger = (Kind.Ranger) base.children().getFirst().traits().kind();
+        var ranger = (ModelKind.Ranger) base.children().getFirst().traits().kind();
         assertThat(ranger.transducers().getFirst().range().max()).isCloseTo(500 * meters, within(1e-9));
         assertThat(ranger.transducers().getFirst().fov()).isCloseTo(Math.PI, within(1e-9));
-        var blobfinder = (Kind.Blobfinder) base.children().getLast().traits().kind();
+        var blobfinder =
+                (ModelKind.Blobfinder) base.children().getLast().traits().kind();
         assertThat(blobfinder.range()).isEqualTo(9);
     }
 

@@ -8,14 +8,14 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
-import rsal.agent.platform.Turns;
+import rsal.agent.platform.AgentTurns;
 import rsal.engine.report.RunBroken;
 
 /// Looks once a second, on a thread of its own, whether the agents of a run return.
 final class AgentWatch {
     private static final Duration PERIOD = Duration.ofSeconds(1);
 
-    private final Turns turns;
+    private final AgentTurns turns;
     private final int patience;
     private final Watchdog watchdog;
     private final CompletableFuture<Boolean> ending;
@@ -24,7 +24,7 @@ final class AgentWatch {
     /// @param patience after how many looks an agent counts as one that never returns
     /// @param result done when the run has ended; then it looks no more
     /// @param giveUp told which agent never returns
-    AgentWatch(Turns turns, int patience, CompletableFuture<?> result, Consumer<RunBroken> giveUp) {
+    AgentWatch(AgentTurns turns, int patience, CompletableFuture<?> result, Consumer<RunBroken> giveUp) {
         this.turns = turns;
         this.patience = patience;
         this.watchdog = new Watchdog(turns, patience);
@@ -60,7 +60,7 @@ final class AgentWatch {
     }
 
     /// The thread of an agent at work, as platforms may have threads of their own.
-    static Optional<Thread> busyThread(Turns turns) {
+    static Optional<Thread> busyThread(AgentTurns turns) {
         return turns.underWay().keySet().stream().findFirst().flatMap(turns::thread);
     }
 

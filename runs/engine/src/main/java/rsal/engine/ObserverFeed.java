@@ -10,20 +10,20 @@ final class ObserverFeed {
     private static final Duration PERIOD_OF_MINDS = Duration.ofSeconds(1); // of the run
 
     private final RunObserver observer;
-    private final Reporter reporter;
+    private final RunReporter reporter;
     private final EventLog eventLog;
     private final LinkSampler links = new LinkSampler(); // apart from those of people, who look when they like
     private long sequence; // of the next snapshot
     private Duration nextSnapshot = Duration.ZERO;
     private Duration nextMinds = Duration.ZERO;
 
-    ObserverFeed(RunObserver observer, Reporter reporter, EventLog eventLog) {
+    ObserverFeed(RunObserver observer, RunReporter reporter, EventLog eventLog) {
         this.observer = observer;
         this.reporter = reporter;
         this.eventLog = eventLog;
     }
 
-    void showIfDue(RunAssembly assembly, Reporter.Progress now) {
+    void showIfDue(RunAssembly assembly, RunReporter.Progress now) {
         Duration time = now.time();
         if (time.compareTo(nextMinds) >= 0) {
             nextMinds = time.plus(PERIOD_OF_MINDS);
@@ -39,7 +39,7 @@ final class ObserverFeed {
     }
 
     /// Shows how everything stands, if the observer looks.
-    void show(Reporter.Progress now) {
+    void show(RunReporter.Progress now) {
         if (observer.looks()) {
             observer.sees(reporter.snapshot(sequence++, now, links), eventLog.hashSoFar());
         }

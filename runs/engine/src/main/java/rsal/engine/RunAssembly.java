@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import rsal.agent.bdi.Mind;
-import rsal.agent.platform.Turns;
+import rsal.agent.platform.AgentTurns;
 import rsal.data.Pose2d;
 import rsal.engine.agent.Agents;
 import rsal.engine.agent.TypedAgent;
@@ -86,7 +86,7 @@ final class RunAssembly implements AutoCloseable {
             EventLog eventLog,
             MetricsObserver observer,
             Traffic traffic,
-            Turns turns,
+            AgentTurns turns,
             SentGoals goals) {
         this.plan = plan;
         this.scheduler = scheduler;

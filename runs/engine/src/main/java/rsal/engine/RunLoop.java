@@ -29,7 +29,7 @@ import java.util.function.LongSupplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
-import rsal.agent.platform.Turns;
+import rsal.agent.platform.AgentTurns;
 import rsal.engine.communication.Traffic;
 import rsal.engine.event.EventLog;
 import rsal.engine.event.Viewers;
@@ -85,8 +85,8 @@ final class RunLoop {
     private final Traffic traffic;
     private final Pacer pacer;
     private final Snapshots snapshots;
-    private final Turns turns = new Turns();
-    private final Reporter reporter;
+    private final AgentTurns turns = new AgentTurns();
+    private final RunReporter reporter;
     private final Optional<ObserverFeed> observer;
     private volatile @Nullable Thread thread;
     private volatile boolean remembers;
@@ -113,7 +113,7 @@ final class RunLoop {
         this.metrics = new MetricsObserver(plan, eventLog, scheduler);
         this.traffic = new Traffic(eventLog, metrics, plan.communication().isPresent());
         this.pacer = new Pacer(System::nanoTime, plan.clock() == RunPlan.Clock.WALL ? 1 : plan.speed());
-        this.reporter = new Reporter(pacer, operatorClock);
+        this.reporter = new RunReporter(pacer, operatorClock);
         this.observer = observer.map(seen -> new ObserverFeed(seen, reporter, eventLog));
         this.snapshots = new Snapshots(System::nanoTime, sequence -> reporter.snapshot(sequence, progress()));
     }
@@ -418,7 +418,7 @@ final class RunLoop {
     private RunResult endResult() {
         goals.close();
         double seconds = (System.nanoTime() - beganNanos) / 1e9;
-        return Reporter.result(plan, String.valueOf(outcome), metrics, seconds, eventLog, assembly);
+        return RunReporter.result(plan, String.valueOf(outcome), metrics, seconds, eventLog, assembly);
     }
 
     /// In real time tasks run on threads of agents, too; these are not to end the run.
@@ -487,7 +487,7 @@ final class RunLoop {
         }
     }
 
-    private Reporter.Progress progress() {
-        return new Reporter.Progress(elapsed(), paused, Optional.ofNullable(outcome), Optional.ofNullable(assembly));
+    private RunReporter.Progress progress() {
+        return new RunReporter.Progress(elapsed(), paused, Optional.ofNullable(outcome), Optional.ofNullable(assembly));
     }
 }

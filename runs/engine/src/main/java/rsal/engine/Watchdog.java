@@ -3,19 +3,19 @@ package rsal.engine;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
-import rsal.agent.platform.Turns;
+import rsal.agent.platform.AgentTurns;
 
 /// Finds out which agent never returns, and so holds up all others on its thread. Counts how often it is seen in one
 /// turn instead of measuring time: while a machine sleeps nobody is late. Of one thread.
 final class Watchdog {
-    private final Turns turns;
+    private final AgentTurns turns;
     private final int patience;
     private Map<String, Sight> seen = Map.of(); // by agent
 
     private record Sight(long turn, int looks) {}
 
     /// @param patience in how many looks running an agent may be seen in one turn
-    Watchdog(Turns turns, int patience) {
+    Watchdog(AgentTurns turns, int patience) {
         this.turns = turns;
         this.patience = patience;
     }

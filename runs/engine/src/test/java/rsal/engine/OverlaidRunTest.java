@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import rsal.agent.platform.Turns;
+import rsal.agent.platform.AgentTurns;
 import rsal.data.Pose2d;
 import rsal.engine.communication.Traffic;
 import rsal.engine.event.EventLog;
@@ -60,7 +60,7 @@ class OverlaidRunTest {
                 eventLog,
                 observer,
                 new Traffic(eventLog, observer, false),
-                new Turns(),
+                new AgentTurns(),
                 new SentGoals(() -> Duration.ZERO));
         stage.begin();
         time.advance(Duration.ofSeconds(1));

@@ -24,10 +24,11 @@ import rsal.recording.proto.MessageType;
 import rsal.recording.proto.ProtoReader;
 import rsal.scenario.text.CsvLine;
 
-/// Writes messages as tables, one for each topic: a row is a message, or, where a message is a list (robots of a state,
-/// transforms, particles, points of a path), an element of it. The first column is the log time in seconds, the others
-/// are fields ([Table]). Of maps the tables tell when they were drawn; the last of each lies beside its table as ROS
-/// has maps ([RosMap]). Things, the world and bodies are left out. For one thread.
+/// Writes messages as tables, one for each topic: a row is a message, or, where a message is a list (robots of
+/// a state, transforms, particles, points of a path), an element of it. The first column is the log time in
+/// seconds, the others are fields ([MessageTable]). Of maps the tables tell when they were drawn; the last of
+/// each lies beside its table as ROS has maps ([RosMap]). Things, the world and bodies are left out. For one
+/// thread.
 public final class CsvExport {
     private static final Map<String, MessageType> KNOWN = Stream.concat(
                     ReadingType.ALL.stream().map(ReadingType::message),
@@ -59,14 +60,14 @@ public final class CsvExport {
         for (Channel channel : file.channels()) {
             Optional<MessageType> type = file.schema(channel).flatMap(CsvExport::type);
             type.filter(known -> !known.equals(Foxglove.SCENE_UPDATE)
-                            || channel.topic().endsWith("/" + Topics.PATH)
-                            || channel.topic().endsWith("/" + Topics.LOCAL_PATH))
+                            || channel.topic().endsWith("/" + ChannelNames.PATH)
+                            || channel.topic().endsWith("/" + ChannelNames.LOCAL_PATH))
                     .ifPresent(known -> types.put(channel, known));
         }
     }
 
     private static Optional<MessageType> type(Schema schema) {
-        if (!schema.name().startsWith(Contents.PACKAGE)) {
+        if (!schema.name().startsWith(ContentWriter.PACKAGE)) {
             return Optional.ofNullable(KNOWN.get(schema.name()));
         }
         try {
@@ -115,7 +116,7 @@ public final class CsvExport {
             written.add(path);
             if (isMap(channel.getValue()) && last.isPresent()) {
                 try {
-                    written.addAll(writeMap(Decoder.grid(new Fields(last.get())), folder, name));
+                    written.addAll(writeMap(Decoder.grid(new MessageFields(last.get())), folder, name));
                 } catch (IllegalArgumentException e) { // of another program's recording
                     broken.add("The last map of (%s) is none: %s".formatted(name, e.getMessage()));
                 }
@@ -137,7 +138,7 @@ public final class CsvExport {
 
     /// @return the last message
     private Optional<Map<String, Object>> write(Channel channel, MessageType type, Writer out) throws IOException {
-        Table table = Table.of(type);
+        MessageTable table = MessageTable.of(type);
         var columns = new ArrayList<String>(); // once there is a message
         var last = new AtomicReference<@Nullable Map<String, Object>>();
         file.read(channel::equals, (_, _, logTime, _, data) -> {

@@ -83,7 +83,7 @@ final class Decoder {
             List<Reading> readings) {}
 
     private interface Reader<T> {
-        T read(Fields fields, Instant time);
+        T read(MessageFields fields, Instant time);
     }
 
     /// @param start of the run, on its own clock
@@ -119,7 +119,7 @@ final class Decoder {
 
     /// Where messages about the devices of a robot are held.
     static String devices(String robot) {
-        return Topics.about(Topics.DEVICES, robot) + "\n";
+        return ChannelNames.about(ChannelNames.DEVICES, robot) + "\n";
     }
 
     /// What a channel is of.
@@ -146,22 +146,22 @@ final class Decoder {
 
     Snapshot snapshot(Held held, Duration time, Optional<String> outcome) {
         now = new IdentityHashMap<>();
-        Optional<Fields> state = read(held, Topics.STATE, Own.STATE, (fields, _) -> fields);
+        Optional<MessageFields> state = read(held, ChannelNames.STATE, Own.STATE, (fields, _) -> fields);
         var devices = new HashMap<String, List<Recorded>>(); // by robot
         var mates = new ArrayList<Teammate>();
         var agents = new ArrayList<AgentView>();
         var things = new ArrayList<Standing>();
         held.messages().keySet().forEach(key -> {
-            if (key.startsWith(Topics.about(Topics.DEVICES, ""))) {
+            if (key.startsWith(ChannelNames.about(ChannelNames.DEVICES, ""))) {
                 read(held, key, Own.DEVICE, (fields, _) -> fields)
                         .ifPresent(fields -> devices.computeIfAbsent(fields.text("robot"), _ -> new ArrayList<>())
                                 .add(device(fields)));
-            } else if (key.startsWith(Topics.about(Topics.ROBOTS, ""))) {
+            } else if (key.startsWith(ChannelNames.about(ChannelNames.ROBOTS, ""))) {
                 read(held, key, Own.ROBOT, (fields, _) -> mate(fields)).ifPresent(mates::add);
-            } else if (key.startsWith(Topics.about(Topics.AGENTS, ""))) {
+            } else if (key.startsWith(ChannelNames.about(ChannelNames.AGENTS, ""))) {
                 read(held, key, Own.AGENT, (fields, _) -> fields)
                         .ifPresent(fields -> agents.add(agent(fields, held.speech(fields.text("name")))));
-            } else if (key.startsWith(Topics.about(Topics.THINGS, ""))) {
+            } else if (key.startsWith(ChannelNames.about(ChannelNames.THINGS, ""))) {
                 read(held, key, Own.THING, (fields, _) -> thing(fields))
                         .flatMap(standing -> standing)
                         .ifPresent(things::add);
@@ -170,14 +170,14 @@ final class Decoder {
         var team = new LinkedHashMap<String, Teammate>();
         mates.forEach(mate -> team.put(mate.spec().id(), mate));
         var robots = new ArrayList<RobotView>();
-        for (Fields robot : state.map(all -> all.all("robots")).orElse(List.of())) {
+        for (MessageFields robot : state.map(all -> all.all("robots")).orElse(List.of())) {
             String id = robot.text("id");
             Teammate mate = team.get(id);
             if (mate != null) {
                 robots.add(robot(robot, mate.spec(), held, devices.getOrDefault(id, List.of()), time));
             }
         }
-        Answer.Linked links = read(held, Topics.LINKS, Own.LINKS, (fields, _) -> links(fields))
+        Answer.Linked links = read(held, ChannelNames.LINKS, Own.LINKS, (fields, _) -> links(fields))
                 .orElse(Answer.Linked.NONE);
         before = now;
         return new Snapshot(
@@ -195,7 +195,7 @@ final class Decoder {
                 links);
     }
 
-    private static Answer.Linked links(Fields fields) {
+    private static Answer.Linked links(MessageFields fields) {
         List<Link> links = fields.all("links").stream()
                 .map(link -> new Link(
                         link.text("one"),
@@ -209,9 +209,9 @@ final class Decoder {
     /// Where robots are, by their names: as people are shown them.
     ///
     /// @param state an [Own#STATE]
-    static Map<String, Pose2d> poses(Fields state) {
+    static Map<String, Pose2d> poses(MessageFields state) {
         var poses = new HashMap<String, Pose2d>();
-        for (Fields robot : state.all("robots")) {
+        for (MessageFields robot : state.all("robots")) {
             robot.pose("truth")
                     .or(() -> robot.within("estimate").flatMap(belief -> belief.pose("pose")))
                     .or(() -> robot.pose("stand_in"))
@@ -228,7 +228,7 @@ final class Decoder {
                 .filter(key -> key.startsWith(devices(robot)))
                 .forEach(key -> read(held, key, Own.DEVICE, (fields, _) -> device(fields))
                         .ifPresent(devices::add));
-        List<Reading> readings = read(held, Topics.STATE, Own.STATE, (fields, _) -> fields)
+        List<Reading> readings = read(held, ChannelNames.STATE, Own.STATE, (fields, _) -> fields)
                 .flatMap(state -> state.all("robots").stream()
                         .filter(one -> one.text("id").equals(robot))
                         .findFirst())
@@ -239,7 +239,7 @@ final class Decoder {
     }
 
     Optional<Mind.View> mind(Held held, String agent) {
-        return read(held, Topics.about(Topics.MINDS, agent), Own.MIND, (fields, _) -> mind(fields));
+        return read(held, ChannelNames.about(ChannelNames.MINDS, agent), Own.MIND, (fields, _) -> mind(fields));
     }
 
     /// What a message says, read once for as long as it is the newest of its kind.
@@ -260,7 +260,7 @@ final class Decoder {
 
     private static Optional<Object> made(Raw raw, MessageType type, Reader<?> reader) {
         try {
-            return Optional.of(reader.read(Fields.read(type, raw.buffer()), time(raw)));
+            return Optional.of(reader.read(MessageFields.read(type, raw.buffer()), time(raw)));
         } catch (IOException | IllegalArgumentException _) {
             return Optional.empty(); // not what we wrote
         }
@@ -271,7 +271,7 @@ final class Decoder {
     }
 
     /// What it looks like is planned: by its name, else as the others of its model, else as the program has that.
-    private Teammate mate(Fields fields) {
+    private Teammate mate(MessageFields fields) {
         String id = fields.text("id");
         if (UNFIT.matcher(id).find()) { // it becomes the name of files
             throw new IllegalArgumentException("No robot is called (%s).".formatted(id));
@@ -300,7 +300,7 @@ final class Decoder {
                 like.body());
     }
 
-    private RobotView robot(Fields robot, RobotSpec spec, Held held, List<Recorded> devices, Duration time) {
+    private RobotView robot(MessageFields robot, RobotSpec spec, Held held, List<Recorded> devices, Duration time) {
         String id = spec.id();
         Instant when = start.plus(time);
         Told told = told(robot, id, held, devices, when);
@@ -314,12 +314,18 @@ final class Decoder {
                 robot.pose("truth"),
                 told.odometry,
                 told.estimate,
-                reading(held, id, Topics.PARTICLES, robot.texts("lacks"), Foxglove.POINT_CLOUD, Decoder::particles),
+                reading(
+                        held,
+                        id,
+                        ChannelNames.PARTICLES,
+                        robot.texts("lacks"),
+                        Foxglove.POINT_CLOUD,
+                        Decoder::particles),
                 told.scan,
                 told.ranges,
                 told.map,
-                path(held, id, Topics.PATH),
-                path(held, id, Topics.LOCAL_PATH),
+                path(held, id, ChannelNames.PATH),
+                path(held, id, ChannelNames.LOCAL_PATH),
                 robot.pose("goal"),
                 robot.text("in_charge"),
                 robot.text("behavior"),
@@ -339,7 +345,7 @@ final class Decoder {
                 told.readings);
     }
 
-    private Told told(Fields robot, String id, Held held, List<Recorded> devices, Instant when) {
+    private Told told(MessageFields robot, String id, Held held, List<Recorded> devices, Instant when) {
         List<String> lacks = robot.texts("lacks");
         Optional<Stamped<Odometry>> odometry = robot.pose("odometry")
                 .map(pose -> new Odometry(
@@ -349,24 +355,24 @@ final class Decoder {
                 .map(moved -> new Stamped<>(when, id + "/odom", moved));
         Optional<Stamped<PoseEstimate>> estimate = robot.within("estimate")
                 .map(belief -> new Stamped<>(
-                        Optional.ofNullable(held.messages().get(Topics.of(id, Topics.ESTIMATE)))
+                        Optional.ofNullable(held.messages().get(ChannelNames.of(id, ChannelNames.ESTIMATE)))
                                 .map(Decoder::time)
                                 .orElse(when),
                         belief.text("frame_id"),
                         belief.estimate()));
-        Optional<Stamped<LaserScan>> scan = drawn(held, id, Topics.SCAN, lacks, LaserScan.class);
-        Optional<Stamped<RangeArray>> ranges = drawn(held, id, Topics.RANGES, lacks, RangeArray.class);
-        Optional<Stamped<OccupancyGrid>> map = reading(held, id, Topics.MAP, lacks, Foxglove.GRID, Decoder::grid);
+        Optional<Stamped<LaserScan>> scan = drawn(held, id, ChannelNames.SCAN, lacks, LaserScan.class);
+        Optional<Stamped<RangeArray>> ranges = drawn(held, id, ChannelNames.RANGES, lacks, RangeArray.class);
+        Optional<Stamped<OccupancyGrid>> map = reading(held, id, ChannelNames.MAP, lacks, Foxglove.GRID, Decoder::grid);
         var drawn = Map.of(
-                Topics.STATE,
+                ChannelNames.STATE,
                 odometry,
-                Topics.of(id, Topics.ESTIMATE),
+                ChannelNames.of(id, ChannelNames.ESTIMATE),
                 estimate,
-                Topics.of(id, Topics.SCAN),
+                ChannelNames.of(id, ChannelNames.SCAN),
                 scan,
-                Topics.of(id, Topics.RANGES),
+                ChannelNames.of(id, ChannelNames.RANGES),
                 ranges,
-                Topics.of(id, Topics.MAP),
+                ChannelNames.of(id, ChannelNames.MAP),
                 map);
         var readings = new ArrayList<Reading>();
         for (Recorded device : devices) {
@@ -381,7 +387,7 @@ final class Decoder {
 
     /// What a device told that has a topic of its own kind.
     private <T> Optional<Stamped<T>> drawn(Held held, String robot, String what, List<String> lacks, Class<T> told) {
-        ReadingType<?> type = types.get(Topics.of(robot, what));
+        ReadingType<?> type = types.get(ChannelNames.of(robot, what));
         return type == null || !type.told().equals(told)
                 ? Optional.empty()
                 : reading(held, robot, what, lacks, type.message(), (fields, taken) -> type.read(fields, taken, told))
@@ -393,7 +399,8 @@ final class Decoder {
     /// What a device told for itself alone.
     private Optional<? extends Stamped<?>> told(Held held, Recorded device, List<String> lacks) {
         ReadingType<?> type = types.get(device.topic());
-        return type == null || lacks.contains(Topics.DEVICE + device.view().name())
+        return type == null
+                        || lacks.contains(ChannelNames.DEVICE + device.view().name())
                 ? Optional.empty()
                 : read(held, device.topic(), type.message(), type::read);
     }
@@ -407,10 +414,10 @@ final class Decoder {
                 .findFirst()
                 .equals(Optional.of(device));
         return switch (first ? type : "") { // as DeviceView calls them
-            case "DriveBase" -> Topics.STATE;
-            case "LaserScanner" -> Topics.of(robot, Topics.SCAN);
-            case "SonarArray" -> Topics.of(robot, Topics.RANGES);
-            case "Localizer" -> Topics.of(robot, Topics.ESTIMATE);
+            case "DriveBase" -> ChannelNames.STATE;
+            case "LaserScanner" -> ChannelNames.of(robot, ChannelNames.SCAN);
+            case "SonarArray" -> ChannelNames.of(robot, ChannelNames.RANGES);
+            case "Localizer" -> ChannelNames.of(robot, ChannelNames.ESTIMATE);
             default -> "";
         };
     }
@@ -425,11 +432,11 @@ final class Decoder {
 
     private <T> Optional<Stamped<T>> reading(
             Held held, String robot, String what, List<String> lacks, MessageType type, Reader<Stamped<T>> reader) {
-        return lacks.contains(what) ? Optional.empty() : read(held, Topics.of(robot, what), type, reader);
+        return lacks.contains(what) ? Optional.empty() : read(held, ChannelNames.of(robot, what), type, reader);
     }
 
     /// Of an older recording, which has only what is drawn.
-    private static GripperState gripper(Fields robot) {
+    private static GripperState gripper(MessageFields robot) {
         return new GripperState(
                 GripperState.Paddles.STOPPED,
                 robot.number("gripper_closed"),
@@ -442,7 +449,7 @@ final class Decoder {
                 robot.flag("gripper_holding"));
     }
 
-    private static Carried carried(Fields load) {
+    private static Carried carried(MessageFields load) {
         return new Carried(
                 load.texts("devices"),
                 Arrays.stream(load.doubles("pieces"))
@@ -452,17 +459,17 @@ final class Decoder {
                 load.number("rise"));
     }
 
-    private static RobotView.Real real(Fields robot) {
+    private static RobotView.Real real(MessageFields robot) {
         return new RobotView.Real(robot.flag("proxy"), robot.pose("stand_in"), Optional.of(duration(robot, "silence")));
     }
 
     /// Of a number of seconds.
-    private static Duration duration(Fields fields, String name) {
+    private static Duration duration(MessageFields fields, String name) {
         double seconds = Math.clamp(fields.number(name), 0, 1e9); // NaN becomes NaN, and that 0
         return Duration.ofNanos((long) (seconds * 1e9));
     }
 
-    private static Stamped<ParticleCloud> particles(Fields fields, Instant taken) {
+    private static Stamped<ParticleCloud> particles(MessageFields fields, Instant taken) {
         ByteBuffer data = ByteBuffer.wrap(fields.bytes("data")).order(ByteOrder.LITTLE_ENDIAN);
         int count = data.remaining() / 16;
         float[] poses = new float[3 * count];
@@ -476,13 +483,13 @@ final class Decoder {
         return new Stamped<>(taken, fields.text("frame_id"), new ParticleCloud(poses, weights));
     }
 
-    private static Stamped<OccupancyGrid> grid(Fields fields, Instant taken) {
+    private static Stamped<OccupancyGrid> grid(MessageFields fields, Instant taken) {
         return new Stamped<>(taken, fields.text("frame_id"), grid(fields));
     }
 
     /// @param fields of a [Foxglove#GRID]
     /// @throws IllegalArgumentException when it has no cells, or too few for its last row
-    static OccupancyGrid grid(Fields fields) {
+    static OccupancyGrid grid(MessageFields fields) {
         byte[] cells = fields.bytes("data");
         int width = Math.clamp(fields.count("column_count"), 1, Integer.MAX_VALUE);
         Pose2d corner = fields.foxglovePose("pose");
@@ -492,11 +499,11 @@ final class Decoder {
     }
 
     private Path2d path(Held held, String robot, String what) {
-        return read(held, Topics.of(robot, what), Foxglove.SCENE_UPDATE, (fields, _) -> path(fields))
+        return read(held, ChannelNames.of(robot, what), Foxglove.SCENE_UPDATE, (fields, _) -> path(fields))
                 .orElse(Path2d.EMPTY);
     }
 
-    private static Path2d path(Fields fields) {
+    private static Path2d path(MessageFields fields) {
         return new Path2d(fields.all("entities").stream()
                 .flatMap(entity -> entity.all("lines").stream())
                 .flatMap(line -> line.all("points").stream())
@@ -504,7 +511,7 @@ final class Decoder {
                 .toList());
     }
 
-    private static Recorded device(Fields fields) {
+    private static Recorded device(MessageFields fields) {
         Health health = switch (fields.text("health")) {
             case "OK" -> Health.ok();
             case "STALE" -> new Health.Stale(fields.text("reason"));
@@ -515,7 +522,7 @@ final class Decoder {
                 fields.text("topic"));
     }
 
-    private AgentView agent(Fields fields, Speech speech) {
+    private AgentView agent(MessageFields fields, Speech speech) {
         var entry = new Directory.Entry(
                 fields.text("name"), fields.text("role"), fields.text("type"), fields.text("robot"), "");
         return new AgentView(
@@ -530,11 +537,11 @@ final class Decoder {
     }
 
     /// What an agent shows of itself, which says nothing of what it wants.
-    static Mind.View shown(Fields agent) {
+    static Mind.View shown(MessageFields agent) {
         return new Mind.View(pairs(agent.all("beliefs")), List.of());
     }
 
-    static Mind.View mind(Fields fields) {
+    static Mind.View mind(MessageFields fields) {
         return new Mind.View(
                 pairs(fields.all("beliefs")),
                 fields.all("goals").stream()
@@ -548,14 +555,14 @@ final class Decoder {
                         .toList());
     }
 
-    private static Map<String, String> pairs(List<Fields> all) {
+    private static Map<String, String> pairs(List<MessageFields> all) {
         var pairs = new LinkedHashMap<String, String>();
         all.forEach(pair -> pairs.put(pair.text("key"), pair.text("value")));
         return pairs;
     }
 
     /// Empty when it is gone.
-    private static Optional<Standing> thing(Fields fields) {
+    private static Optional<Standing> thing(MessageFields fields) {
         if (fields.flag("gone")) {
             return Optional.empty();
         }
@@ -569,7 +576,7 @@ final class Decoder {
                 fields.flag("grippable")));
     }
 
-    private static Prism piece(Fields piece) {
+    private static Prism piece(MessageFields piece) {
         double[] corners = piece.doubles("corners");
         var points = new ArrayList<Point2d>();
         for (int i = 0; i + 1 < corners.length; i += 2) {

@@ -53,8 +53,8 @@ public final class Encoder {
     private final Map<String, Object> last = new HashMap<>(); // what was written of a thing
     private final Map<String, String> frames = new HashMap<>(); // of bases, by robot
     private final Map<String, String> topics = new HashMap<>(); // by robot and device
-    private final Contents contents = new Contents();
-    private final Map<String, Contents.Content> firstContents = new HashMap<>(); // by topic of agents
+    private final ContentWriter contents = new ContentWriter();
+    private final Map<String, ContentWriter.Content> firstContents = new HashMap<>(); // by topic of agents
     private final ProtoWriter out = new ProtoWriter(new ByteSink(1 << 12));
     private List<Standing> things = List.of();
     private boolean thingsAgain;
@@ -83,7 +83,7 @@ public final class Encoder {
     ///
     /// @return these channels
     public Set<Integer> openEvents() throws IOException {
-        return Set.of(open(Topics.EVENTS, Own.EVENT, Map.of()), open(Topics.LOG, Foxglove.LOG, Map.of()));
+        return Set.of(open(ChannelNames.EVENTS, Own.EVENT, Map.of()), open(ChannelNames.LOG, Foxglove.LOG, Map.of()));
     }
 
     public void event(RunEvent event, String hash) throws IOException {
@@ -104,14 +104,14 @@ public final class Encoder {
             out.string(5, said.act());
             out.end(begun);
         });
-        write(Topics.EVENTS, Own.EVENT, time, time, Map.of());
+        write(ChannelNames.EVENTS, Own.EVENT, time, time, Map.of());
 
         out.clear();
         timestamp(1, time);
         out.varint(2, level(event.kind()));
         out.string(3, event.kind() + ": " + event.text());
         out.string(4, event.subject().isEmpty() ? "run" : event.subject());
-        write(Topics.LOG, Foxglove.LOG, time, time, Map.of());
+        write(ChannelNames.LOG, Foxglove.LOG, time, time, Map.of());
     }
 
     private static int level(String kind) {
@@ -134,31 +134,31 @@ public final class Encoder {
         out.string(6, said.protocol());
         out.string(7, said.act());
         out.string(8, said.words());
-        write(Topics.MESSAGES, Own.MESSAGE, time, time, Map.of());
-        Optional<Contents.Content> kind = contents.of(content.getClass());
+        write(ChannelNames.MESSAGES, Own.MESSAGE, time, time, Map.of());
+        Optional<ContentWriter.Content> kind = contents.of(content.getClass());
         if (kind.isPresent()) {
             content(said, kind.get(), content, time);
         }
     }
 
-    private void content(SentMessage said, Contents.Content kind, Object content, long time) throws IOException {
+    private void content(SentMessage said, ContentWriter.Content kind, Object content, long time) throws IOException {
         out.clear();
         timestamp(1, time);
         try {
-            Contents.write(out, kind, said.from(), said.to(), said.conversation(), content);
+            ContentWriter.write(out, kind, said.from(), said.to(), said.conversation(), content);
         } catch (RuntimeException _) { // its author's own code, which throws, or changes it meanwhile
             return;
         }
         // a topic may be of several kinds: acts of conversations, or records of one interface
         boolean isFirst = said.act().isEmpty() && kind == firstContents.computeIfAbsent(said.topic(), _ -> kind);
         String which = isFirst ? "" : kind.name();
-        write(Topics.content(said.topic(), which), kind.type(), time, time, Map.of());
+        write(ChannelNames.content(said.topic(), which), kind.type(), time, time, Map.of());
     }
 
     public void minds(Duration at, Map<String, Mind.View> minds) throws IOException {
         long time = time(at);
         for (var mind : minds.entrySet()) {
-            if (isNew(Topics.about(Topics.MINDS, mind.getKey()), mind.getValue())) {
+            if (isNew(ChannelNames.about(ChannelNames.MINDS, mind.getKey()), mind.getValue())) {
                 out.clear();
                 timestamp(1, time);
                 out.string(2, mind.getKey());
@@ -173,7 +173,7 @@ public final class Encoder {
                     out.string(6, goal.failure());
                     out.end(begun);
                 }
-                write(Topics.MINDS, Own.MIND, time, time, Map.of());
+                write(ChannelNames.MINDS, Own.MIND, time, time, Map.of());
             }
         }
     }
@@ -194,7 +194,7 @@ public final class Encoder {
     }
 
     private void links(Answer.Linked told, long time) throws IOException {
-        if (!isNewOrGone(Topics.LINKS, told, Answer.Linked.NONE)) {
+        if (!isNewOrGone(ChannelNames.LINKS, told, Answer.Linked.NONE)) {
             return;
         }
         out.clear();
@@ -210,7 +210,7 @@ public final class Encoder {
             out.end(begun);
         }
         out.bool(3, told.ofChosen());
-        write(Topics.LINKS, Own.LINKS, time, time, Map.of());
+        write(ChannelNames.LINKS, Own.LINKS, time, time, Map.of());
     }
 
     private void state(Snapshot now, String hash, long time) throws IOException {
@@ -223,7 +223,7 @@ public final class Encoder {
             robot(robot);
             out.end(begun);
         }
-        write(Topics.STATE, Own.STATE, time, time, Map.of());
+        write(ChannelNames.STATE, Own.STATE, time, time, Map.of());
     }
 
     private void robot(RobotView robot) {
@@ -271,10 +271,10 @@ public final class Encoder {
             out.bool(21, real.proxy());
             real.silence().ifPresent(silence -> out.number(22, silence.toNanos() / 1e9));
         });
-        lacks(robot.id(), Topics.SCAN, robot.scan());
-        lacks(robot.id(), Topics.RANGES, robot.ranges());
-        lacks(robot.id(), Topics.PARTICLES, robot.particles());
-        lacks(robot.id(), Topics.MAP, robot.map());
+        lacks(robot.id(), ChannelNames.SCAN, robot.scan());
+        lacks(robot.id(), ChannelNames.RANGES, robot.ranges());
+        lacks(robot.id(), ChannelNames.PARTICLES, robot.particles());
+        lacks(robot.id(), ChannelNames.MAP, robot.map());
         silentDevices(robot);
         robot.gripper().ifPresent(gripper -> out.number(24, gripper.value().raised()));
         for (Carried load : robot.carried()) {
@@ -300,7 +300,7 @@ public final class Encoder {
             robot.devices().stream()
                     .map(DeviceView::name)
                     .filter(device -> !telling.contains(device))
-                    .forEach(device -> lacks(robot.id(), Topics.DEVICE + device, Optional.empty()));
+                    .forEach(device -> lacks(robot.id(), ChannelNames.DEVICE + device, Optional.empty()));
         }
     }
 
@@ -328,11 +328,11 @@ public final class Encoder {
     private void readings(RobotView robot, long time) throws IOException {
         String id = robot.id();
         if (robot.scan().isPresent() && isNew(id + " scan", robot.scan().get().time())) {
-            tell(id, Topics.of(id, Topics.SCAN), robot.scan().get(), time);
+            tell(id, ChannelNames.of(id, ChannelNames.SCAN), robot.scan().get(), time);
         }
         if (robot.ranges().isPresent()
                 && isNew(id + " ranges", robot.ranges().get().time())) {
-            tell(id, Topics.of(id, Topics.RANGES), robot.ranges().get(), time);
+            tell(id, ChannelNames.of(id, ChannelNames.RANGES), robot.ranges().get(), time);
         }
         if (robot.estimate().isPresent()
                 && isNew(id + " estimate", robot.estimate().get().time())) {
@@ -341,7 +341,12 @@ public final class Encoder {
             timestamp(1, nanos(estimate.time()));
             out.string(2, estimate.frame());
             foxglovePose(3, estimate.value().mapFromBase());
-            write(Topics.of(id, Topics.ESTIMATE), Foxglove.POSE_IN_FRAME, time, nanos(estimate.time()), Map.of());
+            write(
+                    ChannelNames.of(id, ChannelNames.ESTIMATE),
+                    Foxglove.POSE_IN_FRAME,
+                    time,
+                    nanos(estimate.time()),
+                    Map.of());
         }
         if (robot.particles().isPresent()
                 && isNew(id + " particles", robot.particles().get().time())) {
@@ -350,20 +355,20 @@ public final class Encoder {
         if (robot.map().isPresent() && isNew(id + " map", robot.map().get().time())) {
             Stamped<OccupancyGrid> map = robot.map().get();
             grid(map.value(), nanos(map.time()), map.frame());
-            write(Topics.of(id, Topics.MAP), Foxglove.GRID, time, nanos(map.time()), Map.of());
+            write(ChannelNames.of(id, ChannelNames.MAP), Foxglove.GRID, time, nanos(map.time()), Map.of());
         }
         if (isNew(id + " path", robot.path())) {
-            path(id, Topics.PATH, robot.path(), robot.color(), time);
+            path(id, ChannelNames.PATH, robot.path(), robot.color(), time);
         }
         if (isNewOrGone(id + " local path", robot.localPath(), Path2d.EMPTY)) {
-            path(id, Topics.LOCAL_PATH, robot.localPath(), robot.color(), time);
+            path(id, ChannelNames.LOCAL_PATH, robot.localPath(), robot.color(), time);
         }
         boolean moved = false;
         for (Reading reading : robot.readings()) {
             String topic = topic(robot, reading);
             moved |= !topic.equals(topics.put(id + " " + reading.device(), topic));
-            String own = Topics.DEVICE + reading.device();
-            if (topic.equals(Topics.of(id, own))
+            String own = ChannelNames.DEVICE + reading.device();
+            if (topic.equals(ChannelNames.of(id, own))
                     && isNew(id + " " + own, reading.value().time())) {
                 tell(id, topic, reading.value(), time);
             }
@@ -383,18 +388,18 @@ public final class Encoder {
         String id = robot.id();
         Stamped<?> told = reading.value();
         if (is(robot.odometry(), told)) {
-            return Topics.STATE;
+            return ChannelNames.STATE;
         } else if (is(robot.scan(), told)) {
-            return Topics.of(id, Topics.SCAN);
+            return ChannelNames.of(id, ChannelNames.SCAN);
         } else if (is(robot.ranges(), told)) {
-            return Topics.of(id, Topics.RANGES);
+            return ChannelNames.of(id, ChannelNames.RANGES);
         } else if (is(robot.estimate(), told)) {
-            return Topics.of(id, Topics.ESTIMATE);
+            return ChannelNames.of(id, ChannelNames.ESTIMATE);
         } else if (is(robot.map(), told)) {
-            return Topics.of(id, Topics.MAP);
+            return ChannelNames.of(id, ChannelNames.MAP);
         }
         boolean says = !(recorded(told.value()) instanceof Quantities(var numbers)) || !numbers.isEmpty();
-        return says ? Topics.of(id, Topics.DEVICE + reading.device()) : "";
+        return says ? ChannelNames.of(id, ChannelNames.DEVICE + reading.device()) : "";
     }
 
     private static boolean is(Optional<? extends Stamped<?>> one, Stamped<?> told) {
@@ -444,7 +449,7 @@ public final class Encoder {
         Foxglove.field(out, 5, "heading", 8, 7);
         Foxglove.field(out, 5, "weight", 12, 7);
         out.bytes(6, data.toArray());
-        write(Topics.of(id, Topics.PARTICLES), Foxglove.POINT_CLOUD, time, taken, Map.of());
+        write(ChannelNames.of(id, ChannelNames.PARTICLES), Foxglove.POINT_CLOUD, time, taken, Map.of());
     }
 
     private void grid(OccupancyGrid map, long time, String frame) {
@@ -472,7 +477,7 @@ public final class Encoder {
             out.end(line);
         }
         out.end(entity);
-        write(Topics.of(id, what), Foxglove.SCENE_UPDATE, time, time, Map.of());
+        write(ChannelNames.of(id, what), Foxglove.SCENE_UPDATE, time, time, Map.of());
     }
 
     private void device(String id, DeviceView device, String topic, long time) throws IOException {
@@ -497,13 +502,13 @@ public final class Encoder {
                     case Health.Lost lost -> lost.reason();
                 });
         out.string(8, topic);
-        write(Topics.DEVICES, Own.DEVICE, time, time, Map.of());
+        write(ChannelNames.DEVICES, Own.DEVICE, time, time, Map.of());
     }
 
     private void agent(AgentView agent, long time) throws IOException {
         var view = agent.view();
         var told = List.of(view.status(), view.state(), view.beliefs());
-        if (!isNew(Topics.about(Topics.AGENTS, view.agent().name()), told)) {
+        if (!isNew(ChannelNames.about(ChannelNames.AGENTS, view.agent().name()), told)) {
             return;
         }
         out.clear();
@@ -515,7 +520,7 @@ public final class Encoder {
         out.string(6, view.status().name());
         out.string(7, view.state());
         pairs(8, view.beliefs());
-        write(Topics.AGENTS, Own.AGENT, time, time, Map.of());
+        write(ChannelNames.AGENTS, Own.AGENT, time, time, Map.of());
     }
 
     /// Robots that have come, and what they look like.
@@ -528,7 +533,7 @@ public final class Encoder {
             out.string(3, spec.role());
             out.string(4, spec.color());
             out.string(5, spec.model().name());
-            write(Topics.ROBOTS, Own.ROBOT, time, time, Map.of());
+            write(ChannelNames.ROBOTS, Own.ROBOT, time, time, Map.of());
 
             out.clear();
             int entity = out.begin(2);
@@ -589,7 +594,7 @@ public final class Encoder {
             timestamp(1, time);
             out.varint(2, gone);
             out.bool(6, true);
-            write(Topics.THINGS, Own.THING, time, time, Map.of());
+            write(ChannelNames.THINGS, Own.THING, time, time, Map.of());
         }
         things = now;
         thingsAgain = false;
@@ -623,7 +628,7 @@ public final class Encoder {
             out.end(begun);
         }
         out.bool(8, thing.grippable());
-        write(Topics.THINGS, Own.THING, time, time, Map.of());
+        write(ChannelNames.THINGS, Own.THING, time, time, Map.of());
     }
 
     /// A piece of a body as its convex outline has it: sides and top.

@@ -14,7 +14,7 @@ import rsal.recording.proto.MessageType.Kind;
 /// (`pose.position.x`). Numbers of which there are many are in one cell, with spaces between them, as are messages,
 /// with colons between their fields. Bytes are left out. A device that saw nothing has a row, too, without an
 /// element, as have links when there are none.
-record FieldTable(MessageType type, String list) implements Table {
+record FieldTable(MessageType type, String list) implements MessageTable {
     private static final Map<String, String> LISTS = Map.of(
             "rsal.State", "robots",
             "foxglove.FrameTransforms", "transforms",

@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
 
 /// A row is a point of a line (a path), the first the nearest to where it begins. A line that is taken away is a row
 /// without a point.
-record LineTable() implements Table {
+record LineTable() implements MessageTable {
     private static final List<String> COORDINATES = List.of("x", "y");
 
     @Override

@@ -59,7 +59,7 @@ public final class Playback implements Closeable {
     private final Map<String, List<MindChange>> changes = new HashMap<>(); // by topic and agent
     private final Map<String, Mind.View> newest = new HashMap<>(); // likewise, while the file is read through
     private int changed; // how many of them there are
-    private final Places places = new Places(MOST_KEPT);
+    private final ResumePoints places = new ResumePoints(MOST_KEPT);
     private final Map<Long, Held> recent = new LinkedHashMap<>(RECENT, 0.75f, true);
     private long[] states = new long[1 << 10]; // log times
     private int count; // of states
@@ -111,19 +111,19 @@ public final class Playback implements Closeable {
                 places.keep(logTime - 1, held); // all before this message
             }
             switch (channel.topic()) {
-                case Topics.EVENTS -> event(logTime, data);
-                case Topics.STATE -> {
+                case ChannelNames.EVENTS -> event(logTime, data);
+                case ChannelNames.STATE -> {
                     state(logTime);
                     take(held, channel, publishTime, data);
                 }
-                case Topics.MINDS -> {
-                    Fields fields = Fields.read(Own.MIND, data);
-                    note(Topics.about(Topics.MINDS, fields.text("agent")), Decoder.mind(fields), logTime);
+                case ChannelNames.MINDS -> {
+                    MessageFields fields = MessageFields.read(Own.MIND, data);
+                    note(ChannelNames.about(ChannelNames.MINDS, fields.text("agent")), Decoder.mind(fields), logTime);
                     take(held, channel, publishTime, data);
                 }
-                case Topics.AGENTS -> {
-                    Fields fields = Fields.read(Own.AGENT, data);
-                    note(Topics.about(Topics.AGENTS, fields.text("name")), Decoder.shown(fields), logTime);
+                case ChannelNames.AGENTS -> {
+                    MessageFields fields = MessageFields.read(Own.AGENT, data);
+                    note(ChannelNames.about(ChannelNames.AGENTS, fields.text("name")), Decoder.shown(fields), logTime);
                     take(held, channel, publishTime, data);
                 }
                 default -> take(held, channel, publishTime, data);
@@ -145,7 +145,7 @@ public final class Playback implements Closeable {
         if (events.size() >= MOST_EVENTS) {
             return;
         }
-        Fields fields = Fields.read(Own.EVENT, data);
+        MessageFields fields = MessageFields.read(Own.EVENT, data);
         Duration time = sinceStart(logTime);
         String subject = clip(fields.text("subject"));
         String text = clip(fields.text("text"));
@@ -154,7 +154,7 @@ public final class Playback implements Closeable {
     }
 
     /// @param about to whom it is said, and what kind of message it is
-    private static SentMessage said(Duration time, String from, Fields about, String words) {
+    private static SentMessage said(Duration time, String from, MessageFields about, String words) {
         return new SentMessage(
                 time,
                 from,
@@ -182,7 +182,7 @@ public final class Playback implements Closeable {
 
     private static boolean isOfUse(Channel channel) {
         return switch (channel.topic()) {
-            case "/tf", "/world", Topics.LOG, "/map" -> false;
+            case "/tf", "/world", ChannelNames.LOG, "/map" -> false;
             default -> true;
         };
     }
@@ -190,23 +190,28 @@ public final class Playback implements Closeable {
     private static void take(Held held, Channel channel, long publishTime, ByteBuffer data) throws IOException {
         String topic = channel.topic();
         boolean fits = switch (topic) {
-            case Topics.EVENTS -> true; // known from the beginning
-            case Topics.MESSAGES -> {
-                Fields fields = Fields.read(Own.MESSAGE, data);
+            case ChannelNames.EVENTS -> true; // known from the beginning
+            case ChannelNames.MESSAGES -> {
+                MessageFields fields = MessageFields.read(Own.MESSAGE, data);
                 yield held.said(
                         fields.text("from"), clip(fields.text("topic") + ": " + fields.text("words")), publishTime);
             }
-            case Topics.ROBOTS, Topics.AGENTS, Topics.MINDS ->
-                held.put(Topics.about(topic, Fields.read(SECOND_TEXT, data).text("about")), publishTime, data);
-            case Topics.DEVICES -> {
-                Fields about = Fields.read(TWO_TEXTS, data);
+            case ChannelNames.ROBOTS, ChannelNames.AGENTS, ChannelNames.MINDS ->
+                held.put(
+                        ChannelNames.about(
+                                topic, MessageFields.read(SECOND_TEXT, data).text("about")),
+                        publishTime,
+                        data);
+            case ChannelNames.DEVICES -> {
+                MessageFields about = MessageFields.read(TWO_TEXTS, data);
                 yield held.put(Decoder.devices(about.text("about")) + about.text("part"), publishTime, data);
             }
-            case Topics.THINGS ->
+            case ChannelNames.THINGS ->
                 held.put(
-                        Topics.about(
+                        ChannelNames.about(
                                 topic,
-                                Long.toString(Fields.read(SECOND_NUMBER, data).count("about"))),
+                                Long.toString(
+                                        MessageFields.read(SECOND_NUMBER, data).count("about"))),
                         publishTime,
                         data);
             default -> held.put(topic, publishTime, data);
@@ -234,7 +239,7 @@ public final class Playback implements Closeable {
 
     /// How the run ended; empty when that was not recorded.
     public Optional<RunResult> result() {
-        return Outcome.read(recording.result(), plan);
+        return RecordedOutcome.read(recording.result(), plan);
     }
 
     /// When the first state was recorded, since the run's start.
@@ -254,8 +259,8 @@ public final class Playback implements Closeable {
     /// What an agent came to believe and want until then, oldest first: as its mind was recorded, once a second, else
     /// what it showed of itself. Of the first 100,000 changes of all agents.
     public List<MindChange> changes(Duration until, String agent) {
-        List<MindChange> shown = changes.getOrDefault(Topics.about(Topics.AGENTS, agent), List.of());
-        return changes.getOrDefault(Topics.about(Topics.MINDS, agent), shown).stream()
+        List<MindChange> shown = changes.getOrDefault(ChannelNames.about(ChannelNames.AGENTS, agent), List.of());
+        return changes.getOrDefault(ChannelNames.about(ChannelNames.MINDS, agent), shown).stream()
                 .takeWhile(change -> change.time().compareTo(until) <= 0)
                 .toList();
     }
@@ -270,9 +275,9 @@ public final class Playback implements Closeable {
                 .read(
                         log(from) + 1,
                         log(until),
-                        channel -> channel.topic().equals(Topics.MESSAGES),
+                        channel -> channel.topic().equals(ChannelNames.MESSAGES),
                         (_, _, logTime, _, data) -> {
-                            Fields message = Fields.read(Own.MESSAGE, data);
+                            MessageFields message = MessageFields.read(Own.MESSAGE, data);
                             all.add(said(
                                     sinceStart(logTime), message.text("from"), message, clip(message.text("words"))));
                         });
@@ -338,12 +343,12 @@ public final class Playback implements Closeable {
                 .read(
                         log(from) + 1,
                         log(until),
-                        channel -> channel.topic().equals(Topics.STATE),
+                        channel -> channel.topic().equals(ChannelNames.STATE),
                         (_, _, logTime, _, data) -> {
                             Duration time = sinceStart(logTime);
                             if (all.isEmpty()
                                     || time.minus(all.getLast().time()).compareTo(spacing) >= 0) {
-                                all.add(new Whereabouts(time, Decoder.poses(Fields.read(Own.STATE, data))));
+                                all.add(new Whereabouts(time, Decoder.poses(MessageFields.read(Own.STATE, data))));
                             }
                         });
         return all;
@@ -382,12 +387,12 @@ public final class Playback implements Closeable {
     /// Whether what devices of a robot told is, or depends on, what a topic is of.
     private static boolean isAbout(String topic, String robot) {
         return switch (topic) {
-            case Topics.STATE, Topics.DEVICES -> true;
+            case ChannelNames.STATE, ChannelNames.DEVICES -> true;
             default ->
-                topic.startsWith(Topics.of(robot, ""))
-                        && !topic.equals(Topics.of(robot, Topics.PARTICLES))
-                        && !topic.equals(Topics.of(robot, Topics.PATH))
-                        && !topic.equals(Topics.of(robot, Topics.LOCAL_PATH));
+                topic.startsWith(ChannelNames.of(robot, ""))
+                        && !topic.equals(ChannelNames.of(robot, ChannelNames.PARTICLES))
+                        && !topic.equals(ChannelNames.of(robot, ChannelNames.PATH))
+                        && !topic.equals(ChannelNames.of(robot, ChannelNames.LOCAL_PATH));
         };
     }
 

@@ -9,7 +9,7 @@ import java.util.Map;
 
 /// A row is a point of a cloud (a particle), its columns are what is packed of each: those that are 32-bit floats, as
 /// ours are.
-record PointTable() implements Table {
+record PointTable() implements MessageTable {
     private static final String FRAME = "frame_id";
 
     /// @param offset in a point [B]

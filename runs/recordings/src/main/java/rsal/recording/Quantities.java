@@ -13,7 +13,7 @@ import rsal.recording.QuantityNames.Words;
 /// Numbers in what devices tell, of whatever kind that is, but for what stays the same. Records are looked through, in
 /// the order of their components; of arrays it is the least, the mean and the greatest of what is finite. What a device
 /// tells of a kind that recordings have none for is recorded as these, and read as these.
-public record Quantities(List<Quantity> all) {
+public record Quantities(List<RecordedQuantity> all) {
     /// Of one device.
     public static final int MOST = 40;
 
@@ -34,7 +34,7 @@ public record Quantities(List<Quantity> all) {
     }
 
     private static final class Search {
-        private final List<Quantity> found = new ArrayList<>();
+        private final List<RecordedQuantity> found = new ArrayList<>();
 
         private void look(String name, Words words, Object value, int depth) {
             switch (value) {
@@ -88,7 +88,8 @@ public record Quantities(List<Quantity> all) {
         }
 
         private void add(String name, Words words, double value) {
-            found.add(new Quantity(name, words.title(), words.unit(), Double.isFinite(value) ? value : Double.NaN));
+            found.add(new RecordedQuantity(
+                    name, words.title(), words.unit(), Double.isFinite(value) ? value : Double.NaN));
         }
 
         private void summary(String name, Words words, float[] all) {

@@ -46,7 +46,7 @@ import rsal.robot.DeviceKinds;
 /// @param writer of these
 /// @param reader of these
 record ReadingType<T>(
-        Class<T> told, MessageType message, BiConsumer<ProtoWriter, T> writer, Function<Fields, T> reader) {
+        Class<T> told, MessageType message, BiConsumer<ProtoWriter, T> writer, Function<MessageFields, T> reader) {
     private static final ReadingType<ActuatorState> ACTUATOR =
             new ReadingType<>(ActuatorState.class, Own.ACTUATOR_STATE, ReadingType::write, ReadingType::actuator);
     private static final ReadingType<BatteryState> BATTERY =
@@ -74,7 +74,7 @@ record ReadingType<T>(
     private static final ReadingType<OccupancyGrid> MAP =
             new ReadingType<>(OccupancyGrid.class, Foxglove.GRID, Foxglove::grid, Decoder::grid);
     private static final ReadingType<PoseEstimate> ESTIMATE =
-            new ReadingType<>(PoseEstimate.class, Own.POSE_ESTIMATE, ReadingType::write, Fields::estimate);
+            new ReadingType<>(PoseEstimate.class, Own.POSE_ESTIMATE, ReadingType::write, MessageFields::estimate);
     private static final ReadingType<Odometry> ODOMETRY =
             new ReadingType<>(Odometry.class, Own.ODOMETRY, ReadingType::write, ReadingType::odometry);
     private static final ReadingType<Quantities> QUANTITIES =
@@ -163,14 +163,14 @@ record ReadingType<T>(
     }
 
     /// @throws IllegalArgumentException when no device tells that
-    Stamped<T> read(Fields fields, Instant taken) {
+    Stamped<T> read(MessageFields fields, Instant taken) {
         return new Stamped<>(taken, fields.text("frame_id"), reader.apply(fields));
     }
 
     /// The same, of which is known what it is.
     ///
     /// @param known that
-    <K> Stamped<K> read(Fields fields, Instant taken, Class<K> known) {
+    <K> Stamped<K> read(MessageFields fields, Instant taken, Class<K> known) {
         return new Stamped<>(taken, fields.text("frame_id"), known.cast(reader.apply(fields)));
     }
 
@@ -181,7 +181,7 @@ record ReadingType<T>(
         out.numbers(6, scan.ranges());
     }
 
-    private static LaserScan scan(Fields fields, Optional<Interval> limits) {
+    private static LaserScan scan(MessageFields fields, Optional<Interval> limits) {
         float[] ranges = fields.floats("ranges");
         double first = fields.number("start_angle");
         double increment = ranges.length < 2 ? 0 : (fields.number("end_angle") - first) / (ranges.length - 1);
@@ -205,9 +205,9 @@ record ReadingType<T>(
         out.numbers(7, array.ranges());
     }
 
-    private static RangeArray ranges(Fields fields) {
+    private static RangeArray ranges(MessageFields fields) {
         return new RangeArray(
-                fields.all("poses").stream().map(Fields::pose).toList(),
+                fields.all("poses").stream().map(MessageFields::pose).toList(),
                 fields.number("field_of_view"),
                 fields.number("range_min"),
                 fields.number("range_max"),
@@ -231,12 +231,12 @@ record ReadingType<T>(
         out.bool(5, odometry.stalled());
     }
 
-    private static Odometry odometry(Fields fields) {
+    private static Odometry odometry(MessageFields fields) {
         return new Odometry(mounted(fields), twist(fields), fields.flag("stalled"));
     }
 
     private static void write(ProtoWriter out, Quantities told) {
-        for (Quantity quantity : told.all()) {
+        for (RecordedQuantity quantity : told.all()) {
             int begun = out.begin(3);
             out.string(1, quantity.name());
             out.string(2, quantity.title());
@@ -246,10 +246,11 @@ record ReadingType<T>(
         }
     }
 
-    private static Quantities quantities(Fields fields) {
+    private static Quantities quantities(MessageFields fields) {
         return new Quantities(fields.all("quantities").stream()
                 .limit(Quantities.MOST)
-                .map(one -> new Quantity(one.text("name"), one.text("title"), one.text("unit"), one.number("value")))
+                .map(one -> new RecordedQuantity(
+                        one.text("name"), one.text("title"), one.text("unit"), one.number("value")))
                 .toList());
     }
 
@@ -262,7 +263,7 @@ record ReadingType<T>(
         out.string(8, state.motion().name());
     }
 
-    private static ActuatorState actuator(Fields fields) {
+    private static ActuatorState actuator(MessageFields fields) {
         return new ActuatorState(
                 ActuatorState.Joint.valueOf(fields.text("joint")),
                 fields.number("position"),
@@ -280,7 +281,7 @@ record ReadingType<T>(
         out.string(8, state.charging().name());
     }
 
-    private static BatteryState battery(Fields fields) {
+    private static BatteryState battery(MessageFields fields) {
         return new BatteryState(
                 fields.number("charge"),
                 fields.number("capacity"),
@@ -310,7 +311,7 @@ record ReadingType<T>(
         }
     }
 
-    private static Blobs blobs(Fields fields) {
+    private static Blobs blobs(MessageFields fields) {
         return new Blobs(
                 mounted(fields),
                 (int) fields.count("width"),
@@ -339,8 +340,8 @@ record ReadingType<T>(
         }
     }
 
-    private static BumperState bumpers(Fields fields) {
-        List<Fields> bumpers = fields.all("bumpers");
+    private static BumperState bumpers(MessageFields fields) {
+        List<MessageFields> bumpers = fields.all("bumpers");
         return new BumperState(
                 bumpers.stream().map(ReadingType::mounted).toList(),
                 bumpers.stream().map(bumper -> bumper.flag("pressed")).toList());
@@ -358,7 +359,7 @@ record ReadingType<T>(
         }
     }
 
-    private static Decision decision(Fields fields) {
+    private static Decision decision(MessageFields fields) {
         return new Decision(
                 twist(fields),
                 fields.text("in_charge"),
@@ -380,7 +381,7 @@ record ReadingType<T>(
         }
     }
 
-    private static Fiducials fiducials(Fields fields) {
+    private static Fiducials fiducials(MessageFields fields) {
         return new Fiducials(
                 mounted(fields),
                 fields.number("field_of_view"),
@@ -404,7 +405,7 @@ record ReadingType<T>(
         out.bool(11, state.holding());
     }
 
-    private static GripperState gripper(Fields fields) {
+    private static GripperState gripper(MessageFields fields) {
         return new GripperState(
                 GripperState.Paddles.valueOf(fields.text("paddles")),
                 fields.number("closed"),
@@ -424,7 +425,7 @@ record ReadingType<T>(
         out.bool(6, state.lit());
     }
 
-    private static LightState light(Fields fields) {
+    private static LightState light(MessageFields fields) {
         var period = Duration.ofNanos(Math.round(fields.number("period") * 1e9));
         return new LightState(
                 color(fields), new LightState.Signal(period, fields.number("duty_cycle")), fields.flag("lit"));
@@ -436,7 +437,7 @@ record ReadingType<T>(
         out.bool(5, state.paused());
     }
 
-    private static NavigatorState navigator(Fields fields) {
+    private static NavigatorState navigator(MessageFields fields) {
         return new NavigatorState(fields.pose("goal"), fields.number("remaining"), fields.flag("paused"));
     }
 
@@ -450,7 +451,7 @@ record ReadingType<T>(
         out.string(9, asked.why());
     }
 
-    private static Planner.Asked asked(Fields fields) {
+    private static Planner.Asked asked(MessageFields fields) {
         return new Planner.Asked(
                 fields.pose("start").orElse(Pose2d.ORIGIN),
                 fields.pose("goal").orElse(Pose2d.ORIGIN),
@@ -466,17 +467,17 @@ record ReadingType<T>(
     }
 
     /// Where something is on the base.
-    private static Pose2d mounted(Fields fields) {
+    private static Pose2d mounted(MessageFields fields) {
         return fields.pose("pose").orElse(Pose2d.ORIGIN);
     }
 
-    private static Twist2d twist(Fields fields) {
+    private static Twist2d twist(MessageFields fields) {
         return fields.within("twist")
                 .map(twist -> new Twist2d(twist.number("vx"), twist.number("vy"), twist.number("omega")))
                 .orElse(Twist2d.STOP);
     }
 
-    private static Rgb color(Fields fields) {
+    private static Rgb color(MessageFields fields) {
         return Rgb.parse(fields.text("color")).orElseThrow(() -> new IllegalArgumentException("A color is #rrggbb."));
     }
 }

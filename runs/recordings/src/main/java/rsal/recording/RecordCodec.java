@@ -37,7 +37,7 @@ final class RecordCodec<T> {
     }
 
     private interface Reader {
-        Object read(Fields fields, String name);
+        Object read(MessageFields fields, String name);
     }
 
     private RecordCodec(List<Field> fields, Constructor<T> constructor, MessageType message) {
@@ -91,7 +91,7 @@ final class RecordCodec<T> {
     }
 
     /// @throws IllegalArgumentException when there is no such record
-    T read(Fields values) {
+    T read(MessageFields values) {
         Object[] arguments = new Object[fields.size()];
         for (int i = 0; i < arguments.length; i++) {
             arguments[i] = fields.get(i).type.reader.read(values, fields.get(i).name);
@@ -108,7 +108,7 @@ final class RecordCodec<T> {
     private static Type type(RecordComponent component) {
         Class<?> type = component.getType();
         if (type == double.class) {
-            return simple(Kind.DOUBLE, (out, field, value) -> out.number(field, (Double) value), Fields::number);
+            return simple(Kind.DOUBLE, (out, field, value) -> out.number(field, (Double) value), MessageFields::number);
         }
         if (type == float.class) {
             return simple(Kind.DOUBLE, (out, field, value) -> out.number(field, (Float) value), (fields, name) ->
@@ -121,22 +121,22 @@ final class RecordCodec<T> {
                     (fields, name) -> Math.toIntExact(fields.count(name)));
         }
         if (type == long.class) {
-            return simple(Kind.INT64, (out, field, value) -> out.varint(field, (Long) value), Fields::count);
+            return simple(Kind.INT64, (out, field, value) -> out.varint(field, (Long) value), MessageFields::count);
         }
         if (type == boolean.class) {
-            return simple(Kind.BOOL, (out, field, value) -> out.bool(field, (Boolean) value), Fields::flag);
+            return simple(Kind.BOOL, (out, field, value) -> out.bool(field, (Boolean) value), MessageFields::flag);
         }
         if (type == String.class) {
-            return simple(Kind.STRING, (out, field, value) -> out.string(field, (String) value), Fields::text);
+            return simple(Kind.STRING, (out, field, value) -> out.string(field, (String) value), MessageFields::text);
         }
         if (type == byte[].class) {
-            return simple(Kind.BYTES, (out, field, value) -> out.bytes(field, (byte[]) value), Fields::bytes);
+            return simple(Kind.BYTES, (out, field, value) -> out.bytes(field, (byte[]) value), MessageFields::bytes);
         }
         if (type == float[].class) {
-            return many((out, field, value) -> out.numbers(field, (float[]) value), Fields::floats);
+            return many((out, field, value) -> out.numbers(field, (float[]) value), MessageFields::floats);
         }
         if (type == double[].class) {
-            return many((out, field, value) -> out.numbers(field, (double[]) value), Fields::doubles);
+            return many((out, field, value) -> out.numbers(field, (double[]) value), MessageFields::doubles);
         }
         if (type.isEnum()) {
             return simple(

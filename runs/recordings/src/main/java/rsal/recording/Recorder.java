@@ -111,7 +111,7 @@ public final class Recorder implements AutoCloseable {
                 file.tick();
                 bytes = file.size();
             }
-            Outcome.write(file, Optional.ofNullable(result), dropped());
+            RecordedOutcome.write(file, Optional.ofNullable(result), dropped());
         } catch (IOException e) {
             fail(e);
         } catch (RuntimeException e) {

@@ -64,7 +64,7 @@ public final class Recording implements Closeable {
     /// How the run ended, by name: `outcome`, `simulatedSeconds`, `eventHash`, `measure.<name>`; empty when that
     /// was not recorded.
     public Map<String, String> result() {
-        return file.metadata(Outcome.NAME);
+        return file.metadata(RecordedOutcome.NAME);
     }
 
     /// Whether the run was in simulated time, and so can be run again.
@@ -97,7 +97,7 @@ public final class Recording implements Closeable {
     /// All events, oldest first.
     public List<Hashed> events() throws IOException {
         var events = new ArrayList<Hashed>();
-        file.read(channel -> channel.topic().equals(Topics.EVENTS), (_, _, time, _, data) -> {
+        file.read(channel -> channel.topic().equals(ChannelNames.EVENTS), (_, _, time, _, data) -> {
             Map<String, Object> fields = ProtoReader.read(Own.EVENT, data);
             events.add(new Hashed(
                     new RunEvent(
@@ -115,7 +115,7 @@ public final class Recording implements Closeable {
     public Map<Duration, String> hashes() throws IOException {
         var hashes = new TreeMap<Duration, String>();
         file.read(
-                channel -> channel.topic().equals(Topics.STATE),
+                channel -> channel.topic().equals(ChannelNames.STATE),
                 (_, _, time, _, data) ->
                         hashes.put(Duration.ofNanos(time), text(ProtoReader.read(Own.STATE, data), "hash")));
         return hashes;

@@ -194,9 +194,9 @@ class PlaybackTest {
                 assertThat(told.get("weather"))
                         .as("only the numbers")
                         .isEqualTo(new Quantities(List.of(
-                                new Quantity("wind.speed", "wind speed", "", tenth / 10.0),
-                                new Quantity("wind.angle", "wind angle", "rad", 1.5),
-                                new Quantity("pressure", "pressure", "", Double.NaN))));
+                                new RecordedQuantity("wind.speed", "wind speed", "", tenth / 10.0),
+                                new RecordedQuantity("wind.angle", "wind angle", "rad", 1.5),
+                                new RecordedQuantity("pressure", "pressure", "", Double.NaN))));
                 assertThat(told).doesNotContainKey("speech");
                 assertThat(robot.maps()).extracting(RobotView.Drawn::device).containsExactly("chart");
                 assertThat(robot.scan()).map(Stamped::value).isNotEqualTo(Optional.of(told.get("rear")));

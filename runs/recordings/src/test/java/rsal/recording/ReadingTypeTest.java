@@ -103,9 +103,9 @@ class ReadingTypeTest {
                 new Planner.Asked(POSE, Pose2d.ORIGIN, 1, 1, OptionalDouble.of(2.5), OptionalDouble.of(2), ""),
                 new Planner.Asked(POSE, Pose2d.ORIGIN, 7, 0, OptionalDouble.empty(), OptionalDouble.empty(), "Walls."),
                 new Quantities(List.of(
-                        new Quantity("wind.speed", "wind speed", "m/s", 3.5),
-                        new Quantity("", "", "", 0),
-                        new Quantity("pressure", "pressure", "", Double.NaN))),
+                        new RecordedQuantity("wind.speed", "wind speed", "m/s", 3.5),
+                        new RecordedQuantity("", "", "", 0),
+                        new RecordedQuantity("pressure", "pressure", "", Double.NaN))),
                 new NavigatorState(Optional.of(Pose2d.ORIGIN), 3.5, false),
                 new NavigatorState(Optional.empty(), 0, true));
     }
@@ -162,14 +162,14 @@ class ReadingTypeTest {
                         .isInstanceOf(IllegalArgumentException.class));
     }
 
-    private static Fields empty(ReadingType<?> type) throws IOException {
-        return Fields.read(type.message(), new ByteSink(1).written());
+    private static MessageFields empty(ReadingType<?> type) throws IOException {
+        return MessageFields.read(type.message(), new ByteSink(1).written());
     }
 
-    private static Fields written(ReadingType<?> type, Record value) throws IOException {
+    private static MessageFields written(ReadingType<?> type, Record value) throws IOException {
         var out = new ProtoWriter(new ByteSink(16));
         out.string(2, "r1/there");
         type.write(out, value);
-        return Fields.read(type.message(), out.sink().written());
+        return MessageFields.read(type.message(), out.sink().written());
     }
 }

@@ -74,7 +74,7 @@ class RecordCodecTest {
     private static <T> T again(RecordCodec<T> codec, T value) throws IOException {
         var sink = new ByteSink(64);
         codec.write(new ProtoWriter(sink), value);
-        return codec.read(Fields.read(codec.message(), ByteBuffer.wrap(sink.toArray())));
+        return codec.read(MessageFields.read(codec.message(), ByteBuffer.wrap(sink.toArray())));
     }
 
     @Test
@@ -100,11 +100,11 @@ class RecordCodecTest {
     /// A file may be from anywhere.
     @Test
     void whatNoRecordCanBeIsRefused() throws IOException {
-        Fields nothing = Fields.read(codec(Any.class).message(), ByteBuffer.allocate(0));
+        MessageFields nothing = MessageFields.read(codec(Any.class).message(), ByteBuffer.allocate(0));
         assertThatIllegalArgumentException().isThrownBy(() -> codec(Any.class).read(nothing));
         var sink = new ByteSink(64);
         new ProtoWriter(sink).varint(3, -1);
-        Fields negative = Fields.read(codec(Inner.class).message(), ByteBuffer.wrap(sink.toArray()));
+        MessageFields negative = MessageFields.read(codec(Inner.class).message(), ByteBuffer.wrap(sink.toArray()));
         assertThatIllegalArgumentException().isThrownBy(() -> codec(Inner.class).read(negative));
     }
 

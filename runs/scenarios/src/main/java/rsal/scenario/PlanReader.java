@@ -198,8 +198,8 @@ final class PlanReader {
                 .flatMap(scene -> scene.things().stream())
                 .map(Entity::name)
                 .collect(Collectors.toSet());
-        List<PlannedThings> things =
-                new ThingReader(names, map, inWorld, robotReader.taken(), seeds, problems).read(root.section("things"));
+        List<PlannedThings> things = new PlannedThingReader(names, map, inWorld, robotReader.taken(), seeds, problems)
+                .read(root.section("things"));
         var checker = new RobotChecker(roles, scenario.location(), problems);
         checker.checkMarkers(things, root.locationOf("things"));
         return new Surroundings(world, mrs, mas, roles, names, things, checker);

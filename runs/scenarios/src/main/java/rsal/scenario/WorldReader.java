@@ -17,8 +17,8 @@ import rsal.scenario.RunPlan.Mrs;
 import rsal.scenario.RunPlan.PlannedDevice;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.scenario.installed.Catalog;
+import rsal.scene.RobotService;
 import rsal.scene.Scene;
-import rsal.scene.Service;
 import rsal.scene.Touch;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
@@ -127,7 +127,7 @@ final class WorldReader {
     /// What a robot has to be given for what servers are asked to offer of it.
     private List<PlannedDevice> served(RobotSpec spec, Scene scene) {
         var devices = new ArrayList<PlannedDevice>();
-        for (Service service : scene.services()) {
+        for (RobotService service : scene.services()) {
             if (service.robot().equals(Optional.of(spec.id()))) {
                 service.software()
                         .forEach(wanted -> device(service, wanted, spec).ifPresent(devices::add));
@@ -136,7 +136,7 @@ final class WorldReader {
         return devices;
     }
 
-    private Optional<PlannedDevice> device(Service service, Service.Software wanted, RobotSpec spec) {
+    private Optional<PlannedDevice> device(RobotService service, RobotService.Software wanted, RobotSpec spec) {
         Optional<DeviceDriver> driver =
                 Catalog.find("device driver", catalog.drivers(), wanted.driver(), service.location(), problems);
         Optional<String> refusal = driver.flatMap(own -> own.refusal(spec.model()));

@@ -4,8 +4,8 @@ import java.util.List;
 import rsal.bench.mas.HostBench;
 import rsal.bench.mas.OverheadBench;
 import rsal.bench.mas.WrittenBench;
-import rsal.bench.measurement.Assignment;
 import rsal.bench.measurement.Bench;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.navigation.BarnBench;
 import rsal.bench.navigation.ExploreBench;
 import rsal.bench.navigation.LocalizationBench;
@@ -39,7 +39,7 @@ public record Area(String name, List<Bench> benches) {
     }
 
     /// Measures what is asked for. Takes minutes.
-    public void measure(Assignment assignment) {
+    public void measure(BenchmarkRequest assignment) {
         for (Bench bench : benches) {
             if (assignment.wantsAny(bench.names())) {
                 bench.measure(assignment);

@@ -11,7 +11,7 @@ import java.util.OptionalInt;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import rsal.bench.measurement.Assignment;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Result;
 
 class AreaTest {
@@ -25,7 +25,7 @@ class AreaTest {
     @Test
     void tellsWhatIsLeftOutForWantOfData(@TempDir Path temp) throws IOException {
         var notes = new ArrayList<String>();
-        var assignment = new Assignment(
+        var assignment = new BenchmarkRequest(
                 Set.of("a"), OptionalInt.of(1), Optional.of(temp), _ -> {}, _ -> {}, notes::add, _ -> {});
         assertThat(assignment.data("logs/some.log")).isEmpty();
         assertThat(notes).singleElement().asString().contains("logs/some.log", "--data");
@@ -44,7 +44,7 @@ class AreaTest {
     void whatIsNotWantedIsNotMeasured() {
         var results = new ArrayList<Object>();
         for (Area area : Area.all()) {
-            area.measure(new Assignment(
+            area.measure(new BenchmarkRequest(
                     Set.of(), OptionalInt.of(1), Optional.empty(), results::add, results::add, results::add, _ -> {}));
         }
         assertThat(results).isEmpty();

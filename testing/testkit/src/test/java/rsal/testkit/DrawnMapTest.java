@@ -45,7 +45,7 @@ class DrawnMapTest {
                 #@..#
                 #.#.#
                 #####""");
-        var rays = new Rays(map.grid());
+        var rays = new ObviousRays(map.grid());
         assertThat(rays.range(map.pose('@', 0))).isCloseTo(2.5, within(1e-9));
         assertThat(rays.range(map.pose('@', 90))).isCloseTo(0.5, within(1e-9));
         assertThat(rays.range(map.pose('@', -45))).isCloseTo(0.5 * Math.sqrt(2), within(1e-9));
@@ -61,7 +61,7 @@ class DrawnMapTest {
                 #.##.....#
                 #....#...#
                 ##########""");
-        var rays = new Rays(map.grid());
+        var rays = new ObviousRays(map.grid());
         var random = new Random(3);
         for (int i = 0; i < 200; i++) {
             var pose = new Pose2d(5 * random.nextDouble(), 2.5 * random.nextDouble(), 6 * random.nextDouble());

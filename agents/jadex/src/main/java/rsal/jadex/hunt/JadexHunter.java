@@ -47,7 +47,7 @@ public final class JadexHunter implements AgentType {
     public Agent create(Arguments arguments) {
         return self -> {
             IInternalAccess body = body(self);
-            new Hunt(self, arguments).begin(body);
+            new JadexHunt(self, arguments).begin(body);
         };
     }
 

@@ -41,7 +41,7 @@ class JadexHunterTest extends RobotBench {
     @Test
     void endsByFaultsOfItsMind() {
         var slip = new IllegalStateException("a slip");
-        assertThat(failureOf(new TestedType(self -> new Hunt(self, ARGUMENTS).failed(slip))))
+        assertThat(failureOf(new TestedType(self -> new JadexHunt(self, ARGUMENTS).failed(slip))))
                 .isEqualTo("The mind of (follow-1) failed: java.lang.IllegalStateException: a slip");
     }
 

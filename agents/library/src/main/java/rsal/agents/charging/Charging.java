@@ -16,7 +16,7 @@ import rsal.agent.bdi.Goal;
 import rsal.agent.bdi.Mind;
 import rsal.agent.bdi.PlanContext;
 import rsal.agents.driving.NavigationClient;
-import rsal.agents.parts.Words;
+import rsal.agents.parts.AgentWords;
 import rsal.data.BatteryState;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
@@ -66,7 +66,7 @@ public final class Charging {
         this.driver = driver;
         this.battery = robot.find(Battery.class);
         this.mapFromBase = mapFromBase;
-        this.mapFromChargers = Words.poses(mapFromChargers);
+        this.mapFromChargers = AgentWords.poses(mapFromChargers);
         this.low = low;
         this.full = full;
     }
@@ -176,7 +176,7 @@ public final class Charging {
         tried.add(mapFromCharger);
         mapFromOwn = mapFromCharger;
         tell();
-        self.state("going to the charger at " + Words.place(mapFromCharger));
+        self.state("going to the charger at " + AgentWords.place(mapFromCharger));
         driver.goTo(mapFromCharger, DOCKED, result -> arrived(mapFromCharger, result));
     }
 
@@ -188,7 +188,7 @@ public final class Charging {
             tried.remove(mapFromCharger); // it was sent elsewhere
         }
         if (result instanceof Result.Reached) {
-            self.state("charging at " + Words.place(mapFromCharger));
+            self.state("charging at " + AgentWords.place(mapFromCharger));
         }
         lookSoon();
     }

@@ -27,8 +27,8 @@ import rsal.agents.driving.PathCostService.Costs;
 import rsal.agents.driving.PathCostService.Places;
 import rsal.agents.driving.PlaceQuest;
 import rsal.agents.driving.PlaceSearch.Wanted;
+import rsal.agents.parts.AgentWords;
 import rsal.agents.parts.TargetTracks;
-import rsal.agents.parts.Words;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.settings.Arguments;
@@ -68,7 +68,7 @@ final class Deployment {
     Deployment(AgentContext self, Arguments arguments) {
         this.self = self;
         this.robots = arguments.get(DeploymentAgent.ROBOTS);
-        this.mapFromPlaces = Words.poses(arguments.get(DeploymentAgent.PLACES));
+        this.mapFromPlaces = AgentWords.poses(arguments.get(DeploymentAgent.PLACES));
         this.areGiven = !mapFromPlaces.isEmpty();
         this.count = arguments.get(DeploymentAgent.COUNT);
         this.clearance = arguments.get(PlaceQuest.CLEARANCE);
@@ -137,7 +137,7 @@ final class Deployment {
     }
 
     private void spreadOver(List<Point2d> mapFromFound) {
-        mapFromPlaces = Words.poses(mapFromFound);
+        mapFromPlaces = AgentWords.poses(mapFromFound);
         round = null; // it asked about others
         placeOf.clear();
         vain.clear();

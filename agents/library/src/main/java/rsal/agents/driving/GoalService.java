@@ -9,7 +9,7 @@ import rsal.agent.message.GoalReached;
 import rsal.agent.message.NewGoal;
 import rsal.agent.protocol.Request;
 import rsal.agent.protocol.Request.Asked;
-import rsal.agents.parts.Words;
+import rsal.agents.parts.AgentWords;
 import rsal.data.Pose2d;
 import rsal.device.Navigator.Result;
 import rsal.device.Navigator.Tolerance;
@@ -98,7 +98,7 @@ public final class GoalService {
         underWay++;
         newest = errand;
         before.run();
-        self.state("driving to " + Words.place(mapFromGoal));
+        self.state("driving to " + AgentWords.place(mapFromGoal));
         driver.goTo(mapFromGoal, Tolerance.DEFAULT, result -> ended(errand, result));
         return errand;
     }
@@ -111,11 +111,11 @@ public final class GoalService {
 
     private void ended(Errand errand, Result result) {
         underWay--;
-        var end = new GoalReached(robot, errand.mapFromGoal, Words.ending(result), Words.reason(result));
+        var end = new GoalReached(robot, errand.mapFromGoal, AgentWords.ending(result), AgentWords.reason(result));
         self.publish(GoalReached.TOPIC, end);
         List.copyOf(errand.waiting).forEach(waiting -> waiting.onEnd.accept(end));
         if (!busy() && !over) {
-            self.state("%s: %s".formatted(Words.place(errand.mapFromGoal), end.outcome()));
+            self.state("%s: %s".formatted(AgentWords.place(errand.mapFromGoal), end.outcome()));
             after.run();
         }
     }

@@ -3,8 +3,8 @@ package rsal.agents.driving;
 import java.util.List;
 import rsal.agent.AgentContext;
 import rsal.agents.parts.AgentTypeBase;
-import rsal.agents.parts.Body;
-import rsal.agents.parts.Reporter;
+import rsal.agents.parts.PoseReporter;
+import rsal.agents.parts.RequiredRobot;
 import rsal.device.Navigator;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
@@ -16,16 +16,16 @@ public final class NavigationAgent extends AgentTypeBase {
         super(
                 "nav",
                 "Drives where it is told, says where it is and when it has arrived.",
-                List.of(Reporter.PERIOD),
+                List.of(PoseReporter.PERIOD),
                 List.of(Navigator.class));
     }
 
     @Override
     protected void begin(AgentContext self, Arguments arguments) {
-        Robot robot = Body.of(self);
+        Robot robot = RequiredRobot.of(self);
         var driver = new NavigationClient(self, robot.require(Navigator.class));
         new GoalService(self, robot.id(), driver, () -> {}, () -> {}).begin();
-        var reporter = new Reporter(self, robot, arguments, _ -> {});
+        var reporter = new PoseReporter(self, robot, arguments, _ -> {});
         reporter.begin();
         PathCostService.begin(self, robot, reporter);
         PlaceSearch.begin(self, robot, reporter);

@@ -7,8 +7,8 @@ import rsal.agent.AgentContext;
 import rsal.agent.ServiceDescription;
 import rsal.agent.protocol.Request;
 import rsal.agent.protocol.Request.Asked;
-import rsal.agents.parts.Reporter;
-import rsal.agents.parts.Words;
+import rsal.agents.parts.AgentWords;
+import rsal.agents.parts.PoseReporter;
 import rsal.data.Pose2d;
 import rsal.device.Planner;
 import rsal.robot.Robot;
@@ -20,9 +20,9 @@ public final class PathCostService {
 
     private final AgentContext self;
     private final PlannedWays ways;
-    private final Reporter reporter;
+    private final PoseReporter reporter;
 
-    private PathCostService(AgentContext self, PlannedWays ways, Reporter reporter) {
+    private PathCostService(AgentContext self, PlannedWays ways, PoseReporter reporter) {
         this.self = self;
         this.ways = ways;
         this.reporter = reporter;
@@ -34,7 +34,7 @@ public final class PathCostService {
     }
 
     /// From now on answers whoever asks, if the robot has a planner.
-    public static void begin(AgentContext self, Robot robot, Reporter reporter) {
+    public static void begin(AgentContext self, Robot robot, PoseReporter reporter) {
         Optional<Planner> planner = robot.find(Planner.class);
         planner.ifPresent(_ -> {
             var travel = new PathCostService(self, new PlannedWays(planner), reporter);
@@ -64,7 +64,7 @@ public final class PathCostService {
 
         @Override
         public String toString() {
-            return Words.list(mapFromPlaces, Words::place);
+            return AgentWords.list(mapFromPlaces, AgentWords::place);
         }
     }
 
@@ -76,7 +76,8 @@ public final class PathCostService {
 
         @Override
         public String toString() {
-            return Words.list(costs, cost -> cost.isInfinite() ? "no way" : String.format(Locale.ROOT, "%.1f", cost));
+            return AgentWords.list(
+                    costs, cost -> cost.isInfinite() ? "no way" : String.format(Locale.ROOT, "%.1f", cost));
         }
     }
 }

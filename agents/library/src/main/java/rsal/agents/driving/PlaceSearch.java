@@ -6,8 +6,8 @@ import rsal.agent.AgentContext;
 import rsal.agent.ServiceDescription;
 import rsal.agent.protocol.Request;
 import rsal.agent.protocol.Request.Asked;
-import rsal.agents.parts.Reporter;
-import rsal.agents.parts.Words;
+import rsal.agents.parts.AgentWords;
+import rsal.agents.parts.PoseReporter;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.device.PlaceFinder;
@@ -20,9 +20,9 @@ public final class PlaceSearch {
 
     private final AgentContext self;
     private final PlaceFinder finder;
-    private final Reporter reporter;
+    private final PoseReporter reporter;
 
-    private PlaceSearch(AgentContext self, PlaceFinder finder, Reporter reporter) {
+    private PlaceSearch(AgentContext self, PlaceFinder finder, PoseReporter reporter) {
         this.self = self;
         this.finder = finder;
         this.reporter = reporter;
@@ -34,7 +34,7 @@ public final class PlaceSearch {
     }
 
     /// From now on answers whoever asks, if the robot has a place finder.
-    public static void begin(AgentContext self, Robot robot, Reporter reporter) {
+    public static void begin(AgentContext self, Robot robot, PoseReporter reporter) {
         Optional<PlaceFinder> finder = robot.find(PlaceFinder.class);
         finder.ifPresent(device -> {
             var search = new PlaceSearch(self, device, reporter);
@@ -65,7 +65,7 @@ public final class PlaceSearch {
     public record Wanted(int count, double clearance) {
         @Override
         public String toString() {
-            return "%d with %s of clearance".formatted(count, Words.distance(clearance));
+            return "%d with %s of clearance".formatted(count, AgentWords.distance(clearance));
         }
     }
 
@@ -77,7 +77,7 @@ public final class PlaceSearch {
 
         @Override
         public String toString() {
-            return new PathCostService.Places(Words.poses(mapFromPlaces)).toString();
+            return new PathCostService.Places(AgentWords.poses(mapFromPlaces)).toString();
         }
     }
 }

@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.function.BiFunction;
 import rsal.agent.AgentContext;
 import rsal.agents.parts.AgentTypeBase;
-import rsal.agents.parts.Body;
-import rsal.agents.parts.Reporter;
+import rsal.agents.parts.PoseReporter;
+import rsal.agents.parts.RequiredRobot;
 import rsal.behavior.Pilot;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
@@ -15,15 +15,15 @@ public abstract class Roamer extends AgentTypeBase {
     private final BiFunction<AgentContext, Robot, Roaming> roaming;
 
     Roamer(String key, String description, BiFunction<AgentContext, Robot, Roaming> roaming) {
-        super(key, description, List.of(Reporter.PERIOD), List.of(Pilot.class));
+        super(key, description, List.of(PoseReporter.PERIOD), List.of(Pilot.class));
         this.roaming = roaming;
     }
 
     @Override
     protected void begin(AgentContext self, Arguments arguments) {
-        Robot robot = Body.of(self);
+        Robot robot = RequiredRobot.of(self);
         roaming.apply(self, robot).begin();
-        new Reporter(self, robot, arguments, _ -> {}).begin();
+        new PoseReporter(self, robot, arguments, _ -> {}).begin();
     }
 
     /// Follows the wall on its left.

@@ -10,7 +10,7 @@ import rsal.agent.team.Skill;
 import rsal.agent.team.TaskRoute;
 import rsal.agent.team.Work;
 import rsal.agents.driving.NavigationClient;
-import rsal.agents.parts.Words;
+import rsal.agents.parts.AgentWords;
 import rsal.device.Mapper;
 import rsal.device.Mapper.End;
 import rsal.device.Navigator.Result;
@@ -111,7 +111,7 @@ public final class Charting implements Skill<Chart> {
             if (result instanceof Result.Reached) {
                 work.done("was there");
             } else {
-                work.fail(Words.ending(result) + ". " + Words.reason(result));
+                work.fail(AgentWords.ending(result) + ". " + AgentWords.reason(result));
             }
         });
     }

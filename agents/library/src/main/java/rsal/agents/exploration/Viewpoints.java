@@ -12,7 +12,7 @@ import java.util.function.Supplier;
 import rsal.agent.AgentContext;
 import rsal.agents.driving.NavigationClient;
 import rsal.agents.driving.PlannedWays;
-import rsal.agents.parts.Words;
+import rsal.agents.parts.AgentWords;
 import rsal.behavior.LimitTurnRate;
 import rsal.behavior.Pilot;
 import rsal.behavior.Subsumption;
@@ -182,7 +182,7 @@ public final class Viewpoints {
 
     private void chooseOf(List<Point2d> candidates, Pose2d mapFromBase) {
         int now = pauses;
-        ways.costs(mapFromBase, Words.poses(candidates))
+        ways.costs(mapFromBase, AgentWords.poses(candidates))
                 .thenAccept(costs -> self.scheduler().execute(() -> {
                     if (now == pauses) {
                         go(candidates.get(costs.indexOf(Collections.min(costs))));
@@ -194,8 +194,8 @@ public final class Viewpoints {
         int now = pauses;
         left.remove(place);
         self.publish(Lookout.TOPIC, new Lookout(robot.id(), place, false));
-        self.state("going to look around at " + Words.place(Words.pose(place)));
-        driver.goTo(Words.pose(place), THERE, result -> {
+        self.state("going to look around at " + AgentWords.place(AgentWords.pose(place)));
+        driver.goTo(AgentWords.pose(place), THERE, result -> {
             if (now != pauses) {
                 return;
             }

@@ -5,8 +5,8 @@ import rsal.agent.AgentContext;
 import rsal.agent.ServiceDescription;
 import rsal.agents.charging.Recharging;
 import rsal.agents.parts.AgentTypeBase;
-import rsal.agents.parts.Body;
-import rsal.agents.parts.Reporter;
+import rsal.agents.parts.PoseReporter;
+import rsal.agents.parts.RequiredRobot;
 import rsal.behavior.Pilot;
 import rsal.device.BlobFinder;
 import rsal.device.Gripper;
@@ -23,7 +23,7 @@ public final class Collect extends AgentTypeBase {
                 "collect",
                 "Fetches things that others have found, and brings them to its depot.",
                 List.of(
-                        Reporter.PERIOD,
+                        PoseReporter.PERIOD,
                         Collecting.DEPOT,
                         Collecting.DEPOT_RADIUS,
                         Recharging.CHARGERS,
@@ -35,9 +35,9 @@ public final class Collect extends AgentTypeBase {
 
     @Override
     protected void begin(AgentContext self, Arguments arguments) {
-        Robot robot = Body.of(self);
+        Robot robot = RequiredRobot.of(self);
         self.offer(GRIPPER);
-        var reporter = new Reporter(self, robot, arguments, _ -> {});
+        var reporter = new PoseReporter(self, robot, arguments, _ -> {});
         reporter.begin();
         new Collecting(self, robot, reporter, arguments).begin();
     }

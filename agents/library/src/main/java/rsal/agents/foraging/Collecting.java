@@ -12,8 +12,8 @@ import rsal.agent.team.Worker;
 import rsal.agents.charging.Recharging;
 import rsal.agents.driving.NavigationClient;
 import rsal.agents.driving.PlannedWays;
-import rsal.agents.parts.Reporter;
-import rsal.agents.parts.Words;
+import rsal.agents.parts.AgentWords;
+import rsal.agents.parts.PoseReporter;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.device.Navigator;
@@ -39,7 +39,7 @@ final class Collecting implements Skill<Fetch> {
 
     private final AgentContext self;
     private final Robot robot;
-    private final Reporter reporter;
+    private final PoseReporter reporter;
     private final NavigationClient driver;
     private final Recharging recharging;
     private final Worker worker;
@@ -48,7 +48,7 @@ final class Collecting implements Skill<Fetch> {
     private final Depots depots;
     private @Nullable FetchTask haul;
 
-    Collecting(AgentContext self, Robot robot, Reporter reporter, Arguments arguments) {
+    Collecting(AgentContext self, Robot robot, PoseReporter reporter, Arguments arguments) {
         this.self = self;
         this.robot = robot;
         this.reporter = reporter;
@@ -109,11 +109,11 @@ final class Collecting implements Skill<Fetch> {
 
     @Override
     public Optional<TaskRoute> course(Fetch job) {
-        Pose2d mapFromDepot = Words.pose(depotFor(job));
+        Pose2d mapFromDepot = AgentWords.pose(depotFor(job));
         return Optional.of(new TaskRoute(
                 haul != null && haul.isBringing()
                         ? mapFromDepot
-                        : Words.pose(job.goal().mapFromThing()),
+                        : AgentWords.pose(job.goal().mapFromThing()),
                 mapFromDepot,
                 HANDLING));
     }
@@ -151,7 +151,7 @@ final class Collecting implements Skill<Fetch> {
         if (why.isEmpty()) {
             self.publish(Collected.TOPIC, new Collected(robot.id(), job.goal(), mapFromDepot));
             self.state("has collected " + job.goal());
-            work.done("brought to %s".formatted(Words.place(Words.pose(mapFromDepot))));
+            work.done("brought to %s".formatted(AgentWords.place(AgentWords.pose(mapFromDepot))));
         } else {
             self.state("has not collected %s: %s".formatted(job.goal(), why.get()));
             work.fail(why.get());

@@ -7,8 +7,8 @@ import rsal.agents.driving.NavigationClient;
 import rsal.agents.driving.Roaming;
 import rsal.agents.exploration.Viewpoints;
 import rsal.agents.parts.AgentTypeBase;
-import rsal.agents.parts.Body;
-import rsal.agents.parts.Reporter;
+import rsal.agents.parts.PoseReporter;
+import rsal.agents.parts.RequiredRobot;
 import rsal.behavior.Pilot;
 import rsal.device.BlobFinder;
 import rsal.device.Device;
@@ -39,7 +39,7 @@ public final class Explore extends AgentTypeBase {
         super(
                 "explore",
                 "Looks for colored things, and has them collected by robots that can.",
-                List.of(Reporter.PERIOD, ROAM, Viewpoints.COUNT, COLOR, RANGE),
+                List.of(PoseReporter.PERIOD, ROAM, Viewpoints.COUNT, COLOR, RANGE),
                 List.of(BlobFinder.class, Pilot.class));
     }
 
@@ -50,8 +50,8 @@ public final class Explore extends AgentTypeBase {
 
     @Override
     protected void begin(AgentContext self, Arguments arguments) {
-        Robot robot = Body.of(self);
-        var reporter = new Reporter(self, robot, arguments, _ -> {});
+        Robot robot = RequiredRobot.of(self);
+        var reporter = new PoseReporter(self, robot, arguments, _ -> {});
         reporter.begin();
         var finds = new Detections(self);
         finds.begin();
@@ -64,7 +64,7 @@ public final class Explore extends AgentTypeBase {
     }
 
     /// Between lookouts; errands come first.
-    private static void roam(AgentContext self, Robot robot, Reporter reporter, int lookouts) {
+    private static void roam(AgentContext self, Robot robot, PoseReporter reporter, int lookouts) {
         var driver = new NavigationClient(self, robot.require(Navigator.class));
         var roaming = new Viewpoints(self, robot, driver, reporter::mapFromBase, lookouts, () -> NARROW);
         new GoalService(self, robot.id(), driver, roaming::pause, roaming::goOn).begin();

@@ -10,8 +10,8 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
 import rsal.agents.driving.NavigationClient;
-import rsal.agents.parts.Reporter;
-import rsal.agents.parts.Words;
+import rsal.agents.parts.AgentWords;
+import rsal.agents.parts.PoseReporter;
 import rsal.behavior.LimitSpeed;
 import rsal.behavior.LimitTurnRate;
 import rsal.behavior.Pilot;
@@ -65,7 +65,7 @@ final class FetchTask {
 
     private final AgentContext self;
     private final Robot robot;
-    private final Reporter reporter;
+    private final PoseReporter reporter;
     private final NavigationClient driver;
     private final GripperClient hand;
     private final Pilot pilot;
@@ -88,7 +88,7 @@ final class FetchTask {
     FetchTask(
             AgentContext self,
             Robot robot,
-            Reporter reporter,
+            PoseReporter reporter,
             NavigationClient driver,
             CollectGoal goal,
             Point2d mapFromDepot,
@@ -134,7 +134,7 @@ final class FetchTask {
         stage = Stage.GOING;
         arrived = false;
         self.state("driving to " + goal);
-        driver.goTo(Words.pose(goal.mapFromThing()), STANDOFF, result -> {
+        driver.goTo(AgentWords.pose(goal.mapFromThing()), STANDOFF, result -> {
             if (stage == Stage.GOING) {
                 if (result instanceof Navigator.Result.Reached) {
                     arrived = true;
@@ -253,7 +253,7 @@ final class FetchTask {
     private void bring() {
         stage = Stage.BRINGING;
         self.state("bringing %s to the depot".formatted(goal));
-        driver.goTo(Words.pose(mapFromDepot), AT_DEPOT, result -> {
+        driver.goTo(AgentWords.pose(mapFromDepot), AT_DEPOT, result -> {
             if (stage == Stage.BRINGING) {
                 if (result instanceof Navigator.Result.Reached) {
                     release();
@@ -283,7 +283,7 @@ final class FetchTask {
     }
 
     private void detour(Navigator.Result ending, Runnable again) {
-        String why = Words.reason(ending);
+        String why = AgentWords.reason(ending);
         detour(again, why.isEmpty() ? "it was sent elsewhere" : why);
     }
 

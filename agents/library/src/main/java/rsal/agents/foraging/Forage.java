@@ -5,8 +5,8 @@ import rsal.agent.AgentContext;
 import rsal.agents.charging.Recharging;
 import rsal.agents.exploration.Viewpoints;
 import rsal.agents.parts.AgentTypeBase;
-import rsal.agents.parts.Body;
-import rsal.agents.parts.Reporter;
+import rsal.agents.parts.PoseReporter;
+import rsal.agents.parts.RequiredRobot;
 import rsal.behavior.Pilot;
 import rsal.device.BlobFinder;
 import rsal.device.Gripper;
@@ -30,12 +30,12 @@ public final class Forage extends AgentTypeBase {
                         Recharging.CHARGERS,
                         Recharging.LOW,
                         Recharging.FULL,
-                        Reporter.PERIOD),
+                        PoseReporter.PERIOD),
                 List.of(Navigator.class, Gripper.class, BlobFinder.class, Pilot.class, PlaceFinder.class));
     }
 
     @Override
     protected void begin(AgentContext self, Arguments arguments) {
-        new Forager(self, Body.of(self), arguments).begin();
+        new Forager(self, RequiredRobot.of(self), arguments).begin();
     }
 }

@@ -15,7 +15,7 @@ import rsal.agents.charging.Charging;
 import rsal.agents.charging.Recharging;
 import rsal.agents.driving.NavigationClient;
 import rsal.agents.exploration.Viewpoints;
-import rsal.agents.parts.Reporter;
+import rsal.agents.parts.PoseReporter;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.device.Navigator;
@@ -37,7 +37,7 @@ final class Forager {
 
     private final AgentContext self;
     private final Robot robot;
-    private final Reporter reporter;
+    private final PoseReporter reporter;
     private final NavigationClient driver;
     private final Spotting spotting;
     private final Viewpoints lookouts;
@@ -60,7 +60,7 @@ final class Forager {
     Forager(AgentContext self, Robot robot, Arguments arguments) {
         this.self = self;
         this.robot = robot;
-        this.reporter = new Reporter(self, robot, arguments, _ -> {});
+        this.reporter = new PoseReporter(self, robot, arguments, _ -> {});
         this.driver = new NavigationClient(self, robot.require(Navigator.class));
         this.spotting = new Spotting(
                 self,

@@ -3,7 +3,7 @@ package rsal.agents.foraging;
 import java.util.Optional;
 import java.util.function.Consumer;
 import rsal.agent.AgentContext;
-import rsal.agents.parts.Reporter;
+import rsal.agents.parts.PoseReporter;
 import rsal.data.Blobs;
 import rsal.data.Blobs.Blob;
 import rsal.data.Point2d;
@@ -21,7 +21,7 @@ import rsal.settings.Parameter;
 public final class Spotting {
     private final AgentContext self;
     private final BlobFinder camera;
-    private final Reporter reporter;
+    private final PoseReporter reporter;
     private final Optional<Rgb> color;
     private final double range;
     private final Consumer<CollectGoal> onSeen;
@@ -31,7 +31,7 @@ public final class Spotting {
     public Spotting(
             AgentContext self,
             Robot robot,
-            Reporter reporter,
+            PoseReporter reporter,
             Optional<Rgb> color,
             double range,
             Consumer<CollectGoal> onSeen) {

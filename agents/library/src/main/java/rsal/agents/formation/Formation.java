@@ -13,8 +13,8 @@ import rsal.settings.Parameter;
 public final class Formation extends AgentTypeBase {
     static final Parameter<String> ROBOTS =
             Parameter.robots("robots", NewGoal.ALL, List.of(NewGoal.ALL), "Role of the robots to lead, or all.");
-    static final Parameter<String> SHAPE =
-            Parameter.choice("shape", Shape.WEDGE.word(), Shape.words(), "How the robots stand to each other.");
+    static final Parameter<String> SHAPE = Parameter.choice(
+            "shape", FormationShape.WEDGE.word(), FormationShape.words(), "How the robots stand to each other.");
     static final Parameter<Double> SPACING =
             Parameter.number("spacing", 1.5, 0.6, 20, "m", "Distance of neighbors in the formation.");
     static final Parameter<List<Point2d>> ROUTE = Parameter.places(

@@ -12,7 +12,7 @@ import rsal.agent.AgentContext;
 import rsal.agent.ServiceDescription;
 import rsal.agent.protocol.Request;
 import rsal.agent.protocol.Request.Asked;
-import rsal.agents.parts.Words;
+import rsal.agents.parts.AgentWords;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.device.Planner;
@@ -86,7 +86,7 @@ final class SurveyService {
             }
             case Planner.Result.NoPath(String why) ->
                 throw new IllegalStateException(
-                        "No way leads from %s to %s: %s".formatted(Words.place(from), Words.place(to), why));
+                        "No way leads from %s to %s: %s".formatted(AgentWords.place(from), AgentWords.place(to), why));
         };
     }
 
@@ -159,7 +159,7 @@ final class SurveyService {
             return "a way for %d by %s"
                     .formatted(
                             offsets.size(),
-                            mapFromPlaces.stream().map(Words::place).collect(Collectors.joining(", ")));
+                            mapFromPlaces.stream().map(AgentWords::place).collect(Collectors.joining(", ")));
         }
     }
 }

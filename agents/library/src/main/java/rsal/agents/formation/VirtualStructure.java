@@ -25,7 +25,7 @@ import rsal.agent.protocol.Request;
 import rsal.agent.team.Assignment;
 import rsal.agents.driving.GoalService;
 import rsal.agents.formation.SurveyService.Wanted;
-import rsal.agents.parts.Words;
+import rsal.agents.parts.AgentWords;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.settings.Arguments;
@@ -52,7 +52,7 @@ final class VirtualStructure {
 
     private final AgentContext self;
     private final String robots;
-    private final Shape shape;
+    private final FormationShape shape;
     private final double spacing;
     private final double speed;
     private final List<Pose2d> mapFromRoute;
@@ -74,10 +74,10 @@ final class VirtualStructure {
     VirtualStructure(AgentContext self, Arguments arguments) {
         this.self = self;
         this.robots = arguments.get(Formation.ROBOTS);
-        this.shape = Shape.of(arguments.get(Formation.SHAPE));
+        this.shape = FormationShape.of(arguments.get(Formation.SHAPE));
         this.spacing = arguments.get(Formation.SPACING);
         this.speed = arguments.get(Formation.SPEED);
-        this.mapFromRoute = Words.poses(arguments.get(Formation.ROUTE));
+        this.mapFromRoute = AgentWords.poses(arguments.get(Formation.ROUTE));
         this.roll = new FailureDetector(self, PING, arguments.seconds(Formation.SILENCE), _ -> {});
         this.surveys = SurveyService.service(self);
         this.drives = GoalService.service(self);
@@ -184,7 +184,7 @@ final class VirtualStructure {
     }
 
     private void go(FormationCorridor now, NavigableMap<String, Pose2d> team) {
-        boolean narrow = shape == Shape.COLUMN || !now.fits(way, column);
+        boolean narrow = shape == FormationShape.COLUMN || !now.fits(way, column);
         if (narrow != column || !places.keySet().equals(team.keySet())) {
             column = narrow;
             allot(now, team);
@@ -259,7 +259,7 @@ final class VirtualStructure {
         List<Pose2d> later = slots(now, way + share * speed * AHEAD.toMillis() / 1e3, count);
         var slots = new TreeMap<String, FormationSlots.Slot>();
         places.forEach((robot, place) -> slots.put(robot, new FormationSlots.Slot(here.get(place), later.get(place))));
-        String name = (column ? Shape.COLUMN : shape).word();
+        String name = (column ? FormationShape.COLUMN : shape).word();
         self.publish(FormationSlots.TOPIC, new FormationSlots(name, formed, AHEAD, slots));
         self.state("%s a %s of %d".formatted(formed ? "leading" : "forming", name, count));
         self.show("way", String.format(Locale.ROOT, "%.0f of %.0f m", way, now.length()));

@@ -5,8 +5,8 @@ import rsal.agent.AgentContext;
 import rsal.agent.message.PoseReport;
 import rsal.agents.driving.Roaming;
 import rsal.agents.parts.AgentTypeBase;
-import rsal.agents.parts.Body;
-import rsal.agents.parts.Reporter;
+import rsal.agents.parts.PoseReporter;
+import rsal.agents.parts.RequiredRobot;
 import rsal.agents.pursuit.CaptureDetector;
 import rsal.agents.pursuit.Escape;
 import rsal.behavior.Pilot;
@@ -26,8 +26,8 @@ public final class Intrude extends AgentTypeBase {
 
     @Override
     protected void begin(AgentContext self, Arguments arguments) {
-        Robot robot = Body.of(self);
-        var mapFromBase = Reporter.belief(robot);
+        Robot robot = RequiredRobot.of(self);
+        var mapFromBase = PoseReporter.belief(robot);
         var wallFollowing = Roaming.alongWalls(self, robot);
         var surrender = new CaptureDetector(
                 self,

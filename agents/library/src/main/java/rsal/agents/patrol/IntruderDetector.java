@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import rsal.agent.AgentContext;
 import rsal.agents.foraging.Spotting;
-import rsal.agents.parts.Reporter;
+import rsal.agents.parts.PoseReporter;
 import rsal.data.Point2d;
 import rsal.data.Rgb;
 import rsal.robot.Robot;
@@ -28,7 +28,8 @@ public final class IntruderDetector {
     private Instant due = Instant.MIN;
 
     /// @param onSeen told where the robot itself sees one, each time
-    public IntruderDetector(AgentContext self, Robot robot, Reporter reporter, Rgb color, Consumer<Point2d> onSeen) {
+    public IntruderDetector(
+            AgentContext self, Robot robot, PoseReporter reporter, Rgb color, Consumer<Point2d> onSeen) {
         this.self = self;
         this.robot = robot;
         this.onSeen = onSeen;

@@ -9,7 +9,7 @@ import rsal.agent.team.Skill;
 import rsal.agent.team.TaskRoute;
 import rsal.agent.team.Work;
 import rsal.agents.driving.NavigationClient;
-import rsal.agents.parts.Words;
+import rsal.agents.parts.AgentWords;
 import rsal.agents.patrol.Intruders.Track;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
@@ -62,7 +62,7 @@ public final class Meeting implements Skill<Meet> {
 
     @Override
     public Optional<TaskRoute> course(Meet job) {
-        return Optional.of(TaskRoute.at(Words.pose(track(job).mapFromIntruder())));
+        return Optional.of(TaskRoute.at(AgentWords.pose(track(job).mapFromIntruder())));
     }
 
     @Override
@@ -102,10 +102,10 @@ public final class Meeting implements Skill<Meet> {
             near = met && stands ? near.plus(PERIOD) : Duration.ZERO;
             mapFromStand = stands ? mapFromStand : there;
             if (near.compareTo(STAY) > 0) {
-                work.done("met at " + Words.place(Words.pose(track.mapFromIntruder())));
+                work.done("met at " + AgentWords.place(AgentWords.pose(track.mapFromIntruder())));
             } else if (distance > THERE) {
                 boolean inSight = now.isBefore(inSightUntil);
-                drive(inSight ? before(here, there) : Words.pose(track.mapFromIntruder()), inSight ? CLOSE : NEAR);
+                drive(inSight ? before(here, there) : AgentWords.pose(track.mapFromIntruder()), inSight ? CLOSE : NEAR);
             } else if (!met) {
                 drive(new Pose2d(here.x(), here.y(), here.theta() + here.bearingTo(there)), FACING);
             }
@@ -126,7 +126,7 @@ public final class Meeting implements Skill<Meet> {
 
         private void ended(Result result) {
             if (result instanceof Result.NoPath || result instanceof Result.Stuck) {
-                work.fail(Words.ending(result) + ". " + Words.reason(result));
+                work.fail(AgentWords.ending(result) + ". " + AgentWords.reason(result));
             }
         }
     }

@@ -6,7 +6,7 @@ import rsal.agent.team.Skill;
 import rsal.agent.team.TaskRoute;
 import rsal.agent.team.Work;
 import rsal.agents.driving.NavigationClient;
-import rsal.agents.parts.Words;
+import rsal.agents.parts.AgentWords;
 import rsal.device.Navigator.Result;
 import rsal.device.Navigator.Tolerance;
 
@@ -50,8 +50,8 @@ public final class Visiting implements Skill<Visit> {
         if (result instanceof Result.Reached) {
             self.scheduler().after(job.stay(), () -> work.done("visited"));
         } else {
-            String why = Words.reason(result);
-            work.fail(why.isEmpty() ? Words.ending(result) : Words.ending(result) + ". " + why);
+            String why = AgentWords.reason(result);
+            work.fail(why.isEmpty() ? AgentWords.ending(result) : AgentWords.ending(result) + ". " + why);
         }
     }
 }

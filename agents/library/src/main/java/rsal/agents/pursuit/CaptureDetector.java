@@ -5,8 +5,8 @@ import java.util.Comparator;
 import java.util.Optional;
 import rsal.agent.AgentContext;
 import rsal.agent.message.PoseReport;
+import rsal.agents.parts.AgentWords;
 import rsal.agents.parts.TargetTracks;
-import rsal.agents.parts.Words;
 import rsal.behavior.Behavior;
 import rsal.behavior.LimitTurnRate;
 import rsal.behavior.Percept;
@@ -84,7 +84,7 @@ public final class CaptureDetector {
         lettingGo.run();
         self.publish(Caught.TOPIC, new Caught(robot.id(), hunter.robot, hunter.distance));
         self.state("caught by " + hunter.robot);
-        self.show("distance", Words.distance(hunter.distance));
+        self.show("distance", AgentWords.distance(hunter.distance));
         spin();
     }
 

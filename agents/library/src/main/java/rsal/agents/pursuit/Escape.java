@@ -3,8 +3,8 @@ package rsal.agents.pursuit;
 import java.util.List;
 import rsal.agent.AgentContext;
 import rsal.agents.parts.AgentTypeBase;
-import rsal.agents.parts.Body;
-import rsal.agents.parts.Reporter;
+import rsal.agents.parts.PoseReporter;
+import rsal.agents.parts.RequiredRobot;
 import rsal.behavior.Pilot;
 import rsal.device.Device;
 import rsal.settings.Arguments;
@@ -26,17 +26,17 @@ public final class Escape extends AgentTypeBase {
         super(
                 "escape",
                 "Prey: follows the wall on its left until a hunter comes too near, then gives up.",
-                List.of(HUNTER, CATCH_DISTANCE, Sight.SEES, Reporter.PERIOD),
+                List.of(HUNTER, CATCH_DISTANCE, MarkerSight.SEES, PoseReporter.PERIOD),
                 List.of(Pilot.class));
     }
 
     @Override
     protected List<Class<? extends Device>> needsBesides(Arguments arguments) {
-        return Sight.needs(arguments);
+        return MarkerSight.needs(arguments);
     }
 
     @Override
     protected void begin(AgentContext self, Arguments arguments) {
-        new Prey(self, Body.of(self), arguments).begin();
+        new Prey(self, RequiredRobot.of(self), arguments).begin();
     }
 }

@@ -4,8 +4,8 @@ import java.util.List;
 import rsal.agent.AgentContext;
 import rsal.agents.charging.Recharging;
 import rsal.agents.parts.AgentTypeBase;
-import rsal.agents.parts.Body;
-import rsal.agents.parts.Reporter;
+import rsal.agents.parts.PoseReporter;
+import rsal.agents.parts.RequiredRobot;
 import rsal.behavior.Pilot;
 import rsal.device.Device;
 import rsal.device.Navigator;
@@ -28,21 +28,21 @@ public final class Evade extends AgentTypeBase {
                 List.of(
                         Escape.HUNTER,
                         Escape.CATCH_DISTANCE,
-                        Sight.SEES,
+                        MarkerSight.SEES,
                         SIGHT,
                         FEAR,
                         Recharging.CHARGERS,
-                        Reporter.PERIOD),
+                        PoseReporter.PERIOD),
                 List.of(Pilot.class, Navigator.class, Planner.class));
     }
 
     @Override
     protected List<Class<? extends Device>> needsBesides(Arguments arguments) {
-        return Sight.needs(arguments);
+        return MarkerSight.needs(arguments);
     }
 
     @Override
     protected void begin(AgentContext self, Arguments arguments) {
-        new Evader(self, Body.of(self), arguments).begin();
+        new Evader(self, RequiredRobot.of(self), arguments).begin();
     }
 }

@@ -15,8 +15,8 @@ import rsal.agent.message.PoseReport;
 import rsal.agents.charging.Charging;
 import rsal.agents.charging.Recharging;
 import rsal.agents.driving.NavigationClient;
-import rsal.agents.parts.Reporter;
-import rsal.agents.parts.Words;
+import rsal.agents.parts.AgentWords;
+import rsal.agents.parts.PoseReporter;
 import rsal.behavior.Pilot;
 import rsal.behavior.PioneerStack;
 import rsal.data.Path2d;
@@ -42,10 +42,10 @@ final class Evader {
     private final Robot robot;
     private final Pilot pilot;
     private final NavigationClient driver;
-    private final Reporter reporter;
+    private final PoseReporter reporter;
     private final CaptureDetector surrender;
     private final Evasion evasion;
-    private final Optional<Sight> eyes; // else it knows what they report
+    private final Optional<MarkerSight> eyes; // else it knows what they report
     private final double sight;
     private final double fear;
     private final Charging charging;
@@ -60,10 +60,10 @@ final class Evader {
         this.pilot = robot.require(Pilot.class);
         this.driver = new NavigationClient(self, robot.require(Navigator.class));
         String hunter = arguments.get(Escape.HUNTER);
-        boolean byMarkers = Sight.byMarkers(arguments);
-        this.reporter = new Reporter(self, robot, arguments, _ -> look(), !byMarkers);
+        boolean byMarkers = MarkerSight.byMarkers(arguments);
+        this.reporter = new PoseReporter(self, robot, arguments, _ -> look(), !byMarkers);
         this.eyes = byMarkers
-                ? Optional.of(new Sight(self, robot, reporter::mapFromBase, hunter, this::see))
+                ? Optional.of(new MarkerSight(self, robot, reporter::mapFromBase, hunter, this::see))
                 : Optional.empty();
         this.evasion = new Evasion(self, robot);
         this.sight = arguments.get(Evade.SIGHT);
@@ -78,7 +78,8 @@ final class Evader {
     }
 
     void begin() {
-        eyes.ifPresentOrElse(Sight::begin, () -> self.subscribe(PoseReport.TOPIC, message -> hear(message.content())));
+        eyes.ifPresentOrElse(
+                MarkerSight::begin, () -> self.subscribe(PoseReport.TOPIC, message -> hear(message.content())));
         self.subscribe(Sighting.TOPIC, message -> hear(message.content()));
         reporter.begin();
         goals.add(mind.goal("not be caught")
@@ -189,7 +190,7 @@ final class Evader {
     }
 
     private void run(Path2d way) {
-        Pose2d mapFromRefuge = Words.pose(way.points().getLast());
+        Pose2d mapFromRefuge = AgentWords.pose(way.points().getLast());
         if (!driver.isOnItsWayTo(mapFromRefuge, SAME)) {
             pilot.release();
             driver.goTo(mapFromRefuge, Tolerance.position(SAME), _ -> {});

@@ -11,7 +11,7 @@ import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import rsal.agent.AgentContext;
 import rsal.agents.driving.PlannedWays;
-import rsal.agents.parts.Words;
+import rsal.agents.parts.AgentWords;
 import rsal.data.Path2d;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
@@ -56,7 +56,7 @@ final class Evasion {
                 .find(mapFromBase, PLACES, CLEARANCE)
                 .thenAccept(result -> self.scheduler().execute(() -> {
                     if (result instanceof PlaceFinder.Result.Found(List<Point2d> places)) {
-                        mapFromRefuges = Words.poses(places);
+                        mapFromRefuges = AgentWords.poses(places);
                     }
                 }));
     }

@@ -4,8 +4,8 @@ import java.util.List;
 import rsal.agent.AgentContext;
 import rsal.agents.exploration.Viewpoints;
 import rsal.agents.parts.AgentTypeBase;
-import rsal.agents.parts.Body;
-import rsal.agents.parts.Reporter;
+import rsal.agents.parts.PoseReporter;
+import rsal.agents.parts.RequiredRobot;
 import rsal.device.Device;
 import rsal.device.Navigator;
 import rsal.settings.Arguments;
@@ -37,23 +37,23 @@ public final class Follow extends AgentTypeBase {
                         CATCH_DISTANCE,
                         UPDATE_INTERVAL,
                         ASSIGNMENT,
-                        Sight.SEES,
+                        MarkerSight.SEES,
                         Viewpoints.COUNT,
-                        Reporter.PERIOD),
+                        PoseReporter.PERIOD),
                 List.of(Navigator.class));
     }
 
     @Override
     protected List<Class<? extends Device>> needsBesides(Arguments arguments) {
-        return Search.needs(arguments);
+        return PreySearch.needs(arguments);
     }
 
     @Override
     protected void begin(AgentContext self, Arguments arguments) {
         if (arguments.get(ASSIGNMENT).equals("bids")) {
-            new Hunter(self, Body.of(self), arguments).begin();
+            new Hunter(self, RequiredRobot.of(self), arguments).begin();
         } else {
-            new Hunt(self, Body.of(self), arguments).begin();
+            new Hunt(self, RequiredRobot.of(self), arguments).begin();
         }
     }
 }

@@ -20,7 +20,7 @@ import rsal.agent.message.PoseRequest;
 import rsal.agent.team.Assignment;
 import rsal.agents.driving.GoalService;
 import rsal.agents.driving.NavigationClient;
-import rsal.agents.parts.Reporter;
+import rsal.agents.parts.PoseReporter;
 import rsal.agents.parts.TargetTracks;
 import rsal.data.Pose2d;
 import rsal.device.Navigator;
@@ -39,11 +39,11 @@ final class Hunt {
 
     private final AgentContext self;
     private final Robot robot;
-    private final Reporter reporter;
+    private final PoseReporter reporter;
     private final NavigationClient driver;
     private final GoalService errands;
     private final TargetTracks sightings;
-    private final Search search;
+    private final PreySearch search;
     private final String preyName;
     private final double catchDistance;
     private final Tolerance tolerance;
@@ -58,9 +58,9 @@ final class Hunt {
     Hunt(AgentContext self, Robot robot, Arguments arguments) {
         this.self = self;
         this.robot = robot;
-        this.reporter = new Reporter(self, robot, arguments, this::note);
+        this.reporter = new PoseReporter(self, robot, arguments, this::note);
         this.driver = new NavigationClient(self, robot.require(Navigator.class));
-        this.search = new Search(self, robot, driver, reporter::mapFromBase, arguments, this::note);
+        this.search = new PreySearch(self, robot, driver, reporter::mapFromBase, arguments, this::note);
         this.errands = new GoalService(self, robot.id(), driver, search::pause, this::decide);
         this.sightings = new TargetTracks(self.blackboard());
         this.preyName = arguments.get(Follow.PREY);

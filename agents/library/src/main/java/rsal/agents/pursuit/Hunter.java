@@ -11,7 +11,7 @@ import rsal.agent.team.Worker;
 import rsal.agents.driving.GoalService;
 import rsal.agents.driving.NavigationClient;
 import rsal.agents.driving.PlannedWays;
-import rsal.agents.parts.Reporter;
+import rsal.agents.parts.PoseReporter;
 import rsal.agents.parts.TargetTracks;
 import rsal.device.Navigator;
 import rsal.device.Planner;
@@ -25,18 +25,18 @@ final class Hunter {
     private static final Duration MOMENT = Duration.ofSeconds(1);
 
     private final AgentContext self;
-    private final Reporter reporter;
+    private final PoseReporter reporter;
     private final TargetTracks sightings;
     private final Worker worker;
     private final Chasing chasing;
     private final GoalService errands;
-    private final Search search;
+    private final PreySearch search;
     private int looks; // only the newest counts
 
     Hunter(AgentContext self, Robot robot, Arguments arguments) {
         this.self = self;
         this.sightings = new TargetTracks(self.blackboard());
-        this.reporter = new Reporter(self, robot, arguments, sightings::note);
+        this.reporter = new PoseReporter(self, robot, arguments, sightings::note);
         var driver = new NavigationClient(self, robot.require(Navigator.class));
         this.chasing = new Chasing(
                 self,
@@ -50,7 +50,7 @@ final class Hunter {
                 self, new PlannedWays(robot.find(Planner.class), NEAR), reporter::mapFromBase, this::changed);
         this.worker.learn(Catch.class, chasing);
         this.errands = new GoalService(self, robot.id(), driver, this::leave, this::comeBack);
-        this.search = new Search(self, robot, driver, reporter::mapFromBase, arguments, this::learn);
+        this.search = new PreySearch(self, robot, driver, reporter::mapFromBase, arguments, this::learn);
     }
 
     void begin() {

@@ -4,7 +4,7 @@ import java.util.Optional;
 import rsal.agent.AgentContext;
 import rsal.agent.message.PoseReport;
 import rsal.agents.driving.Roaming;
-import rsal.agents.parts.Reporter;
+import rsal.agents.parts.PoseReporter;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
 
@@ -13,25 +13,26 @@ import rsal.settings.Arguments;
 final class Prey {
     private final AgentContext self;
     private final Roaming wallFollowing;
-    private final Reporter reporter;
+    private final PoseReporter reporter;
     private final CaptureDetector surrender;
-    private final Optional<Sight> sight;
+    private final Optional<MarkerSight> sight;
 
     Prey(AgentContext self, Robot robot, Arguments arguments) {
         this.self = self;
         this.wallFollowing = Roaming.alongWalls(self, robot);
         String hunter = arguments.get(Escape.HUNTER);
-        boolean byMarkers = Sight.byMarkers(arguments);
+        boolean byMarkers = MarkerSight.byMarkers(arguments);
         this.surrender = new CaptureDetector(
                 self, robot, hunter, arguments.get(Escape.CATCH_DISTANCE), byMarkers, wallFollowing::end);
-        this.reporter = new Reporter(self, robot, arguments, _ -> lookAround(), !byMarkers);
+        this.reporter = new PoseReporter(self, robot, arguments, _ -> lookAround(), !byMarkers);
         this.sight = byMarkers
-                ? Optional.of(new Sight(self, robot, reporter::mapFromBase, hunter, seen -> hear(seen.report())))
+                ? Optional.of(new MarkerSight(self, robot, reporter::mapFromBase, hunter, seen -> hear(seen.report())))
                 : Optional.empty();
     }
 
     void begin() {
-        sight.ifPresentOrElse(Sight::begin, () -> self.subscribe(PoseReport.TOPIC, message -> hear(message.content())));
+        sight.ifPresentOrElse(
+                MarkerSight::begin, () -> self.subscribe(PoseReport.TOPIC, message -> hear(message.content())));
         wallFollowing.begin();
         reporter.begin();
     }

@@ -11,7 +11,7 @@ import rsal.agent.team.TaskRoute;
 import rsal.agent.team.Work;
 import rsal.agents.driving.NavigationClient;
 import rsal.agents.exploration.Exploring;
-import rsal.agents.parts.Words;
+import rsal.agents.parts.AgentWords;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.device.Navigator.Result;
@@ -149,7 +149,8 @@ final class Helping implements Skill<Help> {
             goal = null;
             switch (result) {
                 case Result.Reached _, Result.Cancelled _ -> {} // the next look tells what is left to do
-                case Result.NoPath _, Result.Stuck _ -> work.fail(Words.ending(result) + ". " + Words.reason(result));
+                case Result.NoPath _, Result.Stuck _ ->
+                    work.fail(AgentWords.ending(result) + ". " + AgentWords.reason(result));
             }
         }
     }

@@ -11,8 +11,8 @@ import rsal.agents.driving.NavigationClient;
 import rsal.agents.driving.PlannedWays;
 import rsal.agents.exploration.Exploring;
 import rsal.agents.parts.AgentTypeBase;
-import rsal.agents.parts.Body;
-import rsal.agents.parts.Reporter;
+import rsal.agents.parts.PoseReporter;
+import rsal.agents.parts.RequiredRobot;
 import rsal.device.FiducialFinder;
 import rsal.device.Localizer;
 import rsal.device.Navigator;
@@ -33,18 +33,19 @@ public abstract class Rescuer extends AgentTypeBase {
         super(
                 key,
                 description,
-                Stream.concat(own.stream(), Stream.of(RETURNS, Reporter.PERIOD)).toList(),
+                Stream.concat(own.stream(), Stream.of(RETURNS, PoseReporter.PERIOD))
+                        .toList(),
                 List.of(Navigator.class, Localizer.class, FiducialFinder.class));
     }
 
     @Override
     protected void begin(AgentContext self, Arguments arguments) {
-        Robot robot = Body.of(self);
+        Robot robot = RequiredRobot.of(self);
         var parts = new Parts(
                 self,
                 robot,
                 new NavigationClient(self, robot.require(Navigator.class)),
-                new Reporter(self, robot, arguments, _ -> {}),
+                new PoseReporter(self, robot, arguments, _ -> {}),
                 new Scouting(self, robot),
                 Exploring.of(self, robot));
         BooleanSupplier free = work(parts, arguments);
@@ -71,7 +72,7 @@ public abstract class Rescuer extends AgentTypeBase {
             AgentContext self,
             Robot robot,
             NavigationClient driver,
-            Reporter reporter,
+            PoseReporter reporter,
             Scouting scouting,
             Exploring exploring) {}
 

@@ -15,8 +15,8 @@ import rsal.agents.exploration.Chart;
 import rsal.agents.exploration.Charting;
 import rsal.agents.foraging.Spotting;
 import rsal.agents.parts.AgentTypeBase;
-import rsal.agents.parts.Body;
-import rsal.agents.parts.Reporter;
+import rsal.agents.parts.PoseReporter;
+import rsal.agents.parts.RequiredRobot;
 import rsal.agents.patrol.IntruderDetector;
 import rsal.agents.patrol.Meet;
 import rsal.agents.patrol.Meeting;
@@ -44,7 +44,7 @@ public final class WorkerAgent extends AgentTypeBase {
                         Recharging.LOW,
                         Recharging.FULL,
                         IntruderDetector.INTRUDER,
-                        Reporter.PERIOD),
+                        PoseReporter.PERIOD),
                 List.of(Navigator.class));
     }
 
@@ -55,9 +55,9 @@ public final class WorkerAgent extends AgentTypeBase {
 
     @Override
     protected void begin(AgentContext self, Arguments arguments) {
-        Robot robot = Body.of(self);
+        Robot robot = RequiredRobot.of(self);
         var driver = new NavigationClient(self, robot.require(Navigator.class));
-        var reporter = new Reporter(self, robot, arguments, _ -> {});
+        var reporter = new PoseReporter(self, robot, arguments, _ -> {});
         Optional<Charting> charting =
                 robot.find(Mapper.class).map(mapper -> new Charting(self, robot.id(), driver, mapper));
         PathCostEstimator planned = new PlannedWays(robot.find(Planner.class), NEAR);

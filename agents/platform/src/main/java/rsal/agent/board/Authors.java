@@ -67,7 +67,7 @@ final class Authors {
     /// Whether what an author says comes in time; from now on only what it says after that does.
     ///
     /// @throws IllegalStateException when there is no room for another author
-    boolean isNew(String author, Service.Writing said) {
+    boolean isNew(String author, BoardService.Writing said) {
         Author known = authors.get(author);
         if (known == null) {
             makeRoom();
@@ -106,7 +106,7 @@ final class Authors {
             this.board = board;
         }
 
-        boolean hears(Service.Writing said) {
+        boolean hears(BoardService.Writing said) {
             if (!said.isAfter(session, number)) {
                 return false;
             }

@@ -38,18 +38,18 @@ public final class BoardKeeper {
 
     /// From now on keeps it.
     public void begin() {
-        Service.writing(self, board).answer(this::write);
-        Service.asking(self, board).answer(this::answer);
-        Service.watching(self, board).answer(this::admit);
-        self.offer(Service.capability(board));
+        BoardService.writing(self, board).answer(this::write);
+        BoardService.asking(self, board).answer(this::answer);
+        BoardService.watching(self, board).answer(this::admit);
+        self.offer(BoardService.capability(board));
         self.directory().onDeparture(_ -> tell());
         tell();
     }
 
-    private void write(Asked<Service.Writing, Service.Written> asked) {
-        Service.Writing said = asked.what();
-        if (said.notes().size() + said.erased().size() > Service.MOST_AT_ONCE) {
-            asked.refuse("Only %d notes may be written at once.".formatted(Service.MOST_AT_ONCE));
+    private void write(Asked<BoardService.Writing, BoardService.Written> asked) {
+        BoardService.Writing said = asked.what();
+        if (said.notes().size() + said.erased().size() > BoardService.MOST_AT_ONCE) {
+            asked.refuse("Only %d notes may be written at once.".formatted(BoardService.MOST_AT_ONCE));
             return;
         }
         boolean isNew;
@@ -59,11 +59,11 @@ public final class BoardKeeper {
             asked.refuse(String.valueOf(full.getMessage()));
             return;
         }
-        asked.inform(new Service.Written(isNew ? take(asked.from(), said) : Map.of()));
+        asked.inform(new BoardService.Written(isNew ? take(asked.from(), said) : Map.of()));
         tellSoon();
     }
 
-    private Map<Note.Name, String> take(String author, Service.Writing said) {
+    private Map<Note.Name, String> take(String author, BoardService.Writing said) {
         var refused = new HashMap<Note.Name, String>();
         for (Note.Name name : said.erased()) {
             change(new Note.Key(author, name), () -> authors.erase(new Note.Key(author, name)));
@@ -94,17 +94,17 @@ public final class BoardKeeper {
         }
     }
 
-    private void answer(Asked<Service.Asking, Service.Answer> asked) {
+    private void answer(Asked<BoardService.Asking, BoardService.Answer> asked) {
         asked.inform(answer(asked.what().query()));
     }
 
-    private <M> Service.Answer answer(Query<M> query) {
+    private <M> BoardService.Answer answer(Query<M> query) {
         List<Note<M>> all = authors.find(query);
         int shown = Math.min(all.size(), query.most());
-        return new Service.Answer(List.copyOf(all.subList(0, shown)), all.size() - shown);
+        return new BoardService.Answer(List.copyOf(all.subList(0, shown)), all.size() - shown);
     }
 
-    private void admit(Subscriber<Service.Asking, Service.Changes> subscriber) {
+    private void admit(Subscriber<BoardService.Asking, BoardService.Changes> subscriber) {
         List.copyOf(watchers).stream()
                 .filter(watcher -> watcher.isSame(subscriber))
                 .forEach(
@@ -154,7 +154,7 @@ public final class BoardKeeper {
     }
 
     private void tell() {
-        List<String> keepers = Service.keepers(self.directory(), board);
+        List<String> keepers = BoardService.keepers(self.directory(), board);
         if (!keepers.isEmpty() && !keepers.getFirst().equals(self.name())) {
             self.state("standing by for (%s)".formatted(keepers.getFirst()));
         } else {
@@ -180,18 +180,18 @@ public final class BoardKeeper {
     }
 
     private final class Watcher {
-        private final Subscriber<Service.Asking, Service.Changes> subscriber;
+        private final Subscriber<BoardService.Asking, BoardService.Changes> subscriber;
         private final Query<?> query;
         private final Set<Note.Key> dirty = new LinkedHashSet<>();
         private final Set<Note.Key> told = new HashSet<>();
         private boolean begun;
 
-        Watcher(Subscriber<Service.Asking, Service.Changes> subscriber, Query<?> query) {
+        Watcher(Subscriber<BoardService.Asking, BoardService.Changes> subscriber, Query<?> query) {
             this.subscriber = subscriber;
             this.query = query;
         }
 
-        boolean isSame(Subscriber<Service.Asking, Service.Changes> other) {
+        boolean isSame(Subscriber<BoardService.Asking, BoardService.Changes> other) {
             return subscriber.from().equals(other.from())
                     && subscriber.what().watch() == other.what().watch();
         }
@@ -200,7 +200,7 @@ public final class BoardKeeper {
             var notes = new ArrayList<Note<?>>();
             var gone = new ArrayList<Note.Key>();
             Iterator<Note.Key> next = dirty.iterator();
-            while (next.hasNext() && notes.size() + gone.size() < Service.MOST_AT_ONCE) {
+            while (next.hasNext() && notes.size() + gone.size() < BoardService.MOST_AT_ONCE) {
                 Note.Key key = next.next();
                 next.remove();
                 Optional<Note<?>> note = authors.read(key).filter(query::wants);
@@ -212,10 +212,10 @@ public final class BoardKeeper {
                 }
             }
             if (!begun || !notes.isEmpty() || !gone.isEmpty()) {
-                subscriber.inform(new Service.Changes(!begun, notes, gone));
+                subscriber.inform(new BoardService.Changes(!begun, notes, gone));
                 begun = true;
             }
-            if (told.size() > 2 * authors.size() + Service.MOST_AT_ONCE) {
+            if (told.size() > 2 * authors.size() + BoardService.MOST_AT_ONCE) {
                 told.removeIf(key -> authors.read(key).isEmpty()); // have faded there, too
             }
         }

@@ -34,13 +34,13 @@ public final class TeamBoard {
     private final AgentContext self;
     private final String board;
     private final Consumer<? super BoardEvent> listener;
-    private final Request<Service.Writing, Service.Written> writing;
-    private final Request<Service.Asking, Service.Answer> asking;
-    private final Subscribe<Service.Asking, Service.Changes> watching;
+    private final Request<BoardService.Writing, BoardService.Written> writing;
+    private final Request<BoardService.Asking, BoardService.Answer> asking;
+    private final Subscribe<BoardService.Asking, BoardService.Changes> watching;
     private final Instant session;
     private final Map<Note.Name, Note<?>> own = new LinkedHashMap<>(); // until they fade
     private final Set<Note.Name> changed = new LinkedHashSet<>(); // and not known to the master
-    private final Set<Watch<?>> watches = new LinkedHashSet<>();
+    private final Set<BoardWatch<?>> watches = new LinkedHashSet<>();
     private Optional<String> keeper = Optional.empty();
     private Set<Note.Name> underWay = Set.of();
     private long number;
@@ -54,9 +54,9 @@ public final class TeamBoard {
         this.self = self;
         this.board = board;
         this.listener = listener;
-        this.writing = Service.writing(self, board);
-        this.asking = Service.asking(self, board);
-        this.watching = Service.watching(self, board);
+        this.writing = BoardService.writing(self, board);
+        this.asking = BoardService.asking(self, board);
+        this.watching = BoardService.watching(self, board);
         this.session = self.scheduler().instant();
         self.directory().onChange(this::note);
         self.directory().onDeparture(went -> gone(went.agent().name())); // after the conversations with it have ended
@@ -123,7 +123,7 @@ public final class TeamBoard {
         keeper.ifPresentOrElse(
                 name -> asking.ask(
                         name,
-                        new Service.Asking(query, 0),
+                        new BoardService.Asking(query, 0),
                         ending -> onEnd.accept(ending.map(answer -> new Found<>(
                                 answer.notes().stream()
                                         .filter(query::wants)
@@ -138,15 +138,15 @@ public final class TeamBoard {
     /// Keeps what the master tells of these notes, and goes on when another takes over.
     ///
     /// @param onChange told, on the agent's lane, when something else is heard; not when notes fade
-    public <M> Watch<M> watch(Query<M> query, Runnable onChange) {
-        var watch = new Watch<>(self.scheduler(), ++watched, query, onChange);
+    public <M> BoardWatch<M> watch(Query<M> query, Runnable onChange) {
+        var watch = new BoardWatch<>(self.scheduler(), ++watched, query, onChange);
         watch.stopBy(() -> watches.remove(watch));
         watches.add(watch);
         follow(watch);
         return watch;
     }
 
-    private void follow(Watch<?> watch) {
+    private void follow(BoardWatch<?> watch) {
         if (watch.isOver() || watch.isFollowing() || keeper.isEmpty()) {
             return;
         }
@@ -154,7 +154,7 @@ public final class TeamBoard {
         int turn = watch.follows();
         Conversation talk = watching.subscribe(
                 name,
-                new Service.Asking(watch.query(), watch.number()),
+                new BoardService.Asking(watch.query(), watch.number()),
                 changes -> {
                     if (watch.isTurn(turn)) {
                         heard();
@@ -172,25 +172,27 @@ public final class TeamBoard {
         });
     }
 
-    private void unfollow(Watch<?> watch, String name, ConversationResult<Service.Changes> ending) {
+    private void unfollow(BoardWatch<?> watch, String name, ConversationResult<BoardService.Changes> ending) {
         watch.lost();
         switch (ending) {
-            case ConversationResult.Refused<Service.Changes>(String why) -> refuse("watch " + watch.query(), why);
-            case ConversationResult.NotUnderstood<Service.Changes>(String why) -> refuse("watch " + watch.query(), why);
-            case ConversationResult.Silent<Service.Changes>(String why) -> followAgain(watch, name, why);
-            case ConversationResult.Failed<Service.Changes>(String why) -> followAgain(watch, name, why);
-            case ConversationResult.Cancelled<Service.Changes> _, ConversationResult.Informed<Service.Changes> _ -> {}
+            case ConversationResult.Refused<BoardService.Changes>(String why) -> refuse("watch " + watch.query(), why);
+            case ConversationResult.NotUnderstood<BoardService.Changes>(String why) ->
+                refuse("watch " + watch.query(), why);
+            case ConversationResult.Silent<BoardService.Changes>(String why) -> followAgain(watch, name, why);
+            case ConversationResult.Failed<BoardService.Changes>(String why) -> followAgain(watch, name, why);
+            case ConversationResult.Cancelled<BoardService.Changes> _,
+                    ConversationResult.Informed<BoardService.Changes> _ -> {}
         }
     }
 
-    private void followAgain(Watch<?> watch, String name, String why) {
+    private void followAgain(BoardWatch<?> watch, String name, String why) {
         fellSilent(name, why);
         self.scheduler().after(RETRY, () -> follow(watch));
     }
 
     private void note(Directory.Change change) {
         if (change instanceof Directory.Change.Offered(Directory.Entry _, ServiceDescription offered)
-                && offered.equals(Service.capability(board))) {
+                && offered.equals(BoardService.capability(board))) {
             look();
         }
     }
@@ -198,7 +200,7 @@ public final class TeamBoard {
     private void gone(String agent) {
         if (keeper.filter(agent::equals).isPresent()) {
             keeper = Optional.empty();
-            watches.forEach(Watch::lost);
+            watches.forEach(BoardWatch::lost);
             listener.accept(new BoardEvent.Gone(agent));
             look();
         }
@@ -209,7 +211,7 @@ public final class TeamBoard {
         if (keeper.isPresent()) {
             return;
         }
-        keeper = Service.keepers(self.directory(), board).stream()
+        keeper = BoardService.keepers(self.directory(), board).stream()
                 .filter(name -> !name.equals(self.name()))
                 .findFirst();
         keeper.ifPresent(name -> {
@@ -226,8 +228,8 @@ public final class TeamBoard {
         if (keeper.isEmpty() || !underWay.isEmpty() || changed.isEmpty() || retryIsDue) {
             return;
         }
-        Set<Note.Name> next =
-                new LinkedHashSet<>(changed.stream().limit(Service.MOST_AT_ONCE).toList());
+        Set<Note.Name> next = new LinkedHashSet<>(
+                changed.stream().limit(BoardService.MOST_AT_ONCE).toList());
         changed.removeAll(next);
         underWay = next;
         number++;
@@ -237,32 +239,33 @@ public final class TeamBoard {
             Optional.<Note<?>>ofNullable(own.get(name)).ifPresentOrElse(notes::add, () -> erased.add(name));
         }
         String to = keeper.get();
-        writing.ask(to, new Service.Writing(session, number, notes, erased), ending -> sent(to, next, ending));
+        writing.ask(to, new BoardService.Writing(session, number, notes, erased), ending -> sent(to, next, ending));
     }
 
     @SuppressWarnings("ReferenceEquality") // two may be of the same notes
-    private void sent(String to, Set<Note.Name> what, ConversationResult<Service.Written> ending) {
+    private void sent(String to, Set<Note.Name> what, ConversationResult<BoardService.Written> ending) {
         if (underWay == what) {
             underWay = Set.of();
         }
         switch (ending) {
-            case ConversationResult.Informed<Service.Written>(Service.Written written) -> {
+            case ConversationResult.Informed<BoardService.Written>(BoardService.Written written) -> {
                 heard();
                 written.refused().entrySet().stream()
                         .sorted(Map.Entry.comparingByKey(
                                 Comparator.comparing(Note.Name::topic).thenComparing(Note.Name::name)))
                         .forEach(refused -> giveUp(refused.getKey(), refused.getValue()));
             }
-            case ConversationResult.Refused<Service.Written>(String why) -> what.forEach(name -> giveUp(name, why));
-            case ConversationResult.NotUnderstood<Service.Written>(String why) ->
+            case ConversationResult.Refused<BoardService.Written>(String why) ->
                 what.forEach(name -> giveUp(name, why));
-            case ConversationResult.Failed<Service.Written>(String why) -> what.forEach(name -> giveUp(name, why));
-            case ConversationResult.Silent<Service.Written>(String why) -> {
+            case ConversationResult.NotUnderstood<BoardService.Written>(String why) ->
+                what.forEach(name -> giveUp(name, why));
+            case ConversationResult.Failed<BoardService.Written>(String why) -> what.forEach(name -> giveUp(name, why));
+            case ConversationResult.Silent<BoardService.Written>(String why) -> {
                 changed.addAll(what);
                 fellSilent(to, why);
                 retry(to);
             }
-            case ConversationResult.Cancelled<Service.Written> _ -> {} // nobody does
+            case ConversationResult.Cancelled<BoardService.Written> _ -> {} // nobody does
         }
         send();
     }

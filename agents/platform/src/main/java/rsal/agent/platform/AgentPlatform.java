@@ -52,15 +52,16 @@ public final class AgentPlatform implements AutoCloseable {
     private final Listeners<Metric> metrics = listeners();
     private final Listeners<Unhandled> unhandled = listeners();
     private final Roster roster = new Roster();
-    private final Turns turns;
+    private final AgentTurns turns;
     private ChannelModel delivery = ChannelModel.PERFECT;
 
     public AgentPlatform(Scheduler scheduler, AgentHost host, Optional<SimulationControl> simulation) {
-        this(scheduler, host, simulation, new Turns());
+        this(scheduler, host, simulation, new AgentTurns());
     }
 
     /// @param turns where is counted who is at work
-    public AgentPlatform(Scheduler scheduler, AgentHost host, Optional<SimulationControl> simulation, Turns turns) {
+    public AgentPlatform(
+            Scheduler scheduler, AgentHost host, Optional<SimulationControl> simulation, AgentTurns turns) {
         this.scheduler = scheduler;
         this.host = host;
         this.carrier = host.carrier();
@@ -266,7 +267,7 @@ public final class AgentPlatform implements AutoCloseable {
         }
     }
 
-    Turns turns() {
+    AgentTurns turns() {
         return turns;
     }
 

@@ -61,7 +61,7 @@ final class AgentRuntime implements AgentContext {
     private final boolean isOnRunsLane;
     private final Scheduler lane = new Lane();
     private final Directory directory = new Others();
-    private final Turns.Turn turn;
+    private final AgentTurns.Turn turn;
     private final RandomGenerator random;
     private final Blackboard blackboard;
     private final Map<String, String> beliefs = new LinkedHashMap<>();

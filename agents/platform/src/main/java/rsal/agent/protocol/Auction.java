@@ -124,7 +124,7 @@ public final class Auction<L> {
                         what = lot.cast(act.content());
                     }
                 }
-                case NOT_UNDERSTOOD -> lost(Outcome.words(act));
+                case NOT_UNDERSTOOD -> lost(ProtocolOutcome.words(act));
                 default -> {} // whether its price was the first is told by the next
             }
         }

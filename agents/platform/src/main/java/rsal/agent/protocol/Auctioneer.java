@@ -126,7 +126,7 @@ final class Auctioneer implements Conversation {
         public void heard(Act act) {
             switch (act.performative()) {
                 case PROPOSE -> offered((Double) act.content());
-                case NOT_UNDERSTOOD -> lost(Outcome.words(act));
+                case NOT_UNDERSTOOD -> lost(ProtocolOutcome.words(act));
                 default -> {} // the grammar lets nothing else through
             }
         }

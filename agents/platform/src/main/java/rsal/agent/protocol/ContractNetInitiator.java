@@ -37,7 +37,7 @@ public final class ContractNetInitiator<T, B, R> implements Conversation {
     private final SortedMap<String, Proposal<B>> proposals = new TreeMap<>(); // of this round
     private final SortedMap<String, String> refusals = new TreeMap<>();
     private final Set<String> waitingFor = new TreeSet<>();
-    private final SortedMap<String, Outcome<R>> awarded = new TreeMap<>();
+    private final SortedMap<String, ProtocolOutcome<R>> awarded = new TreeMap<>();
     private @Nullable T task; // of this round
     private @Nullable Task deadline;
     private int round;
@@ -125,7 +125,7 @@ public final class ContractNetInitiator<T, B, R> implements Conversation {
             String name = proposal.from();
             T share = shares.get(name);
             if (share != null) {
-                awarded.put(name, new Outcome<>(resultType, how -> manager.ended(proposal, how)));
+                awarded.put(name, new ProtocolOutcome<>(resultType, how -> manager.ended(proposal, how)));
                 partner(name).say(Performative.ACCEPT_PROPOSAL, share);
             } else {
                 partner(name).say(Performative.REJECT_PROPOSAL, "Another bid was accepted, or none.");
@@ -146,14 +146,14 @@ public final class ContractNetInitiator<T, B, R> implements Conversation {
     public void cancel() {
         decided = true;
         partners.values().forEach(ContractNetInitiator::cancel);
-        for (Outcome<R> outcome : List.copyOf(awarded.values())) {
+        for (ProtocolOutcome<R> outcome : List.copyOf(awarded.values())) {
             outcome.end(new ConversationResult.Cancelled<>());
         }
     }
 
     /// Does not want one of those whose bid was accepted to go on. Does nothing for others.
     public void cancel(String contractor) {
-        Outcome<R> outcome = awarded.get(contractor);
+        ProtocolOutcome<R> outcome = awarded.get(contractor);
         if (outcome != null) {
             cancel(partner(contractor));
             outcome.end(new ConversationResult.Cancelled<>());
@@ -176,14 +176,14 @@ public final class ContractNetInitiator<T, B, R> implements Conversation {
 
         @Override
         public void heard(Act act) {
-            Outcome<R> work = awarded.get(name);
+            ProtocolOutcome<R> work = awarded.get(name);
             if (work != null) {
                 work.heard(act);
                 return;
             }
             switch (act.performative()) {
                 case PROPOSE -> proposed(bidType.cast(act.content()));
-                case REFUSE, NOT_UNDERSTOOD -> gone(Outcome.words(act));
+                case REFUSE, NOT_UNDERSTOOD -> gone(ProtocolOutcome.words(act));
                 default -> {} // cancelled meanwhile
             }
         }
@@ -207,7 +207,7 @@ public final class ContractNetInitiator<T, B, R> implements Conversation {
 
         @Override
         public void lost(String why) {
-            Outcome<R> work = awarded.get(name);
+            ProtocolOutcome<R> work = awarded.get(name);
             if (work != null) {
                 work.lost(why);
             } else {

@@ -35,7 +35,7 @@ final class ContractNetParticipant<T, B, R> extends Answering implements Call<T,
         switch (act.performative()) {
             case CFP -> called(taskType.cast(act.content()), act.replyBy().orElseGet(scheduler::instant));
             case ACCEPT_PROPOSAL -> accepted(taskType.cast(act.content()));
-            case REJECT_PROPOSAL, NOT_UNDERSTOOD -> rejected(Outcome.words(act));
+            case REJECT_PROPOSAL, NOT_UNDERSTOOD -> rejected(ProtocolOutcome.words(act));
             default -> {} // the grammar lets nothing else through
         }
     }

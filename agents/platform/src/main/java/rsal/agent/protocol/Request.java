@@ -29,7 +29,7 @@ public final class Request<Q, A> {
 
     /// @param onEnd told once, on the agent's lane; at once when it is cancelled
     public Conversation ask(String to, Q what, RetryPolicy patience, Consumer<? super ConversationResult<A>> onEnd) {
-        return Talk.begin(desk, to, patience, new Outcome<>(answer, onEnd), Performative.REQUEST, what);
+        return Talk.begin(desk, to, patience, new ProtocolOutcome<>(answer, onEnd), Performative.REQUEST, what);
     }
 
     /// From now on answers whoever asks.

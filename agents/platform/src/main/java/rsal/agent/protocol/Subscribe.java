@@ -38,7 +38,7 @@ public final class Subscribe<Q, A> {
             RetryPolicy patience,
             Consumer<? super A> listener,
             Consumer<? super ConversationResult<A>> onEnd) {
-        var outcome = new Outcome<>(news, onEnd) {
+        var outcome = new ProtocolOutcome<>(news, onEnd) {
             @Override
             public void heard(Act act) {
                 if (act.performative() != Performative.INFORM) {

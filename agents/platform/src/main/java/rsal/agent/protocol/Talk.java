@@ -1,12 +1,12 @@
 package rsal.agent.protocol;
 
 /// A conversation with one partner that ends once, for the one who began it.
-record Talk<A>(Dialogue dialogue, Outcome<A> outcome) implements Conversation {
+record Talk<A>(Dialogue dialogue, ProtocolOutcome<A> outcome) implements Conversation {
     static <A> Talk<A> begin(
             ConversationManager desk,
             String to,
             RetryPolicy patience,
-            Outcome<A> outcome,
+            ProtocolOutcome<A> outcome,
             Performative opening,
             Object content) {
         Dialogue dialogue = desk.begin(desk.newConversation(), to, patience, outcome);

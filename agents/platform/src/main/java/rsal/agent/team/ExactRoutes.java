@@ -27,7 +27,7 @@ final class ExactRoutes {
         this.sets = 1 << jobs;
     }
 
-    /// As [Routes#divide] has it.
+    /// As [JobRoutes#divide] has it.
     static SortedMap<String, List<Integer>> divide(SortedMap<String, Estimate> members, Objective objective) {
         return new ExactRoutes(members, objective).divide();
     }
@@ -58,7 +58,7 @@ final class ExactRoutes {
     private double together(double others, double mine) {
         return objective == Objective.SUM
                 ? others + mine
-                : Math.max(others, mine) + Routes.SUM_IN_LONGEST * (others + mine);
+                : Math.max(others, mine) + JobRoutes.SUM_IN_LONGEST * (others + mine);
     }
 
     /// Of all sets that can be done one with most jobs, of those the cheapest.

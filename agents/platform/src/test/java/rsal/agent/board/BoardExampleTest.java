@@ -47,7 +47,7 @@ class BoardExampleTest {
         public void start(AgentContext self) {
             var board = new TeamBoard(self, "team", event -> self.show("board", event.toString()));
             var near = Query.of(Spill.TOPIC).within(10, new Point2d(0, 0)).newest(5);
-            Watch<Spill> spills = board.watch(near, () -> {});
+            BoardWatch<Spill> spills = board.watch(near, () -> {});
             self.scheduler().every(Duration.ofSeconds(1), () -> {
                 String words = spills.notes().stream()
                         .map(note -> "%s (%s liters)"

@@ -82,7 +82,7 @@ class TeamBoardTest {
                 : List.of(ending.toString());
     }
 
-    private static List<String> words(Watch<String> watch) {
+    private static List<String> words(BoardWatch<String> watch) {
         return watch.notes().stream()
                 .map(note -> note.author() + " " + note.name() + ": " + note.content())
                 .toList();
@@ -108,7 +108,7 @@ class TeamBoardTest {
     void whenTheNewestGoesThatIsWatchedTheNextIsShown() {
         keeper(run, "master");
         var amy = new User(run, "amy");
-        Watch<String> newest = amy.board().watch(Query.of(CANS).newest(1), () -> {});
+        BoardWatch<String> newest = amy.board().watch(Query.of(CANS).newest(1), () -> {});
         for (int can = 1; can <= 5; can++) {
             amy.write("can-" + can, "red");
             run.advance(1);
@@ -152,7 +152,7 @@ class TeamBoardTest {
     void notesFadeForTheMasterAndForThoseWhoWatchAtTheSameInstant() {
         keeper(run, "master");
         var amy = new User(run, "amy");
-        Watch<String> watch = new User(run, "bob").board().watch(Query.of(CANS), () -> {});
+        BoardWatch<String> watch = new User(run, "bob").board().watch(Query.of(CANS), () -> {});
         amy.board().write(CANS, "can-1", "red", Duration.ofSeconds(10));
         run.advance(9.9);
         assertThat(words(watch)).containsExactly("amy can-1: red");
@@ -170,7 +170,7 @@ class TeamBoardTest {
         run.advance(1);
         var heard = new ArrayList<List<String>>();
         var bob = new User(run, "bob");
-        var watch = new AtomicReference<Watch<String>>();
+        var watch = new AtomicReference<BoardWatch<String>>();
         watch.set(bob.board().watch(Query.of(CANS), () -> heard.add(words(watch.get()))));
         run.advance(1);
         amy.write("can-2", "blue");
@@ -193,7 +193,8 @@ class TeamBoardTest {
     void whatIsNoMoreWantedIsGoneForThoseWhoWatch() {
         keeper(run, "master");
         var amy = new User(run, "amy");
-        Watch<String> watch = new User(run, "bob").board().watch(Query.of(CANS).within(2, new Point2d(0, 0)), () -> {});
+        BoardWatch<String> watch =
+                new User(run, "bob").board().watch(Query.of(CANS).within(2, new Point2d(0, 0)), () -> {});
         amy.board().write(CANS, "can-1", "red", new Point2d(1, 0), LONG);
         run.advance(1);
         assertThat(words(watch)).hasSize(1);
@@ -216,8 +217,8 @@ class TeamBoardTest {
     }
 
     private static void forge(AgentContext self, Note<?> note) {
-        new Request<>(self, "write team", Service.Writing.class, Service.Written.class)
-                .ask("master", new Service.Writing(now(), 1, List.of(note), List.of()), _ -> {});
+        new Request<>(self, "write team", BoardService.Writing.class, BoardService.Written.class)
+                .ask("master", new BoardService.Writing(now(), 1, List.of(note), List.of()), _ -> {});
     }
 
     private static Instant now() {
@@ -252,7 +253,7 @@ class TeamBoardTest {
         keeper(run, "master");
         var amy = new User(run, "amy");
         var bob = new User(run, "bob");
-        Watch<String> watch = bob.board().watch(Query.of(CANS), () -> {});
+        BoardWatch<String> watch = bob.board().watch(Query.of(CANS), () -> {});
         amy.write("can-1", "red");
         bob.write("can-2", "blue");
         run.advance(1);
@@ -275,7 +276,7 @@ class TeamBoardTest {
     void masterThatStartsAgainUnderItsNameKnowsAllAgain() {
         keeper(run, "master");
         var amy = new User(run, "amy");
-        Watch<String> watch = amy.board().watch(Query.of(CANS), () -> {});
+        BoardWatch<String> watch = amy.board().watch(Query.of(CANS), () -> {});
         amy.write("can-1", "red");
         run.advance(1);
         run.stop("master");
@@ -331,7 +332,7 @@ class TeamBoardTest {
                         : List.of(Duration.ZERO));
         keeper(run, "master");
         var amy = new User(run, "amy");
-        Watch<String> watch = new User(run, "bob").board().watch(Query.of(CANS), () -> {});
+        BoardWatch<String> watch = new User(run, "bob").board().watch(Query.of(CANS), () -> {});
         amy.write("can-1", "red");
         run.advance(1);
         cut.set(true);
@@ -427,7 +428,7 @@ class TeamBoardTest {
         keeper(run, "master");
         var amy = new User(run, "amy");
         var heard = new ArrayList<String>();
-        var watch = new AtomicReference<Watch<String>>();
+        var watch = new AtomicReference<BoardWatch<String>>();
         watch.set(new User(run, "bob").board().watch(Query.of(CANS), () -> heard.addAll(words(watch.get()))));
         run.advance(1);
         for (int i = 0; i < 50; i++) {
@@ -449,8 +450,8 @@ class TeamBoardTest {
             List<User> users = Stream.of("amy", "bob", "zoe")
                     .map(name -> new User(storm, name))
                     .toList();
-            Watch<String> all = users.get(0).board().watch(Query.of(CANS), () -> {});
-            Watch<String> ofBob = users.get(2).board().watch(Query.of(CANS).by("bob"), () -> {});
+            BoardWatch<String> all = users.get(0).board().watch(Query.of(CANS), () -> {});
+            BoardWatch<String> ofBob = users.get(2).board().watch(Query.of(CANS).by("bob"), () -> {});
             Map<String, Instant> model = new HashMap<>(); // when what was written fades
             for (int step = 0; step < 80; step++) {
                 User user = users.get(random.nextInt(3));

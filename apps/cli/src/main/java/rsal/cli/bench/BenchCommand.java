@@ -16,13 +16,13 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import rsal.bench.Area;
-import rsal.bench.measurement.Assignment;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Plot;
 import rsal.bench.measurement.Result;
 import rsal.cli.terminal.Destination;
 import rsal.cli.terminal.Exit;
 import rsal.cli.terminal.Subcommand;
-import rsal.cli.terminal.Table;
+import rsal.cli.terminal.TextTable;
 import rsal.cli.terminal.Unreachable;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
@@ -47,8 +47,8 @@ public final class BenchCommand extends Subcommand {
             names = "--repeat",
             paramLabel = "N",
             description = {
-                "How often each is measured; " + Assignment.REPEATS + " when left out. The median counts.",
-                "With how many seeds runs are compared; " + Assignment.SEEDS + " when left out. The mean counts."
+                "How often each is measured; " + BenchmarkRequest.REPEATS + " when left out. The median counts.",
+                "With how many seeds runs are compared; " + BenchmarkRequest.SEEDS + " when left out. The mean counts."
             })
     private Optional<Integer> repeats = Optional.empty();
 
@@ -98,7 +98,7 @@ public final class BenchCommand extends Subcommand {
         var results = new ArrayList<Result>();
         var progress = new BenchProgress(err(), wanted.size());
         var plots = new ArrayList<Plot>();
-        chosen.measure(new Assignment(
+        chosen.measure(new BenchmarkRequest(
                 Set.copyOf(wanted),
                 often,
                 publicData,
@@ -166,7 +166,7 @@ public final class BenchCommand extends Subcommand {
             printJson(Map.of("results", results, "machine", machine));
             return;
         }
-        var table = new Table("");
+        var table = new TextTable("");
         for (Result result : results) {
             table.row(
                     result.name(),

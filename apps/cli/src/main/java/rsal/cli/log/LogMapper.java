@@ -16,10 +16,10 @@ import rsal.cli.log.MapResult.Wandered;
 import rsal.data.Pose2d;
 import rsal.navigation.carmen.CarmenLog;
 import rsal.navigation.replay.Course;
+import rsal.navigation.slam.MapOverlap;
 import rsal.navigation.slam.Merge;
 import rsal.navigation.slam.Relation;
 import rsal.navigation.slam.RelationError;
-import rsal.navigation.slam.Shared;
 import rsal.navigation.slam.Slam;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
@@ -59,13 +59,13 @@ final class LogMapper {
             drawn.add(drawn(robot, own));
         }
         starts.add(0);
-        var shared = new ArrayList<Shared>();
+        var shared = new ArrayList<MapOverlap>();
         for (int i = 1; i < slams.size(); i++) {
             starts.add(whole().frameCount());
             shared.add(merge(whole(), slams.get(i)));
         }
         for (int i = 1; i < slams.size(); i++) { // not before: each that joins moves the others a little
-            Shared both = shared.get(i - 1);
+            MapOverlap both = shared.get(i - 1);
             merged.add(Merged.of(
                     file(i),
                     mapFromOwn(whole(), slams.get(i), starts.get(i)),
@@ -120,7 +120,7 @@ final class LogMapper {
                 .count();
     }
 
-    private Shared merge(Slam slam, Slam other) {
+    private MapOverlap merge(Slam slam, Slam other) {
         String file = file(starts.size() - 1);
         String before =
                 robots.stream().limit(starts.size() - 1).map(Robot::file).collect(Collectors.joining(", "));
@@ -133,7 +133,7 @@ final class LogMapper {
         }
         return switch (merged) {
             case Merge.Done done -> done.shared();
-            case Merge.Contradicted(Pose2d place, Shared shared) ->
+            case Merge.Contradicted(Pose2d place, MapOverlap shared) ->
                 throw new InvalidSettings(
                         Location.of(file),
                         "Its map fits that of (%s), moved by (%s), but they contradict each other: %s."
@@ -161,12 +161,12 @@ final class LogMapper {
                         + " more from all it hit (at most %.1f%% in maps that share a place)%s")
                 .formatted(
                         100 * share,
-                        Shared.NEAR,
-                        100 * Shared.MOST_AGAINST,
+                        MapOverlap.NEAR,
+                        100 * MapOverlap.MOST_AGAINST,
                         worst.map(c -> ", most of it " + c.words()).orElse(""));
     }
 
-    private Optional<Clash> worst(Shared shared) {
+    private Optional<Clash> worst(MapOverlap shared) {
         return shared.worst().map(c -> new Clash(c.x(), c.y(), fileOf(c.hitBy()), fileOf(c.freeBy())));
     }
 

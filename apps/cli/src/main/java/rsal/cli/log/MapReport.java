@@ -11,7 +11,7 @@ import rsal.cli.log.MapResult.Strained;
 import rsal.data.Pose2d;
 import rsal.navigation.slam.FreeSpaceViolation;
 import rsal.navigation.slam.GraphResidual;
-import rsal.navigation.slam.Shared;
+import rsal.navigation.slam.MapOverlap;
 import rsal.navigation.slam.Slam;
 import rsal.scenario.text.Counted;
 
@@ -59,7 +59,7 @@ final class MapReport {
                 out.println("  they contradict each other: %.2f%% is more than %.1f%%, most of it %s"
                         .formatted(
                                 100 * one.against(),
-                                100 * Shared.MOST_AGAINST,
+                                100 * MapOverlap.MOST_AGAINST,
                                 one.worst().words()));
             }
         }

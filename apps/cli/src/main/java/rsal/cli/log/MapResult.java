@@ -9,9 +9,9 @@ import rsal.navigation.carmen.CarmenLog;
 import rsal.navigation.replay.Course;
 import rsal.navigation.slam.FreeSpaceViolation;
 import rsal.navigation.slam.GraphResidual;
+import rsal.navigation.slam.MapOverlap;
 import rsal.navigation.slam.RelationError;
-import rsal.navigation.slam.Shared;
-import rsal.navigation.slam.Turns;
+import rsal.navigation.slam.TurnAgreement;
 
 /// What `rsal map` has made of logs, as it is printed as JSON.
 ///
@@ -89,7 +89,7 @@ record MapResult(
     /// @param opposed of them, at which they turned different ways
     /// @param reversed whether that is so at most of them, as with a laser that is upside down
     record Turned(int count, int opposed, boolean reversed) {
-        static Turned of(Turns turns) {
+        static Turned of(TurnAgreement turns) {
             return new Turned(turns.count(), turns.opposed(), turns.isReversed());
         }
     }
@@ -175,7 +175,7 @@ record MapResult(
             boolean tooMuch,
             @Nullable Clash worst,
             double throughWalls) {
-        static Merged of(String log, Pose2d at, Shared shared, @Nullable Clash worst) {
+        static Merged of(String log, Pose2d at, MapOverlap shared, @Nullable Clash worst) {
             return new Merged(
                     log,
                     at.x(),

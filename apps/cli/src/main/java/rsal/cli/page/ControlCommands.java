@@ -9,7 +9,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import rsal.cli.terminal.Exit;
-import rsal.cli.terminal.Table;
+import rsal.cli.terminal.TextTable;
 import rsal.cli.terminal.Unreachable;
 import rsal.scenario.text.Counted;
 import rsal.time.AllowedToReadWallClock;
@@ -44,7 +44,7 @@ public final class ControlCommands {
                     ? "over: " + outcome
                     : status.path("paused").asBoolean() ? "paused" : "runs";
             String motors = status.path("stopped").asBoolean() ? ", motors are off" : "";
-            var robots = new Table("  ");
+            var robots = new TextTable("  ");
             status.path("robots").forEach(robot -> robots.row(row(robot)));
             var goals = new StringBuilder();
             status.path("goals").forEach(goal -> {

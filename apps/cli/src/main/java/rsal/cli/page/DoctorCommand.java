@@ -18,7 +18,7 @@ import java.util.Optional;
 import picocli.CommandLine.Command;
 import rsal.cli.terminal.Exit;
 import rsal.cli.terminal.Subcommand;
-import rsal.cli.terminal.Table;
+import rsal.cli.terminal.TextTable;
 
 /// `rsal doctor`
 @Command(name = "doctor", description = "Look at this machine: is all here that RSAL needs, and if not, what to do?")
@@ -43,7 +43,7 @@ public final class DoctorCommand extends Subcommand {
     }
 
     private void print(List<Finding> findings) {
-        var table = new Table("");
+        var table = new TextTable("");
         for (Finding finding : findings) {
             table.row(finding.ok ? "ok" : "warn", finding.what, finding.found);
             if (!finding.remedy.isEmpty()) {

@@ -8,8 +8,8 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.TypeConversionException;
+import rsal.cli.terminal.CommandWords;
 import rsal.cli.terminal.Destination;
-import rsal.cli.terminal.Words;
 import rsal.foxglove.FoxgloveServer;
 
 /// Who looks on: the page's port, a recording, Foxglove. Options of commands that run scenarios.
@@ -76,7 +76,7 @@ public final class PageChoices {
 
         @Override
         public Integer convert(String typed) {
-            double port = Words.orNaN(typed);
+            double port = CommandWords.orNaN(typed);
             if (!(port >= 0 && port <= MOST && port == Math.rint(port))) {
                 throw new TypeConversionException(
                         "(%s) is not a port from 0 to %d, like %d.".formatted(typed, MOST, PageRuns.DEFAULT_PORT));

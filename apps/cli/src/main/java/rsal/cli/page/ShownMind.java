@@ -7,7 +7,7 @@ import java.util.Set;
 import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import rsal.cli.terminal.Table;
+import rsal.cli.terminal.TextTable;
 import tools.jackson.databind.JsonNode;
 
 /// What is in an agent, as people read it, for `rsal agent mind`.
@@ -60,14 +60,14 @@ final class ShownMind {
     }
 
     private static String beliefs(JsonNode beliefs) {
-        var lines = new Table("  ");
+        var lines = new TextTable("  ");
         beliefs.forEach(belief -> lines.row(words(belief.path("name")), words(belief.path("value"))));
         return lines.toString();
     }
 
     /// Each with what is done for it, the ways that it has, and why the last one failed.
     private static String goals(JsonNode goals, Predicate<JsonNode> which) {
-        var lines = new Table("  ");
+        var lines = new TextTable("  ");
         goals.valueStream().filter(which).forEach(goal -> {
             lines.row(
                     goal.path("state").asString().toLowerCase(Locale.ROOT).replace('_', ' '),
@@ -79,7 +79,7 @@ final class ShownMind {
         return lines.toString();
     }
 
-    private static void also(Table lines, String title, String words) {
+    private static void also(TextTable lines, String title, String words) {
         if (!words.isEmpty()) {
             lines.row("", "  " + title + words);
         }
@@ -90,7 +90,7 @@ final class ShownMind {
     }
 
     private static String history(JsonNode history) {
-        var lines = new Table("  ");
+        var lines = new TextTable("  ");
         history.forEach(change -> lines.row(
                 seconds(change),
                 change.path("kind").asString().toLowerCase(Locale.ROOT),
@@ -100,7 +100,7 @@ final class ShownMind {
     }
 
     private static String talks(JsonNode talks) {
-        var lines = new Table("  ");
+        var lines = new TextTable("  ");
         talks.forEach(talk -> lines.row(
                 seconds(talk),
                 words(talk.path("from")) + " → " + words(talk.path("to")),
@@ -110,7 +110,7 @@ final class ShownMind {
     }
 
     private static String mail(JsonNode mail) {
-        var lines = new Table("  ");
+        var lines = new TextTable("  ");
         mail.forEach(one -> lines.row(
                 seconds(one),
                 words(one.path("from")) + (one.path("forAll").asBoolean() ? " → all" : ""),

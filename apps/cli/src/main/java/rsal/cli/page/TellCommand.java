@@ -10,7 +10,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import rsal.cli.terminal.Exit;
-import rsal.cli.terminal.Table;
+import rsal.cli.terminal.TextTable;
 import rsal.engine.OperatorCommand;
 import rsal.engine.OperatorCommands;
 import rsal.settings.Arguments;
@@ -73,7 +73,7 @@ public final class TellCommand extends ControlCommands.Controlled {
             printJson(OperatorCommands.ALL.stream().map(TellCommand::described).toList());
             return;
         }
-        var table = new Table("");
+        var table = new TextTable("");
         for (OperatorCommand command : OperatorCommands.ALL) {
             table.row(command.name(), command.description());
             command.parameters().forEach(each -> table.row("  " + written(each), "  " + explained(each)));

@@ -20,11 +20,11 @@ import rsal.cli.page.PageChoices;
 import rsal.cli.page.PageRuns;
 import rsal.cli.show.ScenarioReference;
 import rsal.cli.terminal.ClosedAtExit;
+import rsal.cli.terminal.CommandWords;
 import rsal.cli.terminal.Progress;
 import rsal.cli.terminal.Subcommand;
-import rsal.cli.terminal.Table;
+import rsal.cli.terminal.TextTable;
 import rsal.cli.terminal.Unreachable;
-import rsal.cli.terminal.Words;
 import rsal.engine.LiveRun;
 import rsal.engine.report.Answer;
 import rsal.engine.report.RunResult;
@@ -105,7 +105,7 @@ public final class BridgeCommand extends Subcommand {
                 if (typed.equals("off")) {
                     return new Timeout(Optional.empty());
                 }
-                double seconds = Words.orNaN(typed);
+                double seconds = CommandWords.orNaN(typed);
                 if (!(seconds >= 0.2 && seconds <= 3600)) {
                     throw new TypeConversionException(
                             "'%s' is no number of seconds from 0.2 to 3600, nor 'off'.".formatted(typed));
@@ -219,7 +219,7 @@ public final class BridgeCommand extends Subcommand {
                     return;
                 }
                 out().println("Robots are at %s:".formatted(at.getHostString()));
-                var table = new Table("  ");
+                var table = new TextTable("  ");
                 offers.forEach(offer -> table.row(offer.port() + ":" + offer.name(), offer.device()));
                 out().print(table);
                 out().flush();

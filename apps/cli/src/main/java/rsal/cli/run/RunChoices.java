@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.TypeConversionException;
-import rsal.cli.terminal.Words;
+import rsal.cli.terminal.CommandWords;
 
 /// What commands that start a run have in common.
 public final class RunChoices {
@@ -66,7 +66,7 @@ public final class RunChoices {
     static final class Seed implements ITypeConverter<Long> {
         @Override
         public Long convert(String typed) {
-            return Words.longer(typed);
+            return CommandWords.longer(typed);
         }
     }
 
@@ -78,7 +78,7 @@ public final class RunChoices {
             if (typed.equals("max")) {
                 return Double.POSITIVE_INFINITY;
             }
-            double speed = Words.orNaN(typed);
+            double speed = CommandWords.orNaN(typed);
             if (!(speed >= LEAST)) {
                 throw new TypeConversionException(
                         "(%s) is neither a number of at least %s, like 4, nor max.".formatted(typed, LEAST));

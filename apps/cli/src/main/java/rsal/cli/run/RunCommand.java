@@ -18,10 +18,10 @@ import rsal.cli.page.PageChoices;
 import rsal.cli.page.PageRuns;
 import rsal.cli.show.ScenarioReference;
 import rsal.cli.terminal.ClosedAtExit;
+import rsal.cli.terminal.CommandWords;
 import rsal.cli.terminal.Exit;
 import rsal.cli.terminal.Progress;
 import rsal.cli.terminal.Subcommand;
-import rsal.cli.terminal.Words;
 import rsal.engine.LiveRun;
 import rsal.engine.report.RunResult;
 import rsal.recording.Recorder;
@@ -234,7 +234,7 @@ public final class RunCommand extends Subcommand {
 
         @Override
         public Duration convert(String typed) {
-            double seconds = Words.orNaN(typed);
+            double seconds = CommandWords.orNaN(typed);
             if (!(seconds > 0 && seconds <= MOST)) {
                 throw new TypeConversionException("(%s) is not a number of seconds above 0, like 60.".formatted(typed));
             }

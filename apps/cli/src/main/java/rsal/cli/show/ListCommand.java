@@ -9,7 +9,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 import rsal.cli.terminal.Exit;
 import rsal.cli.terminal.Subcommand;
-import rsal.cli.terminal.Table;
+import rsal.cli.terminal.TextTable;
 import rsal.map.Maps;
 import rsal.model.RobotModels;
 import rsal.scenario.Scenario;
@@ -57,7 +57,7 @@ public final class ListCommand extends Subcommand {
             printJson(Map.of(what.name(), entries));
             return Exit.SUCCESS;
         }
-        var table = new Table("");
+        var table = new TextTable("");
         entries.forEach(entry -> table.row(entry.name, entry.description));
         out().print(table);
         if (WITH_MORE.contains(what)) {
@@ -80,17 +80,17 @@ public final class ListCommand extends Subcommand {
                         .toList();
             case models -> named(RobotModels.builtIn());
             case parts -> named(RobotModels.builtInParts());
-            case agents -> entries(Kind.agents());
-            case drivers -> entries(Kind.drivers());
-            case deviceKinds -> entries(Kind.devices());
-            case controllers -> entries(Kind.plugins("controller"));
-            case planners -> entries(Kind.plugins("planner"));
-            case goalCheckers -> entries(Kind.plugins("goalChecker"));
-            case progressCheckers -> entries(Kind.plugins("progressChecker"));
-            case recoveries -> entries(Kind.plugins("recovery"));
-            case metrics -> entries(Kind.metrics());
-            case mas -> entries(Kind.hosts());
-            case mrs -> entries(Kind.systems());
+            case agents -> entries(InstalledKind.agents());
+            case drivers -> entries(InstalledKind.drivers());
+            case deviceKinds -> entries(InstalledKind.devices());
+            case controllers -> entries(InstalledKind.plugins("controller"));
+            case planners -> entries(InstalledKind.plugins("planner"));
+            case goalCheckers -> entries(InstalledKind.plugins("goalChecker"));
+            case progressCheckers -> entries(InstalledKind.plugins("progressChecker"));
+            case recoveries -> entries(InstalledKind.plugins("recovery"));
+            case metrics -> entries(InstalledKind.metrics());
+            case mas -> entries(InstalledKind.hosts());
+            case mrs -> entries(InstalledKind.systems());
             case bridges ->
                 Providers.byKey(BridgeProvider.class, BridgeProvider::key).values().stream()
                         .map(bridge -> new Entry(bridge.key(), bridge.description()))
@@ -104,7 +104,7 @@ public final class ListCommand extends Subcommand {
                 .toList();
     }
 
-    private static List<Entry> entries(Stream<Kind> kinds) {
+    private static List<Entry> entries(Stream<InstalledKind> kinds) {
         return kinds.map(kind -> new Entry(kind.name(), kind.description())).toList();
     }
 }

@@ -14,19 +14,20 @@ final class OwnMetric {
 
     /// @param path of a file
     /// @return empty when it is none, or has mistakes: those are told when it is shown as an agent
-    static Optional<Kind> of(String path) {
+    static Optional<InstalledKind> of(String path) {
         return Providers.byKey(PluginLanguage.class, PluginLanguage::suffix).values().stream()
                 .filter(language -> path.endsWith(language.suffix()))
                 .findFirst()
                 .flatMap(language -> read(language, path));
     }
 
-    private static Optional<Kind> read(PluginLanguage language, String path) {
+    private static Optional<InstalledKind> read(PluginLanguage language, String path) {
         try {
             String name = ShownAgent.name(path);
             FileSource folder = FileSource.folder(ShownAgent.folder(path));
-            return Optional.of(Kind.of(language.read(MetricType.class, "metric", name, folder, Location.of(path)))
-                    .named(name));
+            return Optional.of(
+                    InstalledKind.of(language.read(MetricType.class, "metric", name, folder, Location.of(path)))
+                            .named(name));
         } catch (InvalidSettings _) {
             return Optional.empty();
         }

@@ -5,7 +5,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import rsal.cli.terminal.Table;
+import rsal.cli.terminal.TextTable;
 import rsal.scenario.Configuration;
 
 /// A scenario as `rsal show` puts it to people.
@@ -39,14 +39,14 @@ final class ScenarioText {
         return text.toString();
     }
 
-    private static void section(StringBuilder text, String heading, Table table) {
+    private static void section(StringBuilder text, String heading, TextTable table) {
         if (!table.isEmpty()) {
             text.append('\n').append(heading).append('\n').append(table);
         }
     }
 
-    private static Table configurations(ShownScenario shown) {
-        var table = new Table("  ");
+    private static TextTable configurations(ShownScenario shown) {
+        var table = new TextTable("  ");
         for (Configuration configuration : shown.configurations()) {
             boolean isShown = configuration.name().equals(shown.configuration());
             table.row(configuration.name(), isShown ? "shown here" : "", configuration.title());
@@ -54,14 +54,14 @@ final class ScenarioText {
         return table;
     }
 
-    private static Table arguments(List<ShownScenario.Argument> arguments) {
-        var table = new Table("  ");
+    private static TextTable arguments(List<ShownScenario.Argument> arguments) {
+        var table = new TextTable("  ");
         arguments.forEach(a -> table.row(a.name(), a.value().toString(), a.expected(), a.description()));
         return table;
     }
 
-    private static Table world(ShownScenario.World world, ShownScenario.Run run) {
-        return new Table("  ")
+    private static TextTable world(ShownScenario.World world, ShownScenario.Run run) {
+        return new TextTable("  ")
                 .row(
                         "map",
                         String.format(Locale.ROOT, "%s, %.2f m × %.2f m", world.map(), world.width(), world.height()))
@@ -70,8 +70,8 @@ final class ScenarioText {
                 .row("clock", run.clock());
     }
 
-    private static Table robots(List<ShownScenario.Role> roles) {
-        var table = new Table("  ");
+    private static TextTable robots(List<ShownScenario.Role> roles) {
+        var table = new TextTable("  ");
         for (var role : roles) {
             table.row(role.role(), role.ids().size() + " × " + role.model(), String.join(", ", role.sensors()));
             String proxy = role.proxy() ? ", with a stand-in in the simulated world" : "";
@@ -88,8 +88,8 @@ final class ScenarioText {
         return device.makes() + from + (options.isEmpty() ? "" : ": " + options);
     }
 
-    private static Table starts(List<ShownScenario.Role> roles) {
-        var table = new Table("  ");
+    private static TextTable starts(List<ShownScenario.Role> roles) {
+        var table = new TextTable("  ");
         for (var role : roles) {
             role.starts().forEach(start -> table.row(start.robot(), place(start.pose())));
         }
@@ -101,15 +101,15 @@ final class ScenarioText {
                 .orElse("where the robot system puts it");
     }
 
-    private static Table agents(List<ShownScenario.ShownAgent> agents) {
-        var table = new Table("  ");
+    private static TextTable agents(List<ShownScenario.ShownAgent> agents) {
+        var table = new TextTable("  ");
         agents.forEach(a ->
                 table.row(a.name(), a.type(), a.robot().map(r -> "for " + r).orElse(""), settings(a.arguments())));
         return table;
     }
 
-    private static Table communication(ShownScenario.Limits limits) {
-        var table = new Table("  ");
+    private static TextTable communication(ShownScenario.Limits limits) {
+        var table = new TextTable("  ");
         limits.range().ifPresent(range -> table.row("range", range + " m"));
         limits.behindWalls().ifPresent(range -> table.row("behind walls", range + " m"));
         double least = limits.delay().getFirst();
@@ -123,8 +123,8 @@ final class ScenarioText {
                                 .orElse("as much as wanted"));
     }
 
-    private static Table faults(List<ShownScenario.Fault> faults) {
-        var table = new Table("  ");
+    private static TextTable faults(List<ShownScenario.Fault> faults) {
+        var table = new TextTable("  ");
         faults.forEach(f -> table.row(f.kind(), f.words(), whom(f), when(f)));
         return table;
     }
@@ -149,8 +149,8 @@ final class ScenarioText {
         return begins + lasts;
     }
 
-    private static Table ends(List<ShownScenario.End> ends) {
-        var table = new Table("  ");
+    private static TextTable ends(List<ShownScenario.End> ends) {
+        var table = new TextTable("  ");
         ends.forEach(end -> table.row(
                 end.outcome(),
                 end.when(),
@@ -158,8 +158,8 @@ final class ScenarioText {
         return table;
     }
 
-    private static Table measures(List<ShownScenario.Measured> measures) {
-        var table = new Table("  ");
+    private static TextTable measures(List<ShownScenario.Measured> measures) {
+        var table = new TextTable("  ");
         measures.forEach(m -> table.row(
                 m.name(),
                 m.unit(),

@@ -66,7 +66,7 @@ public final class ShowCommand extends Subcommand {
             showMap();
             return Exit.SUCCESS;
         }
-        Optional<Kind> metric = image == null ? OwnMetric.of(name) : Optional.empty();
+        Optional<InstalledKind> metric = image == null ? OwnMetric.of(name) : Optional.empty();
         if (metric.isPresent()) {
             show(metric.get(), metric.get().text());
             return Exit.SUCCESS;
@@ -85,9 +85,9 @@ public final class ShowCommand extends Subcommand {
             throw new ParameterException(
                     spec.commandLine(), "Only maps and worlds (FILE.world.yaml, FILE.world, FILE.cfg) are drawn.");
         }
-        List<Kind> all = Kind.all();
-        List<Kind> named = all.stream().filter(kind -> kind.is(name)).toList();
-        List<Kind> found = named.isEmpty()
+        List<InstalledKind> all = InstalledKind.all();
+        List<InstalledKind> named = all.stream().filter(kind -> kind.is(name)).toList();
+        List<InstalledKind> found = named.isEmpty()
                 ? all.stream()
                         .filter(kind -> kind.offers(name))
                         .map(kind -> kind.about(name))
@@ -98,7 +98,7 @@ public final class ShowCommand extends Subcommand {
         } else if (json) {
             printJson(Map.of("found", found));
         } else {
-            print(found.stream().map(Kind::text).collect(Collectors.joining("\n")));
+            print(found.stream().map(InstalledKind::text).collect(Collectors.joining("\n")));
         }
         return Exit.SUCCESS;
     }
@@ -151,7 +151,7 @@ public final class ShowCommand extends Subcommand {
     }
 
     /// @param namesakes what goes by the scenario's name, too
-    private void show(ScenarioReference reference, List<Kind> others, List<Kind> namesakes) {
+    private void show(ScenarioReference reference, List<InstalledKind> others, List<InstalledKind> namesakes) {
         checkName(reference.nameOrFile(), others);
         Scenario scenario = reference.load();
         var options = reference
@@ -163,12 +163,12 @@ public final class ShowCommand extends Subcommand {
             printJson(shown);
         } else {
             print(ScenarioText.of(shown)
-                    + namesakes.stream().map(Kind::alsoText).collect(Collectors.joining()));
+                    + namesakes.stream().map(InstalledKind::alsoText).collect(Collectors.joining()));
         }
     }
 
     /// A mistyped name of something else is no file that is missing.
-    private static void checkName(String typed, List<Kind> others) {
+    private static void checkName(String typed, List<InstalledKind> others) {
         List<String> scenarios = Scenario.builtInNames();
         if (scenarios.contains(typed)) {
             return; // an agent may be called like it
@@ -187,9 +187,9 @@ public final class ShowCommand extends Subcommand {
         }
     }
 
-    private static Stream<String> others(List<Kind> kinds) {
+    private static Stream<String> others(List<InstalledKind> kinds) {
         return Stream.of(
-                        kinds.stream().map(Kind::name),
+                        kinds.stream().map(InstalledKind::name),
                         Maps.builtIn().stream(),
                         RobotModels.builtIn().stream(),
                         RobotModels.builtInParts().stream())

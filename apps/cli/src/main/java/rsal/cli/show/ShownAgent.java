@@ -7,9 +7,9 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentLanguage;
+import rsal.agent.AgentOutline;
 import rsal.agent.AgentType;
-import rsal.agent.Outline;
-import rsal.cli.terminal.Table;
+import rsal.cli.terminal.TextTable;
 import rsal.scenario.installed.Providers;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
@@ -26,17 +26,17 @@ public record ShownAgent(
         String description,
         List<String> hosts,
         List<String> needs,
-        List<Kind.Setting> settings,
+        List<InstalledKind.Setting> settings,
         List<Line> goals,
         List<Line> plans,
         List<String> hears,
         List<Line> says) {
 
     /// Of a program, which nobody can see into.
-    private static final Outline UNKNOWN = new Outline(List.of(), List.of(), List.of(), List.of());
+    private static final AgentOutline UNKNOWN = new AgentOutline(List.of(), List.of(), List.of(), List.of());
 
     record Line(String file, int line, String text) {
-        static List<Line> of(List<Outline.Line> lines) {
+        static List<Line> of(List<AgentOutline.Line> lines) {
             return lines.stream()
                     .map(line -> new Line(line.at().file(), line.at().line(), line.text()))
                     .toList();
@@ -77,8 +77,8 @@ public record ShownAgent(
 
     private static ShownAgent of(String path, AgentLanguage language, List<String> hosts) {
         AgentType type = language.read(name(path), FileSource.folder(folder(path)), Location.of(path));
-        Kind kind = Kind.of(type);
-        Outline outline = type.outline().orElse(UNKNOWN);
+        InstalledKind kind = InstalledKind.of(type);
+        AgentOutline outline = type.outline().orElse(UNKNOWN);
         return new ShownAgent(
                 path,
                 kind.description(),
@@ -114,7 +114,7 @@ public record ShownAgent(
         if (!needs.isEmpty()) {
             text.append("Needs a robot with ").append(String.join(", ", needs)).append(".\n");
         }
-        var settable = new Table("  ");
+        var settable = new TextTable("  ");
         settings.forEach(setting -> settable.row(
                 setting.name(),
                 setting.value().map(Object::toString).orElse(""),
@@ -123,18 +123,21 @@ public record ShownAgent(
         section(text, "Arguments (agents: {NAME: {type: %s, args: {…}}})".formatted(name(file)), settable);
         section(text, "Goals that it begins with", lines(goals));
         section(text, "Plans", lines(plans));
-        section(text, "Hears", hears.isEmpty() ? new Table("  ") : new Table("  ").row(String.join(", ", hears)));
+        section(
+                text,
+                "Hears",
+                hears.isEmpty() ? new TextTable("  ") : new TextTable("  ").row(String.join(", ", hears)));
         section(text, "Says", lines(says));
         return text.toString();
     }
 
-    private static Table lines(List<Line> lines) {
-        var table = new Table("  ");
+    private static TextTable lines(List<Line> lines) {
+        var table = new TextTable("  ");
         lines.forEach(line -> table.row(line.file + ":" + line.line, line.text));
         return table;
     }
 
-    private static void section(StringBuilder text, String heading, Table table) {
+    private static void section(StringBuilder text, String heading, TextTable table) {
         if (!table.isEmpty()) {
             text.append('\n').append(heading).append('\n').append(table);
         }

@@ -5,7 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import rsal.cli.terminal.Table;
+import rsal.cli.terminal.TextTable;
 import rsal.recording.Recording;
 import rsal.recording.mcap.Schema;
 
@@ -53,7 +53,7 @@ record ShownRecording(
         text.append(String.format(
                 Locale.ROOT, "%.1f s, %.1f MB in %d chunks; outcome %s%n", seconds, bytes / 1e6, chunks, outcome()));
         text.append("Begun %s by %s: %s%n%n".formatted(run.get("started"), run.get("program"), run.get("command")));
-        var table = new Table("  ");
+        var table = new TextTable("  ");
         topics.forEach(topic -> table.row(topic.topic(), Long.toString(topic.messages()), topic.schema()));
         text.append(table);
         if (!damage.isEmpty()) {

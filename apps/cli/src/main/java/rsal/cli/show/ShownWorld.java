@@ -10,13 +10,13 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import rsal.cli.terminal.Mistake;
-import rsal.cli.terminal.Table;
+import rsal.cli.terminal.TextTable;
 import rsal.data.OccupancyGrid;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Steering;
 import rsal.robot.RobotSpec;
+import rsal.scene.RobotService;
 import rsal.scene.Scene;
-import rsal.scene.Service;
 import rsal.settings.Problem;
 
 /// What is in a world, as `rsal show --json FILE.world` prints it.
@@ -46,7 +46,7 @@ record ShownWorld(
 
     /// @param needs what its driver works with
     record Served(String driver, int port, List<String> devices, List<String> needs, Optional<String> robot) {
-        static Served of(Service service) {
+        static Served of(RobotService service) {
             return new Served(service.driver(), service.port(), service.devices(), service.needs(), service.robot());
         }
     }
@@ -147,22 +147,22 @@ record ShownWorld(
                 extent.get(3),
                 step.orElse(0.1),
                 end.map(" for %.0f s"::formatted).orElse("")));
-        var contents = new Table("  ");
+        var contents = new TextTable("  ");
         models.forEach((name, count) -> contents.row(String.valueOf(count), name));
         section(text, "Models", contents);
-        var solid = new Table("  ");
+        var solid = new TextTable("  ");
         walls.forEach(plan -> solid.row(
                 "floor plan",
                 String.format(Locale.ROOT, "%d × %d cells of %.3g m", plan.columns, plan.rows, plan.cell)));
         solid.row("things", String.valueOf(things));
         section(text, "What is solid", solid);
-        var moving = new Table("  ");
+        var moving = new TextTable("  ");
         for (Make make : robots) {
             moving.row(make.role, make.count + " × " + make.drive, programs(make));
             make.devices.forEach((name, type) -> moving.row("", name + ": " + type + on(make.carriers.get(name))));
         }
         section(text, "Robots", moving);
-        var offered = new Table("  ");
+        var offered = new TextTable("  ");
         for (Served service : services) {
             offered.row(
                     String.valueOf(service.port()),
@@ -184,7 +184,7 @@ record ShownWorld(
                 .collect(Collectors.joining(", "));
     }
 
-    private static void section(StringBuilder text, String heading, Table table) {
+    private static void section(StringBuilder text, String heading, TextTable table) {
         if (!table.isEmpty()) {
             text.append('\n').append(heading).append('\n').append(table);
         }

@@ -6,7 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import rsal.cli.terminal.Table;
+import rsal.cli.terminal.TextTable;
 import rsal.experiment.Combination;
 import rsal.experiment.Findings;
 import rsal.experiment.Manifest.Measure;
@@ -14,8 +14,8 @@ import rsal.experiment.Measurements;
 import rsal.experiment.Row;
 import rsal.experiment.SweepFolder;
 import rsal.experiment.report.Conclusions;
-import rsal.experiment.report.Numbers;
-import rsal.experiment.statistics.Interval;
+import rsal.experiment.report.NumberFormats;
+import rsal.experiment.statistics.ConfidenceInterval;
 import rsal.experiment.statistics.Mean;
 import rsal.experiment.statistics.Share;
 
@@ -59,8 +59,8 @@ record SweepSummary(Findings findings, Path folder) {
                             ? Optional.of(measurements.horizon().getAsDouble())
                             : Optional.empty(),
                     mean.value(),
-                    mean.interval().map(Interval::low),
-                    mean.interval().map(Interval::high));
+                    mean.interval().map(ConfidenceInterval::low),
+                    mean.interval().map(ConfidenceInterval::high));
         }
     }
 
@@ -91,7 +91,7 @@ record SweepSummary(Findings findings, Path folder) {
     /// For people.
     String text() {
         List<Measurements> measures = measurements();
-        var table = new Table("");
+        var table = new TextTable("");
         var head = new ArrayList<>(List.of("combination", "runs", "success"));
         measures.forEach(measured -> head.add(head(measured.measure())));
         table.row(head.toArray(String[]::new));
@@ -165,7 +165,7 @@ record SweepSummary(Findings findings, Path folder) {
 
     private static String words(Mean mean) {
         return mean.interval()
-                .map(interval -> Numbers.withError(mean.value(), interval.high() - mean.value()))
-                .orElseGet(() -> Numbers.of(mean.value()));
+                .map(interval -> NumberFormats.withError(mean.value(), interval.high() - mean.value()))
+                .orElseGet(() -> NumberFormats.of(mean.value()));
     }
 }

@@ -16,7 +16,7 @@ import rsal.scenario.text.NumberText;
 record ResultText(RunPlan plan, RunResult result) {
     @Override
     public String toString() {
-        var table = new Table("  ");
+        var table = new TextTable("  ");
         String set = set();
         if (!set.isEmpty()) {
             table.row("set", set);

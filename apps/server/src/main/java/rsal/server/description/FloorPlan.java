@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import rsal.data.OccupancyGrid;
 import rsal.data.Rgb;
-import rsal.scene.Raster;
 import rsal.scene.Scene;
+import rsal.scene.SolidRaster;
 import rsal.scene.Surface;
 
 /// What the page's floor looks like: the map that robots know, without the things, which may move, and with walls in
@@ -29,7 +29,7 @@ public final class FloorPlan {
     /// How high the highest walls are above the floor [m]; empty where heights don't matter.
     static Optional<Double> height(Scene scene) {
         return scene.walls().stream()
-                .map(Raster::highest)
+                .map(SolidRaster::highest)
                 .max(Comparator.naturalOrder())
                 .filter(Double::isFinite);
     }
@@ -42,7 +42,7 @@ public final class FloorPlan {
             return map.cells();
         }
         byte[] cells = map.cells().clone();
-        List<Raster> walls = scene.walls().reversed(); // the last is on top
+        List<SolidRaster> walls = scene.walls().reversed(); // the last is on top
         for (int row = 0; row < map.height(); row++) {
             for (int column = 0; column < map.width(); column++) {
                 int at = row * map.width() + column;
@@ -54,10 +54,10 @@ public final class FloorPlan {
         return cells;
     }
 
-    private static byte cell(List<Raster> walls, List<Rgb> colors, OccupancyGrid map, int column, int row) {
+    private static byte cell(List<SolidRaster> walls, List<Rgb> colors, OccupancyGrid map, int column, int row) {
         double left = map.originX() + column * map.resolution();
         double bottom = map.originY() + row * map.resolution();
-        for (Raster wall : walls) {
+        for (SolidRaster wall : walls) {
             if (isSolid(wall, left, bottom, map.resolution())) {
                 return (byte) (OccupancyGrid.OCCUPIED
                         + 1
@@ -68,7 +68,7 @@ public final class FloorPlan {
     }
 
     /// Whether there is a solid cell in a square.
-    private static boolean isSolid(Raster wall, double left, double bottom, double side) {
+    private static boolean isSolid(SolidRaster wall, double left, double bottom, double side) {
         double hair = side / 100; // cells that only touch are not in it
         int firstColumn = Math.max(0, (int) Math.floor((left + hair - wall.left()) / wall.cellX()));
         int lastColumn =

@@ -41,7 +41,8 @@ import rsal.server.message.Messages.NumberInfo;
 import rsal.server.message.Messages.ReadingInfo;
 import rsal.server.message.Messages.Readings;
 
-/// Says in words what devices have told. Of those that nobody thought of here it tells the numbers; see [Numbers].
+/// Says in words what devices have told. Of those that nobody thought of here it tells the numbers; see
+/// [PlottableNumbers].
 public final class ReadingWords {
     /// Of one device.
     static final int MOST_FACTS = 12;
@@ -106,7 +107,8 @@ public final class ReadingWords {
             case NavigatorState navigator -> navigator(navigator);
             case Planner.Asked asked -> asked(asked);
             case Picture picture -> List.of(fact("image", "%d × %d px".formatted(picture.width(), picture.height())));
-            default -> Numbers.of(value).stream().map(ReadingWords::number).toList();
+            default ->
+                PlottableNumbers.of(value).stream().map(ReadingWords::number).toList();
         };
     }
 

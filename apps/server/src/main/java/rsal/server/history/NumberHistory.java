@@ -12,16 +12,16 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
 import rsal.engine.LiveRun;
 import rsal.engine.report.Answer;
-import rsal.server.description.Numbers;
+import rsal.server.description.PlottableNumbers;
 import rsal.server.message.Messages.PastNumbers;
 import rsal.server.message.Messages.PlottedNumbers;
 import rsal.time.AllowedToReadWallClock;
 
-/// What devices of a live run's robots have told so far, as [Numbers], so that plots begin with what has been. Robots
-/// are asked twice a second of the run, or four times a second when that goes by faster; of more than [#MOST_ROBOTS]
-/// those that somebody wanted to know about last. As [History] it reaches back to the beginning: when it has more than
-/// [#MOST_NUMBERS], every second is let go, and half as many are kept from then on. All methods may be called from any
-/// thread, [#look] from one at a time.
+/// What devices of a live run's robots have told so far, as [PlottableNumbers], so that plots begin with what
+/// has been. Robots are asked twice a second of the run, or four times a second when that goes by faster; of
+/// more than [#MOST_ROBOTS] those that somebody wanted to know about last. As [History] it reaches back to the
+/// beginning: when it has more than [#MOST_NUMBERS], every second is let go, and half as many are kept from
+/// then on. All methods may be called from any thread, [#look] from one at a time.
 @AllowedToReadWallClock("A run that goes by fast is not asked all the time.")
 public final class NumberHistory {
     static final int MOST_ROBOTS = 20;
@@ -89,7 +89,7 @@ public final class NumberHistory {
                             (answer, _) -> {
                                 asked.decrementAndGet();
                                 if (answer instanceof Answer.Read told) {
-                                    keep(robot, Numbers.of(told));
+                                    keep(robot, PlottableNumbers.of(told));
                                 }
                             },
                             Thread::startVirtualThread);

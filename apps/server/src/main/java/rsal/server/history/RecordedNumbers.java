@@ -7,7 +7,7 @@ import java.util.Set;
 import rsal.engine.report.Answer;
 import rsal.recording.Playback;
 import rsal.recording.Playback.Told;
-import rsal.server.description.Numbers;
+import rsal.server.description.PlottableNumbers;
 import rsal.server.message.Messages.PastNumbers;
 
 /// What devices of a recorded run's robots have told, as [NumberHistory] has it of a live one: of robots that somebody
@@ -42,7 +42,7 @@ public final class RecordedNumbers {
         for (Duration from = playback.from().minusNanos(1); from.compareTo(until) < 0; from = from.plus(PIECE)) {
             Duration end = from.plus(PIECE);
             for (Told told : playback.told(robot, from, end.compareTo(until) < 0 ? end : until, spacing)) {
-                history.keep(robot, Numbers.of(new Answer.Read(told.time(), told.readings())));
+                history.keep(robot, PlottableNumbers.of(new Answer.Read(told.time(), told.readings())));
             }
         }
     }

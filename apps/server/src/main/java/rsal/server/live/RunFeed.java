@@ -8,7 +8,7 @@ import rsal.engine.report.Snapshot;
 import rsal.engine.report.Teammate;
 import rsal.server.description.AppearanceEncoder;
 import rsal.server.description.Descriptions;
-import rsal.server.frame.Changes;
+import rsal.server.frame.DetailChanges;
 import rsal.server.frame.Feed;
 import rsal.server.frame.FrameEncoder;
 import rsal.server.frame.ObjectRegistry;
@@ -31,7 +31,7 @@ final class RunFeed implements Feed {
     private final FrameEncoder encoder = new FrameEncoder();
     private int pauses = FRAMES_PER_DETAILS; // since the details were looked at
     private long shown = -1; // sequence of the snapshot
-    private final Changes details = new Changes();
+    private final DetailChanges details = new DetailChanges();
     private byte[] frame = {};
     private Snapshot seen;
     private long sequence;

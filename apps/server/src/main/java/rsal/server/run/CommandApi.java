@@ -16,7 +16,7 @@ import rsal.server.description.Answers;
 import rsal.server.description.Descriptions;
 import rsal.server.http.AccessControl;
 import rsal.server.http.Http;
-import rsal.server.http.Routes;
+import rsal.server.http.HttpRoutes;
 import rsal.server.live.CurrentRun.Numbered;
 import rsal.server.message.Messages.Plan;
 import rsal.server.message.Messages.Restart;
@@ -43,7 +43,7 @@ public final class CommandApi {
         this.sweeps = sweeps;
     }
 
-    public void configure(Routes routes) {
+    public void configure(HttpRoutes routes) {
         for (OperatorCommand command : OperatorCommands.ALL) {
             post(routes, "/api/run/" + command.name(), request -> execute(request, command));
         }
@@ -76,7 +76,7 @@ public final class CommandApi {
     }
 
     /// Only with the token. Answers `{}` unless told otherwise.
-    private void post(Routes routes, String path, Handler handler) {
+    private void post(HttpRoutes routes, String path, Handler handler) {
         routes.post(path, request -> {
             gate.authorize(request.header(Header.AUTHORIZATION));
             Http.answer(request, Map.of());

@@ -5,7 +5,7 @@ import io.javalin.http.Handler;
 import io.javalin.http.Header;
 import rsal.server.http.AccessControl;
 import rsal.server.http.Http;
-import rsal.server.http.Routes;
+import rsal.server.http.HttpRoutes;
 import rsal.server.message.Messages.Control;
 import rsal.server.message.Messages.ControlWish;
 
@@ -17,7 +17,7 @@ public final class ControlApi {
         this.gate = gate;
     }
 
-    public void configure(Routes routes) {
+    public void configure(HttpRoutes routes) {
         routes.get("/api/control", this::control);
         routes.post("/api/control", controlled(request -> {
             ControlWish wish = Http.read(request, ControlWish.class);

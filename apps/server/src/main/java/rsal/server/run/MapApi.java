@@ -8,7 +8,7 @@ import rsal.data.OccupancyGrid;
 import rsal.server.history.Past;
 import rsal.server.http.Grids;
 import rsal.server.http.Http;
-import rsal.server.http.Routes;
+import rsal.server.http.HttpRoutes;
 import rsal.server.live.CurrentRun.Numbered;
 import rsal.server.message.Refusal;
 
@@ -20,7 +20,7 @@ public final class MapApi {
         this.slots = slots;
     }
 
-    public void configure(Routes routes) {
+    public void configure(HttpRoutes routes) {
         routes.get("/api/map/{run}", this::map);
         routes.get("/api/drawn/{run}", this::drawn);
         routes.get("/api/drawn/{run}/files", this::drawnFiles);

@@ -12,11 +12,11 @@ import rsal.server.description.Answers;
 import rsal.server.description.CameraViews;
 import rsal.server.description.Descriptions;
 import rsal.server.description.DeviceMountings;
-import rsal.server.description.Numbers;
+import rsal.server.description.PlottableNumbers;
 import rsal.server.history.Past;
 import rsal.server.history.Recollection;
 import rsal.server.http.Http;
-import rsal.server.http.Routes;
+import rsal.server.http.HttpRoutes;
 import rsal.server.live.CurrentRun.Numbered;
 import rsal.server.message.Messages.RunInfo;
 import rsal.server.scenario.ScenarioCatalog;
@@ -31,7 +31,7 @@ public final class RunApi {
         this.catalog = catalog;
     }
 
-    public void configure(Routes routes) {
+    public void configure(HttpRoutes routes) {
         routes.get(
                 "/api/run",
                 request -> Http.answer(request, info(slots.find(request).now())));
@@ -48,7 +48,7 @@ public final class RunApi {
         });
         routes.get("/api/numbers", request -> {
             slots.find(request).numbers().want(Http.parameter(request, "robot"));
-            Answers.whenDone(request, readings(request), Numbers::of);
+            Answers.whenDone(request, readings(request), PlottableNumbers::of);
         });
         routes.get("/api/numbers/past", request -> {
             Http.answer(

@@ -10,7 +10,7 @@ import rsal.scenario.ScenarioSchema;
 import rsal.server.description.Descriptions;
 import rsal.server.http.AccessControl;
 import rsal.server.http.Http;
-import rsal.server.http.Routes;
+import rsal.server.http.HttpRoutes;
 import rsal.server.message.Messages.ConfigurationInfo;
 import rsal.server.message.Messages.TextCheck;
 import rsal.server.message.Messages.TextMistake;
@@ -38,7 +38,7 @@ public final class TextApi {
         this.gate = gate;
     }
 
-    public void configure(Routes routes) {
+    public void configure(HttpRoutes routes) {
         routes.get(
                 "/api/scenarios/schema",
                 request -> request.contentType("application/schema+json").result(ScenarioSchema.json()));

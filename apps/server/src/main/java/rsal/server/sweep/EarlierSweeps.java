@@ -11,9 +11,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import rsal.experiment.ExperimentOutline;
 import rsal.experiment.Findings;
 import rsal.experiment.Manifest;
-import rsal.experiment.Outline;
 import rsal.experiment.SweepFolder;
 import rsal.experiment.report.Report;
 import rsal.experiment.report.ShellWords;
@@ -87,7 +87,7 @@ final class EarlierSweeps {
 
     private static Optional<EarlierSweep> describe(Path sweep) {
         try {
-            Outline outline = Outline.read(sweep);
+            ExperimentOutline outline = ExperimentOutline.read(sweep);
             List<Manifest.Session> sessions = outline.manifest().sessions();
             if (sessions.isEmpty()) {
                 return Optional.empty();

@@ -6,7 +6,7 @@ import java.util.Map;
 import rsal.scenario.RunPlan;
 import rsal.server.http.AccessControl;
 import rsal.server.http.Http;
-import rsal.server.http.Routes;
+import rsal.server.http.HttpRoutes;
 import rsal.server.live.CurrentRun;
 import rsal.server.live.CurrentRun.Numbered;
 import rsal.server.message.Messages.SweepRunAgain;
@@ -29,7 +29,7 @@ public final class SweepApi {
         this.gate = gate;
     }
 
-    public void configure(Routes routes) {
+    public void configure(HttpRoutes routes) {
         routes.get("/api/sweeps", this::state);
         routes.get("/api/sweeps/runs", request -> {
             Http.answer(request, sweeps.runs(Http.parameter(request, "combination")));

@@ -8,7 +8,7 @@ import rsal.experiment.Findings;
 import rsal.experiment.Measurements;
 import rsal.experiment.Row;
 import rsal.experiment.statistics.BoxPlot;
-import rsal.experiment.statistics.Interval;
+import rsal.experiment.statistics.ConfidenceInterval;
 import rsal.experiment.statistics.Mean;
 import rsal.experiment.statistics.Share;
 import rsal.server.message.Messages.Box;
@@ -78,9 +78,10 @@ record SweepDescription(int broken, List<SweepMeasure> measures, List<SweepCombi
     private static OutcomeShare share(String outcome, List<Row> rows) {
         int count =
                 (int) rows.stream().filter(row -> row.outcome().equals(outcome)).count();
-        Optional<Interval> interval =
+        Optional<ConfidenceInterval> interval =
                 rows.isEmpty() ? Optional.empty() : Optional.of(new Share(count, rows.size()).interval());
-        return new OutcomeShare(outcome, count, interval.map(Interval::low), interval.map(Interval::high));
+        return new OutcomeShare(
+                outcome, count, interval.map(ConfidenceInterval::low), interval.map(ConfidenceInterval::high));
     }
 
     private static SweepEstimate estimate(Mean mean, int measured, BoxPlot plot) {
@@ -88,8 +89,8 @@ record SweepDescription(int broken, List<SweepMeasure> measures, List<SweepCombi
                 mean.count(),
                 measured,
                 mean.value(),
-                mean.interval().map(Interval::low),
-                mean.interval().map(Interval::high),
+                mean.interval().map(ConfidenceInterval::low),
+                mean.interval().map(ConfidenceInterval::high),
                 new Box(plot.low(), plot.first(), plot.median(), plot.third(), plot.high(), plot.outside()));
     }
 }

@@ -14,8 +14,8 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import rsal.experiment.Design;
+import rsal.experiment.ExperimentOutline;
 import rsal.experiment.Manifest;
-import rsal.experiment.Outline;
 import rsal.experiment.Sweep;
 import rsal.experiment.SweepFolder;
 import rsal.scenario.RunPlan;
@@ -111,7 +111,7 @@ public final class Sweeps implements AutoCloseable {
     /// What is left to do of a sweep from before, by this server or by `rsal sweep`.
     private BackgroundSweep.Order earlierOrder(Path out) {
         try {
-            Outline outline = Outline.read(out);
+            ExperimentOutline outline = ExperimentOutline.read(out);
             Manifest manifest = outline.manifest();
             if (manifest.sessions().isEmpty()) {
                 throw new Refusal(409, "Nothing tells how the sweep in (%s) was begun.".formatted(out));

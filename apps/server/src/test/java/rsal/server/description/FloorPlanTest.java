@@ -11,8 +11,8 @@ import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.data.Rgb;
 import rsal.scene.Entity;
-import rsal.scene.Raster;
 import rsal.scene.Scene;
+import rsal.scene.SolidRaster;
 import rsal.scene.Touch;
 import rsal.testkit.DrawnMap;
 
@@ -24,17 +24,17 @@ class FloorPlanTest {
 
     /// @param walls row by row from below
     private static Scene scene(Optional<Rgb> color, List<Entity> things, String walls) {
-        Raster all = Raster.of(MAP);
+        SolidRaster all = SolidRaster.of(MAP);
         var solid = new java.util.BitSet();
         for (int i = 0; i < walls.length(); i++) {
             solid.set(i, walls.charAt(i) == '#');
         }
         var surface = color.map(all.surface()::in).orElse(all.surface());
-        var raster = new Raster(5, 3, solid, all.left(), all.bottom(), 0.5, 0.5, 0, 1, true, surface);
+        var raster = new SolidRaster(5, 3, solid, all.left(), all.bottom(), 0.5, 0.5, 0, 1, true, surface);
         return scene(List.of(raster), things);
     }
 
-    private static Scene scene(List<Raster> walls, List<Entity> things) {
+    private static Scene scene(List<SolidRaster> walls, List<Entity> things) {
         return new Scene(
                 "",
                 MAP,
@@ -77,7 +77,7 @@ class FloorPlanTest {
     void isAsHighAsItsWorldSays() {
         Scene said = scene(Optional.empty(), List.of(), "###############");
         assertThat(FloorPlan.height(said)).contains(1.0);
-        Scene unsaid = scene(List.of(said.walls().getFirst(), Raster.of(MAP)), List.of());
+        Scene unsaid = scene(List.of(said.walls().getFirst(), SolidRaster.of(MAP)), List.of());
         assertThat(FloorPlan.height(unsaid)).isEmpty();
     }
 

@@ -20,7 +20,7 @@ public final class CollisionMonitor {
     private static final double AHEAD = 0.15; // m; what is seen there has little behind it that is not seen
     private static final double ROUNDING = 1e-3; // m; so much nearer is not "nearer"
 
-    private final Outline outline;
+    private final FootprintOutline outline;
     private final double radius;
     private final double step; // s
     private final DriveLimits limits;
@@ -41,7 +41,7 @@ public final class CollisionMonitor {
     /// @param behind how much nearer yet what lies behind may not come [m]
     CollisionMonitor(Footprint footprint, DriveLimits limits, double margin, double behind, double reaction) {
         this.behind = behind;
-        this.outline = new Outline(footprint, 0);
+        this.outline = new FootprintOutline(footprint, 0);
         this.step = Math.min(LONGEST_STEP, LONGEST_WAY / limits.speed());
         this.radius = footprint.circumscribedRadius();
         this.limits = limits;

@@ -40,7 +40,7 @@ public final class MultiPointTurn {
     private static final double BEHIND = 0.02; // m more from what lies behind, as that is remembered, not seen
     private static final double BEYOND = 0.01; // m more than the guard lets through, as odometry and scans err
 
-    private final Outline outline;
+    private final FootprintOutline outline;
     private final double radius;
     private final CollisionMonitor guard;
 
@@ -73,7 +73,7 @@ public final class MultiPointTurn {
 
     /// @param reaction how long a command lasts before the next one can take effect [s]
     public MultiPointTurn(Footprint footprint, DriveLimits limits, double reaction) {
-        this.outline = new Outline(footprint, 0);
+        this.outline = new FootprintOutline(footprint, 0);
         this.radius = footprint.circumscribedRadius();
         this.guard = new CollisionMonitor(footprint, limits, MARGIN, BEHIND, reaction);
     }

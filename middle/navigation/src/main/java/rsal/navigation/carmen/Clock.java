@@ -1,7 +1,7 @@
 package rsal.navigation.carmen;
 
 import java.time.Instant;
-import rsal.navigation.carmen.Fields.Misread;
+import rsal.navigation.carmen.LineFields.Misread;
 
 /// Finds out when messages were sent, from the two times that stand at their ends.
 final class Clock {
@@ -23,14 +23,14 @@ final class Clock {
     /// Reads `time host loggerTime`, the end of each message.
     ///
     /// @param kind of the message
-    Instant read(Fields fields, int kind) throws Misread {
+    Instant read(LineFields fields, int kind) throws Misread {
         double sender = fields.finite("time");
         fields.word();
         double logger = fields.finite("logger's time");
         if (fields.hasNext()) { // before the clock believes what may be no time at all
             throw new Misread(
                     "a count that is not that of its readings",
-                    "Behind its time stands (%s).".formatted(Fields.brief(fields.rest())));
+                    "Behind its time stands (%s).".formatted(LineFields.brief(fields.rest())));
         }
         if (source == Source.NONE && (sender > 0 || logger > 0)) {
             source = sender > 0 ? Source.SENDER : Source.LOGGER;

@@ -13,7 +13,7 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import rsal.data.LaserScan;
 import rsal.data.Pose2d;
-import rsal.navigation.carmen.Fields.Misread;
+import rsal.navigation.carmen.LineFields.Misread;
 import rsal.navigation.carmen.LogEntry.Motion;
 import rsal.navigation.carmen.LogEntry.Parameter;
 import rsal.navigation.carmen.LogEntry.Poses;
@@ -124,7 +124,7 @@ public final class LogReader {
 
     private void read() throws IOException {
         for (String line = lines.read(); line != null; line = lines.read()) {
-            var fields = new Fields(line);
+            var fields = new LineFields(line);
             if (!fields.hasNext()) {
                 continue;
             }
@@ -154,7 +154,7 @@ public final class LogReader {
         }
     }
 
-    private @Nullable LogEntry entry(Fields fields) throws Misread {
+    private @Nullable LogEntry entry(LineFields fields) throws Misread {
         return switch (fields.word()) {
             case "ODOM" -> motion(fields);
             case "FLASER" -> plainScan(fields);
@@ -166,7 +166,7 @@ public final class LogReader {
     }
 
     /// `PARAM name value`, often with a time and a host behind, which stay in the value: it may be a text.
-    private Parameter parameter(Fields fields) throws Misread {
+    private Parameter parameter(LineFields fields) throws Misread {
         var parameter = new Parameter(lines.number(), fields.word(), fields.rest());
         Pose2d told = baseFromRawLaser;
         switch (parameter.name()) {
@@ -181,7 +181,7 @@ public final class LogReader {
     private static double mount(Parameter parameter, double most, String unit) throws Misread {
         double value;
         try {
-            value = new Fields(parameter.value()).finite("value");
+            value = new LineFields(parameter.value()).finite("value");
         } catch (Misread e) {
             throw new Misread(e.reason(), "%s: %s It is not used.".formatted(parameter.name(), e.getMessage()));
         }
@@ -195,7 +195,7 @@ public final class LogReader {
     }
 
     /// `ODOM x y theta speed turnRate acceleration time host loggerTime`
-    private Motion motion(Fields fields) throws Misread {
+    private Motion motion(LineFields fields) throws Misread {
         Pose2d pose = odometry(fields);
         double speed = fields.finite("speed");
         double turnRate = fields.finite("turn rate");
@@ -204,7 +204,7 @@ public final class LogReader {
     }
 
     /// `FLASER count readings… laserX laserY laserTheta odomX odomY odomTheta time host loggerTime`
-    private Scan plainScan(Fields fields) throws Misread {
+    private Scan plainScan(LineFields fields) throws Misread {
         int count = readingCount(fields);
         var readings = readings(fields, count, options.rangeMax());
         Pose2d mapFromLaser = pose(fields);
@@ -227,7 +227,7 @@ public final class LogReader {
     /// `RAWLASER1 type startAngle fieldOfView step rangeMax accuracy remissionMode count readings… count
     /// remissions…`, for `ROBOTLASER1` also `laserX laserY laserTheta robotX robotY robotTheta speed turnRate
     /// forwardSafety sideSafety turnAxis`, then `time host loggerTime`.
-    private Scan configuredScan(Fields fields, boolean posed) throws Misread {
+    private Scan configuredScan(LineFields fields, boolean posed) throws Misread {
         fields.skip(1);
         double start = fields.finite("first angle");
         double fieldOfView = fields.finite("field of view");
@@ -287,7 +287,7 @@ public final class LogReader {
                 ranges);
     }
 
-    private static int readingCount(Fields fields) throws Misread {
+    private static int readingCount(LineFields fields) throws Misread {
         int count = fields.count("readings", MOST_READINGS);
         if (count == 0) {
             throw new Misread("no readings", "It has no readings.");
@@ -297,7 +297,7 @@ public final class LogReader {
 
     private record Readings(float[] meters, int broken) {}
 
-    private static Readings readings(Fields fields, int count, double rangeMax) throws Misread {
+    private static Readings readings(LineFields fields, int count, double rangeMax) throws Misread {
         var meters = new float[count];
         int broken = 0;
         for (int i = 0; i < count; i++) {
@@ -325,13 +325,13 @@ public final class LogReader {
         return of15Bits || of13Bits;
     }
 
-    private Pose2d odometry(Fields fields) throws Misread {
+    private Pose2d odometry(LineFields fields) throws Misread {
         RawPose raw = rawPose(fields);
         headings.add(raw.theta());
         return raw.pose();
     }
 
-    private static Pose2d pose(Fields fields) throws Misread {
+    private static Pose2d pose(LineFields fields) throws Misread {
         return rawPose(fields).pose();
     }
 
@@ -342,7 +342,7 @@ public final class LogReader {
         }
     }
 
-    private static RawPose rawPose(Fields fields) throws Misread {
+    private static RawPose rawPose(LineFields fields) throws Misread {
         double x = fields.finite("pose's x");
         double y = fields.finite("pose's y");
         double theta = fields.finite("pose's heading");

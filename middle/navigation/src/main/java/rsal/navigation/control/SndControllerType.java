@@ -2,7 +2,7 @@ package rsal.navigation.control;
 
 import java.util.List;
 import rsal.navigation.avoid.Controller;
-import rsal.navigation.avoid.Outline;
+import rsal.navigation.avoid.FootprintOutline;
 import rsal.navigation.snd.Snd;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
@@ -38,7 +38,7 @@ public final class SndControllerType implements ControllerType {
                 driven.footprint(),
                 driven.limits(),
                 new Snd.Settings(
-                        radius > 0 ? radius : Outline.radius(driven.footprint()),
+                        radius > 0 ? radius : FootprintOutline.radius(driven.footprint()),
                         arguments.get(MIN_GAP_WIDTH),
                         arguments.get(OBSTACLE_AVOID_DIST)),
                 driven.reaction());

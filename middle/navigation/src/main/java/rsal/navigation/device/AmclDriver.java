@@ -39,7 +39,7 @@ public final class AmclDriver implements DeviceDriver {
 
     private record MapKey(OccupancyGrid map, double deviation, double randomShare) {}
 
-    private final Shared<MapKey, LocalizationMap> maps = new Shared<>();
+    private final ComputedOnce<MapKey, LocalizationMap> maps = new ComputedOnce<>();
 
     @Override
     public String key() {

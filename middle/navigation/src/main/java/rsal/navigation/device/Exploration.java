@@ -17,7 +17,7 @@ import rsal.navigation.explore.FrontierAssignment;
 import rsal.navigation.explore.Frontiers;
 import rsal.navigation.explore.VisitedCells;
 import rsal.navigation.grid.DistanceField;
-import rsal.navigation.grid.Drawing;
+import rsal.navigation.grid.IncrementalMap;
 import rsal.navigation.grid.ScanMapper;
 import rsal.navigation.grid.ScanMapper.PosedScan;
 import rsal.navigation.wavefront.CostMap;
@@ -43,7 +43,7 @@ final class Exploration {
     private final List<Explorer> robots = new ArrayList<>();
     private final LeftAlone leftAlone = new LeftAlone();
     private final Sequence sequence = new Sequence(); // only the look under way touches it
-    private final Drawing drawing; // likewise
+    private final IncrementalMap drawing; // likewise
     private @Nullable Terrain terrain; // likewise: the last one
     private Instant lastLook = Instant.MIN;
     private boolean looking;
@@ -110,8 +110,8 @@ final class Exploration {
 
     Exploration(Settings settings) {
         this.settings = settings;
-        this.drawing =
-                new Drawing(ScanMapper.Settings.of(settings.resolution()).upTo(settings.view(), settings.view()));
+        this.drawing = new IncrementalMap(
+                ScanMapper.Settings.of(settings.resolution()).upTo(settings.view(), settings.view()));
     }
 
     void join(Explorer robot) {

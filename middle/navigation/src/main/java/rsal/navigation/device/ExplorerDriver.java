@@ -30,7 +30,7 @@ public final class ExplorerDriver implements DeviceDriver {
     private static final String SLAM = "slam";
     private static final String NAVIGATOR = "navigator";
 
-    private final Shared<Object, Exploration> teams = new Shared<>();
+    private final ComputedOnce<Object, Exploration> teams = new ComputedOnce<>();
 
     @Override
     public String key() {

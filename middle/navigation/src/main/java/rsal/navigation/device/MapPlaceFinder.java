@@ -19,13 +19,17 @@ final class MapPlaceFinder extends DeviceCore implements PlaceFinder {
     record Key(OccupancyGrid map, double clearance) {}
 
     private final OccupancyGrid map;
-    private final Shared<Key, ReachableSpace> grounds;
+    private final ComputedOnce<Key, ReachableSpace> grounds;
     private final long seed;
     private final Scheduler scheduler;
 
     /// @param grounds around where a team asked first; other parts of a map are looked at when they are asked for
     MapPlaceFinder(
-            DeviceInfo info, OccupancyGrid map, Shared<Key, ReachableSpace> grounds, long seed, Scheduler scheduler) {
+            DeviceInfo info,
+            OccupancyGrid map,
+            ComputedOnce<Key, ReachableSpace> grounds,
+            long seed,
+            Scheduler scheduler) {
         super(info);
         this.map = map;
         this.grounds = grounds;

@@ -9,7 +9,7 @@ import rsal.settings.Arguments;
 
 /// Makes place finders that spread places over the run's map ([rsal.navigation.spread.Spreader]).
 public final class PlacesDriver implements DeviceDriver {
-    private final Shared<MapPlaceFinder.Key, ReachableSpace> grounds = new Shared<>();
+    private final ComputedOnce<MapPlaceFinder.Key, ReachableSpace> grounds = new ComputedOnce<>();
 
     @Override
     public String key() {

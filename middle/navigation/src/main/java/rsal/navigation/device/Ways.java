@@ -27,10 +27,10 @@ final class Ways {
 
     private record Key(OccupancyGrid map, Clearance clearance) {}
 
-    private final Shared<OccupancyGrid, DistanceField> fields = new Shared<>();
-    private final Shared<Key, Wavefront> ways = new Shared<>();
-    private final Shared<Key, JumpPoints> shortest = new Shared<>();
-    private final Shared<Planned, GlobalPlanner> planners = new Shared<>();
+    private final ComputedOnce<OccupancyGrid, DistanceField> fields = new ComputedOnce<>();
+    private final ComputedOnce<Key, Wavefront> ways = new ComputedOnce<>();
+    private final ComputedOnce<Key, JumpPoints> shortest = new ComputedOnce<>();
+    private final ComputedOnce<Planned, GlobalPlanner> planners = new ComputedOnce<>();
 
     private record Planned(Key key, PluginChoice planner) {}
 

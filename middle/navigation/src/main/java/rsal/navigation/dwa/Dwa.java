@@ -8,8 +8,8 @@ import rsal.data.Point2d;
 import rsal.data.Twist2d;
 import rsal.navigation.avoid.Controller;
 import rsal.navigation.avoid.DriveLimits;
+import rsal.navigation.avoid.FootprintOutline;
 import rsal.navigation.avoid.Obstacles;
-import rsal.navigation.avoid.Outline;
 import rsal.navigation.avoid.VelocityFilter;
 
 /// Chooses among the velocities that the robot can reach soon: D. Fox, W. Burgard, S. Thrun, The Dynamic Window
@@ -43,7 +43,7 @@ public final class Dwa implements Controller {
 
     private final Settings settings;
     private final DriveLimits limits;
-    private final Outline outline;
+    private final FootprintOutline outline;
     private final VelocityFilter caution;
     private final double[] values = new double[SPEEDS * TURNS];
     private final double[] ways = new double[SPEEDS * TURNS]; // m
@@ -53,7 +53,7 @@ public final class Dwa implements Controller {
     public Dwa(Footprint footprint, DriveLimits limits, Settings settings, double reaction) {
         this.settings = settings;
         this.limits = limits;
-        this.outline = new Outline(footprint, VelocityFilter.MARGIN);
+        this.outline = new FootprintOutline(footprint, VelocityFilter.MARGIN);
         this.caution = new VelocityFilter(footprint, limits, reaction);
     }
 

@@ -12,27 +12,27 @@ public final class Difference {
     private static final int SHARE = 2; // of so many cells one may be looked at
     private static final int MOST_WINDOWS = 64; // each makes it slower to compare
 
-    private final Overlay overlay;
-    private final List<Window> windows = new ArrayList<>();
+    private final MapOverlay overlay;
+    private final List<CellWindow> windows = new ArrayList<>();
     private final long most;
     private long area; // of the windows with what is near
 
-    private Difference(Overlay overlay) {
+    private Difference(MapOverlay overlay) {
         this.overlay = overlay;
         this.most = most(overlay.now());
     }
 
     /// Empty when so much differs that all is better reckoned anew, or the maps' cells do not lie on each other.
     public static Optional<Difference> between(OccupancyGrid before, OccupancyGrid now) {
-        return Overlay.of(before, now).map(Difference::new).filter(Difference::compare);
+        return MapOverlay.of(before, now).map(Difference::new).filter(Difference::compare);
     }
 
     /// How many cells of a map may be looked at before it is better to look at all.
     public static long most(OccupancyGrid map) {
-        return Window.of(map).area() / SHARE;
+        return CellWindow.of(map).area() / SHARE;
     }
 
-    public Overlay overlay() {
+    public MapOverlay overlay() {
         return overlay;
     }
 
@@ -41,14 +41,14 @@ public final class Difference {
     }
 
     /// In columns and rows of the map of now; also beyond it, where the map from before reached farther.
-    public List<Window> windows() {
+    public List<CellWindow> windows() {
         return windows;
     }
 
     /// @return whether that is not too much; else it has stopped
     private boolean compare() {
-        Window shared = overlay.shared();
-        addBeside(shared, Window.of(overlay.now()));
+        CellWindow shared = overlay.shared();
+        addBeside(shared, CellWindow.of(overlay.now()));
         addBeside(shared, overlay.old());
         for (int row = shared.firstRow(); row < shared.endRow() && !isTooMuch(); row++) {
             compare(row);
@@ -61,14 +61,14 @@ public final class Difference {
     }
 
     /// Adds what one of the maps has on the four sides of what both have.
-    private void addBeside(Window shared, Window map) {
-        addUnlessEmpty(new Window(map.firstColumn(), map.firstRow(), shared.firstColumn(), map.endRow()));
-        addUnlessEmpty(new Window(shared.endColumn(), map.firstRow(), map.endColumn(), map.endRow()));
-        addUnlessEmpty(new Window(map.firstColumn(), map.firstRow(), map.endColumn(), shared.firstRow()));
-        addUnlessEmpty(new Window(map.firstColumn(), shared.endRow(), map.endColumn(), map.endRow()));
+    private void addBeside(CellWindow shared, CellWindow map) {
+        addUnlessEmpty(new CellWindow(map.firstColumn(), map.firstRow(), shared.firstColumn(), map.endRow()));
+        addUnlessEmpty(new CellWindow(shared.endColumn(), map.firstRow(), map.endColumn(), map.endRow()));
+        addUnlessEmpty(new CellWindow(map.firstColumn(), map.firstRow(), map.endColumn(), shared.firstRow()));
+        addUnlessEmpty(new CellWindow(map.firstColumn(), shared.endRow(), map.endColumn(), map.endRow()));
     }
 
-    private void addUnlessEmpty(Window window) {
+    private void addUnlessEmpty(CellWindow window) {
         if (!window.isEmpty()) {
             add(window);
         }
@@ -87,7 +87,7 @@ public final class Difference {
 
     private void add(int column, int row) {
         if (!isTooMuch() && !isWithinOne(column, row)) {
-            add(new Window(column, row, column + 1, row + 1));
+            add(new CellWindow(column, row, column + 1, row + 1));
         }
     }
 
@@ -102,10 +102,10 @@ public final class Difference {
     }
 
     /// Joins it with those with which that is no dearer than to look at both.
-    private void add(Window window) {
-        Window joined = window;
+    private void add(CellWindow window) {
+        CellWindow joined = window;
         for (int i = 0; i < windows.size() && !isTooMuch(); i++) {
-            Window other = windows.get(i);
+            CellWindow other = windows.get(i);
             if (withNear(joined.with(other)) <= withNear(joined) + withNear(other)) {
                 joined = joined.with(other);
                 area -= withNear(windows.remove(i));
@@ -116,7 +116,7 @@ public final class Difference {
         area += withNear(joined);
     }
 
-    private long withNear(Window window) {
-        return window.grown(NEAR).within(Window.of(overlay.now())).area();
+    private long withNear(CellWindow window) {
+        return window.grown(NEAR).within(CellWindow.of(overlay.now())).area();
     }
 }

@@ -21,19 +21,19 @@ final class DistanceRepair {
 
     private final Difference difference;
     private final OccupancyGrid map;
-    private final Window all;
+    private final CellWindow all;
     private final float[] before;
     private long looked; // at so many cells
 
     /// What has changed, and how far around it cells are measured, with as much around them again.
     ///
     /// @param reach cells
-    private record Part(Window changed, int reach) {
-        Window measured(Window all) {
+    private record Part(CellWindow changed, int reach) {
+        CellWindow measured(CellWindow all) {
             return changed.grown(reach).within(all);
         }
 
-        Window around(Window all) {
+        CellWindow around(CellWindow all) {
             return changed.grown(2 * reach).within(all);
         }
 
@@ -45,14 +45,14 @@ final class DistanceRepair {
     DistanceRepair(Difference difference, float[] before) {
         this.difference = difference;
         this.map = difference.now();
-        this.all = Window.of(map);
+        this.all = CellWindow.of(map);
         this.before = before;
     }
 
     /// By cell of the map of now [m]; empty where to measure all is no dearer.
     Optional<float[]> meters() {
         var parts = new ArrayList<Part>();
-        for (Window window : difference.windows()) {
+        for (CellWindow window : difference.windows()) {
             Part part = upToUnconcerned(new Part(window, FIRST_REACH));
             if (isTooMuch(part)) {
                 return Optional.empty();
@@ -88,7 +88,7 @@ final class DistanceRepair {
     }
 
     /// Whether no cell on the rim of a window was measured to anything as far off as said [m].
-    private boolean isUnconcernedBeyond(Window window, double distance) {
+    private boolean isUnconcernedBeyond(CellWindow window, double distance) {
         for (int column = window.firstColumn(); column < window.endColumn(); column++) {
             if (!isNearer(column, window.firstRow(), distance) || !isNearer(column, window.endRow() - 1, distance)) {
                 return false;
@@ -104,15 +104,15 @@ final class DistanceRepair {
 
     /// Whether a cell was measured to something nearer, or not at all.
     private boolean isNearer(int column, int row, double distance) {
-        Overlay overlay = difference.overlay();
+        MapOverlay overlay = difference.overlay();
         return !overlay.old().contains(column, row) || before[overlay.old(column, row)] < distance;
     }
 
     /// @param meters written to
     /// @return whether nothing farther off can be nearer
     private boolean isMeasured(Part part, float[] meters) {
-        Window window = part.measured(all);
-        Window around = part.around(all);
+        CellWindow window = part.measured(all);
+        CellWindow around = part.around(all);
         byte[] cells = map.cells();
         int first = around.firstRow() * map.width() + around.firstColumn();
         int width = around.width();
@@ -133,7 +133,7 @@ final class DistanceRepair {
         return around.equals(all) || isAllNearer(window, meters, part.reach() * map.resolution());
     }
 
-    private boolean isAllNearer(Window window, float[] meters, double distance) {
+    private boolean isAllNearer(CellWindow window, float[] meters, double distance) {
         for (int row = window.firstRow(); row < window.endRow(); row++) {
             for (int column = window.firstColumn(); column < window.endColumn(); column++) {
                 if (!(meters[row * map.width() + column] < distance)) {

@@ -8,8 +8,8 @@ import rsal.data.Point2d;
 import rsal.data.Twist2d;
 import rsal.navigation.avoid.Controller;
 import rsal.navigation.avoid.DriveLimits;
+import rsal.navigation.avoid.FootprintOutline;
 import rsal.navigation.avoid.Obstacles;
-import rsal.navigation.avoid.Outline;
 import rsal.navigation.avoid.VelocityFilter;
 import rsal.navigation.nd.NearnessDiagram.Region;
 
@@ -53,7 +53,7 @@ public final class Nd implements Controller {
     /// @param reaction how long a command lasts before the next one can take effect [s]
     public Nd(Footprint footprint, DriveLimits limits, Settings settings, double reaction) {
         this.settings = settings;
-        this.radius = Outline.radius(footprint) + settings.safetyDist();
+        this.radius = FootprintOutline.radius(footprint) + settings.safetyDist();
         this.diagram = new NearnessDiagram(radius, 2 * radius);
         this.caution = new VelocityFilter(footprint, limits, reaction);
     }

@@ -18,7 +18,7 @@ import rsal.data.Pose2d;
 public final class CorrelativeMatcher {
     private static final double SHARP = 30; // how fast weights fall with the score; that of a beam is below 1
 
-    private final Raster raster;
+    private final BlurredRaster raster;
 
     /// @param resolution of places [m]
     /// @param blur deviation of what was hit from where the reference has it [m]
@@ -67,7 +67,7 @@ public final class CorrelativeMatcher {
 
     /// @param reference in frame `a`
     public CorrelativeMatcher(Cloud reference, Settings settings) {
-        raster = new Raster(reference, settings.resolution(), settings.blur(), settings.depth());
+        raster = new BlurredRaster(reference, settings.resolution(), settings.blur(), settings.depth());
     }
 
     /// A place and all that counts as the same.

@@ -19,7 +19,7 @@ final class Nearest {
         originY = cloud.least(false) - CELL;
         double wide = Math.ceil((cloud.most(true) - originX) / CELL) + 1;
         double high = Math.ceil((cloud.most(false) - originY) / CELL) + 1;
-        if (!(wide * high <= Raster.MOST_CELLS)) {
+        if (!(wide * high <= BlurredRaster.MOST_CELLS)) {
             throw new IllegalArgumentException(
                     "Points to match with span %.0f × %.0f m: too far apart.".formatted(wide * CELL, high * CELL));
         }

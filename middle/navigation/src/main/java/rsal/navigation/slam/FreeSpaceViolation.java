@@ -43,7 +43,7 @@ public record FreeSpaceViolation(double share, int from, int to) {
     }
 
     /// Empty when there are too few scans to tell.
-    static Optional<FreeSpaceViolation> of(List<Frame> frames, List<Pose2d> poses) {
+    static Optional<FreeSpaceViolation> of(List<GraphNode> frames, List<Pose2d> poses) {
         if (frames.size() < FEWEST) {
             return Optional.empty();
         }

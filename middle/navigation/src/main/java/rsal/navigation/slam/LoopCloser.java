@@ -49,11 +49,11 @@ final class LoopCloser {
     private static final double FLOOR_METERS = 0.02; // that a relation errs at least
     private static final double FLOOR_RADIANS = 0.004;
 
-    private final List<Frame> frames;
+    private final List<GraphNode> frames;
     private final Uncertainty uncertainty = new Uncertainty();
     private final List<Relation> pending = new ArrayList<>();
 
-    LoopCloser(List<Frame> frames) {
+    LoopCloser(List<GraphNode> frames) {
         this.frames = frames;
     }
 
@@ -137,8 +137,8 @@ final class LoopCloser {
     }
 
     private Optional<Relation> search(int frame, int candidate, List<Pose2d> poses, double meters, double radians) {
-        Cloud there = Surroundings.of(frames, poses, candidate - AROUND, candidate + AROUND, candidate);
-        Cloud here = Surroundings.of(frames, poses, frame - RECENT + 1, frame, frame);
+        Cloud there = LocalMap.of(frames, poses, candidate - AROUND, candidate + AROUND, candidate);
+        Cloud here = LocalMap.of(frames, poses, frame - RECENT + 1, frame, frame);
         if (there.count() == 0 || here.count() == 0) {
             return Optional.empty();
         }
@@ -205,7 +205,7 @@ final class LoopCloser {
         for (int frame = 1; frame < frames.size(); frame++) {
             var none = new double[frames.size()][2];
             for (int candidate : candidates(frame, poses, none)) {
-                Cloud there = Surroundings.of(frames, poses, candidate - AROUND, candidate + AROUND, candidate);
+                Cloud there = LocalMap.of(frames, poses, candidate - AROUND, candidate + AROUND, candidate);
                 Pose2d guess = poses.get(candidate).inverse().compose(poses.get(frame));
                 if (there.count() > 0) {
                     refined(frame, candidate, there, frames.get(frame).cloud(), guess, 0.3)

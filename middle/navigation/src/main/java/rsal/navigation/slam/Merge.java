@@ -8,7 +8,7 @@ public sealed interface Merge {
     ///
     /// @param mapFromOther where the frame of the other's map came to be
     /// @param shared what the two have in common there
-    record Done(Pose2d mapFromOther, Shared shared) implements Merge {}
+    record Done(Pose2d mapFromOther, MapOverlap shared) implements Merge {}
 
     /// They fit in two ways about as well, as halves of a building do that look alike; they stay two.
     ///
@@ -20,7 +20,7 @@ public sealed interface Merge {
     ///
     /// @param mapFromOther where the frame of the other's map would be
     /// @param shared what the two would have in common there
-    record Contradicted(Pose2d mapFromOther, Shared shared) implements Merge {}
+    record Contradicted(Pose2d mapFromOther, MapOverlap shared) implements Merge {}
 
     /// Nothing tells that they share a place; they stay two.
     record Apart() implements Merge {}

@@ -59,7 +59,7 @@ final class Merging {
     private Merging() {}
 
     /// Where the map's frame of `b` is in that of `a`, if it is there at all.
-    static Alignment align(List<Frame> framesA, List<Pose2d> a, List<Frame> framesB, List<Pose2d> b) {
+    static Alignment align(List<GraphNode> framesA, List<Pose2d> a, List<GraphNode> framesB, List<Pose2d> b) {
         List<Place> places = places(found(framesA, a, framesB, b), middle(b));
         if (places.isEmpty()) {
             return new Nowhere();
@@ -68,8 +68,8 @@ final class Merging {
         List<Place> rivals =
                 places.stream().filter(p -> p.support() >= RIVAL * most).toList();
         var seenThrough = new ArrayList<Double>();
-        var hitsOfA = new Transparency(Surroundings.of(framesA, a, 0, framesA.size() - 1, 0));
-        var hitsOfB = new Transparency(Surroundings.of(framesB, b, 0, framesB.size() - 1, 0));
+        var hitsOfA = new Transparency(LocalMap.of(framesA, a, 0, framesA.size() - 1, 0));
+        var hitsOfB = new Transparency(LocalMap.of(framesB, b, 0, framesB.size() - 1, 0));
         int best = 0;
         for (int i = 0; i < rivals.size(); i++) {
             Pose2d aFromB = rivals.get(i).aFromB();
@@ -90,9 +90,9 @@ final class Merging {
         return new One(rivals.get(best).aFromB());
     }
 
-    private static List<Found> found(List<Frame> framesA, List<Pose2d> a, List<Frame> framesB, List<Pose2d> b) {
+    private static List<Found> found(List<GraphNode> framesA, List<Pose2d> a, List<GraphNode> framesB, List<Pose2d> b) {
         Pose2d aFromFirst = a.getFirst();
-        Cloud whole = Surroundings.of(framesA, a, 0, framesA.size() - 1, 0).thinned(0.1);
+        Cloud whole = LocalMap.of(framesA, a, 0, framesA.size() - 1, 0).thinned(0.1);
         var found = new ArrayList<Found>();
         if (whole.count() == 0) {
             return found;
@@ -106,7 +106,7 @@ final class Merging {
         for (int part = 0; part < parts; part++) {
             int number = part;
             int center = (int) ((part + 0.5) * framesB.size() / parts);
-            Cloud here = Surroundings.of(framesB, b, center - FRAMES, center + FRAMES, center);
+            Cloud here = LocalMap.of(framesB, b, center - FRAMES, center + FRAMES, center);
             Cloud thin = here.thinned(THINNED);
             Optional<Match> first = matcher.match(thin, guess, window, LEAST_SCORE);
             Optional<Match> second = first.flatMap(match -> matcher.matchElsewhere(

@@ -59,7 +59,7 @@ public final class Slam {
 
     private final Settings settings;
     private final LoopCloser loops;
-    private final List<Frame> frames = new ArrayList<>();
+    private final List<GraphNode> frames = new ArrayList<>();
     private final List<Relation> relations = new ArrayList<>();
     private final Refused refused = new Refused();
     private List<Pose2d> poses = new ArrayList<>();
@@ -145,7 +145,7 @@ public final class Slam {
         Cloud cloud = Cloud.of(scan, settings.maxRange());
         if (frames.isEmpty()) {
             poses.add(odomFromBase);
-            keep(new Frame(odomFromBase, 0, scan, cloud));
+            keep(new GraphNode(odomFromBase, 0, scan, cloud));
             lastOdomFromBase = odomFromBase;
             return last;
         }
@@ -175,7 +175,7 @@ public final class Slam {
                     number,
                     frameFromBase,
                     match.map(m -> Gauss.joined(wheels, honest(m.covariance()))).orElse(doubted));
-            keep(new Frame(odomFromBase, traveled, scan, cloud));
+            keep(new GraphNode(odomFromBase, traveled, scan, cloud));
             if (match.isEmpty()) {
                 tracking = tracking.mappedBlindly();
                 blindFrom = Math.min(blindFrom, number);
@@ -276,11 +276,11 @@ public final class Slam {
         return new Match(held, match.covariance(), match.score());
     }
 
-    private void keep(Frame frame) {
+    private void keep(GraphNode frame) {
         frames.add(frame);
         base = frames.size() - 1;
         last = new Located(base, Pose2d.ORIGIN);
-        matchWith(Surroundings.of(frames, poses, base - settings.recent() + 1, base, base));
+        matchWith(LocalMap.of(frames, poses, base - settings.recent() + 1, base, base));
     }
 
     /// The scans that were kept nearest to where the robot is are those that the next are matched with.
@@ -295,7 +295,7 @@ public final class Slam {
         if (nearest[0] != base) {
             base = nearest[0];
             last = new Located(base, poses.get(base).inverse().compose(here));
-            matchWith(Surroundings.of(frames, poses, IntStream.of(nearest), base));
+            matchWith(LocalMap.of(frames, poses, IntStream.of(nearest), base));
         }
     }
 
@@ -433,8 +433,8 @@ public final class Slam {
     }
 
     /// Adds the map of another robot to this one, wherever it began: finds how they lie to each other
-    /// ([Merging]), then fits both to what their scans have in common, and believes it if they then share enough
-    /// and little speaks against it ([Shared]). The other stays as it is.
+    /// ([Merging]), then fits both to what their scans have in common, and believes it if they then share
+    /// enough and little speaks against it ([MapOverlap]). The other stays as it is.
     ///
     /// @return how they lie to each other; nothing changes when that can't be told, or not for sure
     /// @throws IllegalArgumentException when they hold too many scans together
@@ -442,8 +442,8 @@ public final class Slam {
         return merge(other, false);
     }
 
-    /// Likewise, but believes it, too, when what one saw contradicts what the other did, as where something was moved
-    /// in between: [Shared#isContradicted] tells.
+    /// Likewise, but believes it, too, when what one saw contradicts what the other did, as where something was
+    /// moved in between: [MapOverlap#isContradicted] tells.
     public Merge mergeDespiteContradictions(Slam other) {
         return merge(other, true);
     }
@@ -471,14 +471,15 @@ public final class Slam {
         List<Relation> relationsBefore = List.copyOf(relations);
         int fitsBefore = fits;
         for (int i = 0; i < other.frames.size(); i++) {
-            Frame frame = other.frames.get(i);
-            frames.add(new Frame(frame.odomFromBase(), traveled + FAR + frame.traveled(), frame.scan(), frame.cloud()));
+            GraphNode frame = other.frames.get(i);
+            frames.add(new GraphNode(
+                    frame.odomFromBase(), traveled + FAR + frame.traveled(), frame.scan(), frame.cloud()));
             poses.add(mapFromOther.compose(other.poses.get(i)));
         }
         other.relations.forEach(r -> relations.add(
                 new Relation(r.from() + first, r.to() + first, r.fromFromTo(), r.covariance(), r.source())));
         polish(2);
-        Shared shared = Shared.of(frames, poses, first);
+        MapOverlap shared = MapOverlap.of(frames, poses, first);
         Pose2d mapFromOtherNow = poses.getLast().compose(other.poses.getLast().inverse());
         if (!shared.isEnough() || (shared.isContradicted() && !despiteContradictions)) {
             frames.subList(first, frames.size()).clear();
@@ -537,8 +538,8 @@ public final class Slam {
     }
 
     /// Whether scans say that the robot turned as its wheels do.
-    public Turns turns() {
-        return Turns.of(relations);
+    public TurnAgreement turns() {
+        return TurnAgreement.of(relations);
     }
 
     /// Difference of two headings of a relation [rad], told and fitted.

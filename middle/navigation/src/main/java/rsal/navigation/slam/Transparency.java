@@ -51,7 +51,7 @@ final class Transparency {
     /// Share of the beams of some of many scans, evenly chosen, that went through something.
     ///
     /// @param mapFromBases of the scans
-    double through(List<Frame> frames, List<Pose2d> mapFromBases, Pose2d referenceFromMap) {
+    double through(List<GraphNode> frames, List<Pose2d> mapFromBases, Pose2d referenceFromMap) {
         int looked = Math.min(LOOKED, frames.size());
         double sum = 0;
         for (int i = 0; i < looked; i++) {
@@ -62,7 +62,7 @@ final class Transparency {
     }
 
     /// Share of the beams of a scan that went through something.
-    double through(Frame frame, Pose2d referenceFromBase) {
+    double through(GraphNode frame, Pose2d referenceFromBase) {
         Pose2d from = referenceFromBase.compose(frame.scan().baseFromLaser());
         Cloud cloud = frame.cloud().movedBy(referenceFromBase);
         int through = 0;

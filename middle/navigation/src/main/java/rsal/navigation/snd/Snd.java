@@ -8,8 +8,8 @@ import rsal.data.Point2d;
 import rsal.data.Twist2d;
 import rsal.navigation.avoid.Controller;
 import rsal.navigation.avoid.DriveLimits;
+import rsal.navigation.avoid.FootprintOutline;
 import rsal.navigation.avoid.Obstacles;
-import rsal.navigation.avoid.Outline;
 import rsal.navigation.avoid.VelocityFilter;
 import rsal.navigation.nd.NearnessDiagram;
 import rsal.navigation.nd.NearnessDiagram.Region;
@@ -38,7 +38,7 @@ public final class Snd implements Controller {
     public record Settings(double robotRadius, double minGapWidth, double obstacleAvoidDist) {
         /// Player's defaults for a robot.
         public static Settings of(Footprint footprint) {
-            double radius = Outline.radius(footprint);
+            double radius = FootprintOutline.radius(footprint);
             return new Settings(radius, 2 * radius, 4 * radius);
         }
     }

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import java.util.List;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
+import rsal.navigation.grid.CellWindow;
 import rsal.navigation.grid.DistanceField;
-import rsal.navigation.grid.Window;
 import rsal.navigation.wavefront.CostMap.Clearance;
 
 /// Reckons the ground of a [CostMap], of all of a map or of windows in one that has changed.
@@ -29,7 +29,7 @@ final class CostComputation {
     /// @param driven as [CostMap#of] has it
     static byte[] all(OccupancyGrid grid, DistanceField toNotFree, Clearance clearance, List<List<Point2d>> driven) {
         var ground = new byte[grid.cells().length];
-        new CostComputation(grid, toNotFree, clearance, ground).reckon(List.of(Window.of(grid)), driven);
+        new CostComputation(grid, toNotFree, clearance, ground).reckon(List.of(CellWindow.of(grid)), driven);
         return ground;
     }
 
@@ -37,11 +37,11 @@ final class CostComputation {
     ///
     /// @param ground written to in these
     static void within(
-            List<Window> windows, OccupancyGrid grid, DistanceField toNotFree, Clearance clearance, byte[] ground) {
+            List<CellWindow> windows, OccupancyGrid grid, DistanceField toNotFree, Clearance clearance, byte[] ground) {
         new CostComputation(grid, toNotFree, clearance, ground).reckon(windows, List.of());
     }
 
-    private void reckon(List<Window> windows, List<List<Point2d>> driven) {
+    private void reckon(List<CellWindow> windows, List<List<Point2d>> driven) {
         windows.forEach(this::reckon);
         blockRim();
         for (List<Point2d> way : driven) {
@@ -49,12 +49,12 @@ final class CostComputation {
                 open(way.get(i - 1), way.get(i));
             }
         }
-        for (Window window : windows) {
-            markPlains(window.grown(1).within(Window.of(grid).grown(-1)));
+        for (CellWindow window : windows) {
+            markPlains(window.grown(1).within(CellWindow.of(grid).grown(-1)));
         }
     }
 
-    private void reckon(Window window) {
+    private void reckon(CellWindow window) {
         double halfCell = grid.resolution() / 2; // from the middle of the obstacle's cell to its side
         for (int row = window.firstRow(); row < window.endRow(); row++) {
             int end = row * width + window.endColumn();
@@ -98,7 +98,7 @@ final class CostComputation {
     }
 
     /// @param window of which all cells are plain or not from now on, none of them on the rim of the map
-    private void markPlains(Window window) {
+    private void markPlains(CellWindow window) {
         for (int row = window.firstRow(); row < window.endRow(); row++) {
             int first = row * width + window.firstColumn();
             int end = row * width + window.endColumn();

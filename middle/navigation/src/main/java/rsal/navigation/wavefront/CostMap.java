@@ -6,10 +6,10 @@ import java.util.function.IntPredicate;
 import org.jspecify.annotations.Nullable;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
+import rsal.navigation.grid.CellWindow;
 import rsal.navigation.grid.Difference;
 import rsal.navigation.grid.DistanceField;
-import rsal.navigation.grid.Overlay;
-import rsal.navigation.grid.Window;
+import rsal.navigation.grid.MapOverlay;
 
 /// Where the middle of a robot may be on a map, and how dear it is to be there. Immutable; robots of the same
 /// size that share a map share it.
@@ -105,15 +105,15 @@ public final class CostMap {
         toNotFree.checkIsOf(next);
         double farthest = clearance.comfort() / next.resolution() + 2; // from middle to middle, and rounding
         int reach = (int) Math.min(farthest, next.width() + next.height());
-        Window all = Window.of(next);
-        List<Window> windows = difference.windows().stream()
+        CellWindow all = CellWindow.of(next);
+        List<CellWindow> windows = difference.windows().stream()
                 .map(window -> window.grown(reach).within(all))
                 .filter(window -> !window.isEmpty())
                 .toList();
-        if (driven || windows.stream().mapToLong(Window::area).sum() > Difference.most(next)) {
+        if (driven || windows.stream().mapToLong(CellWindow::area).sum() > Difference.most(next)) {
             return of(next, toNotFree, clearance);
         }
-        Overlay overlay = difference.overlay();
+        MapOverlay overlay = difference.overlay();
         byte[] nextGround = overlay.moved(ground);
         CostComputation.within(windows, next, toNotFree, clearance, nextGround);
         return new CostMap(
@@ -122,7 +122,7 @@ public final class CostMap {
 
     private void checkIsFromThis(Difference difference) {
         OccupancyGrid before = difference.overlay().before();
-        if (Overlay.of(before, grid).filter(Overlay::isSameSize).isEmpty()) {
+        if (MapOverlay.of(before, grid).filter(MapOverlay::isSameSize).isEmpty()) {
             throw new IllegalArgumentException("""
                     Costs of a map of %d × %d cells of %s m from (%s, %s) are not taken over by a difference from one of \
                     %d × %d cells of %s m from (%s, %s).

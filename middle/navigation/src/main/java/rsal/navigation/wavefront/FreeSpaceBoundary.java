@@ -4,14 +4,14 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import rsal.data.OccupancyGrid;
-import rsal.navigation.grid.Overlay;
-import rsal.navigation.grid.Window;
+import rsal.navigation.grid.CellWindow;
+import rsal.navigation.grid.MapOverlay;
 
 /// Finds the cells of a [CostMap] that are blocked beside an open one or across a corner from it.
 final class FreeSpaceBoundary {
     private static final int[] NONE = {};
 
-    private final Overlay overlay;
+    private final MapOverlay overlay;
     private final int[] before;
     private final byte[] ground;
     private final int width;
@@ -20,7 +20,7 @@ final class FreeSpaceBoundary {
     private int[] cells;
     private int count;
 
-    private FreeSpaceBoundary(Overlay overlay, int[] before, byte[] ground) {
+    private FreeSpaceBoundary(MapOverlay overlay, int[] before, byte[] ground) {
         this.overlay = overlay;
         this.before = before;
         this.ground = ground;
@@ -31,17 +31,17 @@ final class FreeSpaceBoundary {
 
     /// Of all of a map, in ascending order.
     static int[] of(OccupancyGrid grid, byte[] ground) {
-        return over(new Overlay(grid, grid, 0, 0), NONE, ground, List.of(Window.of(grid)));
+        return over(new MapOverlay(grid, grid, 0, 0), NONE, ground, List.of(CellWindow.of(grid)));
     }
 
     /// The same where ground differs from a map before in some windows only, in which is all that this did not have.
     ///
     /// @param before the shore of that
-    static int[] over(Overlay overlay, int[] before, byte[] ground, List<Window> windows) {
+    static int[] over(MapOverlay overlay, int[] before, byte[] ground, List<CellWindow> windows) {
         var shore = new FreeSpaceBoundary(overlay, before, ground);
-        List<Window> fromLeft = windows.stream()
-                .map(window -> window.grown(1).within(Window.of(overlay.now())))
-                .sorted(Comparator.comparingInt(Window::firstColumn))
+        List<CellWindow> fromLeft = windows.stream()
+                .map(window -> window.grown(1).within(CellWindow.of(overlay.now())))
+                .sorted(Comparator.comparingInt(CellWindow::firstColumn))
                 .toList();
         for (int row = 0; row < overlay.now().height(); row++) {
             shore.find(row, fromLeft);
@@ -49,12 +49,12 @@ final class FreeSpaceBoundary {
         return Arrays.copyOf(shore.cells, shore.count);
     }
 
-    private void find(int row, List<Window> fromLeft) {
+    private void find(int row, List<CellWindow> fromLeft) {
         if (count + width > cells.length) {
             cells = Arrays.copyOf(cells, 2 * (count + width));
         }
         int column = 0;
-        for (Window window : fromLeft) {
+        for (CellWindow window : fromLeft) {
             if (row >= window.firstRow() && row < window.endRow() && window.endColumn() > column) {
                 int first = Math.max(column, window.firstColumn());
                 takeOver(row, column, first);

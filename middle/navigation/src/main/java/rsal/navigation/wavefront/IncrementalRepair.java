@@ -33,7 +33,7 @@ final class IncrementalRepair {
 
     /// @param field what the cells of the old map hold; it is written to
     /// @param known cells that hold less are final
-    IncrementalRepair(Changes changes, int[] field, int known) {
+    IncrementalRepair(CostChanges changes, int[] field, int known) {
         this.to = changes.to();
         this.width = to.grid().width();
         this.around = new int[] {-width - 1, -width, -width + 1, -1, 0, 1, width - 1, width, width + 1};

@@ -108,7 +108,7 @@ final class Wave {
     ///
     /// @param changes of its map, which stays open where the wave comes from
     /// @return empty when a new one is sooner where it is wanted
-    Optional<Wave> over(Changes changes) {
+    Optional<Wave> over(CostChanges changes) {
         boolean isDone = along.isEmpty() && across.isEmpty();
         int until = Math.min(front, FARTHEST + 1); // a new one would not get farther
         var mending = new IncrementalRepair(changes, field, isDone ? OPEN : until);

@@ -40,9 +40,9 @@ public final class Wavefront implements GlobalPlanner {
         this.waves = waves;
     }
 
-    /// The same over a map that has changed. If that is not much, no more than one cell of [Changes#SHARE], it takes
-    /// over the waves that are kept here and mends them when it is asked for their goals; the map may also have
-    /// grown or shrunk. This one may still be asked, but keeps no waves any more.
+    /// The same over a map that has changed. If that is not much, no more than one cell of [CostChanges#SHARE],
+    /// it takes over the waves that are kept here and mends them when it is asked for their goals; the map may
+    /// also have grown or shrunk. This one may still be asked, but keeps no waves any more.
     public Wavefront over(CostMap next) {
         return new Wavefront(next, waves.over(next));
     }

@@ -24,7 +24,7 @@ final class Waves {
     private static final int GOALS_REMEMBERED = 256;
 
     private final CostMap map;
-    private final @Nullable Changes last; // how the map came about
+    private final @Nullable CostChanges last; // how the map came about
     private final List<Kept> kept = new ArrayList<>();
     private final Map<Integer, Asked> waiting = new LinkedHashMap<>(); // goals without a wave, oldest first
     private final ArrayDeque<Wave> lent = new ArrayDeque<>();
@@ -78,7 +78,7 @@ final class Waves {
         private int source; // where it comes from, a cell of its map; −1 while it has not started
 
         /// @param last how the map came about, if it has changed
-        synchronized <R> R use(CostMap map, @Nullable Changes last, int goalCell, Function<Wave, R> use) {
+        synchronized <R> R use(CostMap map, @Nullable CostChanges last, int goalCell, Function<Wave, R> use) {
             Wave now = over(map, last, goalCell);
             if (source != goalCell) {
                 now.clear();
@@ -88,7 +88,7 @@ final class Waves {
             return use.apply(now);
         }
 
-        private Wave over(CostMap map, @Nullable Changes last, int goalCell) {
+        private Wave over(CostMap map, @Nullable CostChanges last, int goalCell) {
             Wave old = wave;
             if (old != null && old.map() == map) {
                 return old;
@@ -101,9 +101,9 @@ final class Waves {
             return now;
         }
 
-        private Optional<Wave> mended(Wave old, CostMap map, @Nullable Changes last, int goalCell) {
-            Optional<Changes> changes =
-                    last != null && last.from() == old.map() ? Optional.of(last) : Changes.between(old.map(), map);
+        private Optional<Wave> mended(Wave old, CostMap map, @Nullable CostChanges last, int goalCell) {
+            Optional<CostChanges> changes =
+                    last != null && last.from() == old.map() ? Optional.of(last) : CostChanges.between(old.map(), map);
             return changes.filter(some -> some.overlay().moved(source) == goalCell)
                     .flatMap(old::over);
         }
@@ -113,7 +113,7 @@ final class Waves {
         this(map, null, 0, 0);
     }
 
-    private Waves(CostMap map, @Nullable Changes last, long asked, long askedBefore) {
+    private Waves(CostMap map, @Nullable CostChanges last, long asked, long askedBefore) {
         this.map = map;
         this.last = last;
         this.asked = asked;
@@ -124,13 +124,14 @@ final class Waves {
     /// Those over another map, to which the waves are handed on if it is much the same. What goals were asked for
     /// counts on.
     synchronized Waves over(CostMap other) {
-        Optional<Changes> few = kept.isEmpty() && waiting.isEmpty() ? Optional.empty() : Changes.between(map, other);
+        Optional<CostChanges> few =
+                kept.isEmpty() && waiting.isEmpty() ? Optional.empty() : CostChanges.between(map, other);
         Waves next = new Waves(other, few.orElse(null), asked, askedAtFirst);
         few.ifPresent(changes -> handOn(changes, next));
         return next;
     }
 
-    private void handOn(Changes changes, Waves next) {
+    private void handOn(CostChanges changes, Waves next) {
         kept.sort(Comparator.comparingLong((Kept one) -> one.asked).reversed());
         for (Kept one : kept) {
             int goal = changes.overlay().moved(one.goal);

@@ -6,7 +6,7 @@ import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.data.RangeArray;
 import rsal.testkit.DrawnMap;
-import rsal.testkit.Rays;
+import rsal.testkit.ObviousRays;
 
 /// What a laser sees in a drawn map.
 final class Seen {
@@ -45,7 +45,7 @@ final class Seen {
     static final Beams NOTHING = new Beams(new float[0], new float[0], new float[0], new float[0]);
 
     private final OccupancyGrid map;
-    private final Rays rays;
+    private final ObviousRays rays;
 
     /// A map drawn with signs of 0.25 m, in cells of 0.05 m.
     static DrawnMap fine(String drawing) {
@@ -63,7 +63,7 @@ final class Seen {
 
     Seen(DrawnMap map) {
         this.map = map.grid();
-        rays = new Rays(map.grid());
+        rays = new ObviousRays(map.grid());
     }
 
     /// Beams that end ahead of the base or behind it.

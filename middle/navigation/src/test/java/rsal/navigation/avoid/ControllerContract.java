@@ -297,7 +297,7 @@ public abstract class ControllerContract {
             this.speed = speed;
         }
 
-        void walk(double seconds, Outline robot, Pose2d worldFromRobot) {
+        void walk(double seconds, FootprintOutline robot, Pose2d worldFromRobot) {
             double step = speed * seconds;
             if (at.distanceTo(to) < step) {
                 turnAround();
@@ -333,7 +333,7 @@ public abstract class ControllerContract {
     /// A robot with the dynamics of its limits among posts and people, which fails when it touches one.
     protected final class Drive {
         private final Controller planner;
-        private final Outline body;
+        private final FootprintOutline body;
         private final List<Point2d> posts;
         private final List<Walker> people = new ArrayList<>();
         private final Obstacles obstacles = new Obstacles(VIEW);
@@ -347,7 +347,7 @@ public abstract class ControllerContract {
 
         public Drive(Footprint footprint, List<Point2d> posts) {
             this.planner = planner(footprint);
-            this.body = new Outline(footprint, 0);
+            this.body = new FootprintOutline(footprint, 0);
             this.posts = posts;
         }
 

@@ -17,7 +17,7 @@ import rsal.navigation.avoid.MultiPointTurn.Leg;
 
 class MultiPointTurnTest {
     private static final Footprint BODY = Footprint.box(0.44, 0.38, new Point2d(-0.04, 0));
-    private static final Outline OUTLINE = new Outline(BODY, 0);
+    private static final FootprintOutline OUTLINE = new FootprintOutline(BODY, 0);
     private static final DriveLimits LIMITS = new DriveLimits(0.4, 1.2, 0.8, 3);
     private static final double LEAST = 0.02; // m that stay
     private static final double ROUNDING = 0.007; // m; places between those that were looked at

@@ -97,7 +97,7 @@ class DifferenceTest {
                 .as("elsewhere")
                 .isEmpty();
         var larger = new OccupancyGrid(300, 300, 0.1, -1, 2, map.cells());
-        assertThat(Overlay.of(map, larger)).as("larger cells").isEmpty();
+        assertThat(MapOverlay.of(map, larger)).as("larger cells").isEmpty();
         assertThat(Difference.between(map, larger)).as("larger cells").isEmpty();
     }
 

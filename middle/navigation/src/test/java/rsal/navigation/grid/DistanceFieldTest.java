@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.testkit.DrawnMap;
-import rsal.testkit.Rays;
+import rsal.testkit.ObviousRays;
 
 class DistanceFieldTest {
     @ParameterizedTest
@@ -62,7 +62,7 @@ class DistanceFieldTest {
                 #............................#
                 ##############################""");
         var field = DistanceField.toOccupied(map.grid());
-        var rays = new Rays(map.grid());
+        var rays = new ObviousRays(map.grid());
         int grazed = 0;
         for (int i = 0; i < 400; i++) {
             Pose2d from = map.pose('@', 360 * random.nextDouble());

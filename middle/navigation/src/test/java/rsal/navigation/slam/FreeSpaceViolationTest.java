@@ -16,7 +16,7 @@ class FreeSpaceViolationTest {
     private static final Walls ROOM = new Walls().box(0, 0, 5, 6);
 
     private final SplittableRandom random = new SplittableRandom(4);
-    private final List<Frame> frames = new ArrayList<>();
+    private final List<GraphNode> frames = new ArrayList<>();
     private final List<Pose2d> poses = new ArrayList<>();
 
     /// Drives ahead and back in a world, through the same poses in each.
@@ -24,7 +24,7 @@ class FreeSpaceViolationTest {
         for (int i = 0; i < scans; i++) {
             var pose = new Pose2d(1 + 0.15 * (i % 20), 1.5, i % 40 < 20 ? 0.2 : 2.9);
             LaserScan scan = world.scan(pose, 0.01, random);
-            frames.add(new Frame(pose, 0.15 * i, scan, Cloud.of(scan, 25)));
+            frames.add(new GraphNode(pose, 0.15 * i, scan, Cloud.of(scan, 25)));
             poses.add(pose);
         }
     }

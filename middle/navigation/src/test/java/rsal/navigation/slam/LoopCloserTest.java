@@ -16,7 +16,7 @@ class LoopCloserTest {
     private static final double PERIOD = 0.6; // m; after which the corridor looks the same
     private static final double RANGE = 4; // m; the corridor's ends are farther away
 
-    private final List<Frame> frames = new ArrayList<>();
+    private final List<GraphNode> frames = new ArrayList<>();
     private final List<Pose2d> poses = new ArrayList<>();
 
     private static Walls corridor() {
@@ -72,7 +72,7 @@ class LoopCloserTest {
     /// @param deviation of the step to there [m]
     private void see(LoopCloser closer, Pose2d place, double traveled, double deviation, SplittableRandom random) {
         LaserScan scan = corridor().scan(place, 0.01, random);
-        frames.add(new Frame(place, traveled, scan, Cloud.of(scan, RANGE)));
+        frames.add(new GraphNode(place, traveled, scan, Cloud.of(scan, RANGE)));
         poses.add(place);
         int last = poses.size() - 1;
         if (last > 0) {

@@ -515,9 +515,9 @@ class SlamTest {
         assertThat(first.frameCount()).isEqualTo(before + second.frameCount());
     }
 
-    private static void assertBoxIsTold(Shared shared, int firstOfSecond) {
+    private static void assertBoxIsTold(MapOverlap shared, int firstOfSecond) {
         assertThat(shared.isContradicted()).isTrue();
-        assertThat(shared.against()).isBetween(Shared.MOST_AGAINST, 0.2);
+        assertThat(shared.against()).isBetween(MapOverlap.MOST_AGAINST, 0.2);
         assertThat(shared.worst()).hasValueSatisfying(worst -> {
             assertThat(worst.x()).isBetween(3.9, 4.9);
             assertThat(worst.y()).isBetween(3.9, 4.9);

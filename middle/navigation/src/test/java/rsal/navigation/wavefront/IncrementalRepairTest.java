@@ -37,12 +37,12 @@ class IncrementalRepairTest {
             int from = source;
             OccupancyGrid next = RandomMaps.changed(map.grid(), random);
             CostMap nextMap = costs(next, clearance);
-            Optional<Changes> few = Changes.between(map, nextMap);
+            Optional<CostChanges> few = CostChanges.between(map, nextMap);
             int moved = few.map(changes -> changes.overlay().moved(from)).orElse(-1);
             if (moved < 0 || !nextMap.isOpen(moved)) {
                 continue;
             }
-            Changes changes = few.get();
+            CostChanges changes = few.get();
             Optional<Wave> mended = wave.over(changes);
             map = nextMap;
             source = moved;

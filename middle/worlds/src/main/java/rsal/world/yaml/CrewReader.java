@@ -50,7 +50,7 @@ final class CrewReader {
     /// A kind of robot.
     ///
     /// @param figure when its body is told in the world
-    private record Model(RobotModel model, Optional<Figure> figure) {}
+    private record Model(RobotModel model, Optional<SolidReader> figure) {}
 
     /// A robot.
     ///
@@ -61,7 +61,7 @@ final class CrewReader {
             String id,
             String role,
             RobotModel model,
-            Optional<Place> place,
+            Optional<FloorPlace> place,
             Free free,
             Rgb color,
             Optional<List<Block>> blocks,
@@ -112,7 +112,7 @@ final class CrewReader {
         String role = section.text("role", name);
         int count = section.has("count") ? (int) Keys.whole(section, Keys.COUNT) : 0;
         boolean several =
-                count > 0 || section.find("pose").filter(Place::isList).isPresent();
+                count > 0 || section.find("pose").filter(FloorPlace::isList).isPresent();
         Optional<Model> model = section.has("model")
                 ? model(section.locationOf("model"), section.text("model"), choices(section.section("devices")))
                 : missing(section);
@@ -129,18 +129,18 @@ final class CrewReader {
                 .isPresent();
         Optional<Pose2d> odometry = fromStart || !section.has("odometry")
                 ? Optional.empty()
-                : Optional.of(Place.one(section, "odometry").pose());
+                : Optional.of(FloorPlace.one(section, "odometry").pose());
         boolean free = !section.has("pose") || isFree(section);
         Free where = free && section.has("pose") ? free(section.section("pose")) : new Free(0.4, null);
-        List<Optional<Place>> places = free
+        List<Optional<FloorPlace>> places = free
                 ? java.util.Collections.nCopies(Math.max(1, count), Optional.empty())
-                : (several ? Place.several(section, "pose", count) : List.of(Place.one(section, "pose")))
+                : (several ? FloorPlace.several(section, "pose", count) : List.of(FloorPlace.one(section, "pose")))
                         .stream().map(Optional::of).toList();
         section.done();
         if (model.isEmpty()) {
             return;
         }
-        Optional<Figure> figure = model.get().figure();
+        Optional<SolidReader> figure = model.get().figure();
         boolean high = places.stream()
                 .anyMatch(place -> place.filter(p -> p.height() != 0).isPresent());
         List<Block> plain = figure.map(f -> f.blocks(color))
@@ -208,7 +208,7 @@ final class CrewReader {
                 return Optional.of(new Model(models.read(name, at, choices), Optional.empty()));
             }
             var section = new Section("models." + name, mapping, own);
-            Figure figure = Figure.ofRobot(
+            SolidReader figure = SolidReader.ofRobot(
                     section.section("body"), section.section("mounts").names());
             RobotModel model = models.read(name, figure.solid(), section, choices);
             checkCarriers(section, figure, model);
@@ -220,7 +220,7 @@ final class CrewReader {
         }
     }
 
-    private static void checkCarriers(Section section, Figure figure, RobotModel model) {
+    private static void checkCarriers(Section section, SolidReader figure, RobotModel model) {
         figure.pieces().stream()
                 .flatMap(piece -> piece.carrier().stream())
                 .distinct()
@@ -243,7 +243,7 @@ final class CrewReader {
             pose.problem("free", "(%s) can only be true.".formatted(pose.path("free")), "");
         }
         double clearance = Keys.number(pose, Keys.CLEARANCE);
-        double[] within = Place.area(pose, "within").orElse(null);
+        double[] within = FloorPlace.area(pose, "within").orElse(null);
         pose.done();
         return new Free(clearance, within);
     }

@@ -92,7 +92,7 @@ final class FieldReader {
         Surface surface = SurfaceReader.told(section).apply(Surface.PLAIN);
         var field = new Field(
                 name,
-                Place.area(section, "area").orElse(null),
+                FloorPlace.area(section, "area").orElse(null),
                 dense ? 0 : (int) Keys.whole(section, Keys.COUNT),
                 dense ? Keys.number(section, Keys.DENSITY) : 0,
                 shapes(section),

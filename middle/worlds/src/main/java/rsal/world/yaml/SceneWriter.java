@@ -19,8 +19,8 @@ import rsal.data.Shape;
 import rsal.robot.RobotSpec;
 import rsal.scene.Block;
 import rsal.scene.Entity;
-import rsal.scene.Raster;
 import rsal.scene.Scene;
+import rsal.scene.SolidRaster;
 import rsal.scene.Surface;
 import rsal.scene.Touch;
 
@@ -83,7 +83,7 @@ public final class SceneWriter {
         }
     }
 
-    private Map<String, Object> wall(Raster raster) {
+    private Map<String, Object> wall(SolidRaster raster) {
         var wall = new LinkedHashMap<String, Object>();
         String name = base + "-" + (images.size() + 1) + ".png";
         images.put(name, png(raster));
@@ -102,7 +102,7 @@ public final class SceneWriter {
         return wall;
     }
 
-    private static byte[] png(Raster raster) {
+    private static byte[] png(SolidRaster raster) {
         int width = raster.width();
         int height = raster.height();
         var image = new BufferedImage(width, height, BufferedImage.TYPE_BYTE_GRAY);

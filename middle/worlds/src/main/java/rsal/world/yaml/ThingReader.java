@@ -44,15 +44,16 @@ final class ThingReader {
     private void thing(String name, Section section) {
         int count = section.has("count") ? (int) Keys.whole(section, Keys.COUNT) : 0;
         boolean several =
-                count > 0 || section.find("pose").filter(Place::isList).isPresent();
-        List<Place> places = several ? Place.several(section, "pose", count) : List.of(Place.one(section, "pose"));
+                count > 0 || section.find("pose").filter(FloorPlace::isList).isPresent();
+        List<FloorPlace> places =
+                several ? FloorPlace.several(section, "pose", count) : List.of(FloorPlace.one(section, "pose"));
         Surface surface = SurfaceReader.read(section, Surface.PLAIN);
         if (!section.has("body")) {
             section.problem(section.location(), "(%s) is missing.".formatted(section.path("body")), "{radius: 0.2}");
             section.done();
             return;
         }
-        List<Block> blocks = Figure.read(section.section("body"), surface).blocks(surface.color());
+        List<Block> blocks = SolidReader.read(section.section("body"), surface).blocks(surface.color());
         if (blocks.isEmpty()) {
             section.problem("body", "(%s) must have pieces.".formatted(section.path("body")), "{radius: 0.2}");
         }
@@ -62,7 +63,7 @@ final class ThingReader {
         for (int i = 0; i < places.size(); i++) {
             String own = several ? name + "-" + (i + 1) : name;
             names.claim(own, blocks.size(), section.location());
-            Place place = places.get(i);
+            FloorPlace place = places.get(i);
             var thing = new Entity(own, blocks, place.pose(), place.height(), giving);
             things.add(thing);
             (moves ? moving : fixed).add(thing);

@@ -14,7 +14,7 @@ import rsal.image.BitmapReader;
 import rsal.map.Maps;
 import rsal.scene.Block;
 import rsal.scene.Entity;
-import rsal.scene.Raster;
+import rsal.scene.SolidRaster;
 import rsal.scene.Surface;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
@@ -35,7 +35,7 @@ final class WallReader {
 
     private final FileSource files;
     private final Names names;
-    private final List<Raster> rasters = new ArrayList<>();
+    private final List<SolidRaster> rasters = new ArrayList<>();
     private final List<Entity> bodies = new ArrayList<>();
     private int number;
     private long pixels;
@@ -46,7 +46,7 @@ final class WallReader {
         this.names = names;
     }
 
-    List<Raster> rasters() {
+    List<SolidRaster> rasters() {
         return rasters;
     }
 
@@ -93,7 +93,7 @@ final class WallReader {
     private void solid(Section wall, String kind) {
         List<Shape> shapes = kind.equals("line") ? line(wall) : shape(wall);
         Surface surface = SurfaceReader.read(wall, Surface.PLAIN);
-        Pose2d pose = Place.one(wall, "pose").pose();
+        Pose2d pose = FloorPlace.one(wall, "pose").pose();
         Interval heights = heights(wall).orElse(new Interval(0, Keys.WALL_HEIGHT));
         add(wall, shapes, surface, pose, heights);
     }
@@ -183,7 +183,7 @@ final class WallReader {
             found.warnings().forEach(wall.problems()::warn);
             OccupancyGrid map = found.grid();
             count(wall, map.width(), map.height());
-            rasters.add(Raster.of(map));
+            rasters.add(SolidRaster.of(map));
         } catch (InvalidSettings e) {
             wall.problems().addAll(e);
         }
@@ -193,7 +193,7 @@ final class WallReader {
         double threshold = Keys.number(wall, Keys.THRESHOLD);
         boolean fenced = Keys.flag(wall, Keys.FENCED);
         Surface surface = SurfaceReader.read(wall, Surface.PLAIN);
-        Pose2d origin = Place.one(wall, "origin").pose();
+        Pose2d origin = FloorPlace.one(wall, "origin").pose();
         Optional<Interval> heights = heights(wall);
         Optional<Bitmap> bitmap = bitmap(wall, threshold);
         Optional<double[]> cell = cell(wall, bitmap);
@@ -202,7 +202,7 @@ final class WallReader {
         }
         double x = cell.get()[0];
         double y = cell.get()[1];
-        Optional<Raster> raster = Upright.of(
+        Optional<SolidRaster> raster = Upright.of(
                 bitmap.get(),
                 origin,
                 x,

@@ -26,7 +26,7 @@ public final class YamlFormat implements SceneFormat {
     public Scene read(String path, FileSource files, long seed) {
         var at = Location.of(path);
         Value.Mapping root = Yaml.read(path, files.text(path, MAX_BYTES, at), LIMITS);
-        return new WorldReader(path, root, beside(path, files), seed, new Problems(MAX_PROBLEMS)).scene();
+        return new YamlWorldReader(path, root, beside(path, files), seed, new Problems(MAX_PROBLEMS)).scene();
     }
 
     private static FileSource beside(String path, FileSource files) {

@@ -26,8 +26,8 @@ import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
 import rsal.scene.Block;
 import rsal.scene.Entity;
-import rsal.scene.Raster;
 import rsal.scene.Scene;
+import rsal.scene.SolidRaster;
 import rsal.scene.Touch;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
@@ -238,7 +238,7 @@ class YamlFormatTest {
         Scene scene = Worlds.of("walls: [{image: a.pgm, %s}]".formatted(how))
                 .andImage("a.pgm", PLAN)
                 .read();
-        Raster raster = scene.walls().getFirst();
+        SolidRaster raster = scene.walls().getFirst();
         assertThat(raster.left()).isCloseTo(left, within(1e-12));
         assertThat(raster.bottom()).isCloseTo(bottom, within(1e-12));
         assertThat(List.of(raster.width(), raster.height())).containsExactly(width, height);
@@ -254,7 +254,7 @@ class YamlFormatTest {
                         "walls: [{image: a.pgm, resolution: 1, threshold: 0.3, bottom: 0.1, height: 0.5, fenced: true, blob: false}]")
                 .andImage("a.pgm", PLAN)
                 .read();
-        Raster raster = scene.walls().getFirst();
+        SolidRaster raster = scene.walls().getFirst();
         assertThat(raster.solid().cardinality()).isEqualTo(3);
         assertThat(raster.lowest()).isEqualTo(0.1);
         assertThat(raster.highest()).isEqualTo(0.6);

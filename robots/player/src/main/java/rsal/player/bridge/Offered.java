@@ -13,15 +13,15 @@ import rsal.device.Subscription;
 import rsal.player.message.Box3;
 import rsal.player.message.Interface;
 import rsal.player.server.Port;
-import rsal.player.server.Served;
-import rsal.player.wire.Kind;
+import rsal.player.server.ServedDevice;
 import rsal.player.wire.MalformedException;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 import rsal.time.Scheduler;
 
-/// A device of one of our robots under one interface of Player's. All of it but what is handed over by [Served] lives
-/// on the scheduler's thread.
-abstract class Offered implements Served {
+/// A device of one of our robots under one interface of Player's. All of it but what is handed over by
+/// [ServedDevice] lives on the scheduler's thread.
+abstract class Offered implements ServedDevice {
     /// Stands for a size that is not known.
     static final Box3 NO_SIZE = new Box3(0, 0, 0);
 
@@ -177,7 +177,7 @@ abstract class Offered implements Served {
     }
 
     @Override
-    public boolean understands(Kind kind, int subtype) {
+    public boolean understands(MessageKind kind, int subtype) {
         return false;
     }
 }

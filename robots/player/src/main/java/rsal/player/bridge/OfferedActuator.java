@@ -13,8 +13,8 @@ import rsal.player.message.Actarray;
 import rsal.player.message.Interface;
 import rsal.player.message.Orientation;
 import rsal.player.message.Point3;
-import rsal.player.wire.Kind;
 import rsal.player.wire.MalformedException;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 import rsal.system.CommandTimeout;
 import rsal.system.CommandWatch;
@@ -74,8 +74,8 @@ final class OfferedActuator extends OfferedSensor<ActuatorState> {
     }
 
     @Override
-    public boolean understands(Kind kind, int subtype) {
-        return Order.isOne(kind, subtype) || (kind == Kind.REQUEST && subtype == Actarray.GEOMETRY);
+    public boolean understands(MessageKind kind, int subtype) {
+        return Order.isOne(kind, subtype) || (kind == MessageKind.REQUEST && subtype == Actarray.GEOMETRY);
     }
 
     @Override
@@ -129,8 +129,8 @@ final class OfferedActuator extends OfferedSensor<ActuatorState> {
 
         record Home() implements Order {}
 
-        static boolean isOne(Kind kind, int subtype) {
-            return kind == Kind.COMMAND && subtype >= Actarray.POSITION && subtype <= Actarray.HOME;
+        static boolean isOne(MessageKind kind, int subtype) {
+            return kind == MessageKind.COMMAND && subtype >= Actarray.POSITION && subtype <= Actarray.HOME;
         }
 
         /// Empty when it is about another joint, or about none.

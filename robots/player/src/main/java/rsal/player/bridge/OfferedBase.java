@@ -15,8 +15,8 @@ import rsal.player.message.Interface;
 import rsal.player.message.Pose;
 import rsal.player.message.Pose3;
 import rsal.player.message.Position2d;
-import rsal.player.wire.Kind;
 import rsal.player.wire.MalformedException;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Drive;
@@ -37,7 +37,7 @@ final class OfferedBase extends Offered implements ExclusiveControl.Holder {
     private final ExclusiveControl reins;
     private final CommandTimeout timeout;
     private final CommandWatch watch;
-    private Optional<Wish> wanted = Optional.empty();
+    private Optional<ClientCommand> wanted = Optional.empty();
     private boolean lasting; // whether what is wanted ends by itself
 
     /// @param guide takes it to its goals; without one it minds nothing that is in the way
@@ -101,7 +101,7 @@ final class OfferedBase extends Offered implements ExclusiveControl.Holder {
     }
 
     @Override
-    public boolean understands(Kind kind, int subtype) {
+    public boolean understands(MessageKind kind, int subtype) {
         return switch (kind) {
             case COMMAND ->
                 switch (subtype) {
@@ -163,7 +163,7 @@ final class OfferedBase extends Offered implements ExclusiveControl.Holder {
     @Override
     void obey(Packet command) throws MalformedException {
         int subtype = command.header().subtype();
-        if (!understands(Kind.COMMAND, subtype)) {
+        if (!understands(MessageKind.COMMAND, subtype)) {
             return;
         }
         if (subtype == Position2d.GOAL && guide.isPresent()) {
@@ -172,7 +172,7 @@ final class OfferedBase extends Offered implements ExclusiveControl.Holder {
             wanted = Optional.empty();
             guide.get().goTo(goal);
         } else {
-            Wish wish = wish(command);
+            ClientCommand wish = wish(command);
             reins.take(this);
             guide.ifPresent(Guide::letGo);
             wanted = Optional.of(wish);
@@ -187,7 +187,7 @@ final class OfferedBase extends Offered implements ExclusiveControl.Holder {
     }
 
     /// @throws IllegalArgumentException when it is not finite
-    private Wish wish(Packet command) throws MalformedException {
+    private ClientCommand wish(Packet command) throws MalformedException {
         return switch (command.header().subtype()) {
             case Position2d.GOAL -> Steps.to(goal(command), drives());
             case Position2d.VELOCITY_HEADING -> {
@@ -209,7 +209,7 @@ final class OfferedBase extends Offered implements ExclusiveControl.Holder {
         return Twist2d.drive(told.velocity(), told.velocity() * Math.tan(angle) / car.wheelbase());
     }
 
-    private static Wish constant(Twist2d velocity) {
+    private static ClientCommand constant(Twist2d velocity) {
         Optional<Twist2d> always = Optional.of(finite(velocity, velocity.isFinite()));
         return _ -> always;
     }

@@ -5,10 +5,10 @@ import java.util.List;
 import rsal.data.BumperState;
 import rsal.data.Pose2d;
 import rsal.data.Stamped;
-import rsal.player.message.Bumper;
+import rsal.player.message.BumperInterface;
 import rsal.player.message.Interface;
 import rsal.player.message.Pose3;
-import rsal.player.wire.Kind;
+import rsal.player.wire.MessageKind;
 import rsal.robot.RobotModel.Part;
 import rsal.time.Scheduler;
 
@@ -29,22 +29,22 @@ final class OfferedBumpers extends OfferedSensor<BumperState> {
         for (int i = 0; i < bytes.length; i++) {
             bytes[i] = (byte) (pressed.get(i) ? 1 : 0);
         }
-        publish(Bumper.STATE, reading.time(), new Bumper.State(bytes));
+        publish(BumperInterface.STATE, reading.time(), new BumperInterface.State(bytes));
     }
 
     @Override
-    public boolean understands(Kind kind, int subtype) {
-        return kind == Kind.REQUEST && subtype == Bumper.GEOMETRY;
+    public boolean understands(MessageKind kind, int subtype) {
+        return kind == MessageKind.REQUEST && subtype == BumperInterface.GEOMETRY;
     }
 
     @Override
     Record body(BumperState newest, int subtype) {
         List<Pose2d> poses = newest.baseFromBumpers();
-        var segments = new ArrayList<Bumper.Segment>();
+        var segments = new ArrayList<BumperInterface.Segment>();
         for (int i = 0; i < poses.size(); i++) {
             double length = poses.size() == pads.size() ? pads.get(i).length() : 0;
-            segments.add(new Bumper.Segment(Pose3.of(poses.get(i)), (float) length, 0));
+            segments.add(new BumperInterface.Segment(Pose3.of(poses.get(i)), (float) length, 0));
         }
-        return new Bumper.Geometry(segments);
+        return new BumperInterface.Geometry(segments);
     }
 }

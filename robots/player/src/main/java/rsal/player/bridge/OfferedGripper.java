@@ -6,10 +6,10 @@ import rsal.data.GripperState.Paddles;
 import rsal.data.Pose2d;
 import rsal.data.Stamped;
 import rsal.player.message.Box3;
-import rsal.player.message.Gripper;
+import rsal.player.message.GripperInterface;
 import rsal.player.message.Interface;
 import rsal.player.message.Pose3;
-import rsal.player.wire.Kind;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 import rsal.robot.RobotModel.Part;
 import rsal.time.Scheduler;
@@ -40,9 +40,9 @@ final class OfferedGripper extends OfferedSensor<GripperState> {
         GripperState state = reading.value();
         int beams = (state.innerBeamBroken() ? INNER : 0) | (state.outerBeamBroken() ? OUTER : 0);
         publish(
-                Gripper.STATE,
+                GripperInterface.STATE,
                 reading.time(),
-                new Gripper.State(code(state.paddles()), beams, state.holding() ? 1 : 0));
+                new GripperInterface.State(code(state.paddles()), beams, state.holding() ? 1 : 0));
     }
 
     private static int code(Paddles paddles) {
@@ -54,10 +54,10 @@ final class OfferedGripper extends OfferedSensor<GripperState> {
     }
 
     @Override
-    public boolean understands(Kind kind, int subtype) {
+    public boolean understands(MessageKind kind, int subtype) {
         return switch (kind) {
-            case COMMAND -> subtype >= Gripper.OPEN && subtype <= Gripper.RETRIEVE;
-            case REQUEST -> subtype == Gripper.GEOMETRY;
+            case COMMAND -> subtype >= GripperInterface.OPEN && subtype <= GripperInterface.RETRIEVE;
+            case REQUEST -> subtype == GripperInterface.GEOMETRY;
             default -> false;
         };
     }
@@ -65,23 +65,23 @@ final class OfferedGripper extends OfferedSensor<GripperState> {
     @Override
     void obey(Packet command) {
         switch (command.header().subtype()) {
-            case Gripper.OPEN -> jaws.open();
-            case Gripper.CLOSE -> jaws.close();
-            case Gripper.STOP -> jaws.stop();
-            case Gripper.STORE -> jaws.lift();
-            case Gripper.RETRIEVE -> jaws.lower();
+            case GripperInterface.OPEN -> jaws.open();
+            case GripperInterface.CLOSE -> jaws.close();
+            case GripperInterface.STOP -> jaws.stop();
+            case GripperInterface.STORE -> jaws.lift();
+            case GripperInterface.RETRIEVE -> jaws.lower();
             default -> {}
         }
     }
 
     @Override
     Record body(GripperState newest, int subtype) {
-        return part.map(made -> new Gripper.Geometry(
+        return part.map(made -> new GripperInterface.Geometry(
                         Pose3.of(made.baseFromGripper()),
                         new Box3(made.width(), made.length(), made.height()),
                         new Box3(made.opening(), made.paddleLength(), made.height()),
                         BEAMS,
                         1))
-                .orElseGet(() -> new Gripper.Geometry(Pose3.of(Pose2d.ORIGIN), NO_SIZE, NO_SIZE, BEAMS, 1));
+                .orElseGet(() -> new GripperInterface.Geometry(Pose3.of(Pose2d.ORIGIN), NO_SIZE, NO_SIZE, BEAMS, 1));
     }
 }

@@ -10,7 +10,7 @@ import rsal.player.message.Interface;
 import rsal.player.message.Laser;
 import rsal.player.message.Pose3;
 import rsal.player.message.Ranger;
-import rsal.player.wire.Kind;
+import rsal.player.wire.MessageKind;
 import rsal.time.Scheduler;
 
 /// A laser scanner as `laser`, or as `ranger`.
@@ -43,8 +43,8 @@ final class OfferedLaser extends OfferedSensor<LaserScan> {
     }
 
     @Override
-    public boolean understands(Kind kind, int subtype) {
-        return kind == Kind.REQUEST
+    public boolean understands(MessageKind kind, int subtype) {
+        return kind == MessageKind.REQUEST
                 && (interf() == Interface.RANGER
                         ? subtype == Ranger.GEOMETRY || subtype == Ranger.CONFIGURATION
                         : subtype == Laser.GEOMETRY || subtype == Laser.CONFIGURATION);

@@ -9,8 +9,8 @@ import rsal.player.message.Actarray;
 import rsal.player.message.Interface;
 import rsal.player.message.Orientation;
 import rsal.player.message.Point3;
-import rsal.player.wire.Kind;
 import rsal.player.wire.MalformedException;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 import rsal.time.Scheduler;
 
@@ -36,8 +36,9 @@ final class OfferedLift extends OfferedSensor<GripperState> {
     }
 
     @Override
-    public boolean understands(Kind kind, int subtype) {
-        return OfferedActuator.Order.isOne(kind, subtype) || (kind == Kind.REQUEST && subtype == Actarray.GEOMETRY);
+    public boolean understands(MessageKind kind, int subtype) {
+        return OfferedActuator.Order.isOne(kind, subtype)
+                || (kind == MessageKind.REQUEST && subtype == Actarray.GEOMETRY);
     }
 
     @Override

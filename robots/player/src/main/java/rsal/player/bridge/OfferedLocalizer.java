@@ -12,8 +12,8 @@ import rsal.device.Localizer;
 import rsal.player.message.Interface;
 import rsal.player.message.Localize;
 import rsal.player.message.Pose;
-import rsal.player.wire.Kind;
 import rsal.player.wire.MalformedException;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 import rsal.time.Scheduler;
 
@@ -51,8 +51,8 @@ final class OfferedLocalizer extends OfferedSensor<PoseEstimate> {
     }
 
     @Override
-    public boolean understands(Kind kind, int subtype) {
-        return kind == Kind.REQUEST && (subtype == Localize.SET_POSE || subtype == Localize.PARTICLES);
+    public boolean understands(MessageKind kind, int subtype) {
+        return kind == MessageKind.REQUEST && (subtype == Localize.SET_POSE || subtype == Localize.PARTICLES);
     }
 
     @Override

@@ -10,10 +10,10 @@ import rsal.data.OccupancyGrid;
 import rsal.device.DeviceInfo;
 import rsal.device.Subscription;
 import rsal.player.message.Interface;
-import rsal.player.message.Maps;
+import rsal.player.message.MapInterface;
 import rsal.player.message.Pose;
-import rsal.player.wire.Kind;
 import rsal.player.wire.MalformedException;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 import rsal.time.Scheduler;
 
@@ -36,8 +36,8 @@ final class OfferedMap extends Offered {
     }
 
     @Override
-    public boolean understands(Kind kind, int subtype) {
-        return kind == Kind.REQUEST && (subtype == Maps.INFO || subtype == Maps.TILE);
+    public boolean understands(MessageKind kind, int subtype) {
+        return kind == MessageKind.REQUEST && (subtype == MapInterface.INFO || subtype == MapInterface.TILE);
     }
 
     /// At once, on the thread of whoever asks: a map never changes, and to pack a large one takes a while.
@@ -53,31 +53,31 @@ final class OfferedMap extends Offered {
     @Override
     Optional<Answer> answer(Packet request) throws MalformedException {
         return switch (request.header().subtype()) {
-            case Maps.INFO ->
-                Optional.of(new Answer.Told(new Maps.Extent(
+            case MapInterface.INFO ->
+                Optional.of(new Answer.Told(new MapInterface.Extent(
                         (float) map.resolution(),
                         map.width(),
                         map.height(),
                         new Pose(map.originX(), map.originY(), 0))));
-            case Maps.TILE -> tile(request.body(Maps.Tile.class));
+            case MapInterface.TILE -> tile(request.body(MapInterface.Tile.class));
             default -> Optional.empty();
         };
     }
 
-    private Optional<Answer> tile(Maps.Tile asked) {
+    private Optional<Answer> tile(MapInterface.Tile asked) {
         long count = (long) asked.width() * asked.height();
         boolean inBounds = asked.width() > 0
                 && asked.height() > 0
-                && count <= Math.min(Maps.LARGEST_TILE, Math.max(USUAL * USUAL, map.cells().length));
+                && count <= Math.min(MapInterface.LARGEST_TILE, Math.max(USUAL * USUAL, map.cells().length));
         if (!inBounds) {
             return Optional.empty();
         }
         byte[] packed = packed(cells(asked));
-        return Optional.of(new Answer.Told(new Maps.Tile(
+        return Optional.of(new Answer.Told(new MapInterface.Tile(
                 asked.column(), asked.row(), asked.width(), asked.height(), packed.length, OCCUPIED, packed)));
     }
 
-    private byte[] cells(Maps.Tile tile) {
+    private byte[] cells(MapInterface.Tile tile) {
         var cells = new byte[tile.width() * tile.height()];
         for (int row = 0; row < tile.height(); row++) {
             for (int column = 0; column < tile.width(); column++) {

@@ -7,7 +7,7 @@ import rsal.player.message.Box2;
 import rsal.player.message.Fiducial;
 import rsal.player.message.Interface;
 import rsal.player.message.Pose3;
-import rsal.player.wire.Kind;
+import rsal.player.wire.MessageKind;
 import rsal.time.Scheduler;
 
 /// A finder of markers as `fiducial`. Player's are seen from the finder, ours from the robot's base.
@@ -35,8 +35,8 @@ final class OfferedMarkers extends OfferedSensor<Fiducials> {
     }
 
     @Override
-    public boolean understands(Kind kind, int subtype) {
-        return kind == Kind.REQUEST && (subtype == Fiducial.GEOMETRY || subtype == Fiducial.VIEW);
+    public boolean understands(MessageKind kind, int subtype) {
+        return kind == MessageKind.REQUEST && (subtype == Fiducial.GEOMETRY || subtype == Fiducial.VIEW);
     }
 
     @Override

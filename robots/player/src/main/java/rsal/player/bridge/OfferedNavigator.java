@@ -14,10 +14,10 @@ import rsal.device.Navigator.Result;
 import rsal.device.Navigator.Tolerance;
 import rsal.device.Subscription;
 import rsal.player.message.Interface;
-import rsal.player.message.Planner;
+import rsal.player.message.PlannerInterface;
 import rsal.player.message.Pose;
-import rsal.player.wire.Kind;
 import rsal.player.wire.MalformedException;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 import rsal.time.Scheduler;
 
@@ -63,9 +63,9 @@ final class OfferedNavigator extends Offered implements ExclusiveControl.Holder 
                 .map(Pose::of)
                 .orElse(NOWHERE);
         publish(
-                Planner.STATE,
+                PlannerInterface.STATE,
                 scheduler().instant(),
-                new Planner.State(
+                new PlannerInterface.State(
                         done || !waypoints.isEmpty() ? 1 : 0,
                         done ? 1 : 0,
                         localizer
@@ -88,10 +88,10 @@ final class OfferedNavigator extends Offered implements ExclusiveControl.Holder 
     }
 
     @Override
-    public boolean understands(Kind kind, int subtype) {
+    public boolean understands(MessageKind kind, int subtype) {
         return switch (kind) {
-            case COMMAND -> subtype == Planner.GOAL;
-            case REQUEST -> subtype == Planner.WAYPOINTS || subtype == Planner.ENABLE;
+            case COMMAND -> subtype == PlannerInterface.GOAL;
+            case REQUEST -> subtype == PlannerInterface.WAYPOINTS || subtype == PlannerInterface.ENABLE;
             default -> false;
         };
     }
@@ -99,11 +99,11 @@ final class OfferedNavigator extends Offered implements ExclusiveControl.Holder 
     @Override
     Optional<Answer> answer(Packet request) throws MalformedException {
         return switch (request.header().subtype()) {
-            case Planner.WAYPOINTS ->
-                Optional.of(
-                        new Answer.Told(new Planner.Waypoints(navigator.path().length(), waypoints())));
-            case Planner.ENABLE -> {
-                if (request.body(Planner.Enable.class).on() == 0) {
+            case PlannerInterface.WAYPOINTS ->
+                Optional.of(new Answer.Told(
+                        new PlannerInterface.Waypoints(navigator.path().length(), waypoints())));
+            case PlannerInterface.ENABLE -> {
+                if (request.body(PlannerInterface.Enable.class).on() == 0) {
                     paused |= !navigator.paused();
                     navigator.pause();
                 } else {
@@ -125,8 +125,9 @@ final class OfferedNavigator extends Offered implements ExclusiveControl.Holder 
 
     @Override
     void obey(Packet command) throws MalformedException {
-        if (command.header().subtype() == Planner.GOAL) {
-            Pose2d wanted = command.body(Planner.Place.class).mapFromPlace().to2d();
+        if (command.header().subtype() == PlannerInterface.GOAL) {
+            Pose2d wanted =
+                    command.body(PlannerInterface.Place.class).mapFromPlace().to2d();
             if (trip == null || !wanted.equals(mapFromGoal)) {
                 goTo(wanted);
             }

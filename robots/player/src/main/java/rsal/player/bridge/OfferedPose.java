@@ -10,7 +10,7 @@ import rsal.device.Localizer;
 import rsal.player.message.Interface;
 import rsal.player.message.Pose;
 import rsal.player.message.Position2d;
-import rsal.player.wire.Kind;
+import rsal.player.wire.MessageKind;
 import rsal.robot.Robot;
 import rsal.time.Scheduler;
 
@@ -38,8 +38,8 @@ final class OfferedPose extends OfferedSensor<PoseEstimate> {
     }
 
     @Override
-    public boolean understands(Kind kind, int subtype) {
-        return kind == Kind.REQUEST && subtype == Position2d.GEOMETRY;
+    public boolean understands(MessageKind kind, int subtype) {
+        return kind == MessageKind.REQUEST && subtype == Position2d.GEOMETRY;
     }
 
     @Override

@@ -8,8 +8,8 @@ import rsal.data.Stamped;
 import rsal.device.Sensor;
 import rsal.device.Subscription;
 import rsal.player.message.Interface;
-import rsal.player.wire.Kind;
 import rsal.player.wire.MalformedException;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 import rsal.time.Scheduler;
 
@@ -45,7 +45,7 @@ abstract class OfferedSensor<T> extends Offered {
     Optional<Answer> answer(Packet request) throws MalformedException {
         int subtype = request.header().subtype();
         return sensor.latest()
-                .filter(_ -> understands(Kind.REQUEST, subtype))
+                .filter(_ -> understands(MessageKind.REQUEST, subtype))
                 .map(reading -> new Answer.Told(body(reading.value(), subtype)));
     }
 

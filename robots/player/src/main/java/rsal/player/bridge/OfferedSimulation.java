@@ -10,8 +10,8 @@ import rsal.player.message.Interface;
 import rsal.player.message.Pose;
 import rsal.player.message.Pose3;
 import rsal.player.message.Simulation;
-import rsal.player.wire.Kind;
 import rsal.player.wire.MalformedException;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 import rsal.time.Scheduler;
 
@@ -32,8 +32,8 @@ final class OfferedSimulation extends Offered {
     }
 
     @Override
-    public boolean understands(Kind kind, int subtype) {
-        return kind == Kind.REQUEST && subtype >= Simulation.POSE && subtype <= Simulation.SET_POSE3;
+    public boolean understands(MessageKind kind, int subtype) {
+        return kind == MessageKind.REQUEST && subtype >= Simulation.POSE && subtype <= Simulation.SET_POSE3;
     }
 
     @Override

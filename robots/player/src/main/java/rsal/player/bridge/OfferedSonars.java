@@ -10,7 +10,7 @@ import rsal.player.message.Interface;
 import rsal.player.message.Pose3;
 import rsal.player.message.Ranger;
 import rsal.player.message.Sonar;
-import rsal.player.wire.Kind;
+import rsal.player.wire.MessageKind;
 import rsal.time.Scheduler;
 
 /// Sonars as `sonar`, or as `ranger`.
@@ -37,8 +37,8 @@ final class OfferedSonars extends OfferedSensor<RangeArray> {
     }
 
     @Override
-    public boolean understands(Kind kind, int subtype) {
-        return kind == Kind.REQUEST
+    public boolean understands(MessageKind kind, int subtype) {
+        return kind == MessageKind.REQUEST
                 && (interf() == Interface.RANGER
                         ? subtype == Ranger.GEOMETRY || subtype == Ranger.CONFIGURATION
                         : subtype == Sonar.GEOMETRY);

@@ -12,7 +12,7 @@ import rsal.player.message.Interface;
 import rsal.player.message.Protocol;
 import rsal.player.message.Session;
 import rsal.robot.Robot;
-import rsal.scene.Service;
+import rsal.scene.RobotService;
 import rsal.system.Bridge;
 import rsal.system.BridgeProvider.Lent;
 import rsal.time.Scheduler;
@@ -92,7 +92,7 @@ final class PlayerBridge implements Bridge {
         var robots = new HashMap<String, Offers>();
         lent.robots().forEach(robot -> robots.put(robot.id(), new Offers(robot, lent.timeout(), scheduler)));
         var ports = new LinkedHashMap<Integer, List<Offered>>();
-        for (Service service : lent.services()) {
+        for (RobotService service : lent.services()) {
             List<Offered> offers = ports.computeIfAbsent(service.port(), _ -> new ArrayList<>());
             for (String name : service.devices()) {
                 Optional.ofNullable(service.sources().get(name))
@@ -106,16 +106,21 @@ final class PlayerBridge implements Bridge {
 
     /// @param name with its index, `laser:0`
     private static Optional<Offered> offer(
-            Service service, String name, String source, Lent lent, Map<String, Offers> robots, Scheduler scheduler) {
+            RobotService service,
+            String name,
+            String source,
+            Lent lent,
+            Map<String, Offers> robots,
+            Scheduler scheduler) {
         int colon = name.indexOf(':');
         Interface as = Interface.of(name.substring(0, colon)).orElse(Interface.OPAQUE); // what a plugin brings along
         int index = Integer.parseInt(name.substring(colon + 1));
         return switch (source) {
-            case Service.MAP ->
+            case RobotService.MAP ->
                 Optional.of(new OfferedMap(index, lent.map(), service.driver(), scheduler))
                         .filter(_ -> as == Interface.MAP)
                         .map(Offered.class::cast);
-            case Service.SIMULATION ->
+            case RobotService.SIMULATION ->
                 lent.simulation()
                         .filter(_ -> as == Interface.SIMULATION)
                         .map(truth -> new OfferedSimulation(index, truth, scheduler));

@@ -22,7 +22,7 @@ final class Steps {
     /// sides does it all at once.
     ///
     /// @param drive of a base that turns in place
-    static Wish to(Pose2d odomFromGoal, Drive drive) {
+    static ClientCommand to(Pose2d odomFromGoal, Drive drive) {
         return odometry -> {
             Pose2d baseFromGoal = odometry.odomFromBase().inverse().compose(odomFromGoal);
             double distance = Math.hypot(baseFromGoal.x(), baseFromGoal.y());
@@ -45,7 +45,7 @@ final class Steps {
     }
 
     /// Drives at a speed, in the direction of a heading as soon as it looks there.
-    static Wish along(double velocity, double odomHeading, Drive drive) {
+    static ClientCommand along(double velocity, double odomHeading, Drive drive) {
         return odometry -> {
             double left = Angles.difference(odometry.odomFromBase().theta(), odomHeading);
             return Optional.of(new Twist2d(velocity, 0, speed(left, drive.turn())));

@@ -30,8 +30,8 @@ import rsal.player.message.Interface;
 import rsal.player.message.Protocol;
 import rsal.player.message.Session;
 import rsal.player.wire.Address;
-import rsal.player.wire.Kind;
 import rsal.player.wire.MalformedException;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 import rsal.time.AllowedToReadWallClock;
 
@@ -115,7 +115,8 @@ public final class Connection implements AutoCloseable {
         ask(Session.MODE, new Session.Mode(pulls ? Session.PULL : Session.PUSH));
         ask(
                 Session.REPLACE_RULE,
-                new Session.ReplaceRule(Session.ANY, Session.ANY, Kind.DATA.code(), Session.ANY, Session.REPLACE));
+                new Session.ReplaceRule(
+                        Session.ANY, Session.ANY, MessageKind.DATA.code(), Session.ANY, Session.REPLACE));
         if (pulls) {
             nextRound();
         }
@@ -180,7 +181,7 @@ public final class Connection implements AutoCloseable {
 
     /// All devices of the server's port.
     public CompletionStage<List<Address>> devices() {
-        return ask(Packet.of(Session.SERVER, Kind.REQUEST, Session.DEVICES, 0))
+        return ask(Packet.of(Session.SERVER, MessageKind.REQUEST, Session.DEVICES, 0))
                 .thenCompose(answer -> body(answer, Session.Devices.class))
                 .thenApply(Session.Devices::devices);
     }
@@ -231,7 +232,7 @@ public final class Connection implements AutoCloseable {
     }
 
     private CompletionStage<Packet> ask(int subtype, Record body) {
-        return ask(Packet.of(Session.SERVER, Kind.REQUEST, subtype, 0, body));
+        return ask(Packet.of(Session.SERVER, MessageKind.REQUEST, subtype, 0, body));
     }
 
     private static <T extends Record> CompletionStage<T> body(Packet answer, Class<T> type) {
@@ -285,7 +286,7 @@ public final class Connection implements AutoCloseable {
             return;
         }
         roundBegan = System.nanoTime();
-        if (!outbox.request(Packet.of(Session.SERVER, Kind.REQUEST, Session.DATA, 0)) && !lost.isDone()) {
+        if (!outbox.request(Packet.of(Session.SERVER, MessageKind.REQUEST, Session.DATA, 0)) && !lost.isDone()) {
             end("The server takes nothing: too much waits for it.");
         }
     }
@@ -318,7 +319,7 @@ public final class Connection implements AutoCloseable {
         if (answer == null) {
             return; // to a request for data, or to nobody
         }
-        if (packet.header().kind() == Kind.ACK) {
+        if (packet.header().kind() == MessageKind.ACK) {
             answer.complete(packet);
         } else {
             answer.completeExceptionally(new RefusedException("The server refuses request %d of (%s)."

@@ -12,7 +12,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.zip.DataFormatException;
 import java.util.zip.Inflater;
 import rsal.data.OccupancyGrid;
-import rsal.player.message.Maps;
+import rsal.player.message.MapInterface;
 import rsal.player.wire.Address;
 import rsal.time.Scheduler;
 
@@ -27,23 +27,23 @@ final class MapReader {
     private final RemoteServer server;
     private final Address map;
     private final Scheduler scheduler;
-    private final Maps.Extent extent;
+    private final MapInterface.Extent extent;
     private final byte[] cells;
-    private final Deque<Maps.Tile> left = new ArrayDeque<>(); // to be asked for
+    private final Deque<MapInterface.Tile> left = new ArrayDeque<>(); // to be asked for
     private final CompletableFuture<OccupancyGrid> whole = new CompletableFuture<>();
     private int under; // way
 
-    private MapReader(RemoteServer server, Address map, Maps.Extent extent, Scheduler scheduler) {
+    private MapReader(RemoteServer server, Address map, MapInterface.Extent extent, Scheduler scheduler) {
         this.server = server;
         this.map = map;
         this.extent = extent;
         this.scheduler = scheduler;
         this.cells = new byte[extent.width() * extent.height()];
-        int width = Math.min(extent.width(), Maps.LARGEST_TILE);
-        int height = Math.min(extent.height(), Maps.LARGEST_TILE / width);
+        int width = Math.min(extent.width(), MapInterface.LARGEST_TILE);
+        int height = Math.min(extent.height(), MapInterface.LARGEST_TILE / width);
         for (int row = 0; row < extent.height(); row += height) {
             for (int column = 0; column < extent.width(); column += width) {
-                left.add(new Maps.Tile(
+                left.add(new MapInterface.Tile(
                         column,
                         row,
                         Math.min(width, extent.width() - column),
@@ -57,13 +57,13 @@ final class MapReader {
 
     /// @return the map; exceptionally, with a sentence, when there is none or the server tells what can't be one
     static CompletionStage<OccupancyGrid> read(RemoteServer server, Address map, Scheduler scheduler) {
-        return server.ask(map, Maps.INFO, Optional.empty(), PATIENCE)
+        return server.ask(map, MapInterface.INFO, Optional.empty(), PATIENCE)
                 .thenApply(MapReader::extent)
                 .thenCompose(extent -> new MapReader(server, map, extent, scheduler).read());
     }
 
-    private static Maps.Extent extent(Optional<Record> answer) {
-        if (!(answer.orElse(null) instanceof Maps.Extent extent)) {
+    private static MapInterface.Extent extent(Optional<Record> answer) {
+        if (!(answer.orElse(null) instanceof MapInterface.Extent extent)) {
             throw refused("The server does not tell how large it is.");
         }
         long cells = (long) extent.width() * extent.height();
@@ -98,8 +98,8 @@ final class MapReader {
     private void goOn() {
         while (under < AT_ONCE && !left.isEmpty() && !whole.isDone()) {
             under++;
-            Maps.Tile tile = left.remove();
-            server.ask(map, Maps.TILE, Optional.of(tile), PATIENCE)
+            MapInterface.Tile tile = left.remove();
+            server.ask(map, MapInterface.TILE, Optional.of(tile), PATIENCE)
                     .thenCompose(answer -> scheduler.compute(() -> unpacked(tile, answer)))
                     .whenComplete((unpacked, error) -> {
                         under--;
@@ -112,7 +112,7 @@ final class MapReader {
         }
     }
 
-    private void put(Maps.Tile tile, byte[] unpacked) {
+    private void put(MapInterface.Tile tile, byte[] unpacked) {
         for (int row = 0; row < tile.height(); row++) {
             System.arraycopy(
                     unpacked,
@@ -134,8 +134,8 @@ final class MapReader {
     }
 
     /// A tile's cells as ours, row by row.
-    static byte[] unpacked(Maps.Tile asked, Optional<Record> answer) {
-        if (!(answer.orElse(null) instanceof Maps.Tile tile)) {
+    static byte[] unpacked(MapInterface.Tile asked, Optional<Record> answer) {
+        if (!(answer.orElse(null) instanceof MapInterface.Tile tile)) {
             throw refused("The server tells nothing of %s.".formatted(words(asked)));
         }
         boolean fits = tile.column() == asked.column()
@@ -158,7 +158,7 @@ final class MapReader {
         return ours;
     }
 
-    private static String words(Maps.Tile tile) {
+    private static String words(MapInterface.Tile tile) {
         return "(%d × %d) cells from (%d, %d) on".formatted(tile.width(), tile.height(), tile.column(), tile.row());
     }
 

@@ -6,7 +6,7 @@ import java.util.Optional;
 import rsal.data.BumperState;
 import rsal.data.Pose2d;
 import rsal.device.DeviceInfo;
-import rsal.player.message.Bumper;
+import rsal.player.message.BumperInterface;
 import rsal.player.wire.Address;
 import rsal.robot.RobotModel.Part;
 
@@ -22,12 +22,12 @@ final class PlayerBumpers extends PlayerSensor<BumperState> implements rsal.devi
 
     @Override
     public List<Integer> questions() {
-        return List.of(Bumper.GEOMETRY);
+        return List.of(BumperInterface.GEOMETRY);
     }
 
     @Override
     public void answered(Record body) {
-        if (body instanceof Bumper.Geometry geometry) {
+        if (body instanceof BumperInterface.Geometry geometry) {
             baseFromBumpers = geometry.bumpers().stream()
                     .map(bumper -> bumper.pose().to2d())
                     .toList();
@@ -36,7 +36,7 @@ final class PlayerBumpers extends PlayerSensor<BumperState> implements rsal.devi
 
     @Override
     Optional<BumperState> read(Record body) {
-        if (!(body instanceof Bumper.State(byte[] bytes)) || bytes.length != baseFromBumpers.size()) {
+        if (!(body instanceof BumperInterface.State(byte[] bytes)) || bytes.length != baseFromBumpers.size()) {
             return Optional.empty();
         }
         var pressed = new ArrayList<Boolean>();

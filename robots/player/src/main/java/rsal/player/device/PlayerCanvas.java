@@ -13,8 +13,8 @@ import rsal.device.DeviceCore;
 import rsal.device.DeviceInfo;
 import rsal.device.Health;
 import rsal.player.device.RemoteServer.Order;
-import rsal.player.message.Color;
 import rsal.player.message.Graphics2d;
+import rsal.player.message.PlayerColor;
 import rsal.player.message.Point;
 import rsal.player.wire.Address;
 
@@ -22,7 +22,7 @@ import rsal.player.wire.Address;
 /// until it is wiped. With each new connection it is drawn again.
 final class PlayerCanvas extends DeviceCore implements Canvas, Remote {
     private static final int OPAQUE = 0;
-    private static final Color BLACK = new Color(OPAQUE, 0, 0, 0);
+    private static final PlayerColor BLACK = new PlayerColor(OPAQUE, 0, 0, 0);
 
     private final Address address;
     private final RemoteServer server;
@@ -61,7 +61,7 @@ final class PlayerCanvas extends DeviceCore implements Canvas, Remote {
         List<Point> points = stroke.points().stream()
                 .map((Point2d point) -> new Point(point.x(), point.y()))
                 .toList();
-        Color color = color(stroke.color());
+        PlayerColor color = color(stroke.color());
         return switch (stroke) {
             case Sketch.Dots _ -> new Order(Graphics2d.POINTS, Optional.of(new Graphics2d.Points(points, color)));
             case Sketch.Line _ -> new Order(Graphics2d.POLYLINE, Optional.of(new Graphics2d.Points(points, color)));
@@ -76,8 +76,8 @@ final class PlayerCanvas extends DeviceCore implements Canvas, Remote {
         };
     }
 
-    private static Color color(Rgb color) {
-        return new Color(OPAQUE, color.red(), color.green(), color.blue());
+    private static PlayerColor color(Rgb color) {
+        return new PlayerColor(OPAQUE, color.red(), color.green(), color.blue());
     }
 
     @Override

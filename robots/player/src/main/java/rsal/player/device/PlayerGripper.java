@@ -13,7 +13,7 @@ import rsal.device.DeviceInfo;
 import rsal.device.GoalHandle;
 import rsal.device.GoalSource;
 import rsal.device.Gripper;
-import rsal.player.message.Gripper.State;
+import rsal.player.message.GripperInterface.State;
 import rsal.player.wire.Address;
 
 /// A gripper behind `gripper`; its lift and its beams are [behind devices][PlayerLift] [of their
@@ -71,7 +71,7 @@ final class PlayerGripper extends PlayerSensor<GripperState> implements Gripper 
     }
 
     private void stopPaddles() {
-        server.command(address(), rsal.player.message.Gripper.STOP);
+        server.command(address(), rsal.player.message.GripperInterface.STOP);
     }
 
     @Override
@@ -153,12 +153,12 @@ final class PlayerGripper extends PlayerSensor<GripperState> implements Gripper 
 
     @Override
     public GoalHandle<GripperState, Result> open() {
-        return move(0, rsal.player.message.Gripper.OPEN);
+        return move(0, rsal.player.message.GripperInterface.OPEN);
     }
 
     @Override
     public GoalHandle<GripperState, Result> close() {
-        return move(1, rsal.player.message.Gripper.CLOSE);
+        return move(1, rsal.player.message.GripperInterface.CLOSE);
     }
 
     private GoalHandle<GripperState, Result> move(int target, int command) {

@@ -9,7 +9,7 @@ import rsal.data.OccupancyGrid;
 import rsal.device.DeviceInfo;
 import rsal.device.Health;
 import rsal.device.Mapper;
-import rsal.player.message.Maps;
+import rsal.player.message.MapInterface;
 import rsal.player.wire.Address;
 import rsal.time.Scheduler;
 
@@ -69,7 +69,7 @@ final class PlayerMap extends PlayerSensor<OccupancyGrid> implements Mapper {
 
     @Override
     public void take(Instant time, Record body) {
-        if (body instanceof Maps.Extent) {
+        if (body instanceof MapInterface.Extent) {
             due = begun.plus(PAUSE);
         }
     }

@@ -17,7 +17,7 @@ import rsal.device.GoalHandle;
 import rsal.device.GoalSource;
 import rsal.device.Health;
 import rsal.device.Navigator;
-import rsal.player.message.Planner;
+import rsal.player.message.PlannerInterface;
 import rsal.player.message.Pose;
 import rsal.player.wire.Address;
 
@@ -49,7 +49,7 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
         private final GoalSource<Progress, Result> goal;
         private boolean sent; // to the planner
         private boolean underway; // as the planner has it
-        private Optional<Planner.State> told = Optional.empty();
+        private Optional<PlannerInterface.State> told = Optional.empty();
         private List<Point2d> waypoints = List.of();
         private Instant asked = Instant.MIN; // for them
         private Instant valid; // when there was a way last
@@ -76,7 +76,7 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
             }
             var points = new ArrayList<Point2d>();
             points.add(mapFromBase().position());
-            Planner.State state = told.get();
+            PlannerInterface.State state = told.get();
             if (state.valid() != 0 && state.done() == 0 && state.waypoints() > 0) {
                 points.add(state.waypoint().to2d().position());
             }
@@ -144,7 +144,7 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
         if (!now.sent) {
             now.sent = true;
             calledOff = false;
-            server.command(address, Planner.GOAL, new Planner.Place(Pose.of(now.mapFromGoal)));
+            server.command(address, PlannerInterface.GOAL, new PlannerInterface.Place(Pose.of(now.mapFromGoal)));
         }
         enable(true);
     }
@@ -164,7 +164,7 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
     private void enable(boolean wanted) {
         if (!wanted || !on) { // off is said again and again, as others may switch it on
             on = wanted;
-            server.ask(address, Planner.ENABLE, Optional.of(new Planner.Enable(wanted ? 1 : 0)))
+            server.ask(address, PlannerInterface.ENABLE, Optional.of(new PlannerInterface.Enable(wanted ? 1 : 0)))
                     .whenComplete((_, error) -> on &= error == null);
         }
     }
@@ -189,7 +189,7 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
     @Override
     public void take(Instant time, Record body) {
         Trip now = trip;
-        if (now == null || !(body instanceof Planner.State state) || !isFinite(state)) {
+        if (now == null || !(body instanceof PlannerInterface.State state) || !isFinite(state)) {
             return;
         }
         boolean ours = state.mapFromGoal().to2d().isNear(now.mapFromGoal, 0.01, 0.01);
@@ -229,7 +229,7 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
         }
     }
 
-    private static boolean isFinite(Planner.State state) {
+    private static boolean isFinite(PlannerInterface.State state) {
         return state.mapFromBase().to2d().isFinite()
                 && state.mapFromGoal().to2d().isFinite()
                 && state.waypoint().to2d().isFinite();
@@ -240,9 +240,9 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
         Trip asking = trip;
         if (asking != null && asking.asked.isBefore(now.minus(ASK))) {
             asking.asked = now;
-            server.ask(address, Planner.WAYPOINTS, Optional.empty())
-                    .thenAccept(answer -> answer.filter(Planner.Waypoints.class::isInstance)
-                            .map(Planner.Waypoints.class::cast)
+            server.ask(address, PlannerInterface.WAYPOINTS, Optional.empty())
+                    .thenAccept(answer -> answer.filter(PlannerInterface.Waypoints.class::isInstance)
+                            .map(PlannerInterface.Waypoints.class::cast)
                             .ifPresent(told -> asking.waypoints = points(told.waypoints())));
         }
     }

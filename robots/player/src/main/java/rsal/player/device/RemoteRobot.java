@@ -42,7 +42,7 @@ public final class RemoteRobot {
     private final PlayerBase base;
 
     /// A server with what it has.
-    private record Seen(RemoteServer server, Offer offer) {}
+    private record Seen(RemoteServer server, ServerOffer offer) {}
 
     private record Found(RemoteServer server, Address address) {}
 
@@ -90,7 +90,7 @@ public final class RemoteRobot {
 
         /// All of a server, in their order: what is told of a scanner or of sonars as `ranger` goes before what
         /// is told of the same one otherwise.
-        private List<Address> of(Offer offer) {
+        private List<Address> of(ServerOffer offer) {
             return switch (this) {
                 case BASE -> offer.of(Interface.POSITION2D);
                 case LASER -> offer.scanners().isEmpty() ? offer.of(Interface.LASER) : offer.scanners();

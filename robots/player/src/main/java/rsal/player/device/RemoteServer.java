@@ -20,10 +20,10 @@ import rsal.device.Listeners;
 import rsal.device.Subscription;
 import rsal.player.client.Connection;
 import rsal.player.client.Delivery;
-import rsal.player.client.Link;
+import rsal.player.client.ServerLink;
 import rsal.player.wire.Address;
-import rsal.player.wire.Kind;
 import rsal.player.wire.MalformedException;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 import rsal.time.Scheduler;
 
@@ -40,11 +40,11 @@ public final class RemoteServer implements AutoCloseable {
 
     private final String name;
     private final Scheduler scheduler;
-    private final Link link;
+    private final ServerLink link;
     private volatile ServerClock clock = new ServerClock(); // of this connection: each server has a time of its own
     private final Map<Address, List<Member>> members = new ConcurrentHashMap<>(); // robots may share a device
     private final Map<Key, News> news = new LinkedHashMap<>(); // guarded by itself
-    private final CompletableFuture<Offer> offer = new CompletableFuture<>();
+    private final CompletableFuture<ServerOffer> offer = new CompletableFuture<>();
     private final Listeners<Optional<String>> listeners =
             new Listeners<>(e -> LOG.log(System.Logger.Level.ERROR, "Somebody who minds a Player server failed.", e));
     private volatile @Nullable Connection connection; // set on the scheduler's thread
@@ -68,7 +68,7 @@ public final class RemoteServer implements AutoCloseable {
     public RemoteServer(String host, int port, Delivery delivery, Scheduler scheduler) {
         this.name = host + ":" + port;
         this.scheduler = scheduler;
-        this.link = new Link(host, port, delivery, new Line());
+        this.link = new ServerLink(host, port, delivery, new Line());
         link.start();
     }
 
@@ -78,7 +78,7 @@ public final class RemoteServer implements AutoCloseable {
     }
 
     /// What it has; only once that is [known][#known].
-    Offer offer() {
+    ServerOffer offer() {
         return offer.join();
     }
 
@@ -145,7 +145,7 @@ public final class RemoteServer implements AutoCloseable {
     private CompletionStage<Void> ask(Remote device, Connection over) {
         CompletionStage<Void> asked = CompletableFuture.completedStage(null);
         for (int question : device.questions()) {
-            Packet request = Packet.of(device.address(), Kind.REQUEST, question, 0);
+            Packet request = Packet.of(device.address(), MessageKind.REQUEST, question, 0);
             asked = asked.thenCompose(_ -> scheduler.within(PATIENCE, over.ask(request)))
                     .handle((answer, error) -> {
                         if (error == null) {
@@ -187,8 +187,8 @@ public final class RemoteServer implements AutoCloseable {
         if (now == null) {
             return CompletableFuture.failedStage(new IOException(reason));
         }
-        Packet request = body.map(said -> packet(now, device, Kind.REQUEST, subtype, said))
-                .orElseGet(() -> Packet.of(device, Kind.REQUEST, subtype, 0));
+        Packet request = body.map(said -> packet(now, device, MessageKind.REQUEST, subtype, said))
+                .orElseGet(() -> Packet.of(device, MessageKind.REQUEST, subtype, 0));
         return scheduler.within(patience, now.ask(request)).thenApply(answer -> read(now, answer));
     }
 
@@ -198,7 +198,7 @@ public final class RemoteServer implements AutoCloseable {
     void command(Address device, int subtype, Record body) {
         Connection now = connection;
         if (now != null) {
-            now.command(packet(now, device, Kind.COMMAND, subtype, body));
+            now.command(packet(now, device, MessageKind.COMMAND, subtype, body));
         }
     }
 
@@ -206,7 +206,7 @@ public final class RemoteServer implements AutoCloseable {
     void command(Address device, int subtype) {
         Connection now = connection;
         if (now != null) {
-            now.command(Packet.of(device, Kind.COMMAND, subtype, 0));
+            now.command(Packet.of(device, MessageKind.COMMAND, subtype, 0));
         }
     }
 
@@ -223,13 +223,13 @@ public final class RemoteServer implements AutoCloseable {
                     device,
                     together.stream()
                             .map(order -> order.body()
-                                    .map(said -> packet(now, device, Kind.COMMAND, order.subtype(), said))
-                                    .orElseGet(() -> Packet.of(device, Kind.COMMAND, order.subtype(), 0)))
+                                    .map(said -> packet(now, device, MessageKind.COMMAND, order.subtype(), said))
+                                    .orElseGet(() -> Packet.of(device, MessageKind.COMMAND, order.subtype(), 0)))
                             .toList());
         }
     }
 
-    private static Packet packet(Connection over, Address device, Kind kind, int subtype, Record body) {
+    private static Packet packet(Connection over, Address device, MessageKind kind, int subtype, Record body) {
         return Packet.of(device, kind, subtype, 0, over.protocol().worded(body));
     }
 
@@ -245,7 +245,7 @@ public final class RemoteServer implements AutoCloseable {
         return now == null ? CompletableFuture.completedStage(null) : now.settled();
     }
 
-    private void connected(Connection now, Offer found) {
+    private void connected(Connection now, ServerOffer found) {
         connection = now;
         offer.complete(found);
         members().forEach(member -> connect(member, now));
@@ -292,11 +292,11 @@ public final class RemoteServer implements AutoCloseable {
     }
 
     /// What comes over the network, on its threads.
-    private final class Line implements Link.Listener {
+    private final class Line implements ServerLink.Listener {
         @Override
         public void connected(Connection now) throws IOException {
             clock = new ServerClock();
-            Offer found = Survey.of(now);
+            ServerOffer found = Survey.of(now);
             scheduler.execute(() -> RemoteServer.this.connected(now, found));
         }
 

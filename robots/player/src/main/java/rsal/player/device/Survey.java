@@ -18,8 +18,8 @@ import rsal.player.client.Connection;
 import rsal.player.message.Interface;
 import rsal.player.message.Ranger;
 import rsal.player.wire.Address;
-import rsal.player.wire.Kind;
 import rsal.player.wire.MalformedException;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 import rsal.time.AllowedToReadWallClock;
 
@@ -31,11 +31,11 @@ final class Survey {
     private Survey() {}
 
     /// Rangers are started for a moment, all at once, as only then they tell how they are built.
-    static Offer of(Connection connection) throws IOException {
+    static ServerOffer of(Connection connection) throws IOException {
         List<Address> devices = answer(connection.devices(), "which devices it has").stream()
                 .map(device -> Address.of(device.interf(), device.index()))
                 .toList();
-        List<Address> rangers = new Offer(devices, List.of(), List.of()).of(Interface.RANGER);
+        List<Address> rangers = new ServerOffer(devices, List.of(), List.of()).of(Interface.RANGER);
         var places = new LinkedHashMap<Address, CompletableFuture<Integer>>();
         rangers.forEach(ranger -> places.put(ranger, places(connection, ranger).toCompletableFuture()));
         await(places.values());
@@ -43,7 +43,7 @@ final class Survey {
             throw new IOException("The connection was lost while it was asked."); // it will be asked again
         }
         rangers.forEach(connection::unsubscribe);
-        return new Offer(
+        return new ServerOffer(
                 devices,
                 rangers.stream().filter(ranger -> told(places, ranger) == 1).toList(),
                 rangers.stream().filter(ranger -> told(places, ranger) > 1).toList());
@@ -53,7 +53,7 @@ final class Survey {
     private static CompletionStage<Integer> places(Connection connection, Address ranger) {
         return connection
                 .subscribe(ranger)
-                .thenCompose(_ -> connection.ask(Packet.of(ranger, Kind.REQUEST, Ranger.GEOMETRY, 0)))
+                .thenCompose(_ -> connection.ask(Packet.of(ranger, MessageKind.REQUEST, Ranger.GEOMETRY, 0)))
                 .thenApply(answer -> {
                     try {
                         return answer.body(Ranger.Geometry.class).poses().size();

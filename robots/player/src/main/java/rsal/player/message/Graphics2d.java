@@ -13,8 +13,8 @@ public final class Graphics2d {
     private Graphics2d() {}
 
     /// Of points, of a polyline, and of lines, each of two points.
-    public record Points(List<Point> points, Color color) {}
+    public record Points(List<Point> points, PlayerColor color) {}
 
     /// @param filled other than 0 when it is
-    public record Polygon(List<Point> points, Color color, Color fill, int filled) {}
+    public record Polygon(List<Point> points, PlayerColor color, PlayerColor fill, int filled) {}
 }

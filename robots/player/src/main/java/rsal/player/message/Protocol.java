@@ -1,9 +1,9 @@
 package rsal.player.message;
 
-import static rsal.player.wire.Kind.COMMAND;
-import static rsal.player.wire.Kind.DATA;
-import static rsal.player.wire.Kind.REQUEST;
-import static rsal.player.wire.Kind.SYNCH;
+import static rsal.player.wire.MessageKind.COMMAND;
+import static rsal.player.wire.MessageKind.DATA;
+import static rsal.player.wire.MessageKind.REQUEST;
+import static rsal.player.wire.MessageKind.SYNCH;
 
 import java.util.HashMap;
 import java.util.Map;
@@ -11,8 +11,8 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import rsal.player.wire.Header;
-import rsal.player.wire.Kind;
 import rsal.player.wire.MalformedException;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 
 /// Which message has which body, in a version of Player. Immutable.
@@ -28,7 +28,7 @@ public final class Protocol {
     private final Map<Key, Class<? extends Record>> bodies = new HashMap<>();
     private final String version;
 
-    private record Key(int interf, Kind kind, int subtype) {}
+    private record Key(int interf, MessageKind kind, int subtype) {}
 
     private Protocol(String version) {
         this.version = version;
@@ -43,8 +43,8 @@ public final class Protocol {
         of(Interface.PLAYER, SYNCH).has(Session.OVERFLOW, Session.Lost.class);
         of(Interface.POWER, DATA).has(Power.STATE, Power.State.class);
         of(Interface.POWER, REQUEST).has(Power.CHARGING, Power.Charging.class);
-        of(Interface.GRIPPER, DATA).has(Gripper.STATE, Gripper.State.class);
-        of(Interface.GRIPPER, REQUEST).has(Gripper.GEOMETRY, Gripper.Geometry.class);
+        of(Interface.GRIPPER, DATA).has(GripperInterface.STATE, GripperInterface.State.class);
+        of(Interface.GRIPPER, REQUEST).has(GripperInterface.GEOMETRY, GripperInterface.Geometry.class);
         of(Interface.POSITION2D, DATA)
                 .has(Position2d.STATE, Position2d.State.class)
                 .has(Position2d.GEOMETRY_DATA, Position2d.Geometry.class);
@@ -87,11 +87,11 @@ public final class Protocol {
                 .has(Fiducial.SET_VIEW, Fiducial.View.class)
                 .has(Fiducial.IDENTITY, Fiducial.Identity.class)
                 .has(Fiducial.SET_IDENTITY, Fiducial.Identity.class);
-        of(Interface.SPEECH, COMMAND).has(Speech.SAY, Speech.Say.class);
+        of(Interface.SPEECH, COMMAND).has(SpeechInterface.SAY, SpeechInterface.Say.class);
         of(Interface.BUMPER, DATA)
-                .has(Bumper.STATE, Bumper.State.class)
-                .has(Bumper.GEOMETRY_DATA, Bumper.Geometry.class);
-        of(Interface.BUMPER, REQUEST).has(Bumper.GEOMETRY, Bumper.Geometry.class);
+                .has(BumperInterface.STATE, BumperInterface.State.class)
+                .has(BumperInterface.GEOMETRY_DATA, BumperInterface.Geometry.class);
+        of(Interface.BUMPER, REQUEST).has(BumperInterface.GEOMETRY, BumperInterface.Geometry.class);
         of(Interface.DIO, DATA).has(Dio.VALUES, Dio.Values.class);
         of(Interface.DIO, COMMAND).has(Dio.VALUES, Dio.Values.class);
         of(Interface.LOCALIZE, DATA).has(Localize.HYPOTHESES, Localize.Hypotheses.class);
@@ -105,16 +105,18 @@ public final class Protocol {
                 .has(Simulation.SET_POSE3, Simulation.Placed3.class)
                 .has(Simulation.PROPERTY, Simulation.Property.class)
                 .has(Simulation.SET_PROPERTY, Simulation.Property.class);
-        of(Interface.MAP, DATA).has(Maps.INFO_DATA, Maps.Extent.class);
+        of(Interface.MAP, DATA).has(MapInterface.INFO_DATA, MapInterface.Extent.class);
         of(Interface.MAP, REQUEST)
-                .has(Maps.INFO, Maps.Extent.class)
-                .has(Maps.TILE, Maps.Tile.class)
-                .has(Maps.LINES, Maps.Lines.class);
-        of(Interface.PLANNER, DATA).has(Planner.STATE, Planner.State.class);
-        of(Interface.PLANNER, COMMAND).has(Planner.GOAL, Planner.Place.class).has(Planner.START, Planner.Place.class);
+                .has(MapInterface.INFO, MapInterface.Extent.class)
+                .has(MapInterface.TILE, MapInterface.Tile.class)
+                .has(MapInterface.LINES, MapInterface.Lines.class);
+        of(Interface.PLANNER, DATA).has(PlannerInterface.STATE, PlannerInterface.State.class);
+        of(Interface.PLANNER, COMMAND)
+                .has(PlannerInterface.GOAL, PlannerInterface.Place.class)
+                .has(PlannerInterface.START, PlannerInterface.Place.class);
         of(Interface.PLANNER, REQUEST)
-                .has(Planner.WAYPOINTS, Planner.Waypoints.class)
-                .has(Planner.ENABLE, Planner.Enable.class);
+                .has(PlannerInterface.WAYPOINTS, PlannerInterface.Waypoints.class)
+                .has(PlannerInterface.ENABLE, PlannerInterface.Enable.class);
         of(Interface.OPAQUE, DATA).has(Opaque.DATA, Opaque.Bytes.class);
         of(Interface.OPAQUE, COMMAND).has(Opaque.DATA, Opaque.Bytes.class);
         of(Interface.OPAQUE, REQUEST).has(Opaque.DATA, Opaque.Bytes.class);
@@ -156,7 +158,7 @@ public final class Protocol {
         Row has(int subtype, Class<? extends Record> body);
     }
 
-    private Row of(Interface interf, Kind kind) {
+    private Row of(Interface interf, MessageKind kind) {
         return new Row() {
             @Override
             public Row has(int subtype, Class<? extends Record> body) {
@@ -170,8 +172,8 @@ public final class Protocol {
         var older = new Protocol("3.0.2");
         older.of(Interface.LOCALIZE, DATA).has(Localize.HYPOTHESES, Version30.Hypotheses.class);
         older.of(Interface.LOCALIZE, REQUEST).has(Localize.SET_POSE, Version30.SetPose.class);
-        older.of(Interface.MAP, REQUEST).has(Maps.TILE, Version30.Tile.class);
-        older.of(Interface.PLANNER, REQUEST).has(Planner.WAYPOINTS, Version30.Waypoints.class);
+        older.of(Interface.MAP, REQUEST).has(MapInterface.TILE, Version30.Tile.class);
+        older.of(Interface.PLANNER, REQUEST).has(PlannerInterface.WAYPOINTS, Version30.Waypoints.class);
         return older;
     }
 
@@ -206,7 +208,8 @@ public final class Protocol {
     /// The record that the body of a message is; empty when it has none that is known. Answers have that of their
     /// requests.
     public Optional<Class<? extends Record>> body(Header header) {
-        Kind kind = header.kind() == Kind.ACK || header.kind() == Kind.NACK ? REQUEST : header.kind();
+        MessageKind kind =
+                header.kind() == MessageKind.ACK || header.kind() == MessageKind.NACK ? REQUEST : header.kind();
         return Optional.ofNullable(bodies.get(new Key(header.address().interf(), kind, header.subtype())));
     }
 

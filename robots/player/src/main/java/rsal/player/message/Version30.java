@@ -16,9 +16,9 @@ public final class Version30 {
                         pending, time, all.stream().map(Hypothesis::newer).toList());
             case SetPose(Pose mapFromBase, double[] covariance) ->
                 new Localize.SetPose(mapFromBase, Arrays.copyOf(covariance, 6));
-            case Waypoints(List<Pose> waypoints) -> new Planner.Waypoints(0, waypoints);
+            case Waypoints(List<Pose> waypoints) -> new PlannerInterface.Waypoints(0, waypoints);
             case Tile(int column, int row, int width, int height, byte[] cells) ->
-                new Maps.Tile(column, row, width, height, cells.length, 1, cells);
+                new MapInterface.Tile(column, row, width, height, cells.length, 1, cells);
             default -> body;
         };
     }
@@ -30,8 +30,9 @@ public final class Version30 {
                 new Hypotheses(pending, time, all.stream().map(Hypothesis::of).toList());
             case Localize.SetPose(Pose mapFromBase, double[] covariance) ->
                 new SetPose(mapFromBase, Arrays.copyOf(covariance, 3));
-            case Maps.Tile tile -> new Tile(tile.column(), tile.row(), tile.width(), tile.height(), tile.cells());
-            case Planner.Waypoints ways -> new Waypoints(ways.waypoints());
+            case MapInterface.Tile tile ->
+                new Tile(tile.column(), tile.row(), tile.width(), tile.height(), tile.cells());
+            case PlannerInterface.Waypoints ways -> new Waypoints(ways.waypoints());
             default -> body;
         };
     }

@@ -4,12 +4,12 @@ import java.util.HashMap;
 import java.util.Map;
 import rsal.player.message.Protocol;
 import rsal.player.wire.Address;
-import rsal.player.wire.Kind;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 
 /// New data of a device, which each client is told in the words of its version. Used by one thread at a time.
 final class News {
-    private final Served device;
+    private final ServedDevice device;
     private final Address address;
     private final int subtype;
     private final double time;
@@ -18,7 +18,7 @@ final class News {
 
     /// @param time when it was measured, of the server's clock [s]
     /// @param body in the words of the newest version
-    News(Served device, Address address, int subtype, double time, Record body) {
+    News(ServedDevice device, Address address, int subtype, double time, Record body) {
         this.device = device;
         this.address = address;
         this.subtype = subtype;
@@ -26,12 +26,12 @@ final class News {
         this.body = body;
     }
 
-    Served device() {
+    ServedDevice device() {
         return device;
     }
 
     Packet in(Protocol protocol) {
         return packets.computeIfAbsent(
-                protocol, words -> Packet.of(address, Kind.DATA, subtype, time, words.worded(body)));
+                protocol, words -> Packet.of(address, MessageKind.DATA, subtype, time, words.worded(body)));
     }
 }

@@ -13,7 +13,7 @@ import java.util.function.DoubleSupplier;
 import rsal.player.message.Session;
 import rsal.player.message.Session.ReplaceRule;
 import rsal.player.wire.Header;
-import rsal.player.wire.Kind;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 import rsal.time.AllowedToReadWallClock;
 
@@ -162,7 +162,7 @@ final class OutQueue {
 
     /// All that is there goes; the round is over if there is data in it, else it waits for some.
     private void endRound() {
-        wanted = queue.stream().noneMatch(packet -> packet.header().kind() == Kind.DATA);
+        wanted = queue.stream().noneMatch(packet -> packet.header().kind() == MessageKind.DATA);
         go();
         if (!wanted) {
             going.addLast(synch());
@@ -252,7 +252,7 @@ final class OutQueue {
     }
 
     private static boolean isAnswer(Packet packet) {
-        return packet.header().kind() == Kind.ACK || packet.header().kind() == Kind.NACK;
+        return packet.header().kind() == MessageKind.ACK || packet.header().kind() == MessageKind.NACK;
     }
 
     private void count(Packet answer, int more) {
@@ -264,7 +264,12 @@ final class OutQueue {
         int lost = dropped;
         dropped = 0;
         return lost == 0
-                ? Packet.of(Session.SERVER, Kind.SYNCH, Session.COMPLETE, time.getAsDouble())
-                : Packet.of(Session.SERVER, Kind.SYNCH, Session.OVERFLOW, time.getAsDouble(), new Session.Lost(lost));
+                ? Packet.of(Session.SERVER, MessageKind.SYNCH, Session.COMPLETE, time.getAsDouble())
+                : Packet.of(
+                        Session.SERVER,
+                        MessageKind.SYNCH,
+                        Session.OVERFLOW,
+                        time.getAsDouble(),
+                        new Session.Lost(lost));
     }
 }

@@ -18,11 +18,11 @@ import rsal.player.message.Chars;
 import rsal.player.message.Interface;
 import rsal.player.message.Protocol;
 import rsal.player.message.Session;
-import rsal.player.server.Served.Answer;
+import rsal.player.server.ServedDevice.Answer;
 import rsal.player.wire.Address;
 import rsal.player.wire.Header;
-import rsal.player.wire.Kind;
 import rsal.player.wire.MalformedException;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 import rsal.time.AllowedToReadWallClock;
 
@@ -37,8 +37,8 @@ final class Peer {
     private final Socket socket;
     private final Port port;
     private final OutQueue out;
-    private final Set<Served> subscribed = new HashSet<>(); // guarded by itself
-    private final Set<Served> commanded = ConcurrentHashMap.newKeySet(); // changed by the thread that reads
+    private final Set<ServedDevice> subscribed = new HashSet<>(); // guarded by itself
+    private final Set<ServedDevice> commanded = ConcurrentHashMap.newKeySet(); // changed by the thread that reads
     private final Semaphore asking = new Semaphore(MOST_ASKED);
     private final AtomicBoolean over = new AtomicBoolean();
     private volatile Protocol protocol; // as far as it has shown
@@ -141,12 +141,12 @@ final class Peer {
         } catch (IOException e) {
             // it is of no more use either way
         }
-        Set<Served> left;
+        Set<ServedDevice> left;
         synchronized (subscribed) {
             left = Set.copyOf(subscribed);
             subscribed.clear();
         }
-        left.forEach(Served::close);
+        left.forEach(ServedDevice::close);
     }
 
     private void take(Packet packet) throws InterruptedException {
@@ -155,11 +155,11 @@ final class Peer {
             ask(packet);
             return;
         }
-        Served device = port.device(header.address()).orElse(null);
+        ServedDevice device = port.device(header.address()).orElse(null);
         if (device == null) {
             return; // as Player does
         }
-        if (header.kind() == Kind.REQUEST && header.subtype() == CAPABILITY) {
+        if (header.kind() == MessageKind.REQUEST && header.subtype() == CAPABILITY) {
             reply(packet, device, capability(device, packet));
             return;
         }
@@ -167,20 +167,20 @@ final class Peer {
         try {
             hand(protocol.asNewest(packet), device);
         } catch (MalformedException e) {
-            if (header.kind() == Kind.REQUEST) { // kinder than Player: there are clients that wait forever
+            if (header.kind() == MessageKind.REQUEST) { // kinder than Player: there are clients that wait forever
                 reply(packet, device, new Answer.Refused());
             }
         }
     }
 
-    private void hand(Packet packet, Served device) throws InterruptedException {
-        if (packet.header().kind() == Kind.COMMAND) {
+    private void hand(Packet packet, ServedDevice device) throws InterruptedException {
+        if (packet.header().kind() == MessageKind.COMMAND) {
             if (commanded.add(device)) {
                 device.open(); // used until the client gives it back, whether it wants its data or not
             }
             port.commands(this, device);
             device.command(packet);
-        } else if (packet.header().kind() == Kind.REQUEST) {
+        } else if (packet.header().kind() == MessageKind.REQUEST) {
             asking.acquire();
             device.ask(packet).whenComplete((answer, error) -> {
                 reply(packet, device, error == null ? answer : null);
@@ -189,10 +189,10 @@ final class Peer {
         }
     }
 
-    private static Answer capability(Served device, Packet packet) {
+    private static Answer capability(ServedDevice device, Packet packet) {
         try {
             var asked = packet.start(Session.Capability.class);
-            return device.understands(Kind.of(asked.type()), asked.subtype())
+            return device.understands(MessageKind.of(asked.type()), asked.subtype())
                     ? new Answer.Done()
                     : new Answer.Refused();
         } catch (MalformedException e) {
@@ -200,62 +200,65 @@ final class Peer {
         }
     }
 
-    private void reply(Packet request, Served device, @Nullable Answer answer) {
+    private void reply(Packet request, ServedDevice device, @Nullable Answer answer) {
         Address address = port.address(device);
         int subtype = request.header().subtype();
         out.answer(
                 switch (answer) {
-                    case Answer.Done _ -> Packet.of(address, Kind.ACK, subtype, port.time());
+                    case Answer.Done _ -> Packet.of(address, MessageKind.ACK, subtype, port.time());
                     case Answer.Told(Record body) ->
-                        Packet.of(address, Kind.ACK, subtype, port.time(), protocol.worded(body));
-                    case Answer.Refused _ -> Packet.of(address, Kind.NACK, subtype, port.time());
-                    case null -> Packet.of(address, Kind.NACK, subtype, port.time());
+                        Packet.of(address, MessageKind.ACK, subtype, port.time(), protocol.worded(body));
+                    case Answer.Refused _ -> Packet.of(address, MessageKind.NACK, subtype, port.time());
+                    case null -> Packet.of(address, MessageKind.NACK, subtype, port.time());
                 });
     }
 
     /// Something of the server itself.
     private void ask(Packet request) throws InterruptedException {
         try {
-            if (request.header().kind() != Kind.REQUEST) {
-                answer(request, Kind.NACK, null);
+            if (request.header().kind() != MessageKind.REQUEST) {
+                answer(request, MessageKind.NACK, null);
                 return;
             }
             switch (request.header().subtype()) {
-                case Session.DEVICES -> answer(request, Kind.ACK, new Session.Devices(port.addresses()));
+                case Session.DEVICES -> answer(request, MessageKind.ACK, new Session.Devices(port.addresses()));
                 case Session.DRIVER ->
                     driver(request, request.start(Session.Driver.class).device());
                 case Session.DEVICE -> subscribe(request, request.start(Session.Subscription.class));
-                case Session.DATA -> out.round(packet(request, Kind.ACK, null));
+                case Session.DATA -> out.round(packet(request, MessageKind.ACK, null));
                 case Session.MODE -> {
                     out.mode(request.start(Session.Mode.class).mode() == Session.PULL);
-                    answer(request, Kind.ACK, null);
+                    answer(request, MessageKind.ACK, null);
                 }
                 case Session.REPLACE_RULE ->
-                    answer(request, out.add(request.start(Session.ReplaceRule.class)) ? Kind.ACK : Kind.NACK, null);
-                default -> answer(request, Kind.NACK, null);
+                    answer(
+                            request,
+                            out.add(request.start(Session.ReplaceRule.class)) ? MessageKind.ACK : MessageKind.NACK,
+                            null);
+                default -> answer(request, MessageKind.NACK, null);
             }
         } catch (MalformedException e) {
-            answer(request, Kind.NACK, null);
+            answer(request, MessageKind.NACK, null);
         }
     }
 
     private void driver(Packet request, Address asked) {
-        Optional<Served> device = port.device(asked);
+        Optional<ServedDevice> device = port.device(asked);
         if (device.isPresent()) {
             Address address = port.address(device.get());
             answer(
                     request,
-                    Kind.ACK,
+                    MessageKind.ACK,
                     new Session.Driver(address, Chars.of(device.get().driver())));
         } else {
-            answer(request, Kind.NACK, null); // as Player has it: javaclient3 does not read a body here
+            answer(request, MessageKind.NACK, null); // as Player has it: javaclient3 does not read a body here
         }
     }
 
     private void subscribe(Packet request, Session.Subscription asked) throws InterruptedException {
-        Served device = port.device(asked.device()).orElse(null);
+        ServedDevice device = port.device(asked.device()).orElse(null);
         if (device == null) {
-            answer(request, Kind.NACK, new Session.Subscription(asked.device(), Session.ERROR, new byte[0]));
+            answer(request, MessageKind.NACK, new Session.Subscription(asked.device(), Session.ERROR, new byte[0]));
         } else if (asked.access() == Session.OPEN) {
             asking.acquire();
             device.open().whenComplete((works, error) -> {
@@ -278,7 +281,7 @@ final class Peer {
     }
 
     /// No data may come before the answer: some clients take whatever comes next for it.
-    private void opened(Packet request, Served device, boolean works) {
+    private void opened(Packet request, ServedDevice device, boolean works) {
         Packet granted = granted(request, device, works ? Session.OPEN : Session.ERROR);
         boolean more;
         synchronized (subscribed) {
@@ -290,16 +293,16 @@ final class Peer {
         }
     }
 
-    private Packet granted(Packet request, Served device, int access) {
+    private Packet granted(Packet request, ServedDevice device, int access) {
         Address address = port.address(device);
-        return packet(request, Kind.ACK, new Session.Subscription(address, access, Chars.of(device.driver())));
+        return packet(request, MessageKind.ACK, new Session.Subscription(address, access, Chars.of(device.driver())));
     }
 
-    private void answer(Packet request, Kind kind, @Nullable Record body) {
+    private void answer(Packet request, MessageKind kind, @Nullable Record body) {
         out.answer(packet(request, kind, body));
     }
 
-    private Packet packet(Packet request, Kind kind, @Nullable Record body) {
+    private Packet packet(Packet request, MessageKind kind, @Nullable Record body) {
         Address address = port.address(Interface.PLAYER, 0);
         int subtype = request.header().subtype();
         Packet packet = body == null

@@ -42,9 +42,9 @@ public final class Port implements AutoCloseable {
     private final DoubleSupplier time;
     private final Executor afterwards;
     private final int host;
-    private final Map<Address, Served> devices = new LinkedHashMap<>(); // by address without host and port
+    private final Map<Address, ServedDevice> devices = new LinkedHashMap<>(); // by address without host and port
     private final Set<Peer> peers = ConcurrentHashMap.newKeySet();
-    private final Map<Served, Peer> commanders = new ConcurrentHashMap<>(); // who commanded last
+    private final Map<ServedDevice, Peer> commanders = new ConcurrentHashMap<>(); // who commanded last
     private final List<News> news = new ArrayList<>(); // not told yet; guarded by itself
 
     /// Listens at once, but takes no clients before it is [started][#start].
@@ -56,7 +56,7 @@ public final class Port implements AutoCloseable {
     /// @throws IOException when nobody may listen there
     public Port(
             InetSocketAddress at,
-            List<? extends Served> devices,
+            List<? extends ServedDevice> devices,
             Protocol protocol,
             DoubleSupplier time,
             Executor afterwards)
@@ -130,7 +130,7 @@ public final class Port implements AutoCloseable {
     ///
     /// @param at when it was measured, of the server's clock [s]
     /// @param body in the words of the newest version
-    public void publish(Served device, int subtype, double at, Record body) {
+    public void publish(ServedDevice device, int subtype, double at, Record body) {
         if (peers.isEmpty()) {
             return;
         }
@@ -184,7 +184,7 @@ public final class Port implements AutoCloseable {
         return new Address(host, number(), interf.code(), index);
     }
 
-    Address address(Served device) {
+    Address address(ServedDevice device) {
         return address(device.interf(), device.index());
     }
 
@@ -193,17 +193,17 @@ public final class Port implements AutoCloseable {
     }
 
     /// Whatever host and port a client has written: they are those of its connection.
-    Optional<Served> device(Address asked) {
+    Optional<ServedDevice> device(Address asked) {
         return Optional.ofNullable(devices.get(Address.of(asked.interf(), asked.index())));
     }
 
     /// A client commands a device.
-    void commands(Peer peer, Served device) {
+    void commands(Peer peer, ServedDevice device) {
         commanders.put(device, peer);
     }
 
     /// A client that has commanded a device gives it back, or is gone.
-    void givesBack(Peer peer, Served device) {
+    void givesBack(Peer peer, ServedDevice device) {
         if (commanders.remove(device, peer)) {
             device.forsaken();
         }

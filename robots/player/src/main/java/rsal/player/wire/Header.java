@@ -8,7 +8,7 @@ import java.nio.ByteBuffer;
 /// @param time [s] of the sender's clock
 /// @param sequence of a request to the interface `player`, which its answer repeats; else 0
 /// @param size of the body [bytes]
-public record Header(Address address, Kind kind, int subtype, double time, int sequence, int size) {
+public record Header(Address address, MessageKind kind, int subtype, double time, int sequence, int size) {
     public static final int BYTES = 40;
 
     /// Most that a body may have [bytes], as Player has it.
@@ -17,7 +17,7 @@ public record Header(Address address, Kind kind, int subtype, double time, int s
     public static Header read(ByteBuffer from) throws MalformedException {
         var address = new Address(from.getInt(), from.getInt(), from.getInt(), from.getInt());
         var header = new Header(
-                address, Kind.of(from.getInt()), from.getInt(), from.getDouble(), from.getInt(), from.getInt());
+                address, MessageKind.of(from.getInt()), from.getInt(), from.getDouble(), from.getInt(), from.getInt());
         if (header.size < 0 || header.size > MOST) {
             throw new MalformedException("A message can't have (%s) bytes; at most %d."
                     .formatted(Integer.toUnsignedString(header.size), MOST));

@@ -13,11 +13,11 @@ public record Packet(Header header, byte[] body) {
     private static final byte[] NOTHING = {};
 
     /// A message without a body.
-    public static Packet of(Address address, Kind kind, int subtype, double time) {
+    public static Packet of(Address address, MessageKind kind, int subtype, double time) {
         return new Packet(new Header(address, kind, subtype, time, 0, 0), NOTHING);
     }
 
-    public static <T extends Record> Packet of(Address address, Kind kind, int subtype, double time, T body) {
+    public static <T extends Record> Packet of(Address address, MessageKind kind, int subtype, double time, T body) {
         byte[] bytes = Layout.of(body).bytes(body);
         return new Packet(new Header(address, kind, subtype, time, 0, bytes.length), bytes);
     }

@@ -28,9 +28,9 @@ import rsal.player.message.Interface;
 import rsal.player.message.Protocol;
 import rsal.player.wire.Address;
 import rsal.player.wire.Header;
-import rsal.player.wire.Kind;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
-import rsal.scene.Service;
+import rsal.scene.RobotService;
 import rsal.system.Bridge.Offer;
 import rsal.system.BridgeProvider.Lent;
 import rsal.system.CommandTimeout;
@@ -64,7 +64,7 @@ abstract class BridgeBench extends RobotBench {
     private Connection client;
 
     /// What is offered; empty for all.
-    List<Service> services() {
+    List<RobotService> services() {
         return List.of();
     }
 
@@ -165,12 +165,12 @@ abstract class BridgeBench extends RobotBench {
 
     final <T extends Record> T asked(Interface interf, int subtype, Class<T> type)
             throws IOException, InterruptedException {
-        Packet request = Packet.of(Address.of(interf.code(), 0), Kind.REQUEST, subtype, 0);
+        Packet request = Packet.of(Address.of(interf.code(), 0), MessageKind.REQUEST, subtype, 0);
         return answer(client.ask(request)).body(type);
     }
 
     final void command(int subtype, Record body) {
-        client.command(Packet.of(BASE, Kind.COMMAND, subtype, 0, body));
+        client.command(Packet.of(BASE, MessageKind.COMMAND, subtype, 0, body));
     }
 
     /// What it was told last, subscribing first.
@@ -185,7 +185,7 @@ abstract class BridgeBench extends RobotBench {
     }
 
     final <T extends Record> Packet ask(Interface interf, int subtype, T body) throws InterruptedException {
-        return answer(client.ask(Packet.of(Address.of(interf.code(), 0), Kind.REQUEST, subtype, 0, body)));
+        return answer(client.ask(Packet.of(Address.of(interf.code(), 0), MessageKind.REQUEST, subtype, 0, body)));
     }
 
     final <T extends Record> void refused(Interface interf, int subtype, T body) {
@@ -214,7 +214,7 @@ abstract class BridgeBench extends RobotBench {
             OutputStream out = socket.getOutputStream();
             for (int i = 0; i < BABBLE; i++) {
                 Address device = devices.get(random.nextInt(devices.size()));
-                Kind kind = random.nextBoolean() ? Kind.COMMAND : Kind.REQUEST;
+                MessageKind kind = random.nextBoolean() ? MessageKind.COMMAND : MessageKind.REQUEST;
                 byte[] body = body(random);
                 var header = new Header(
                         Address.of(device.interf(), device.index()), kind, random.nextInt(10), 0, 0, body.length);

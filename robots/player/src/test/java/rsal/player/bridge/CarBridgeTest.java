@@ -17,7 +17,7 @@ import rsal.player.message.Pose;
 import rsal.player.message.Position2d;
 import rsal.player.message.Session;
 import rsal.player.wire.Address;
-import rsal.player.wire.Kind;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Axis;
@@ -71,8 +71,8 @@ class CarBridgeTest extends BridgeBench {
 
     @Test
     void takesNoGoalsSinceItDoesNotTurnInPlace() throws Exception {
-        ask(Interface.POSITION2D, CAPABILITY, new Session.Capability(Kind.COMMAND.code(), Position2d.CAR));
-        refused(Interface.POSITION2D, CAPABILITY, new Session.Capability(Kind.COMMAND.code(), Position2d.GOAL));
+        ask(Interface.POSITION2D, CAPABILITY, new Session.Capability(MessageKind.COMMAND.code(), Position2d.CAR));
+        refused(Interface.POSITION2D, CAPABILITY, new Session.Capability(MessageKind.COMMAND.code(), Position2d.GOAL));
         command(Position2d.GOAL, new Position2d.Goal(new Pose(1, 0, 0), new Pose(0, 0, 0), 1));
         answer(client().devices());
         advance(2);
@@ -84,7 +84,7 @@ class CarBridgeTest extends BridgeBench {
     }
 
     private void joint(int subtype, Record body) {
-        client().command(Packet.of(Address.of(Interface.ACTARRAY.code(), 0), Kind.COMMAND, subtype, 0, body));
+        client().command(Packet.of(Address.of(Interface.ACTARRAY.code(), 0), MessageKind.COMMAND, subtype, 0, body));
     }
 
     @Test

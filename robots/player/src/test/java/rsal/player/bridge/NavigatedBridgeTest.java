@@ -15,11 +15,11 @@ import rsal.device.Localizer;
 import rsal.device.Navigator;
 import rsal.player.message.Interface;
 import rsal.player.message.Localize;
-import rsal.player.message.Planner;
+import rsal.player.message.PlannerInterface;
 import rsal.player.message.Pose;
 import rsal.player.message.Position2d;
 import rsal.player.wire.Address;
-import rsal.player.wire.Kind;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 import rsal.robot.DeviceDriver;
 import rsal.system.RobotSystemProvider;
@@ -50,11 +50,15 @@ class NavigatedBridgeTest extends BridgeBench {
 
     private void goal(Pose2d goal) {
         client().command(Packet.of(
-                Address.of(Interface.PLANNER.code(), 0), Kind.COMMAND, Planner.GOAL, 0, new Planner.Place(wire(goal))));
+                Address.of(Interface.PLANNER.code(), 0),
+                MessageKind.COMMAND,
+                PlannerInterface.GOAL,
+                0,
+                new PlannerInterface.Place(wire(goal))));
     }
 
-    private Planner.State state() {
-        return newest(Interface.PLANNER, Planner.State.class);
+    private PlannerInterface.State state() {
+        return newest(Interface.PLANNER, PlannerInterface.State.class);
     }
 
     private Navigator navigator() {
@@ -62,7 +66,7 @@ class NavigatedBridgeTest extends BridgeBench {
     }
 
     private void enable(int on) throws InterruptedException {
-        ask(Interface.PLANNER, Planner.ENABLE, new Planner.Enable(on));
+        ask(Interface.PLANNER, PlannerInterface.ENABLE, new PlannerInterface.Enable(on));
     }
 
     @Test
@@ -142,13 +146,13 @@ class NavigatedBridgeTest extends BridgeBench {
     @Test
     void itGoesWhereAClientWantsItAndTellsOfIt() throws Exception {
         assertThat(state())
-                .isEqualTo(new Planner.State(0, 0, wire(START), new Pose(0, 0, 0), new Pose(0, 0, 0), -1, 0));
+                .isEqualTo(new PlannerInterface.State(0, 0, wire(START), new Pose(0, 0, 0), new Pose(0, 0, 0), -1, 0));
         goal(A);
         until(() -> state().valid() == 1);
         assertThat(state().mapFromGoal()).isEqualTo(wire(A));
         assertThat(state().waypointIndex()).isZero();
         assertThat(state().done()).isZero();
-        var ways = asked(Interface.PLANNER, Planner.WAYPOINTS, Planner.Waypoints.class);
+        var ways = asked(Interface.PLANNER, PlannerInterface.WAYPOINTS, PlannerInterface.Waypoints.class);
         assertThat(ways.distance()).isBetween(1.0, START.distanceTo(A) + 0.01);
         assertThat(ways.waypoints().getLast()).isEqualTo(new Pose(A.x(), A.y(), 0));
         until(() -> state().done() == 1);

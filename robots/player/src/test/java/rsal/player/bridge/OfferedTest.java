@@ -11,7 +11,7 @@ import rsal.device.Subscription;
 import rsal.player.message.Interface;
 import rsal.player.message.Session;
 import rsal.player.wire.Address;
-import rsal.player.wire.Kind;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 import rsal.time.LockstepScheduler;
 
@@ -39,7 +39,7 @@ class OfferedTest {
 
     private static Packet command(int subtype, int number) {
         return Packet.of(
-                Address.of(Interface.POSITION2D.code(), 0), Kind.COMMAND, subtype, 0, new Session.Lost(number));
+                Address.of(Interface.POSITION2D.code(), 0), MessageKind.COMMAND, subtype, 0, new Session.Lost(number));
     }
 
     @Test

@@ -9,13 +9,13 @@ import rsal.data.Pose2d;
 import rsal.device.Localizer;
 import rsal.player.message.Interface;
 import rsal.player.message.Localize;
-import rsal.player.message.Maps;
-import rsal.player.message.Planner;
+import rsal.player.message.MapInterface;
+import rsal.player.message.PlannerInterface;
 import rsal.player.message.Pose;
 import rsal.player.message.Protocol;
 import rsal.player.message.Version30;
 import rsal.player.wire.Address;
-import rsal.player.wire.Kind;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 import rsal.robot.DeviceDriver;
 import rsal.system.RobotSystemProvider;
@@ -74,14 +74,18 @@ class OldBridgeTest extends BridgeBench {
     @Test
     void tilesHaveNoRangeAndWaysNoLength() throws Exception {
         var tile = new Version30.Tile(0, 0, 5, 5, new byte[0]);
-        assertThat(ask(Interface.MAP, Maps.TILE, tile)
+        assertThat(ask(Interface.MAP, MapInterface.TILE, tile)
                         .body(Version30.Tile.class)
                         .cells())
                 .isNotEmpty();
         client().command(Packet.of(
-                Address.of(Interface.PLANNER.code(), 0), Kind.COMMAND, Planner.GOAL, 0, new Planner.Place(A)));
-        until(() -> newest(Interface.PLANNER, Planner.State.class).valid() == 1);
-        assertThat(asked(Interface.PLANNER, Planner.WAYPOINTS, Version30.Waypoints.class)
+                Address.of(Interface.PLANNER.code(), 0),
+                MessageKind.COMMAND,
+                PlannerInterface.GOAL,
+                0,
+                new PlannerInterface.Place(A)));
+        until(() -> newest(Interface.PLANNER, PlannerInterface.State.class).valid() == 1);
+        assertThat(asked(Interface.PLANNER, PlannerInterface.WAYPOINTS, Version30.Waypoints.class)
                         .waypoints()
                         .getLast())
                 .isEqualTo(new Pose(A.x(), A.y(), 0));
@@ -90,8 +94,10 @@ class OldBridgeTest extends BridgeBench {
     /// A client of Player 3.1 is known by what it asks.
     @Test
     void whoAsksAsPlayer31DoesIsAnsweredSo() throws Exception {
-        var asked = new Maps.Tile(0, 0, 5, 5, 0, 0, new byte[0]);
-        assertThat(ask(Interface.MAP, Maps.TILE, asked).body(Maps.Tile.class).range())
+        var asked = new MapInterface.Tile(0, 0, 5, 5, 0, 0, new byte[0]);
+        assertThat(ask(Interface.MAP, MapInterface.TILE, asked)
+                        .body(MapInterface.Tile.class)
+                        .range())
                 .isEqualTo(1);
         assertThat(told(Interface.LOCALIZE, Localize.Hypotheses.class).hypotheses())
                 .hasSize(1);

@@ -31,14 +31,14 @@ import rsal.player.client.Delivery;
 import rsal.player.message.Actarray;
 import rsal.player.message.Blobfinder;
 import rsal.player.message.Box3;
-import rsal.player.message.Bumper;
+import rsal.player.message.BumperInterface;
 import rsal.player.message.Chars;
 import rsal.player.message.Dio;
 import rsal.player.message.Fiducial;
-import rsal.player.message.Gripper;
+import rsal.player.message.GripperInterface;
 import rsal.player.message.Interface;
 import rsal.player.message.Laser;
-import rsal.player.message.Maps;
+import rsal.player.message.MapInterface;
 import rsal.player.message.Pose;
 import rsal.player.message.Pose3;
 import rsal.player.message.Position2d;
@@ -51,7 +51,7 @@ import rsal.player.message.Sonar;
 import rsal.player.message.Version30;
 import rsal.player.wire.Address;
 import rsal.player.wire.Header;
-import rsal.player.wire.Kind;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 import rsal.robot.Robot;
 import rsal.robot.RobotModel.Part;
@@ -210,16 +210,16 @@ class PlayerBridgeTest extends BridgeBench {
     void odometryIsSetAndMotorsAreSwitched() throws Exception {
         subscribe(Interface.POSITION2D);
         var set = new Position2d.Odometry(new Pose(3, 4, 1));
-        answer(client().ask(Packet.of(BASE, Kind.REQUEST, Position2d.SET_ODOMETRY, 0, set)));
+        answer(client().ask(Packet.of(BASE, MessageKind.REQUEST, Position2d.SET_ODOMETRY, 0, set)));
         until(() -> robot().require(DriveBase.class)
                 .latest()
                 .orElseThrow()
                 .value()
                 .odomFromBase()
                 .isNear(new Pose2d(3, 4, 1), 1e-9, 1e-9));
-        answer(client().ask(Packet.of(BASE, Kind.REQUEST, Position2d.MOTORS, 0, new Position2d.Motors(0))));
+        answer(client().ask(Packet.of(BASE, MessageKind.REQUEST, Position2d.MOTORS, 0, new Position2d.Motors(0))));
         assertThat(robot().require(DriveBase.class).enabled()).isFalse();
-        answer(client().ask(Packet.of(BASE, Kind.REQUEST, Position2d.RESET_ODOMETRY, 0)));
+        answer(client().ask(Packet.of(BASE, MessageKind.REQUEST, Position2d.RESET_ODOMETRY, 0)));
         advance(0.2);
         assertThat(robot().require(DriveBase.class)
                         .latest()
@@ -267,13 +267,13 @@ class PlayerBridgeTest extends BridgeBench {
         assertThat(laser.size()).isEqualTo(new Box3(0.1, 0.1, 0.1));
         for (int ranger = 0; ranger < 2; ranger++) {
             var shape = answer(client().ask(Packet.of(
-                            Address.of(Interface.RANGER.code(), ranger), Kind.REQUEST, Ranger.GEOMETRY, 0)))
+                            Address.of(Interface.RANGER.code(), ranger), MessageKind.REQUEST, Ranger.GEOMETRY, 0)))
                     .body(Ranger.Geometry.class);
             assertThat(shape.size().width()).isBetween(0.05, 0.5);
             assertThat(shape.sizes()).hasSameSizeAs(shape.poses()).doesNotContain(new Box3(0, 0, 0));
         }
         var pads = ((Part.Bumper) model().sensors().get("bumper")).pads();
-        var bumpers = asked(Interface.BUMPER, Bumper.GEOMETRY, Bumper.Geometry.class);
+        var bumpers = asked(Interface.BUMPER, BumperInterface.GEOMETRY, BumperInterface.Geometry.class);
         assertThat(bumpers.bumpers()).hasSameSizeAs(pads);
         for (int i = 0; i < pads.size(); i++) {
             assertThat(bumpers.bumpers().get(i).length())
@@ -281,7 +281,7 @@ class PlayerBridgeTest extends BridgeBench {
                     .isPositive();
         }
         var made = (Part.Gripper) model().sensors().get("gripper");
-        var gripper = asked(Interface.GRIPPER, Gripper.GEOMETRY, Gripper.Geometry.class);
+        var gripper = asked(Interface.GRIPPER, GripperInterface.GEOMETRY, GripperInterface.Geometry.class);
         assertThat(gripper.pose()).isEqualTo(Pose3.of(made.baseFromGripper()));
         assertThat(gripper.outer()).isEqualTo(new Box3(made.width(), made.length(), made.height()));
         assertThat(gripper.inner()).isEqualTo(new Box3(made.opening(), made.paddleLength(), made.height()));
@@ -300,18 +300,18 @@ class PlayerBridgeTest extends BridgeBench {
             }
             for (int answers = 0; answers < 4; ) {
                 until(() -> available(socket));
-                answers += next(socket).kind() == Kind.ACK ? 1 : 0;
+                answers += next(socket).kind() == MessageKind.ACK ? 1 : 0;
             }
             for (int round = 0; round < 10; round++) {
                 socket.getOutputStream()
-                        .write(Packet.of(Session.SERVER, Kind.REQUEST, Session.DATA, 0)
+                        .write(Packet.of(Session.SERVER, MessageKind.REQUEST, Session.DATA, 0)
                                 .bytes());
-                assertThat(next(socket).kind()).isEqualTo(Kind.ACK);
+                assertThat(next(socket).kind()).isEqualTo(MessageKind.ACK);
                 var told = new ArrayList<Header>();
                 do {
                     until(() -> available(socket));
                     told.add(next(socket));
-                } while (told.getLast().kind() != Kind.SYNCH);
+                } while (told.getLast().kind() != MessageKind.SYNCH);
                 assertThat(told.subList(0, told.size() - 1))
                         .extracting(header -> header.address().interf())
                         .contains(Interface.POSITION2D.code(), Interface.LASER.code(), Interface.SONAR.code());
@@ -329,7 +329,8 @@ class PlayerBridgeTest extends BridgeBench {
 
     private static void say(Socket to, int subtype, Record body) throws IOException {
         to.getOutputStream()
-                .write(Packet.of(Session.SERVER, Kind.REQUEST, subtype, 0, body).bytes());
+                .write(Packet.of(Session.SERVER, MessageKind.REQUEST, subtype, 0, body)
+                        .bytes());
     }
 
     private static Header next(Socket from) throws IOException {
@@ -341,8 +342,8 @@ class PlayerBridgeTest extends BridgeBench {
         var power = told(Interface.POWER, Power.State.class);
         assertThat(power.valid() & Power.PERCENT).isNotZero();
         assertThat(power.percent()).isBetween(90f, 100f);
-        var bumpers = told(Interface.BUMPER, Bumper.State.class);
-        assertThat(asked(Interface.BUMPER, Bumper.GEOMETRY, Bumper.Geometry.class)
+        var bumpers = told(Interface.BUMPER, BumperInterface.State.class);
+        assertThat(asked(Interface.BUMPER, BumperInterface.GEOMETRY, BumperInterface.Geometry.class)
                         .bumpers())
                 .hasSameSizeAs(bumpers.pressed());
         assertThat(told(Interface.BLOBFINDER, Blobfinder.Blobs.class).blobs()).isEmpty();
@@ -381,9 +382,11 @@ class PlayerBridgeTest extends BridgeBench {
     @Test
     void aGripperStopsInBetweenAndItsLiftAndBeamsAreOffered() throws Exception {
         subscribe(Interface.GRIPPER);
-        client().command(Packet.of(Address.of(Interface.GRIPPER.code(), 0), Kind.COMMAND, Gripper.CLOSE, 0));
+        client().command(Packet.of(
+                Address.of(Interface.GRIPPER.code(), 0), MessageKind.COMMAND, GripperInterface.CLOSE, 0));
         until(() -> gripper() == 3);
-        client().command(Packet.of(Address.of(Interface.GRIPPER.code(), 0), Kind.COMMAND, Gripper.STOP, 0));
+        client().command(Packet.of(
+                Address.of(Interface.GRIPPER.code(), 0), MessageKind.COMMAND, GripperInterface.STOP, 0));
         answer(client().devices());
         advance(10);
         assertThat(robot().require(rsal.device.Gripper.class)
@@ -393,10 +396,12 @@ class PlayerBridgeTest extends BridgeBench {
                         .closed())
                 .isStrictlyBetween(0.01, 0.99);
         var up = new Actarray.Position(0, 1);
-        client().command(Packet.of(Address.of(Interface.ACTARRAY.code(), 0), Kind.COMMAND, Actarray.POSITION, 0, up));
+        client().command(Packet.of(
+                Address.of(Interface.ACTARRAY.code(), 0), MessageKind.COMMAND, Actarray.POSITION, 0, up));
         until(() -> lift().position() == 1 && lift().state() == 1);
         var down = new Actarray.Speed(0, -1);
-        client().command(Packet.of(Address.of(Interface.ACTARRAY.code(), 0), Kind.COMMAND, Actarray.SPEED, 0, down));
+        client().command(Packet.of(
+                Address.of(Interface.ACTARRAY.code(), 0), MessageKind.COMMAND, Actarray.SPEED, 0, down));
         until(() -> lift().position() == 0);
         var limits = asked(Interface.ACTARRAY, Actarray.GEOMETRY, Actarray.Geometry.class)
                 .joints();
@@ -412,15 +417,18 @@ class PlayerBridgeTest extends BridgeBench {
     @Test
     void aGripperClosesAndOpens() throws Exception {
         subscribe(Interface.GRIPPER);
-        assertThat(told(Interface.GRIPPER, Gripper.State.class).state()).isEqualTo(1);
-        client().command(Packet.of(Address.of(Interface.GRIPPER.code(), 0), Kind.COMMAND, Gripper.CLOSE, 0));
+        assertThat(told(Interface.GRIPPER, GripperInterface.State.class).state())
+                .isEqualTo(1);
+        client().command(Packet.of(
+                Address.of(Interface.GRIPPER.code(), 0), MessageKind.COMMAND, GripperInterface.CLOSE, 0));
         until(() -> gripper() == 2);
-        client().command(Packet.of(Address.of(Interface.GRIPPER.code(), 0), Kind.COMMAND, Gripper.OPEN, 0));
+        client().command(Packet.of(
+                Address.of(Interface.GRIPPER.code(), 0), MessageKind.COMMAND, GripperInterface.OPEN, 0));
         until(() -> gripper() == 1);
     }
 
     private int gripper() {
-        return newest(Interface.GRIPPER, Gripper.State.class).state();
+        return newest(Interface.GRIPPER, GripperInterface.State.class).state();
     }
 
     @Test
@@ -459,22 +467,22 @@ class PlayerBridgeTest extends BridgeBench {
                 Simulation.PROPERTY,
                 new Simulation.Property(Chars.of("r1"), Chars.of("color"), 0, new byte[16]));
         assertThat(truth()).isEqualTo(START);
-        var known = new Session.Capability(Kind.REQUEST.code(), Simulation.SET_POSE3);
-        assertThat(ask(Interface.SIMULATION, 255, known).header().kind()).isEqualTo(Kind.ACK);
+        var known = new Session.Capability(MessageKind.REQUEST.code(), Simulation.SET_POSE3);
+        assertThat(ask(Interface.SIMULATION, 255, known).header().kind()).isEqualTo(MessageKind.ACK);
     }
 
     @Test
     void theMapComesInTiles() throws Exception {
-        var extent = asked(Interface.MAP, Maps.INFO, Maps.Extent.class);
+        var extent = asked(Interface.MAP, MapInterface.INFO, MapInterface.Extent.class);
         OccupancyGrid map = WORLD.grid();
         assertThat(extent)
-                .isEqualTo(
-                        new Maps.Extent(0.25f, map.width(), map.height(), new Pose(map.originX(), map.originY(), 0)));
+                .isEqualTo(new MapInterface.Extent(
+                        0.25f, map.width(), map.height(), new Pose(map.originX(), map.originY(), 0)));
         int side = 20;
         var seen = new byte[map.width() * map.height()];
         for (int row = 0; row < map.height(); row += side) {
             for (int column = 0; column < map.width(); column += side) {
-                Maps.Tile tile = tile(column, row, side, side);
+                MapInterface.Tile tile = tile(column, row, side, side);
                 byte[] cells = unpacked(tile.cells(), side * side);
                 for (int i = 0; i < cells.length; i++) {
                     int x = column + i % side;
@@ -492,9 +500,10 @@ class PlayerBridgeTest extends BridgeBench {
         }
     }
 
-    private Maps.Tile tile(int column, int row, int width, int height) throws IOException, InterruptedException {
-        var asked = new Maps.Tile(column, row, width, height, 0, 0, new byte[0]);
-        return ask(Interface.MAP, Maps.TILE, asked).body(Maps.Tile.class);
+    private MapInterface.Tile tile(int column, int row, int width, int height)
+            throws IOException, InterruptedException {
+        var asked = new MapInterface.Tile(column, row, width, height, 0, 0, new byte[0]);
+        return ask(Interface.MAP, MapInterface.TILE, asked).body(MapInterface.Tile.class);
     }
 
     private static byte[] unpacked(byte[] packed, int size) throws IOException {
@@ -509,21 +518,21 @@ class PlayerBridgeTest extends BridgeBench {
     @Test
     void whoAsksForTilesAsPlayer30DoesGetsThemSo() throws Exception {
         var asked = new Version30.Tile(0, 0, 3, 2, new byte[0]);
-        Version30.Tile old = ask(Interface.MAP, Maps.TILE, asked).body(Version30.Tile.class);
+        Version30.Tile old = ask(Interface.MAP, MapInterface.TILE, asked).body(Version30.Tile.class);
         assertThat(old.width()).isEqualTo(3);
-        Maps.Tile now = tile(0, 0, 3, 2);
+        MapInterface.Tile now = tile(0, 0, 3, 2);
         assertThat(unpacked(old.cells(), 6)).isEqualTo(unpacked(now.cells(), 6));
     }
 
     @ParameterizedTest
     @CsvSource({"0, 5", "5, 0", "-5, -5", "100000, 100000", "2147483647, 2147483647", "-2147483648, -1"})
     void tilesOfNoSizeOrTooLargeAreRefused(int width, int height) {
-        refused(Interface.MAP, Maps.TILE, new Maps.Tile(0, 0, width, height, 0, 0, new byte[0]));
+        refused(Interface.MAP, MapInterface.TILE, new MapInterface.Tile(0, 0, width, height, 0, 0, new byte[0]));
     }
 
     @Test
     void tilesFromAnywhereElseAreUnknown() throws Exception {
-        Maps.Tile tile = tile(Integer.MAX_VALUE - 1, Integer.MIN_VALUE, 3, 3);
+        MapInterface.Tile tile = tile(Integer.MAX_VALUE - 1, Integer.MIN_VALUE, 3, 3);
         assertThat(unpacked(tile.cells(), 9)).containsOnly(0);
     }
 

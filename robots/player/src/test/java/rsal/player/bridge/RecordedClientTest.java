@@ -19,9 +19,9 @@ import rsal.device.Navigator.Tolerance;
 import rsal.player.Recorded;
 import rsal.player.message.Protocol;
 import rsal.player.wire.Header;
-import rsal.player.wire.Kind;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
-import rsal.scene.Service;
+import rsal.scene.RobotService;
 import rsal.settings.Location;
 import rsal.sim.SimProvider;
 import rsal.system.RobotSystemProvider;
@@ -40,15 +40,15 @@ class RecordedClientTest extends BridgeBench {
 
     /// What the real server offered.
     @Override
-    List<Service> services() {
+    List<RobotService> services() {
         return List.of(
-                service("stage", Map.of("simulation:0", Service.SIMULATION, "position2d:0", "base")),
+                service("stage", Map.of("simulation:0", RobotService.SIMULATION, "position2d:0", "base")),
                 service("stage", Map.of("ranger:0", "sonar", "ranger:1", "laser")),
                 service("rangertolaser", Map.of("laser:0", "laser")));
     }
 
-    private static Service service(String driver, Map<String, String> sources) {
-        return new Service(
+    private static RobotService service(String driver, Map<String, String> sources) {
+        return new RobotService(
                 driver,
                 Location.of("test.cfg"),
                 6665,
@@ -73,7 +73,8 @@ class RecordedClientTest extends BridgeBench {
                 Packet packet = packet(message.bytes());
                 if (message.sent()) {
                     socket.getOutputStream().write(withOurRobot(message.bytes()));
-                } else if (packet.header().kind() == Kind.ACK || packet.header().kind() == Kind.NACK) {
+                } else if (packet.header().kind() == MessageKind.ACK
+                        || packet.header().kind() == MessageKind.NACK) {
                     until(() -> !answers.isEmpty());
                     isLike(answers.remove(), packet);
                     asked++;
@@ -87,8 +88,8 @@ class RecordedClientTest extends BridgeBench {
     private static void listen(BufferedInputStream in, BlockingQueue<Packet> answers) {
         try {
             for (Optional<Packet> next = Packet.read(in); next.isPresent(); next = Packet.read(in)) {
-                Kind kind = next.get().header().kind();
-                if (kind == Kind.ACK || kind == Kind.NACK) {
+                MessageKind kind = next.get().header().kind();
+                if (kind == MessageKind.ACK || kind == MessageKind.NACK) {
                     answers.add(next.get());
                 }
             }

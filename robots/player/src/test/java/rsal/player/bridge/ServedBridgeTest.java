@@ -12,14 +12,14 @@ import rsal.device.DriveBase;
 import rsal.device.Navigator;
 import rsal.device.Navigator.Tolerance;
 import rsal.player.message.Interface;
-import rsal.player.message.Planner;
+import rsal.player.message.PlannerInterface;
 import rsal.player.message.Pose;
 import rsal.player.message.Position2d;
 import rsal.player.wire.Address;
-import rsal.player.wire.Kind;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 import rsal.robot.DeviceDriver;
-import rsal.scene.Service;
+import rsal.scene.RobotService;
 import rsal.settings.Location;
 import rsal.system.Bridge.Offer;
 import rsal.system.RobotSystemProvider;
@@ -45,8 +45,8 @@ class ServedBridgeTest extends BridgeBench {
         return List.of(new FakeLocalizer.Driver(), new FakeNavigator.Driver());
     }
 
-    private static Service service(String driver, int port, Map<String, String> sources) {
-        return new Service(
+    private static RobotService service(String driver, int port, Map<String, String> sources) {
+        return new RobotService(
                 driver,
                 Location.of("test.cfg"),
                 port,
@@ -60,15 +60,15 @@ class ServedBridgeTest extends BridgeBench {
     }
 
     @Override
-    List<Service> services() {
+    List<RobotService> services() {
         return List.of(
                 service("stage", 6665, Map.of("position2d:0", "base")),
                 service("amcl", 6665, Map.of("localize:4", "fake-localizer", "position2d:2", "fake-localizer")),
                 service("vfh", 6665, Map.of("position2d:1", "fake-navigator")),
                 service("wavefront", 6665, Map.of("planner:3", "fake-navigator")),
                 service("rangertolaser", 6668, Map.of("laser:7", "laser", "sonar:0", "laser", "log:0", "nothing")),
-                service("mapfile", 6668, Map.of("map:2", Service.MAP, "own:0", Service.MAP)),
-                service("stage", 6668, Map.of("simulation:1", Service.SIMULATION)));
+                service("mapfile", 6668, Map.of("map:2", RobotService.MAP, "own:0", RobotService.MAP)),
+                service("stage", 6668, Map.of("simulation:1", RobotService.SIMULATION)));
     }
 
     @Test
@@ -99,7 +99,7 @@ class ServedBridgeTest extends BridgeBench {
                 .filter(state -> state.odomFromBase().equals(new Pose(START.x(), START.y(), START.theta())))
                 .isPresent());
         client().command(Packet.of(
-                believed, Kind.COMMAND, Position2d.VELOCITY, 0, new Position2d.Velocity(new Pose(1, 0, 0), 1)));
+                believed, MessageKind.COMMAND, Position2d.VELOCITY, 0, new Position2d.Velocity(new Pose(1, 0, 0), 1)));
         answer(client().devices());
         advance(1);
         assertThat(truth()).isEqualTo(START);
@@ -113,7 +113,7 @@ class ServedBridgeTest extends BridgeBench {
         Pose2d goal = new Pose2d(1, 2, Math.PI / 2).compose(startFromA);
         var told = new Position2d.Goal(new Pose(goal.x(), goal.y(), goal.theta()), new Pose(0, 0, 0), 1);
         for (int i = 0; i < 5; i++) { // as others say it again and again
-            client().command(Packet.of(AVOIDING, Kind.COMMAND, Position2d.GOAL, 0, told));
+            client().command(Packet.of(AVOIDING, MessageKind.COMMAND, Position2d.GOAL, 0, told));
             answer(client().devices());
             advance(0.2);
         }
@@ -127,7 +127,7 @@ class ServedBridgeTest extends BridgeBench {
         advance(0.3);
         double far = Double.MAX_VALUE; // finite, but not once it is turned by 45°
         var goal = new Position2d.Goal(new Pose(far, far, 0), new Pose(0, 0, 0), 1);
-        client().command(Packet.of(AVOIDING, Kind.COMMAND, Position2d.GOAL, 0, goal));
+        client().command(Packet.of(AVOIDING, MessageKind.COMMAND, Position2d.GOAL, 0, goal));
         answer(client().devices());
         advance(1);
         assertThat(robot().require(Navigator.class).goal()).isEmpty();
@@ -138,15 +138,20 @@ class ServedBridgeTest extends BridgeBench {
     void aVelocityEndsItsGoalAndSoDoesOneOfThePlanner() throws Exception {
         var goal = new Position2d.Goal(new Pose(3, 0, 0), new Pose(0, 0, 0), 1);
         var navigator = robot().require(Navigator.class);
-        client().command(Packet.of(AVOIDING, Kind.COMMAND, Position2d.GOAL, 0, goal));
+        client().command(Packet.of(AVOIDING, MessageKind.COMMAND, Position2d.GOAL, 0, goal));
         until(() -> navigator.goal().isPresent());
         client().command(Packet.of(
-                AVOIDING, Kind.COMMAND, Position2d.VELOCITY, 0, new Position2d.Velocity(new Pose(0, 0, 0.3), 1)));
+                AVOIDING,
+                MessageKind.COMMAND,
+                Position2d.VELOCITY,
+                0,
+                new Position2d.Velocity(new Pose(0, 0, 0.3), 1)));
         until(() -> navigator.goal().isEmpty());
-        client().command(Packet.of(AVOIDING, Kind.COMMAND, Position2d.GOAL, 0, goal));
+        client().command(Packet.of(AVOIDING, MessageKind.COMMAND, Position2d.GOAL, 0, goal));
         until(() -> navigator.goal().isPresent());
-        var there = new Planner.Place(new Pose(A.x(), A.y(), 0));
-        client().command(Packet.of(Address.of(Interface.PLANNER.code(), 3), Kind.COMMAND, Planner.GOAL, 0, there));
+        var there = new PlannerInterface.Place(new Pose(A.x(), A.y(), 0));
+        client().command(Packet.of(
+                Address.of(Interface.PLANNER.code(), 3), MessageKind.COMMAND, PlannerInterface.GOAL, 0, there));
         until(() -> truth().isNear(A, 0.15, 0.15));
     }
 

@@ -13,7 +13,7 @@ import rsal.player.message.Interface;
 import rsal.player.message.Pose;
 import rsal.player.message.Position2d;
 import rsal.player.wire.Address;
-import rsal.player.wire.Kind;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 import rsal.sim.SimProvider;
 import rsal.system.CommandTimeout;
@@ -49,8 +49,8 @@ class SilentClientTest extends BridgeBench implements CommandTimeoutContract {
     public void command() throws Exception {
         subscribe(Interface.POSITION2D);
         command(Position2d.VELOCITY, new Position2d.Velocity(new Pose(0, 0, 0.3), 1));
-        answer(client().ask(
-                        Packet.of(Address.of(Interface.POSITION2D.code(), 0), Kind.REQUEST, Position2d.GEOMETRY, 0)));
+        answer(client().ask(Packet.of(
+                Address.of(Interface.POSITION2D.code(), 0), MessageKind.REQUEST, Position2d.GEOMETRY, 0)));
         until(this::isMoving); // what was asked later is answered, so the command has arrived
     }
 
@@ -90,7 +90,7 @@ class SilentClientTest extends BridgeBench implements CommandTimeoutContract {
         subscribe(Interface.ACTARRAY);
         client().command(Packet.of(
                 Address.of(Interface.ACTARRAY.code(), 0),
-                Kind.COMMAND,
+                MessageKind.COMMAND,
                 Actarray.SPEED,
                 0,
                 new Actarray.Speed(0, 0.2f)));

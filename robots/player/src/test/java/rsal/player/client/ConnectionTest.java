@@ -30,7 +30,7 @@ import rsal.player.Recorded;
 import rsal.player.client.Connection.Silence;
 import rsal.player.message.Chars;
 import rsal.player.message.Graphics2d;
-import rsal.player.message.Gripper;
+import rsal.player.message.GripperInterface;
 import rsal.player.message.Interface;
 import rsal.player.message.Pose;
 import rsal.player.message.Position2d;
@@ -38,7 +38,7 @@ import rsal.player.message.Protocol;
 import rsal.player.message.Session;
 import rsal.player.wire.Address;
 import rsal.player.wire.Header;
-import rsal.player.wire.Kind;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 
 @Timeout(60)
@@ -94,11 +94,11 @@ class ConnectionTest {
 
     private static Packet state(double x) {
         var state = new Position2d.State(new Pose(x, 0, 0), new Pose(0, 0, 0), 0);
-        return Packet.of(BASE, Kind.DATA, Position2d.STATE, 0, state);
+        return Packet.of(BASE, MessageKind.DATA, Position2d.STATE, 0, state);
     }
 
     private static Packet synch() {
-        return Packet.of(PLAYER, Kind.SYNCH, Session.COMPLETE, 0);
+        return Packet.of(PLAYER, MessageKind.SYNCH, Session.COMPLETE, 0);
     }
 
     @Test
@@ -178,7 +178,7 @@ class ConnectionTest {
             Packet packet =
                     Packet.read(new ByteArrayInputStream(message.bytes())).orElseThrow();
             Header header = packet.header();
-            if (header.address().interf() == Interface.PLAYER.code() || header.kind() == Kind.COMMAND) {
+            if (header.address().interf() == Interface.PLAYER.code() || header.kind() == MessageKind.COMMAND) {
                 continue;
             }
             if (message.sent()) {
@@ -187,9 +187,9 @@ class ConnectionTest {
                 continue;
             }
             client.send(message.bytes());
-            if (header.kind() == Kind.ACK) {
+            if (header.kind() == MessageKind.ACK) {
                 assertThat(result(answer).body()).isEqualTo(packet.body());
-            } else if (header.kind() == Kind.NACK) {
+            } else if (header.kind() == MessageKind.NACK) {
                 CompletionStage<Packet> refused = answer;
                 assertThatThrownBy(() -> result(refused)).hasCauseInstanceOf(RefusedException.class);
             } else {
@@ -247,8 +247,8 @@ class ConnectionTest {
     @Test
     void givesEachAnswerToTheOneWhoAsked() throws IOException {
         Address other = Address.of(Interface.POSITION2D.code(), 1);
-        CompletionStage<Packet> first = connection.ask(Packet.of(BASE, Kind.REQUEST, Position2d.GEOMETRY, 0));
-        CompletionStage<Packet> second = connection.ask(Packet.of(other, Kind.REQUEST, Position2d.GEOMETRY, 0));
+        CompletionStage<Packet> first = connection.ask(Packet.of(BASE, MessageKind.REQUEST, Position2d.GEOMETRY, 0));
+        CompletionStage<Packet> second = connection.ask(Packet.of(other, MessageKind.REQUEST, Position2d.GEOMETRY, 0));
         Packet one = client.next(BASE, Position2d.GEOMETRY);
         Packet two = client.next(other, Position2d.GEOMETRY);
         client.refuse(two);
@@ -263,15 +263,15 @@ class ConnectionTest {
     @Test
     void commandsArriveAndNeedNoAnswer() throws IOException {
         var velocity = new Position2d.Velocity(new Pose(0.3, 0, 0.1), 1);
-        connection.command(Packet.of(BASE, Kind.COMMAND, Position2d.VELOCITY, 0, velocity));
+        connection.command(Packet.of(BASE, MessageKind.COMMAND, Position2d.VELOCITY, 0, velocity));
         Packet command = client.next(BASE, Position2d.VELOCITY);
-        assertThat(command.header().kind()).isEqualTo(Kind.COMMAND);
+        assertThat(command.header().kind()).isEqualTo(MessageKind.COMMAND);
         assertThat(command.body(Position2d.Velocity.class)).isEqualTo(velocity);
     }
 
     @Test
     void aServerThatEndsIsLostAndWhoeverWaitsIsTold() throws IOException {
-        CompletionStage<Packet> waiting = connection.ask(Packet.of(BASE, Kind.REQUEST, Position2d.GEOMETRY, 0));
+        CompletionStage<Packet> waiting = connection.ask(Packet.of(BASE, MessageKind.REQUEST, Position2d.GEOMETRY, 0));
         client.next(BASE, Position2d.GEOMETRY);
         client.close();
         assertThat(result(connection.lost())).isEqualTo("The server has closed the connection.");
@@ -300,7 +300,7 @@ class ConnectionTest {
 
     @Test
     void whatIsNeverAnsweredIsForgotten() throws IOException {
-        Packet geometry = Packet.of(BASE, Kind.REQUEST, Position2d.GEOMETRY, 0);
+        Packet geometry = Packet.of(BASE, MessageKind.REQUEST, Position2d.GEOMETRY, 0);
         CompletionStage<Packet> first = connection.ask(geometry);
         List<CompletionStage<Packet>> others = new ArrayList<>();
         for (int i = 0; i < 16; i++) {
@@ -308,7 +308,7 @@ class ConnectionTest {
         }
         assertThatThrownBy(() -> result(first)).rootCause().hasMessage("The server does not answer.");
         client.acknowledge(client.next(BASE, Position2d.GEOMETRY));
-        assertThat(result(others.getFirst()).header().kind()).isEqualTo(Kind.ACK);
+        assertThat(result(others.getFirst()).header().kind()).isEqualTo(MessageKind.ACK);
         assertThat(others.getLast().toCompletableFuture()).isNotDone();
     }
 
@@ -333,8 +333,8 @@ class ConnectionTest {
 
     @Test
     void whatIsNotForAClientIsLeftOut() throws Exception {
-        client.send(Packet.of(BASE, Kind.COMMAND, Position2d.VELOCITY, 0));
-        client.send(Packet.of(BASE, Kind.ACK, Position2d.GEOMETRY, 0)); // nobody asked
+        client.send(Packet.of(BASE, MessageKind.COMMAND, Position2d.VELOCITY, 0));
+        client.send(Packet.of(BASE, MessageKind.ACK, Position2d.GEOMETRY, 0)); // nobody asked
         byte[] unknown = state(1).bytes();
         unknown[19] = 77;
         client.send(unknown);
@@ -348,7 +348,7 @@ class ConnectionTest {
 
     @Test
     void closingTellsWhoeverWaits() {
-        CompletionStage<Packet> waiting = connection.ask(Packet.of(BASE, Kind.REQUEST, Position2d.GEOMETRY, 0));
+        CompletionStage<Packet> waiting = connection.ask(Packet.of(BASE, MessageKind.REQUEST, Position2d.GEOMETRY, 0));
         connection.close();
         connection.close();
         assertThat(result(connection.lost())).isEqualTo("The connection was closed.");
@@ -379,11 +379,11 @@ class ConnectionTest {
     void whatWasCommandedLastIsSentLast() throws InterruptedException {
         var outbox = new Outbox();
         Address gripper = Address.of(Interface.GRIPPER.code(), 0);
-        for (int subtype : new int[] {Gripper.OPEN, Gripper.CLOSE, Gripper.OPEN}) {
-            outbox.command(Packet.of(gripper, Kind.COMMAND, subtype, 0));
+        for (int subtype : new int[] {GripperInterface.OPEN, GripperInterface.CLOSE, GripperInterface.OPEN}) {
+            outbox.command(Packet.of(gripper, MessageKind.COMMAND, subtype, 0));
         }
-        assertThat(outbox.take().orElseThrow().getFirst().header().subtype()).isEqualTo(Gripper.CLOSE);
-        assertThat(outbox.take().orElseThrow().getFirst().header().subtype()).isEqualTo(Gripper.OPEN);
+        assertThat(outbox.take().orElseThrow().getFirst().header().subtype()).isEqualTo(GripperInterface.CLOSE);
+        assertThat(outbox.take().orElseThrow().getFirst().header().subtype()).isEqualTo(GripperInterface.OPEN);
         assertThat(outbox.isEmpty()).isTrue();
     }
 
@@ -392,11 +392,11 @@ class ConnectionTest {
         var outbox = new Outbox();
         for (int i = 0; i < 1000; i++) {
             var velocity = new Position2d.Velocity(new Pose(i, 0, 0), 1);
-            outbox.command(Packet.of(BASE, Kind.COMMAND, Position2d.VELOCITY, 0, velocity));
+            outbox.command(Packet.of(BASE, MessageKind.COMMAND, Position2d.VELOCITY, 0, velocity));
             outbox.command(Packet.of(
-                    Address.of(Interface.POSITION2D.code(), 1), Kind.COMMAND, Position2d.VELOCITY, 0, velocity));
+                    Address.of(Interface.POSITION2D.code(), 1), MessageKind.COMMAND, Position2d.VELOCITY, 0, velocity));
         }
-        assertThat(outbox.request(Packet.of(BASE, Kind.REQUEST, Position2d.GEOMETRY, 0)))
+        assertThat(outbox.request(Packet.of(BASE, MessageKind.REQUEST, Position2d.GEOMETRY, 0)))
                 .isTrue();
         for (int index = 0; index < 2; index++) {
             Packet sent = outbox.take().orElseThrow().getFirst();
@@ -410,9 +410,9 @@ class ConnectionTest {
         }
         assertThat(outbox.take().orElseThrow().getFirst().header().kind())
                 .as("in their order")
-                .isEqualTo(Kind.REQUEST);
+                .isEqualTo(MessageKind.REQUEST);
         int accepted = 0;
-        while (outbox.request(Packet.of(BASE, Kind.REQUEST, Position2d.GEOMETRY, 0))) {
+        while (outbox.request(Packet.of(BASE, MessageKind.REQUEST, Position2d.GEOMETRY, 0))) {
             accepted++;
         }
         assertThat(accepted).as("it does not grow for ever").isEqualTo(1024);
@@ -425,13 +425,13 @@ class ConnectionTest {
         var outbox = new Outbox();
         for (int lines = 1; lines <= 3; lines++) {
             var together = new ArrayList<Packet>();
-            together.add(Packet.of(canvas, Kind.COMMAND, Graphics2d.CLEAR, 0));
+            together.add(Packet.of(canvas, MessageKind.COMMAND, Graphics2d.CLEAR, 0));
             for (int i = 0; i < lines; i++) {
-                together.add(Packet.of(canvas, Kind.COMMAND, Graphics2d.POLYLINE, 0));
+                together.add(Packet.of(canvas, MessageKind.COMMAND, Graphics2d.POLYLINE, 0));
             }
             outbox.commands(canvas, together);
         }
-        outbox.command(Packet.of(BASE, Kind.COMMAND, Position2d.VELOCITY, 0));
+        outbox.command(Packet.of(BASE, MessageKind.COMMAND, Position2d.VELOCITY, 0));
         assertThat(outbox.take().orElseThrow())
                 .extracting(packet -> packet.header().subtype())
                 .containsExactly(Graphics2d.CLEAR, Graphics2d.POLYLINE, Graphics2d.POLYLINE, Graphics2d.POLYLINE);

@@ -11,7 +11,7 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.util.Arrays;
 import rsal.player.wire.Address;
-import rsal.player.wire.Kind;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 
 /// A server that says what a test has it say, to one client after the other.
@@ -66,17 +66,27 @@ public final class ScriptedServer implements AutoCloseable {
 
         public void acknowledge(Packet request) throws IOException {
             send(Packet.of(
-                    request.header().address(), Kind.ACK, request.header().subtype(), 0));
+                    request.header().address(),
+                    MessageKind.ACK,
+                    request.header().subtype(),
+                    0));
         }
 
         public void acknowledge(Packet request, Record body) throws IOException {
             send(Packet.of(
-                    request.header().address(), Kind.ACK, request.header().subtype(), 0, body));
+                    request.header().address(),
+                    MessageKind.ACK,
+                    request.header().subtype(),
+                    0,
+                    body));
         }
 
         public void refuse(Packet request) throws IOException {
             send(Packet.of(
-                    request.header().address(), Kind.NACK, request.header().subtype(), 0));
+                    request.header().address(),
+                    MessageKind.NACK,
+                    request.header().subtype(),
+                    0));
         }
 
         @Override

@@ -28,12 +28,12 @@ import rsal.device.Navigator.Tolerance;
 import rsal.player.client.ScriptedServer;
 import rsal.player.message.Interface;
 import rsal.player.message.Localize;
-import rsal.player.message.Planner;
+import rsal.player.message.PlannerInterface;
 import rsal.player.message.Pose;
 import rsal.player.message.Position2d;
 import rsal.player.message.Session;
 import rsal.player.wire.Address;
-import rsal.player.wire.Kind;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 import rsal.robot.RobotModel;
 
@@ -96,13 +96,15 @@ class OwnPlannerTest extends ScriptedBench {
             to.acknowledge(packet, packet.body(Session.Subscription.class));
         } else if (from.equals(LOCALIZER)) {
             to.acknowledge(packet, new Localize.Particles(new Pose(0, 0, 0), 0, particles));
-        } else if (from.equals(PLANNER) && packet.header().kind() == Kind.REQUEST && subtype == Planner.WAYPOINTS) {
-            to.acknowledge(packet, new Planner.Waypoints(0, waypoints));
+        } else if (from.equals(PLANNER)
+                && packet.header().kind() == MessageKind.REQUEST
+                && subtype == PlannerInterface.WAYPOINTS) {
+            to.acknowledge(packet, new PlannerInterface.Waypoints(0, waypoints));
         } else {
             if (!from.equals(Session.SERVER)) {
                 heard.add(packet);
             }
-            if (packet.header().kind() == Kind.REQUEST) {
+            if (packet.header().kind() == MessageKind.REQUEST) {
                 to.acknowledge(packet);
             }
         }
@@ -129,9 +131,12 @@ class OwnPlannerTest extends ScriptedBench {
     }
 
     private static String words(Packet packet) throws IOException {
-        return packet.header().kind() == Kind.COMMAND
-                ? "goal " + packet.body(Planner.Place.class).mapFromPlace().x()
-                : "enable " + packet.body(Planner.Enable.class).on();
+        return packet.header().kind() == MessageKind.COMMAND
+                ? "goal "
+                        + packet.body(PlannerInterface.Place.class)
+                                .mapFromPlace()
+                                .x()
+                : "enable " + packet.body(PlannerInterface.Enable.class).on();
     }
 
     private List<String> ordersSoFar() throws Exception {
@@ -148,9 +153,9 @@ class OwnPlannerTest extends ScriptedBench {
     }
 
     private void told(double x, Pose2d goal, boolean done) throws IOException {
-        var state = new Planner.State(
+        var state = new PlannerInterface.State(
                 1, done ? 1 : 0, new Pose(x, 0, 0), Pose.of(goal), new Pose(x + 1, 0, 0), done ? -1 : 0, done ? 0 : 3);
-        client.send(Packet.of(PLANNER, Kind.DATA, Planner.STATE, 0, state));
+        client.send(Packet.of(PLANNER, MessageKind.DATA, PlannerInterface.STATE, 0, state));
     }
 
     private void settle() {
@@ -228,7 +233,7 @@ class OwnPlannerTest extends ScriptedBench {
     /// That the base is told next.
     private double speed() throws Exception {
         Packet packet = heard.poll(10, TimeUnit.SECONDS);
-        while (packet != null && packet.header().kind() != Kind.COMMAND) {
+        while (packet != null && packet.header().kind() != MessageKind.COMMAND) {
             packet = heard.poll(10, TimeUnit.SECONDS);
         }
         assertThat(packet).isNotNull();
@@ -309,7 +314,7 @@ class OwnPlannerTest extends ScriptedBench {
     }
 
     private void drive(Instant now, double x, Pose2d goal) {
-        var state = new Planner.State(1, 0, new Pose(x, 0, 0), Pose.of(goal), waypoints.getFirst(), 1, 3);
+        var state = new PlannerInterface.State(1, 0, new Pose(x, 0, 0), Pose.of(goal), waypoints.getFirst(), 1, 3);
         run(() -> {
             navigator.take(now, state);
         });

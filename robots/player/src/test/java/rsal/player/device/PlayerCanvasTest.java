@@ -11,12 +11,12 @@ import org.junit.jupiter.api.Timeout;
 import rsal.data.Point2d;
 import rsal.data.Rgb;
 import rsal.data.Sketch;
-import rsal.player.message.Color;
 import rsal.player.message.Graphics2d;
 import rsal.player.message.Interface;
+import rsal.player.message.PlayerColor;
 import rsal.player.message.Point;
 import rsal.player.wire.Address;
-import rsal.player.wire.Kind;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 
 /// What is drawn on a server's canvas, as that is told.
@@ -25,7 +25,7 @@ class PlayerCanvasTest extends ScriptedBench {
     private static final Address CANVAS = Address.of(Interface.GRAPHICS2D.code(), 0);
     private static final List<Point2d> CORNERS = List.of(new Point2d(0, 0), new Point2d(1, 0.5), new Point2d(-2, 3));
     private static final List<Point> SENT = List.of(new Point(0, 0), new Point(1, 0.5), new Point(-2, 3));
-    private static final Color RED = new Color(0, 255, 0, 0);
+    private static final PlayerColor RED = new PlayerColor(0, 255, 0, 0);
 
     private PlayerCanvas canvas;
 
@@ -53,7 +53,7 @@ class PlayerCanvasTest extends ScriptedBench {
         while (!next.header().address().equals(CANVAS)) {
             next = client.next(); // of the connection itself
         }
-        assertThat(next.header().kind()).isEqualTo(Kind.COMMAND);
+        assertThat(next.header().kind()).isEqualTo(MessageKind.COMMAND);
         assertThat(next.header().subtype()).isEqualTo(subtype);
         return next;
     }
@@ -77,7 +77,7 @@ class PlayerCanvasTest extends ScriptedBench {
         assertThat(next(Graphics2d.POLYLINE).body(Graphics2d.Points.class).points())
                 .isEqualTo(SENT.subList(0, 2));
         assertThat(next(Graphics2d.POLYGON).body(Graphics2d.Polygon.class))
-                .isEqualTo(new Graphics2d.Polygon(SENT, RED, new Color(0, 0, 0, 255), 1));
+                .isEqualTo(new Graphics2d.Polygon(SENT, RED, new PlayerColor(0, 0, 0, 255), 1));
         assertThat(next(Graphics2d.POLYGON).body(Graphics2d.Polygon.class).filled())
                 .isZero();
     }
@@ -91,7 +91,7 @@ class PlayerCanvasTest extends ScriptedBench {
         show(line(new Rgb(0, 255, 0)));
         next(Graphics2d.CLEAR);
         assertThat(next(Graphics2d.POLYLINE).body(Graphics2d.Points.class).color())
-                .isEqualTo(new Color(0, 0, 255, 0));
+                .isEqualTo(new PlayerColor(0, 0, 255, 0));
         client.close();
         meet(IDENT);
         start();

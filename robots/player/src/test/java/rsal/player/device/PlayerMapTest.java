@@ -23,11 +23,11 @@ import rsal.data.OccupancyGrid;
 import rsal.data.Stamped;
 import rsal.device.Health;
 import rsal.player.message.Interface;
-import rsal.player.message.Maps;
+import rsal.player.message.MapInterface;
 import rsal.player.message.Pose;
 import rsal.player.message.Version30;
 import rsal.player.wire.Address;
-import rsal.player.wire.Kind;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 
 /// Maps of servers that say what a test has them say.
@@ -56,12 +56,12 @@ class PlayerMapTest extends ScriptedBench {
         start();
     }
 
-    private void tell(Maps.Extent extent) throws IOException {
-        client.acknowledge(client.next(MAP, Maps.INFO), extent);
+    private void tell(MapInterface.Extent extent) throws IOException {
+        client.acknowledge(client.next(MAP, MapInterface.INFO), extent);
     }
 
-    private static Maps.Extent extent(int width, int height) {
-        return new Maps.Extent(0.05f, width, height, new Pose(-3.5, 2.25, 0));
+    private static MapInterface.Extent extent(int width, int height) {
+        return new MapInterface.Extent(0.05f, width, height, new Pose(-3.5, 2.25, 0));
     }
 
     private OccupancyGrid awaited() {
@@ -83,7 +83,7 @@ class PlayerMapTest extends ScriptedBench {
         return cells;
     }
 
-    private static byte[] tile(byte[] cells, int width, Maps.Tile asked) {
+    private static byte[] tile(byte[] cells, int width, MapInterface.Tile asked) {
         var tile = new byte[asked.width() * asked.height()];
         for (int row = 0; row < asked.height(); row++) {
             int from = (asked.row() + row) * width + asked.column();
@@ -102,8 +102,9 @@ class PlayerMapTest extends ScriptedBench {
         return bytes.toByteArray();
     }
 
-    private static Maps.Tile answer(Maps.Tile asked, int range, byte[] bytes) {
-        return new Maps.Tile(asked.column(), asked.row(), asked.width(), asked.height(), bytes.length, range, bytes);
+    private static MapInterface.Tile answer(MapInterface.Tile asked, int range, byte[] bytes) {
+        return new MapInterface.Tile(
+                asked.column(), asked.row(), asked.width(), asked.height(), bytes.length, range, bytes);
     }
 
     private static byte[] ours(byte[] cells) {
@@ -125,9 +126,9 @@ class PlayerMapTest extends ScriptedBench {
         byte[] cells = random(width * height);
         tell(extent(width, height));
         for (int i = 0; i < tiles; i++) {
-            Packet request = client.next(MAP, Maps.TILE);
-            Maps.Tile asked = request.body(Maps.Tile.class);
-            assertThat(asked.width() * asked.height()).isBetween(1, Maps.LARGEST_TILE);
+            Packet request = client.next(MAP, MapInterface.TILE);
+            MapInterface.Tile asked = request.body(MapInterface.Tile.class);
+            assertThat(asked.width() * asked.height()).isBetween(1, MapInterface.LARGEST_TILE);
             byte[] tile = tile(cells, width, asked);
             client.acknowledge(request, answer(asked, 1, i % 2 == 0 ? packed(tile) : tile));
         }
@@ -146,7 +147,7 @@ class PlayerMapTest extends ScriptedBench {
         begin();
         tell(extent(8000, 5000));
         for (int i = 0; i < 2; i++) {
-            client.next(MAP, Maps.TILE);
+            client.next(MAP, MapInterface.TILE);
         }
         client.socket().setSoTimeout(300);
         assertThat(Stream.of(1, 2, 3).anyMatch(_ -> asksForATile())).isFalse();
@@ -164,9 +165,9 @@ class PlayerMapTest extends ScriptedBench {
     void shadesAreWhatIsNearer() throws IOException {
         begin();
         tell(extent(7, 1));
-        Packet request = client.next(MAP, Maps.TILE);
+        Packet request = client.next(MAP, MapInterface.TILE);
         byte[] shades = {-100, -51, -50, 0, 50, 51, 100};
-        client.acknowledge(request, answer(request.body(Maps.Tile.class), 100, shades));
+        client.acknowledge(request, answer(request.body(MapInterface.Tile.class), 100, shades));
         assertThat(awaited().cells()).containsExactly(ours(new byte[] {-1, -1, 0, 0, 0, 1, 1}));
     }
 
@@ -175,7 +176,7 @@ class PlayerMapTest extends ScriptedBench {
         begin();
         tellOne(1);
         assertThat(awaited().cells()).containsExactly(OccupancyGrid.OCCUPIED);
-        client.send(Packet.of(MAP, Kind.DATA, Maps.INFO_DATA, 0, extent(1, 1)));
+        client.send(Packet.of(MAP, MessageKind.DATA, MapInterface.INFO_DATA, 0, extent(1, 1)));
         tellOne(-1);
         until(OccupancyGrid.FREE);
         client.close();
@@ -192,7 +193,7 @@ class PlayerMapTest extends ScriptedBench {
         meet("Player v.3.0.2");
         start();
         tell(extent(2, 1));
-        Packet request = client.next(MAP, Maps.TILE);
+        Packet request = client.next(MAP, MapInterface.TILE);
         Version30.Tile asked = request.body(Version30.Tile.class);
         client.acknowledge(request, new Version30.Tile(asked.column(), asked.row(), 2, 1, packed(new byte[] {1, -1})));
         assertThat(awaited().cells()).containsExactly(OccupancyGrid.OCCUPIED, OccupancyGrid.FREE);
@@ -206,8 +207,8 @@ class PlayerMapTest extends ScriptedBench {
 
     private void tellOne(int cell) throws IOException {
         tell(extent(1, 1));
-        Packet request = client.next(MAP, Maps.TILE);
-        client.acknowledge(request, answer(request.body(Maps.Tile.class), 1, new byte[] {(byte) cell}));
+        Packet request = client.next(MAP, MapInterface.TILE);
+        client.acknowledge(request, answer(request.body(MapInterface.Tile.class), 1, new byte[] {(byte) cell}));
     }
 
     static Stream<Arguments> extentsThatCanNotBe() {
@@ -217,14 +218,14 @@ class PlayerMapTest extends ScriptedBench {
                 Arguments.of(extent(65_536, 65_536), "(65536 × 65536) cells"),
                 Arguments.of(extent(-1, 1), "(4294967295 × 1) cells"),
                 Arguments.of(extent(0, 1), "(0 × 1) cells"),
-                Arguments.of(new Maps.Extent(0, 1, 1, origin), "Its cells of (0.0 m)"),
-                Arguments.of(new Maps.Extent(Float.NaN, 1, 1, origin), "Its cells of (NaN m)"),
-                Arguments.of(new Maps.Extent(1, 1, 1, new Pose(0, Double.NaN, 0)), "from (0.0, NaN) on"));
+                Arguments.of(new MapInterface.Extent(0, 1, 1, origin), "Its cells of (0.0 m)"),
+                Arguments.of(new MapInterface.Extent(Float.NaN, 1, 1, origin), "Its cells of (NaN m)"),
+                Arguments.of(new MapInterface.Extent(1, 1, 1, new Pose(0, Double.NaN, 0)), "from (0.0, NaN) on"));
     }
 
     @ParameterizedTest
     @MethodSource("extentsThatCanNotBe")
-    void anExtentThatCanNotBeIsRefused(Maps.Extent extent, String why) throws IOException {
+    void anExtentThatCanNotBeIsRefused(MapInterface.Extent extent, String why) throws IOException {
         begin();
         tell(extent);
         assertLost(why);
@@ -232,8 +233,11 @@ class PlayerMapTest extends ScriptedBench {
 
     static Stream<Arguments> tilesThatCanNotBe() {
         return Stream.of(
-                tampered("moved", tile -> new Maps.Tile(1, 0, 4, 3, 12, 1, new byte[12]), "(4 × 3) cells from (1, 0)"),
-                tampered("larger", tile -> new Maps.Tile(0, 0, 5, 3, 15, 1, new byte[15]), "(5 × 3) cells"),
+                tampered(
+                        "moved",
+                        tile -> new MapInterface.Tile(1, 0, 4, 3, 12, 1, new byte[12]),
+                        "(4 × 3) cells from (1, 0)"),
+                tampered("larger", tile -> new MapInterface.Tile(0, 0, 5, 3, 15, 1, new byte[15]), "(5 × 3) cells"),
                 tampered("too short", tile -> answer(tile, 1, new byte[11]), "The (11) bytes of (4 × 3) cells"),
                 tampered("packed, too short", tile -> answer(tile, 1, packed(new byte[11])), "are not its cells"),
                 tampered("packed, too long", tile -> answer(tile, 1, packed(new byte[13])), "are not its cells"),
@@ -244,34 +248,35 @@ class PlayerMapTest extends ScriptedBench {
                         "The (9) bytes of (4 × 3) cells"));
     }
 
-    private static Arguments tampered(String what, UnaryOperator<Maps.Tile> answer, String why) {
+    private static Arguments tampered(String what, UnaryOperator<MapInterface.Tile> answer, String why) {
         return Arguments.of(what, answer, why);
     }
 
     @ParameterizedTest(name = "{0}")
     @MethodSource("tilesThatCanNotBe")
-    void aTileThatCanNotBeIsRefused(String what, UnaryOperator<Maps.Tile> answer, String why) throws IOException {
+    void aTileThatCanNotBeIsRefused(String what, UnaryOperator<MapInterface.Tile> answer, String why)
+            throws IOException {
         begin();
         tell(extent(4, 3));
-        Packet request = client.next(MAP, Maps.TILE);
-        client.acknowledge(request, answer.apply(request.body(Maps.Tile.class)));
+        Packet request = client.next(MAP, MapInterface.TILE);
+        client.acknowledge(request, answer.apply(request.body(MapInterface.Tile.class)));
         assertLost(why);
     }
 
     @Test
     void answersThatSayNothingAreRefused() throws IOException {
         begin();
-        client.acknowledge(client.next(MAP, Maps.INFO));
+        client.acknowledge(client.next(MAP, MapInterface.INFO));
         assertLost("The server does not tell how large it is.");
         tell(extent(4, 3));
-        client.acknowledge(client.next(MAP, Maps.TILE));
+        client.acknowledge(client.next(MAP, MapInterface.TILE));
         assertLost("The server tells nothing of (4 × 3) cells from (0, 0) on.");
     }
 
     @Test
     void aServerThatHasNoneYetIsAskedAgain() throws IOException {
         begin();
-        client.refuse(client.next(MAP, Maps.INFO));
+        client.refuse(client.next(MAP, MapInterface.INFO));
         assertLost("The server refuses request 1 of (map:0).");
         tellOne(1);
         until(OccupancyGrid.OCCUPIED);
@@ -298,7 +303,7 @@ class PlayerMapTest extends ScriptedBench {
             for (int flips = random.nextInt(3); flips > 0 && bytes.length > 0; flips--) {
                 bytes[random.nextInt(bytes.length)] ^= (byte) (1 << random.nextInt(8));
             }
-            var asked = new Maps.Tile(0, 0, 20, 20, 0, 0, new byte[0]);
+            var asked = new MapInterface.Tile(0, 0, 20, 20, 0, 0, new byte[0]);
             try {
                 int range = random.nextInt(-200, 200);
                 assertThat(MapReader.unpacked(asked, Optional.of(answer(asked, range, bytes))))

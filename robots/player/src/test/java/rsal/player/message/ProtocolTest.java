@@ -27,9 +27,9 @@ import rsal.player.Recorded;
 import rsal.player.wire.Address;
 import rsal.player.wire.CountOf;
 import rsal.player.wire.Header;
-import rsal.player.wire.Kind;
 import rsal.player.wire.Layout;
 import rsal.player.wire.MalformedException;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 import tools.jackson.databind.JsonNode;
 
@@ -137,7 +137,7 @@ class ProtocolTest {
         for (Recorded.Message message : Recorded.session(name)) {
             Packet packet =
                     Packet.read(new ByteArrayInputStream(message.bytes())).orElseThrow();
-            assertThat(packet.header().kind()).isNotEqualTo(Kind.UNKNOWN);
+            assertThat(packet.header().kind()).isNotEqualTo(MessageKind.UNKNOWN);
             assertThat(packet.bytes()).isEqualTo(message.bytes());
             Record body = Protocol.V3_1.read(packet).orElse(null);
             if (body != null) {
@@ -187,7 +187,7 @@ class ProtocolTest {
         var hypothesis = new Version30.Hypothesis(new Pose(1, 2, 3), new double[] {4, 5, 6}, 0.5);
         Packet packet = Packet.of(
                 Address.of(Interface.LOCALIZE.code(), 0),
-                Kind.DATA,
+                MessageKind.DATA,
                 Localize.HYPOTHESES,
                 0,
                 new Version30.Hypotheses(0, 0, List.of(hypothesis, hypothesis)));
@@ -318,7 +318,7 @@ class ProtocolTest {
     void theWorkedExampleOfASubscription() {
         Packet packet = Packet.of(
                         Address.of(Interface.PLAYER.code(), 0),
-                        Kind.REQUEST,
+                        MessageKind.REQUEST,
                         Session.DEVICE,
                         0,
                         new Session.Subscription(Address.of(Interface.POSITION2D.code(), 0), Session.OPEN, new byte[0]))

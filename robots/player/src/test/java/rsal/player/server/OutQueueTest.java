@@ -12,20 +12,20 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rsal.player.message.Interface;
-import rsal.player.message.Maps;
+import rsal.player.message.MapInterface;
 import rsal.player.message.Session;
 import rsal.player.wire.Address;
-import rsal.player.wire.Kind;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 
 @Timeout(30)
 class OutQueueTest {
-    private static final Packet ANSWER = Packet.of(Address.of(1, 0), Kind.ACK, Session.DEVICES, 0);
+    private static final Packet ANSWER = Packet.of(Address.of(1, 0), MessageKind.ACK, Session.DEVICES, 0);
 
     private final OutQueue queue = new OutQueue(() -> 0);
 
     private static Packet data(Interface of, double time) {
-        return Packet.of(Address.of(of.code(), 0), Kind.DATA, 1, time);
+        return Packet.of(Address.of(of.code(), 0), MessageKind.DATA, 1, time);
     }
 
     private static List<Packet> measured(double time) {
@@ -76,7 +76,7 @@ class OutQueueTest {
         assertThat(round.subList(0, 3)).isEqualTo(measured(1));
         assertThat(round.subList(3, round.size()))
                 .extracting(packet -> packet.header().kind())
-                .containsExactly(Kind.SYNCH);
+                .containsExactly(MessageKind.SYNCH);
         queue.round(ANSWER);
         assertThat(sent()).startsWith(ANSWER).containsAll(measured(2)).hasSize(5);
     }
@@ -84,7 +84,8 @@ class OutQueueTest {
     @Test
     void aRoundThatHasBegunIsNotTornByWhatIsNewer() throws Exception {
         queue.mode(true);
-        queue.add(new Session.ReplaceRule(Session.ANY, Session.ANY, Kind.DATA.code(), Session.ANY, Session.REPLACE));
+        queue.add(new Session.ReplaceRule(
+                Session.ANY, Session.ANY, MessageKind.DATA.code(), Session.ANY, Session.REPLACE));
         queue.data(measured(1));
         queue.data(measured(2));
         queue.round(ANSWER);
@@ -111,8 +112,8 @@ class OutQueueTest {
     })
     void aRuleHoldsForWhatIsAsItSays(int interf, int index, int type, int subtype, boolean holds) throws Exception {
         queue.add(new Session.ReplaceRule(interf, index, type, subtype, Session.REPLACE));
-        Packet first = Packet.of(Address.of(4, 2), Kind.DATA, 7, 1);
-        Packet second = Packet.of(Address.of(4, 2), Kind.DATA, 7, 2);
+        Packet first = Packet.of(Address.of(4, 2), MessageKind.DATA, 7, 1);
+        Packet second = Packet.of(Address.of(4, 2), MessageKind.DATA, 7, 2);
         queue.data(List.of(first));
         queue.data(List.of(second));
         assertThat(sent()).isEqualTo(holds ? List.of(second) : List.of(first, second));
@@ -123,13 +124,13 @@ class OutQueueTest {
     void onlyWhatIsLikeItIsReplaced() throws Exception {
         queue.add(new Session.ReplaceRule(Session.ANY, Session.ANY, Session.ANY, Session.ANY, Session.REPLACE));
         List<Packet> others = List.of(
-                Packet.of(Address.of(5, 2), Kind.DATA, 7, 1),
-                Packet.of(Address.of(4, 3), Kind.DATA, 7, 1),
-                Packet.of(Address.of(4, 2), Kind.COMMAND, 7, 1),
-                Packet.of(Address.of(4, 2), Kind.DATA, 8, 1));
+                Packet.of(Address.of(5, 2), MessageKind.DATA, 7, 1),
+                Packet.of(Address.of(4, 3), MessageKind.DATA, 7, 1),
+                Packet.of(Address.of(4, 2), MessageKind.COMMAND, 7, 1),
+                Packet.of(Address.of(4, 2), MessageKind.DATA, 8, 1));
         queue.data(others);
-        queue.data(List.of(Packet.of(Address.of(4, 2), Kind.DATA, 7, 1)));
-        Packet newest = Packet.of(Address.of(4, 2), Kind.DATA, 7, 2);
+        queue.data(List.of(Packet.of(Address.of(4, 2), MessageKind.DATA, 7, 1)));
+        Packet newest = Packet.of(Address.of(4, 2), MessageKind.DATA, 7, 2);
         queue.data(List.of(newest));
         assertThat(sent())
                 .isEqualTo(Stream.concat(others.stream(), Stream.of(newest)).toList());
@@ -139,8 +140,8 @@ class OutQueueTest {
     void theFirstRuleThatHoldsCounts() throws Exception {
         queue.add(new Session.ReplaceRule(4, 2, Session.ANY, Session.ANY, Session.IGNORE));
         queue.add(new Session.ReplaceRule(Session.ANY, Session.ANY, Session.ANY, Session.ANY, Session.REPLACE));
-        Packet other = Packet.of(Address.of(5, 2), Kind.DATA, 7, 1);
-        queue.data(List.of(Packet.of(Address.of(4, 2), Kind.DATA, 7, 1), other));
+        Packet other = Packet.of(Address.of(5, 2), MessageKind.DATA, 7, 1);
+        queue.data(List.of(Packet.of(Address.of(4, 2), MessageKind.DATA, 7, 1), other));
         assertThat(sent()).containsExactly(other);
     }
 
@@ -185,8 +186,8 @@ class OutQueueTest {
 
     @Test
     void whoAsksForTooLargeAnswersWaits() throws Exception {
-        var tile = new Maps.Tile(0, 0, 1, 1, 1, 1, new byte[1 << 20]);
-        Packet large = Packet.of(Address.of(Interface.MAP.code(), 0), Kind.ACK, Maps.TILE, 0, tile);
+        var tile = new MapInterface.Tile(0, 0, 1, 1, 1, 1, new byte[1 << 20]);
+        Packet large = Packet.of(Address.of(Interface.MAP.code(), 0), MessageKind.ACK, MapInterface.TILE, 0, tile);
         for (int i = 0; i < 4; i++) {
             queue.awaitRoom();
             queue.answer(large);

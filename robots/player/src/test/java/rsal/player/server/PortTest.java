@@ -37,8 +37,8 @@ import rsal.player.message.Protocol;
 import rsal.player.message.Session;
 import rsal.player.wire.Address;
 import rsal.player.wire.Header;
-import rsal.player.wire.Kind;
 import rsal.player.wire.Layout;
+import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 
 @Timeout(60)
@@ -52,7 +52,7 @@ class PortTest {
     private Port port;
 
     /// A base that notes what it is told.
-    private static final class Base implements Served {
+    private static final class Base implements ServedDevice {
         private final BlockingQueue<Packet> commands = new LinkedBlockingQueue<>();
         private final AtomicInteger forsaken = new AtomicInteger();
         private final AtomicInteger users = new AtomicInteger();
@@ -93,8 +93,8 @@ class PortTest {
         }
 
         @Override
-        public boolean understands(Kind kind, int subtype) {
-            return kind == Kind.COMMAND && subtype == Position2d.VELOCITY;
+        public boolean understands(MessageKind kind, int subtype) {
+            return kind == MessageKind.COMMAND && subtype == Position2d.VELOCITY;
         }
 
         @Override
@@ -178,15 +178,15 @@ class PortTest {
         }
 
         void ask(int subtype) throws IOException {
-            send(Packet.of(PLAYER, Kind.REQUEST, subtype, 0).bytes());
+            send(Packet.of(PLAYER, MessageKind.REQUEST, subtype, 0).bytes());
         }
 
         void ask(int subtype, Record body) throws IOException {
-            send(Packet.of(PLAYER, Kind.REQUEST, subtype, 0, body).bytes());
+            send(Packet.of(PLAYER, MessageKind.REQUEST, subtype, 0, body).bytes());
         }
 
         /// To the base.
-        void send(Kind kind, int subtype, byte[] body) throws IOException {
+        void send(MessageKind kind, int subtype, byte[] body) throws IOException {
             send(new Packet(new Header(BASE, kind, subtype, 0, 0, body.length), body).bytes());
         }
 
@@ -196,7 +196,7 @@ class PortTest {
 
         Packet nextAnswer() throws IOException {
             Packet packet = next();
-            while (packet.header().kind() == Kind.DATA) {
+            while (packet.header().kind() == MessageKind.DATA) {
                 packet = next();
             }
             return packet;
@@ -242,13 +242,17 @@ class PortTest {
     @Test
     void requestsAreAnsweredByTheDeviceAndItsFailuresAreRefusals() throws IOException {
         Connection connection = connect();
-        Packet done = result(connection.ask(Packet.of(BASE, Kind.REQUEST, Position2d.RESET_ODOMETRY, 0)));
+        Packet done = result(connection.ask(Packet.of(BASE, MessageKind.REQUEST, Position2d.RESET_ODOMETRY, 0)));
         assertThat(done.header().time()).isEqualTo(12.5);
         assertThat(done.header().address().robot()).isEqualTo(port.number());
         for (Packet bad : List.of(
-                Packet.of(BASE, Kind.REQUEST, Position2d.GEOMETRY, 0),
+                Packet.of(BASE, MessageKind.REQUEST, Position2d.GEOMETRY, 0),
                 Packet.of(
-                        BASE, Kind.REQUEST, Position2d.SET_ODOMETRY, 0, new Position2d.Odometry(new Pose(1, 2, 3))))) {
+                        BASE,
+                        MessageKind.REQUEST,
+                        Position2d.SET_ODOMETRY,
+                        0,
+                        new Position2d.Odometry(new Pose(1, 2, 3))))) {
             assertThatThrownBy(() -> result(connection.ask(bad))).hasRootCauseInstanceOf(RefusedException.class);
         }
     }
@@ -257,14 +261,15 @@ class PortTest {
     void whoAsksMuchThatIsNotAnsweredHasToWait() throws Exception {
         var raw = new Raw();
         for (int i = 0; i < 100; i++) {
-            raw.send(Packet.of(BASE, Kind.REQUEST, Position2d.SPEED_PROFILE, 0, new Position2d.SpeedProfile(1, 1))
-                    .bytes());
+            raw.send(
+                    Packet.of(BASE, MessageKind.REQUEST, Position2d.SPEED_PROFILE, 0, new Position2d.SpeedProfile(1, 1))
+                            .bytes());
         }
         TimeUnit.MILLISECONDS.sleep(300);
         assertThat(base.asked).hasSize(64);
-        base.asked.forEach(answer -> answer.complete(new Served.Answer.Done()));
+        base.asked.forEach(answer -> answer.complete(new ServedDevice.Answer.Done()));
         for (int i = 0; i < 64; i++) {
-            assertThat(raw.next().header().kind()).isEqualTo(Kind.ACK);
+            assertThat(raw.next().header().kind()).isEqualTo(MessageKind.ACK);
         }
         raw.close();
     }
@@ -272,9 +277,10 @@ class PortTest {
     @Test
     void capabilitiesAreAnswered() throws IOException {
         Connection connection = connect();
-        result(connection.ask(Packet.of(BASE, Kind.REQUEST, 255, 0, new Session.Capability(2, Position2d.VELOCITY))));
+        result(connection.ask(
+                Packet.of(BASE, MessageKind.REQUEST, 255, 0, new Session.Capability(2, Position2d.VELOCITY))));
         assertThatThrownBy(() -> result(connection.ask(
-                        Packet.of(BASE, Kind.REQUEST, 255, 0, new Session.Capability(2, Position2d.CAR)))))
+                        Packet.of(BASE, MessageKind.REQUEST, 255, 0, new Session.Capability(2, Position2d.CAR)))))
                 .hasRootCauseInstanceOf(RefusedException.class);
     }
 
@@ -282,11 +288,12 @@ class PortTest {
     void commandsReachTheDeviceUnlessTheyAreMalformed() throws Exception {
         var raw = new Raw();
         var velocity = new Position2d.Velocity(new Pose(0.3, 0, 0.1), 1);
-        raw.send(Packet.of(BASE, Kind.COMMAND, Position2d.VELOCITY, 0, new Position2d.Motors(1))
+        raw.send(Packet.of(BASE, MessageKind.COMMAND, Position2d.VELOCITY, 0, new Position2d.Motors(1))
                 .bytes());
-        raw.send(Packet.of(Address.of(Interface.LASER.code(), 3), Kind.COMMAND, 1, 0)
+        raw.send(Packet.of(Address.of(Interface.LASER.code(), 3), MessageKind.COMMAND, 1, 0)
                 .bytes());
-        raw.send(Packet.of(BASE, Kind.COMMAND, Position2d.VELOCITY, 0, velocity).bytes());
+        raw.send(Packet.of(BASE, MessageKind.COMMAND, Position2d.VELOCITY, 0, velocity)
+                .bytes());
         assertThat(base.commands.poll(10, TimeUnit.SECONDS).body(Position2d.Velocity.class))
                 .isEqualTo(velocity);
         assertThat(base.commands).isEmpty();
@@ -296,8 +303,8 @@ class PortTest {
     void whoCommandedLastForsakesTheDeviceWhenItGoes() throws Exception {
         subscribed(); // somebody who only looks stays
         var velocity = new Position2d.Velocity(new Pose(0.3, 0, 0.1), 1);
-        byte[] command =
-                Packet.of(BASE, Kind.COMMAND, Position2d.VELOCITY, 0, velocity).bytes();
+        byte[] command = Packet.of(BASE, MessageKind.COMMAND, Position2d.VELOCITY, 0, velocity)
+                .bytes();
         var first = new Raw();
         first.send(command);
         assertThat(base.commands.poll(10, TimeUnit.SECONDS)).isNotNull();
@@ -321,8 +328,8 @@ class PortTest {
         var raw = new Raw();
         raw.socket.setTcpNoDelay(true);
         var velocity = new Position2d.Velocity(new Pose(0.3, 0, 0.1), 1);
-        for (byte one :
-                Packet.of(BASE, Kind.COMMAND, Position2d.VELOCITY, 0, velocity).bytes()) {
+        for (byte one : Packet.of(BASE, MessageKind.COMMAND, Position2d.VELOCITY, 0, velocity)
+                .bytes()) {
             raw.send(new byte[] {one});
         }
         assertThat(base.commands.poll(10, TimeUnit.SECONDS).body(Position2d.Velocity.class))
@@ -335,15 +342,15 @@ class PortTest {
         var raw = new Raw();
         var velocity = new Position2d.Velocity(new Pose(0.3, 0, 0.1), 1);
         byte[] body = Layout.of(Position2d.Velocity.class).bytes(velocity);
-        raw.send(Kind.COMMAND, Position2d.VELOCITY, Arrays.copyOf(body, body.length + 4));
+        raw.send(MessageKind.COMMAND, Position2d.VELOCITY, Arrays.copyOf(body, body.length + 4));
         assertThat(base.commands.poll(5, TimeUnit.SECONDS))
                 .isNotNull()
                 .satisfies(command ->
                         assertThat(command.body(Position2d.Velocity.class)).isEqualTo(velocity));
-        raw.send(Kind.REQUEST, Position2d.SPEED_GAINS, new byte[24]); // javaclient3 sends as many, for 12
+        raw.send(MessageKind.REQUEST, Position2d.SPEED_GAINS, new byte[24]); // javaclient3 sends as many, for 12
         assertThat(raw.next().header().subtype()).isEqualTo(Position2d.SPEED_GAINS);
         raw.ask(Session.MODE, new Session.ReplaceRule(Session.PULL, 0, 0, 0, 0)); // longer than a mode
-        assertThat(raw.next().header().kind()).isEqualTo(Kind.ACK);
+        assertThat(raw.next().header().kind()).isEqualTo(MessageKind.ACK);
     }
 
     /// Player's clients wait for an answer, some of them forever.
@@ -356,9 +363,9 @@ class PortTest {
     })
     void requestsThatNobodyUnderstandsAreRefused(int subtype, int size) throws IOException {
         var raw = new Raw();
-        raw.send(Kind.REQUEST, subtype, new byte[size]);
+        raw.send(MessageKind.REQUEST, subtype, new byte[size]);
         Packet answer = raw.next();
-        assertThat(answer.header().kind()).isEqualTo(Kind.NACK);
+        assertThat(answer.header().kind()).isEqualTo(MessageKind.NACK);
         assertThat(answer.header().subtype()).isEqualTo(subtype);
         assertThat(answer.header().address().interf()).isEqualTo(Interface.POSITION2D.code());
         assertThat(answer.body()).isEmpty();
@@ -369,7 +376,7 @@ class PortTest {
         var raw = new Raw();
         raw.ask(Session.DRIVER, new Session.Driver(Address.of(Interface.LASER.code(), 7), new byte[0]));
         Packet answer = raw.next();
-        assertThat(answer.header().kind()).isEqualTo(Kind.NACK);
+        assertThat(answer.header().kind()).isEqualTo(MessageKind.NACK);
         assertThat(answer.body()).isEmpty();
     }
 
@@ -378,7 +385,7 @@ class PortTest {
         base.named = () -> publish(1); // between its wish and our answer
         var raw = new Raw();
         raw.ask(Session.DEVICE, new Session.Subscription(BASE, Session.OPEN, new byte[0]));
-        assertThat(raw.next().header().kind()).isEqualTo(Kind.ACK);
+        assertThat(raw.next().header().kind()).isEqualTo(MessageKind.ACK);
         publish(2);
         assertThat(x(raw.next())).isEqualTo(2);
     }
@@ -405,15 +412,15 @@ class PortTest {
             publish(i);
         }
         raw.ask(Session.DATA);
-        assertThat(raw.next().header().kind()).as("it says yes first").isEqualTo(Kind.ACK);
+        assertThat(raw.next().header().kind()).as("it says yes first").isEqualTo(MessageKind.ACK);
         assertThat(x(raw.next())).as("the newest").isEqualTo(49);
-        assertThat(raw.next().header().kind()).isEqualTo(Kind.SYNCH);
+        assertThat(raw.next().header().kind()).isEqualTo(MessageKind.SYNCH);
         raw.ask(Session.DATA);
-        assertThat(raw.next().header().kind()).isEqualTo(Kind.ACK);
+        assertThat(raw.next().header().kind()).isEqualTo(MessageKind.ACK);
         publish(50); // the round waited for it
         assertThat(x(raw.next())).isEqualTo(50);
         Packet synch = raw.next();
-        assertThat(synch.header().kind()).isEqualTo(Kind.SYNCH);
+        assertThat(synch.header().kind()).isEqualTo(MessageKind.SYNCH);
         assertThat(synch.header().address()).isEqualTo(PLAYER);
     }
 
@@ -466,7 +473,7 @@ class PortTest {
         var raw = new Raw();
         var velocity = new Position2d.Velocity(new Pose(0.3, 0, 0.1), 1);
         for (int i = 0; i < 3; i++) {
-            raw.send(Packet.of(BASE, Kind.COMMAND, Position2d.VELOCITY, 0, velocity)
+            raw.send(Packet.of(BASE, MessageKind.COMMAND, Position2d.VELOCITY, 0, velocity)
                     .bytes());
             base.commands.poll(10, TimeUnit.SECONDS);
         }
@@ -481,12 +488,12 @@ class PortTest {
     @Test
     void whoUnsubscribesUsesADeviceNoMoreThoughItCommandedIt() throws Exception {
         Raw raw = subscribed();
-        raw.send(Kind.COMMAND, Position2d.VELOCITY, new byte[28]);
+        raw.send(MessageKind.COMMAND, Position2d.VELOCITY, new byte[28]);
         base.commands.poll(10, TimeUnit.SECONDS);
         raw.ask(Session.DEVICE, new Session.Subscription(BASE, Session.CLOSE, new byte[0]));
         assertThat(raw.next().body(Session.Subscription.class).access()).isEqualTo(Session.CLOSE);
         assertThat(base.users).hasValue(0);
-        raw.send(Kind.COMMAND, Position2d.VELOCITY, new byte[28]); // changes its mind
+        raw.send(MessageKind.COMMAND, Position2d.VELOCITY, new byte[28]); // changes its mind
         base.commands.poll(10, TimeUnit.SECONDS);
         assertThat(base.users).hasValue(1);
     }
@@ -495,8 +502,8 @@ class PortTest {
     void whatIsUnknownOfTheServerIsRefused() throws IOException {
         var raw = new Raw();
         raw.ask(77);
-        assertThat(raw.next().header().kind()).isEqualTo(Kind.NACK);
-        raw.send(Packet.of(PLAYER, Kind.REQUEST, Session.DEVICES, 0)
+        assertThat(raw.next().header().kind()).isEqualTo(MessageKind.NACK);
+        raw.send(Packet.of(PLAYER, MessageKind.REQUEST, Session.DEVICES, 0)
                 .withSequence(9)
                 .bytes());
         assertThat(raw.next().header().sequence())
@@ -514,7 +521,8 @@ class PortTest {
             var noise = new byte[1 + random.nextInt(5000)];
             random.nextBytes(noise);
             if (random.nextBoolean()) { // a header that is right, and what is not
-                byte[] header = Packet.of(BASE, Kind.REQUEST, random.nextInt(12), 0, new Session.Mode(random.nextInt()))
+                byte[] header = Packet.of(
+                                BASE, MessageKind.REQUEST, random.nextInt(12), 0, new Session.Mode(random.nextInt()))
                         .bytes();
                 bad.send(header);
                 bad.ask(1 + random.nextInt(10), new Session.Lost(random.nextInt()));
@@ -569,8 +577,8 @@ class PortTest {
     void whoOnlyLooksLosesItsPlaceAfterThoseWhoDoNotAndWhoCommandsKeepsIt() throws Exception {
         Raw driver = subscribed();
         var velocity = new Position2d.Velocity(new Pose(0.3, 0, 0.1), 1);
-        driver.send(
-                Packet.of(BASE, Kind.COMMAND, Position2d.VELOCITY, 0, velocity).bytes());
+        driver.send(Packet.of(BASE, MessageKind.COMMAND, Position2d.VELOCITY, 0, velocity)
+                .bytes());
         assertThat(base.commands.poll(10, TimeUnit.SECONDS)).isNotNull();
         Raw viewer = subscribed();
         var idle = new Raw();

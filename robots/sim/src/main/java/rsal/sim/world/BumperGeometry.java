@@ -20,7 +20,7 @@ public final class BumperGeometry {
         List<Point2d> corners = Footprint.box(DEPTH, length, new Point2d(DEPTH / 2, 0)).corners().stream()
                 .map(baseFromLine::transform)
                 .toList();
-        var box = new Outline(corners);
+        var box = new ConvexOutline(corners);
         figure = new Figure(
                 List.of(new CollisionShape.Prism(box, height - DEPTH / 2, height + DEPTH / 2, Surface.PLAIN)));
     }

@@ -19,7 +19,7 @@ public sealed interface CollisionShape {
 
     Surface surface();
 
-    record Prism(Outline outline, double bottom, double top, Surface surface) implements CollisionShape {}
+    record Prism(ConvexOutline outline, double bottom, double top, Surface surface) implements CollisionShape {}
 
     /// @param radius [m]
     record Cylinder(Point2d center, double radius, double bottom, double top, Surface surface)
@@ -48,7 +48,7 @@ public sealed interface CollisionShape {
 
     /// A body of one outline that is of every height.
     static List<CollisionShape> of(Footprint outline) {
-        var all = new Outline(outline.corners());
+        var all = new ConvexOutline(outline.corners());
         return List.of(new Prism(all, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, Surface.PLAIN));
     }
 
@@ -63,7 +63,7 @@ public sealed interface CollisionShape {
                     chunks.add(on(block, new Cylinder(disc.center(), disc.radius(), bottom, top, block.surface())));
                 case Shape.Polygon polygon -> {
                     for (List<Point2d> part : Convex.small(polygon.corners())) {
-                        chunks.add(on(block, new Prism(new Outline(part), bottom, top, block.surface())));
+                        chunks.add(on(block, new Prism(new ConvexOutline(part), bottom, top, block.surface())));
                     }
                 }
             }

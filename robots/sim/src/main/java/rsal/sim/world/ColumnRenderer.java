@@ -4,9 +4,9 @@ import java.util.Arrays;
 import java.util.List;
 import rsal.scene.Surface;
 
-/// What blob finders tell of in an image of a [View]: patches of rows one above the other in a column, in each of which
-/// one piece or one raster of walls shows. Those of a column come from above, column by column from the left. What
-/// blob finders don't tell of hides what is behind it, and is left out.
+/// What blob finders tell of in an image of a [CameraRays]: patches of rows one above the other in a column, in
+/// each of which one piece or one raster of walls shows. Those of a column come from above, column by column
+/// from the left. What blob finders don't tell of hides what is behind it, and is left out.
 ///
 /// Each thread has one of these and uses it again and again.
 public final class ColumnRenderer {
@@ -258,27 +258,27 @@ public final class ColumnRenderer {
     /// Those at the height of the camera, of which each column sees only the front: what passes over its top or below
     /// its bottom is above or below all of them ever after. Walls that are not to be told of are of interest only
     /// where they hide something, so they come last.
-    void meetWalls(List<Walls> all) {
+    void meetWalls(List<RasterWalls> all) {
         everywhere = false;
-        for (Walls walls : all) {
+        for (RasterWalls walls : all) {
             everywhere |= tells(walls.surface()) && !walls.isAt(z);
         }
         if (everywhere) {
             Arrays.fill(farthest, 0, columns, reach);
         }
-        for (Walls walls : all) {
+        for (RasterWalls walls : all) {
             if (tells(walls.surface()) && walls.isAt(z)) {
                 meet(walls);
             }
         }
-        for (Walls walls : all) {
+        for (RasterWalls walls : all) {
             if (!tells(walls.surface()) && walls.isAt(z)) {
                 meet(walls);
             }
         }
     }
 
-    private void meet(Walls walls) {
+    private void meet(RasterWalls walls) {
         Rays rays = Rays.ofThisThread(columns);
         rays.count = 0;
         for (int column = 0; column < columns; column++) {
@@ -311,7 +311,7 @@ public final class ColumnRenderer {
     }
 
     /// Finds the patches.
-    void see(List<Walls> walls) {
+    void see(List<RasterWalls> walls) {
         for (int column = 0; column < columns; column++) {
             if (farthest[column] >= 0) {
                 see(column, walls);
@@ -319,7 +319,7 @@ public final class ColumnRenderer {
         }
     }
 
-    private void see(int column, List<Walls> walls) {
+    private void see(int column, List<RasterWalls> walls) {
         int from = everywhere ? 0 : slopes.length;
         int to = everywhere ? slopes.length : 0;
         for (int i = last[column]; i != NONE; i = before[i]) {
@@ -333,7 +333,7 @@ public final class ColumnRenderer {
         for (int i = last[column]; i != NONE; i = before[i]) {
             show(i, column, Math.max(from, first[i]), Math.min(to, end[i]));
         }
-        for (Walls some : walls) {
+        for (RasterWalls some : walls) {
             if (some.highest() <= z) {
                 showFromAbove(some, column, from, to);
             } else if (some.lowest() > z) {
@@ -373,7 +373,7 @@ public final class ColumnRenderer {
     /// Walls all of which are lower than the camera: a row sees those cells above which its ray is not yet below the
     /// ground they stand on. The steepest row begins; what it found is found by others as well that begin before
     /// it.
-    private void showFromAbove(Walls walls, int column, int from, int to) {
+    private void showFromAbove(RasterWalls walls, int column, int from, int to) {
         int its = note(0, 0, 0, walls.surface());
         double found = -1;
         for (int row = to - 1; row >= from && slopes[row] < 0; row--) {
@@ -389,7 +389,7 @@ public final class ColumnRenderer {
     }
 
     /// Walls all of which are higher, likewise.
-    private void showFromBelow(Walls walls, int column, int from, int to) {
+    private void showFromBelow(RasterWalls walls, int column, int from, int to) {
         int its = note(0, 0, 0, walls.surface());
         double found = -1;
         for (int row = from; row < to && slopes[row] > 0; row++) {
@@ -405,7 +405,7 @@ public final class ColumnRenderer {
     }
 
     /// How far the first solid cell is that begins there or farther away [m]; +∞ when none is in reach.
-    private double solidFrom(Walls walls, int column, double from) {
+    private double solidFrom(RasterWalls walls, int column, double from) {
         if (from > reach) {
             return Double.POSITIVE_INFINITY;
         }

@@ -54,7 +54,7 @@ final class March {
 
     /// Ends rays at the border of the first solid cell, if that is within reach and they have met nothing before; at
     /// once inside a wall.
-    void end(Walls walls, Rays rays, double reach) {
+    void end(RasterWalls walls, Rays rays, double reach) {
         strideTogether(walls, reach, enter(walls, rays, reach));
         met = 0;
         int striding = setOut(walls, rays.count);
@@ -68,7 +68,7 @@ final class March {
     /// Notes where rays begin and how far those of each bunch are from its middle one.
     ///
     /// @return how many bunches may go together: those whose rays leave one place inside the grid
-    private int enter(Walls walls, Rays rays, double reach) {
+    private int enter(RasterWalls walls, Rays rays, double reach) {
         int under = 0;
         for (int bunch = 0; bunch * BUNCH < rays.count; bunch++) {
             int middle = (bunch * BUNCH + end(bunch, rays.count)) >>> 1;
@@ -94,7 +94,7 @@ final class March {
         return under;
     }
 
-    private void enter(Walls walls, Rays rays, double reach, int index) {
+    private void enter(RasterWalls walls, Rays rays, double reach, int index) {
         double[] its = numbers;
         int ray = index * SIZE;
         double column = (rays.x[index] - walls.left) * walls.columnsPerMeter;
@@ -114,7 +114,7 @@ final class March {
 
     /// Lets bunches of rays from one place go as far as the strides of their middle ones, each shorter by how far
     /// the others are beside it: cones, each of which is marched as one.
-    private void strideTogether(Walls walls, double reach, int bunches) {
+    private void strideTogether(RasterWalls walls, double reach, int bunches) {
         double[] its = numbers;
         double worth = 2 * walls.least;
         int under = bunches;
@@ -141,7 +141,7 @@ final class March {
     }
 
     /// @return how many are under way
-    private int setOut(Walls walls, int count) {
+    private int setOut(RasterWalls walls, int count) {
         double[] its = numbers;
         int[] under = striding;
         int out = 0;
@@ -160,7 +160,7 @@ final class March {
     }
 
     /// Way of a ray from outside until it is well in the first cell [m]; +∞ when it misses the grid.
-    private double toGrid(Walls walls, int ray) {
+    private double toGrid(RasterWalls walls, int ray) {
         double enters = 0;
         double leaves = Double.POSITIVE_INFINITY;
         for (int axis = 0; axis < 2; axis++) {
@@ -181,7 +181,7 @@ final class March {
     /// Lets those under way stride until walls are near, or their limit is passed.
     ///
     /// @return to how many walls are near
-    private int stride(Walls walls, int count) {
+    private int stride(RasterWalls walls, int count) {
         int[] under = striding; // in locals, as the compiler doesn't trust fields to stay
         int[] near = walking;
         double[] its = numbers;
@@ -220,7 +220,7 @@ final class March {
     /// there, it would come free by crossing that border again, as before, and stride and walk there for ever.
     ///
     /// @return how many are left, near walls
-    private int endInside(Walls walls, int count) {
+    private int endInside(RasterWalls walls, int count) {
         double[] its = numbers;
         int left = 0;
         for (int k = 0; k < count; k++) {
@@ -232,7 +232,7 @@ final class March {
             row += left(row, its[ray + ORIGIN_ROW], its[ray + METERS_PER_ROW], way);
             cell[place(ray)] = column;
             cell[place(ray) + 1] = row;
-            if (walls.roomIn(column, row) == Walls.SOLID) {
+            if (walls.roomIn(column, row) == RasterWalls.SOLID) {
                 its[ray + WAY] = Math.max(0, way - walls.guard);
                 meeting[met++] = ray;
             } else {
@@ -250,7 +250,7 @@ final class March {
     /// Lets those near walls go from cell to cell, until they meet one, or come free, or their limit is passed.
     ///
     /// @return how many came free
-    private int walk(Walls walls, int count) {
+    private int walk(RasterWalls walls, int count) {
         int[] near = walking;
         int[] free = striding;
         double[] its = numbers;
@@ -306,7 +306,7 @@ final class March {
 
     /// 1 when walls are not near, else 0.
     private static int isFar(int room) {
-        return (Walls.NEAR - room) >>> 31;
+        return (RasterWalls.NEAR - room) >>> 31;
     }
 
     /// 1 when it is, else 0.
@@ -315,7 +315,7 @@ final class March {
     }
 
     /// Whoever has met the fence has left the grid, and met nothing.
-    private void note(Walls walls, Rays rays) {
+    private void note(RasterWalls walls, Rays rays) {
         for (int k = 0; k < met; k++) {
             int ray = meeting[k];
             double way = numbers[ray + WAY];

@@ -2,7 +2,7 @@ package rsal.sim.world;
 
 /// A convex polygon, placed somewhere. Flat arrays, as all rays and collision checks look at them.
 final class Polygon extends PlacedShape {
-    private final Outline outline;
+    private final ConvexOutline outline;
     private final int count;
     private final double radius;
 
@@ -39,7 +39,7 @@ final class Polygon extends PlacedShape {
         minY = Double.POSITIVE_INFINITY;
         maxX = Double.NEGATIVE_INFINITY;
         maxY = Double.NEGATIVE_INFINITY;
-        Outline body = outline;
+        ConvexOutline body = outline;
         for (int i = 0; i < count; i++) {
             cornerX[i] = baseX + cos * body.x[i] - sin * body.y[i];
             cornerY[i] = baseY + sin * body.x[i] + cos * body.y[i];

@@ -32,7 +32,7 @@ public final class World {
     private static final double LOOK_AHEAD = 0.3; // [m]; farther away nothing needs to be measured
     private static final double TOUCH = 0.01; // [m]; bodies that are so near touch, as far as others can tell
 
-    private final List<Walls> walls;
+    private final List<RasterWalls> walls;
     private final Extent extent;
     private final Set<Body> bodies = new LinkedHashSet<>();
     private final List<@Nullable Body> owners = new ArrayList<>(); // by slot
@@ -44,7 +44,7 @@ public final class World {
     private @Nullable Body obstacle; // null: a wall
 
     /// @param extent where most bodies are; elsewhere they may be, too, but are found more slowly
-    public World(List<Walls> walls, Extent extent) {
+    public World(List<RasterWalls> walls, Extent extent) {
         this.walls = List.copyOf(walls);
         this.extent = extent;
         this.nowGrid = new PieceGrid(extent);
@@ -52,13 +52,15 @@ public final class World {
     }
 
     /// The world of a map.
-    public World(Walls walls) {
+    public World(RasterWalls walls) {
         this(List.of(walls), walls.extent());
     }
 
     /// Where something may stand: in the extent where walls fence it, else as far as anybody can want.
     public Extent bounds() {
-        return walls.stream().anyMatch(Walls::isFenced) ? extent : new Extent(-FARTHEST, -FARTHEST, FARTHEST, FARTHEST);
+        return walls.stream().anyMatch(RasterWalls::isFenced)
+                ? extent
+                : new Extent(-FARTHEST, -FARTHEST, FARTHEST, FARTHEST);
     }
 
     /// Adds a body, whether it has room ([#hasRoom]) or not.
@@ -393,7 +395,7 @@ public final class World {
         }
     }
 
-    List<Walls> walls() {
+    List<RasterWalls> walls() {
         return walls;
     }
 

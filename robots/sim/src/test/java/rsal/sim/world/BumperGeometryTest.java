@@ -21,7 +21,7 @@ class BumperGeometryTest {
         int sure = 0;
         for (long seed = 0; seed < 4000; seed++) {
             var random = new RandomWorld(seed, 0.1, 0.02);
-            var walls = Walls.of(random.map);
+            var walls = RasterWalls.of(random.map);
             var world = new World(walls);
             Body robot = world.add("r1", CollisionShape.of(BOX), random.anywhere(), 0);
             Body other = world.add("r2", CollisionShape.of(BOX), random.anywhere(), 0);
@@ -67,6 +67,6 @@ class BumperGeometryTest {
     }
 
     private static CollisionShape bar(double bottom, Surface surface) {
-        return new CollisionShape.Prism(new Outline(BOX.corners()), bottom, bottom + 0.2, surface);
+        return new CollisionShape.Prism(new ConvexOutline(BOX.corners()), bottom, bottom + 0.2, surface);
     }
 }

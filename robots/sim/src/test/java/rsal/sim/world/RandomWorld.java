@@ -50,7 +50,7 @@ final class RandomWorld {
                             ? new CollisionShape.Cylinder(
                                     center, random.nextDouble(0.05, 0.3), bottom, bottom + 0.7, surface)
                             : new CollisionShape.Prism(
-                                    new Outline(Footprint.box(random.nextDouble(0.05, 0.5), 0.2, center)
+                                    new ConvexOutline(Footprint.box(random.nextDouble(0.05, 0.5), 0.2, center)
                                             .corners()),
                                     bottom,
                                     bottom + 0.7,
@@ -96,14 +96,14 @@ final class RandomWorld {
         return false;
     }
 
-    static double ray(Walls walls, double x, double y, double dx, double dy, double reach) {
+    static double ray(RasterWalls walls, double x, double y, double dx, double dy, double reach) {
         return ranges(List.of(walls), reach, new double[] {x, y, dx, dy, Double.POSITIVE_INFINITY})[0];
     }
 
     /// Casts rays that are on their way together.
     ///
     /// @param wanted of each its place, its direction, and the range at which it has met something already
-    static double[] ranges(List<Walls> all, double reach, double[]... wanted) {
+    static double[] ranges(List<RasterWalls> all, double reach, double[]... wanted) {
         var rays = Rays.ofThisThread(wanted.length);
         for (int i = 0; i < wanted.length; i++) {
             rays.x[i] = wanted[i][0];

@@ -29,7 +29,7 @@ class WorldTest {
         int free = 0;
         for (long seed = 0; seed < 800; seed++) {
             var random = new RandomWorld(seed, 0.05, 0.01);
-            var world = new World(Walls.of(random.map));
+            var world = new World(RasterWalls.of(random.map));
             Pose2d start = random.anywhere();
             if (!world.hasRoom(CollisionShape.of(BOX), start, 0)) {
                 continue;
@@ -65,7 +65,7 @@ class WorldTest {
         int slid = 0;
         for (long seed = 0; seed < 400; seed++) {
             var random = new RandomWorld(seed, 0.05, 0.01);
-            var world = new World(Walls.of(random.map));
+            var world = new World(RasterWalls.of(random.map));
             Pose2d start = random.anywhere();
             if (!world.hasRoom(CollisionShape.of(BOX), start, 0)) {
                 continue;
@@ -89,8 +89,8 @@ class WorldTest {
 
     @Test
     void aRobotSlidesAlongAWallAsFarAsItsWayLeadsPastIt() {
-        var world = new World(
-                Walls.of(DrawnMap.grid(1, "#######\n.......\n.......\n#######").grid()));
+        var world = new World(RasterWalls.of(
+                DrawnMap.grid(1, "#######\n.......\n.......\n#######").grid()));
         double angle = Math.toRadians(30);
         var start = new Pose2d(1, 2, angle);
         Body body = world.add("r1", CollisionShape.of(Footprint.box(0.4, 0.4, new Point2d(0, 0))), start, 0);
@@ -106,7 +106,7 @@ class WorldTest {
 
     @Test
     void aRobotThatDrivesStraightIntoAWallDoesNotSlide() {
-        var world = new World(Walls.of(DrawnMap.grid(1, "....#").grid()));
+        var world = new World(RasterWalls.of(DrawnMap.grid(1, "....#").grid()));
         for (double angle : new double[] {0, 0.05, -0.05}) {
             var start = new Pose2d(2, 0.5, angle);
             Body body = world.add("r", CollisionShape.of(Footprint.box(0.4, 0.3, new Point2d(0, 0))), start, 0);
@@ -121,7 +121,7 @@ class WorldTest {
 
     @Test
     void aRobotThatDrivesIntoAWallCanStillTurn() {
-        var world = new World(Walls.of(DrawnMap.grid(1, "....#").grid()));
+        var world = new World(RasterWalls.of(DrawnMap.grid(1, "....#").grid()));
         var start = new Pose2d(2, 0.5, 0);
         Body body = world.add(
                 "r", List.of(new CollisionShape.Cylinder(new Point2d(0, 0), 0.2, 0, 1, Surface.PLAIN)), start, 0);
@@ -136,7 +136,7 @@ class WorldTest {
         int blocked = 0;
         for (long seed = 0; seed < 600; seed++) {
             var random = new RandomWorld(seed, 0.05, 0.01);
-            var world = new World(Walls.of(random.map));
+            var world = new World(RasterWalls.of(random.map));
             Pose2d start = random.anywhere();
             if (!world.hasRoom(CollisionShape.of(BOX), start, 0)) {
                 continue;
@@ -158,7 +158,7 @@ class WorldTest {
     @ValueSource(doubles = {0.05, 1})
     void robotsNeverOverlap(double speed) {
         var random = new RandomWorld(3, 0.1, 0);
-        var world = new World(Walls.of(random.map));
+        var world = new World(RasterWalls.of(random.map));
         var bodies = new ArrayList<Body>();
         while (bodies.size() < 12) {
             Pose2d pose = random.anywhere();
@@ -184,7 +184,7 @@ class WorldTest {
     @ValueSource(longs = {1, 2, 3, 4})
     void whoCanMakeNothingOfHisWayHasSomethingRightBeforeHim(long seed) {
         var random = new RandomWorld(seed, 0.1, 0.02);
-        var world = new World(Walls.of(random.map));
+        var world = new World(RasterWalls.of(random.map));
         var bodies = new ArrayList<Body>();
         for (int i = 0; i < 400; i++) {
             Pose2d pose = random.anywhere();
@@ -225,7 +225,7 @@ class WorldTest {
     @ParameterizedTest
     @ValueSource(strings = {"drives away", "is put elsewhere", "is hidden", "is taken out", "is picked up"})
     void whoIsStuckGoesOnAsSoonAsNothingIsInHisWay(String what) {
-        var world = new World(Walls.of(
+        var world = new World(RasterWalls.of(
                 DrawnMap.grid(0.5, "..........\n..........\n..........").grid()));
         Body body = world.add("r1", CollisionShape.of(BOX), new Pose2d(1, 0.75, 0), 0);
         Body other = world.add("r2", CollisionShape.of(BOX), new Pose2d(2, 0.75, 0), 0);
@@ -246,7 +246,7 @@ class WorldTest {
 
     @Test
     void whoMadeHisWayOutOfAnotherGoesAsNearAsHeCanOnceThatIsGone() {
-        var world = new World(Walls.of(
+        var world = new World(RasterWalls.of(
                 DrawnMap.grid(0.5, "..........\n..........\n..........").grid()));
         Body body = world.add("r1", CollisionShape.of(BOX), new Pose2d(1, 0.75, 0), 0);
         Body ahead = world.add("r2", CollisionShape.of(BOX), new Pose2d(2, 0.75, 0), 0);
@@ -282,7 +282,7 @@ class WorldTest {
     @Test
     void nobodyLeavesTheMap() {
         var world = new World(
-                Walls.of(DrawnMap.grid(0.5, ".....\n.....\n.....\n.....").grid()));
+                RasterWalls.of(DrawnMap.grid(0.5, ".....\n.....\n.....\n.....").grid()));
         Body body = world.add("r1", CollisionShape.of(BOX), new Pose2d(1, 1, 0), 0);
         assertThat(world.advance(body, Arc.ahead(body.pose(), 100, 0))).isLessThan(0.02);
         assertThat(body.pose().x()).isBetween(2.5 - 0.11 - 0.005, 2.5 - 0.11);
@@ -295,7 +295,7 @@ class WorldTest {
         for (int i = 0; i < size; i++) {
             cells[i * size + i] = OccupancyGrid.OCCUPIED;
         }
-        var world = new World(Walls.of(new OccupancyGrid(size, size, 0.05, 0, 0, cells)));
+        var world = new World(RasterWalls.of(new OccupancyGrid(size, size, 0.05, 0, 0, cells)));
         var small = Footprint.box(0.01, 0.01, new Point2d(0, 0));
         Body body = world.add("r1", CollisionShape.of(small), new Pose2d(0.8, 0.2, 0), 0);
         for (int i = 0; i < 500; i++) {
@@ -310,7 +310,7 @@ class WorldTest {
     @Test
     void bodiesOfManyPiecesGoSidewaysAndNeverOverlap() {
         var random = new RandomWorld(5, 0.1, 0.01);
-        var world = new World(Walls.of(random.map));
+        var world = new World(RasterWalls.of(random.map));
         var bodies = new ArrayList<Body>();
         for (int i = 0; i < 400; i++) {
             List<CollisionShape> chunks = random.chunks();
@@ -355,10 +355,10 @@ class WorldTest {
 
     @Test
     void whoIsGoneIsInNobodysWayAndNotSeen() {
-        var world = new World(Walls.of(DrawnMap.grid(10, ".").grid()));
+        var world = new World(RasterWalls.of(DrawnMap.grid(10, ".").grid()));
         Body self = world.add("self", CollisionShape.of(BOX), new Pose2d(1, 5, 0), 0);
         Body other = world.add("other", CollisionShape.of(BOX), new Pose2d(3, 5, 0), 0);
-        var beams = new Beams(List.of(new Fan(Pose2d.ORIGIN, 0, 1, 1)), 0);
+        var beams = new SensorRays(List.of(new Fan(Pose2d.ORIGIN, 0, 1, 1)), 0);
         assertThat(beams.cast(world, self, 8)[0]).isLessThan(2);
         assertThat(world.hasRoom(CollisionShape.of(BOX), other.pose(), 0)).isFalse();
         world.remove(other);
@@ -377,7 +377,7 @@ class WorldTest {
         var world = new World(List.of(), new Extent(0, 0, 10, 10));
         Body self = world.add("self", CollisionShape.of(BOX), new Pose2d(1, 5, 0), 0);
         Body far = world.add("far", CollisionShape.of(BOX), new Pose2d(6, 5, 0), 0);
-        var ahead = new Beams(List.of(new Fan(Pose2d.ORIGIN, 0, 1, 1)), 0);
+        var ahead = new SensorRays(List.of(new Fan(Pose2d.ORIGIN, 0, 1, 1)), 0);
         double before = ahead.cast(world, self, 9)[0];
         world.watched(true);
         Body near = world.add("near", CollisionShape.of(BOX), new Pose2d(3, 5, 0), 0);

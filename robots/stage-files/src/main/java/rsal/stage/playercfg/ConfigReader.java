@@ -11,10 +11,10 @@ import java.util.Set;
 import java.util.TreeSet;
 import rsal.settings.Location;
 import rsal.settings.Value;
-import rsal.stage.Entity;
-import rsal.stage.Entity.Setting;
-import rsal.stage.Findings;
 import rsal.stage.WorldFile;
+import rsal.stage.WorldProblems;
+import rsal.stage.WorldfileEntity;
+import rsal.stage.WorldfileEntity.Setting;
 
 /// Turns what is written into drivers and addresses.
 final class ConfigReader {
@@ -25,18 +25,18 @@ final class ConfigReader {
 
     private final String path;
     private final WorldFile file;
-    private final Findings findings;
+    private final WorldProblems findings;
     private final Set<String> interfaces = new TreeSet<>(Interfaces.ALL);
     private final Map<String, Integer> ports = new LinkedHashMap<>(); // by file, of devices that name none
 
-    ConfigReader(String path, WorldFile file, Findings findings) {
+    ConfigReader(String path, WorldFile file, WorldProblems findings) {
         this.path = path;
         this.file = file;
         this.findings = findings;
     }
 
     PlayerConfig config() {
-        Entity root = file.root();
+        WorldfileEntity root = file.root();
         double meters = switch (choice(root, "unit_length", List.of("m", "cm", "mm"))) {
             case "cm" -> 0.01;
             case "mm" -> 0.001;
@@ -48,7 +48,7 @@ final class ConfigReader {
             if (!setting.name().equals("unit_length") && !setting.name().equals("unit_angle")) {
                 findings.warn(
                         setting.location(),
-                        "(%s) has no effect outside of a driver.".formatted(Findings.shortened(setting.name())),
+                        "(%s) has no effect outside of a driver.".formatted(WorldProblems.shortened(setting.name())),
                         findings.maybe(
                                 setting.name(), List.of("unit_length", "unit_angle"), "Maybe a ) is missing below."));
             }
@@ -58,7 +58,7 @@ final class ConfigReader {
                 .forEach(this::addInterface);
         root.children().stream().filter(block -> block.type().equals(SERVER)).forEach(this::addServer);
         var drivers = new ArrayList<Driver>();
-        for (Entity block : root.children()) {
+        for (WorldfileEntity block : root.children()) {
             switch (block.type()) {
                 case "driver" -> driver(block).ifPresent(drivers::add);
                 case "interface", SERVER -> {}
@@ -69,7 +69,7 @@ final class ConfigReader {
         return new PlayerConfig(path, meters, radians ? 1 : Math.toRadians(1), drivers);
     }
 
-    private String choice(Entity entity, String name, List<String> words) {
+    private String choice(WorldfileEntity entity, String name, List<String> words) {
         Optional<Setting> setting = entity.find(name);
         Optional<String> word = setting.flatMap(s -> text(s.value()));
         if (setting.isPresent() && word.filter(words::contains).isEmpty()) {
@@ -79,14 +79,15 @@ final class ConfigReader {
                             .formatted(
                                     name,
                                     words,
-                                    Findings.shortened(setting.get().value().describe())),
+                                    WorldProblems.shortened(
+                                            setting.get().value().describe())),
                     "");
         }
         return word.filter(words::contains).orElse(words.getFirst());
     }
 
     /// An interface that a plugin brings along.
-    private void addInterface(Entity block) {
+    private void addInterface(WorldfileEntity block) {
         Optional<String> name = block.find("name").flatMap(s -> text(s.value()));
         if (name.isEmpty()) {
             findings.error(block.location(), "This (interface) has no (name).", "Write name \"NAME\".");
@@ -95,13 +96,13 @@ final class ConfigReader {
     }
 
     /// What `player -p PORT FILE` says of a file that is included here. Not one of Player's blocks.
-    private void addServer(Entity block) {
+    private void addServer(WorldfileEntity block) {
         Optional<String> name = block.find("file").flatMap(s -> text(s.value())).filter(n -> !n.isBlank());
         Optional<Double> port = block.find("port")
                 .map(Setting::value)
                 .filter(value -> value instanceof Value.Scalar scalar && scalar.value() instanceof Number)
                 .map(value -> ((Number) ((Value.Scalar) value).value()).doubleValue())
-                .filter(Address::isPort);
+                .filter(DriverAddress::isPort);
         if (name.isEmpty() || port.isEmpty()) {
             findings.error(
                     block.location(),
@@ -110,13 +111,13 @@ final class ConfigReader {
         } else if (ports.put(name.get(), port.get().intValue()) != null) {
             findings.error(
                     block.location(),
-                    "(%s) has two ports.".formatted(Findings.shortened(name.get())),
+                    "(%s) has two ports.".formatted(WorldProblems.shortened(name.get())),
                     "Leave one (server) out.");
         } else if (file.root().children().stream().noneMatch(other -> isIn(name.get(), other.location()))) {
             findings.error(
                     block.location(),
-                    "Nothing of (%s) is included here.".formatted(Findings.shortened(name.get())),
-                    "Write include \"%s\" above.".formatted(Findings.shortened(name.get())));
+                    "Nothing of (%s) is included here.".formatted(WorldProblems.shortened(name.get())),
+                    "Write include \"%s\" above.".formatted(WorldProblems.shortened(name.get())));
         }
     }
 
@@ -124,7 +125,7 @@ final class ConfigReader {
         return location.file().equals(file) || location.file().endsWith("/" + file);
     }
 
-    private Address at(Address address) {
+    private DriverAddress at(DriverAddress address) {
         return ports.entrySet().stream()
                 .filter(server -> isIn(server.getKey(), address.location()))
                 .findFirst()
@@ -132,8 +133,8 @@ final class ConfigReader {
                 .orElse(address);
     }
 
-    private void unknown(Entity block) {
-        String type = Findings.shortened(block.type());
+    private void unknown(WorldfileEntity block) {
+        String type = WorldProblems.shortened(block.type());
         String message = "(%s) is neither a (driver) nor an (interface) nor a macro of one".formatted(type);
         if (file.complete()) { // else what was not included may define it
             Optional<String> close = findings.guess(type, file.known());
@@ -145,24 +146,24 @@ final class ConfigReader {
         }
     }
 
-    private Optional<Driver> driver(Entity block) {
+    private Optional<Driver> driver(WorldfileEntity block) {
         Optional<String> name = block.find("name").flatMap(s -> text(s.value())).filter(n -> !n.isBlank());
         if (name.isEmpty()) {
             findings.error(
                     block.location(), "This (driver) has no (name).", "Write name \"stage\" or another driver's.");
             return Optional.empty();
         }
-        List<Address> provides = addresses(block, "provides");
+        List<DriverAddress> provides = addresses(block, "provides");
         if (block.find("provides").isEmpty()) {
             findings.error(
                     block.location(),
-                    "(%s) provides nothing.".formatted(Findings.shortened(name.get())),
+                    "(%s) provides nothing.".formatted(WorldProblems.shortened(name.get())),
                     "Write provides [ \"INTERFACE:INDEX\" ].");
         }
-        for (Entity child : block.children()) {
+        for (WorldfileEntity child : block.children()) {
             findings.warn(
                     child.location(),
-                    "(%s) has no effect in a driver.".formatted(Findings.shortened(child.macro())),
+                    "(%s) has no effect in a driver.".formatted(WorldProblems.shortened(child.macro())),
                     "Maybe a ) is missing above.");
         }
         Optional<String> plugin = block.find("plugin").flatMap(s -> text(s.value()));
@@ -184,12 +185,12 @@ final class ConfigReader {
                 options));
     }
 
-    private void checkName(String name, Entity block, Optional<String> plugin) {
+    private void checkName(String name, WorldfileEntity block, Optional<String> plugin) {
         if (plugin.isEmpty() && !KnownDrivers.names().contains(name)) {
             findings.guess(name, KnownDrivers.names())
                     .ifPresent(close -> findings.error(
                             block.find("name").map(Setting::location).orElse(block.location()),
-                            "There is no driver (%s).".formatted(Findings.shortened(name)),
+                            "There is no driver (%s).".formatted(WorldProblems.shortened(name)),
                             "Maybe (%s) was meant?".formatted(close)));
         }
     }
@@ -207,15 +208,15 @@ final class ConfigReader {
                 findings.warn(
                         option.location(),
                         "(%s) is not known in a driver (%s) and has no effect."
-                                .formatted(Findings.shortened(option.name()), driver),
+                                .formatted(WorldProblems.shortened(option.name()), driver),
                         KnownDrivers.whyNeverRead(driver, family)
                                 .orElseGet(() -> findings.maybe(family, known.get(), "")));
             }
         }
     }
 
-    private List<Address> addresses(Entity block, String name) {
-        var addresses = new ArrayList<Address>();
+    private List<DriverAddress> addresses(WorldfileEntity block, String name) {
+        var addresses = new ArrayList<DriverAddress>();
         Value value = block.find(name).map(Setting::value).orElse(null);
         if (value instanceof Value.Sequence sequence) {
             sequence.items().forEach(item -> address(item, name).ifPresent(addresses::add));
@@ -225,20 +226,20 @@ final class ConfigReader {
         return addresses;
     }
 
-    private Optional<Address> address(Value value, String name) {
-        Optional<Address> read = text(value).flatMap(text -> Address.parse(text, value.location()));
+    private Optional<DriverAddress> address(Value value, String name) {
+        Optional<DriverAddress> read = text(value).flatMap(text -> DriverAddress.parse(text, value.location()));
         if (read.isEmpty()) {
             findings.error(
                     value.location(),
-                    "(%s) has %s, which is no device.".formatted(name, Findings.shortened(value.describe())),
+                    "(%s) has %s, which is no device.".formatted(name, WorldProblems.shortened(value.describe())),
                     ADDRESS);
             return read;
         }
-        Address address = at(read.get());
+        DriverAddress address = at(read.get());
         if (!interfaces.contains(address.type())) {
             findings.error(
                     value.location(),
-                    "There is no interface (%s).".formatted(Findings.shortened(address.type())),
+                    "There is no interface (%s).".formatted(WorldProblems.shortened(address.type())),
                     address.type().equals("position") // as it was called before there were others
                             ? "Maybe (position2d) was meant?"
                             : findings.maybe(address.type(), interfaces, ""));
@@ -247,15 +248,15 @@ final class ConfigReader {
         if (isMisplacedKey(address)) {
             findings.warn(
                     value.location(),
-                    "(%s) is taken for a host here.".formatted(Findings.shortened(address.host())),
+                    "(%s) is taken for a host here.".formatted(WorldProblems.shortened(address.host())),
                     "Maybe it is a key: write (%s:::%s)."
-                            .formatted(Findings.shortened(address.host()), address.device()));
+                            .formatted(WorldProblems.shortened(address.host()), address.device()));
         }
         return Optional.of(address);
     }
 
     /// `odometry::position2d:0` lacks a colon.
-    private static boolean isMisplacedKey(Address address) {
+    private static boolean isMisplacedKey(DriverAddress address) {
         return address.key().isEmpty()
                 && address.port().isEmpty()
                 && !address.isHere()
@@ -265,7 +266,7 @@ final class ConfigReader {
     private void checkUnique(List<Driver> drivers) {
         var known = new HashMap<String, Location>();
         for (Driver driver : drivers) {
-            for (Address address : driver.provides()) {
+            for (DriverAddress address : driver.provides()) {
                 Location first = known.putIfAbsent(address.place(), address.location());
                 if (first != null) {
                     findings.error(

@@ -19,8 +19,8 @@ import rsal.settings.Value;
 public record Driver(
         String name,
         Location location,
-        List<Address> provides,
-        List<Address> requires,
+        List<DriverAddress> provides,
+        List<DriverAddress> requires,
         Optional<String> plugin,
         boolean alwaysOn,
         Map<String, Option> options) {

@@ -2,7 +2,7 @@ package rsal.stage.playercfg;
 
 import java.util.Map;
 import java.util.Set;
-import rsal.stage.Kind;
+import rsal.stage.ModelKind;
 
 /// Interfaces of devices, by the names that configurations use.
 final class Interfaces {
@@ -43,17 +43,17 @@ final class Interfaces {
     private Interfaces() {}
 
     /// How Stage calls a kind of model.
-    static String typeOf(Kind kind) {
+    static String typeOf(ModelKind kind) {
         return switch (kind) {
-            case Kind.Position _ -> "position";
-            case Kind.Ranger _ -> "ranger";
-            case Kind.Blobfinder _ -> "blobfinder";
-            case Kind.Fiducial _ -> "fiducial";
-            case Kind.Gripper _ -> "gripper";
-            case Kind.Bumper _ -> "bumper";
-            case Kind.Actuator _ -> "actuator";
-            case Kind.Camera _ -> "camera";
-            case Kind.Blinkenlight _, Kind.LightIndicator _, Kind.Thing _ -> "model";
+            case ModelKind.Position _ -> "position";
+            case ModelKind.Ranger _ -> "ranger";
+            case ModelKind.Blobfinder _ -> "blobfinder";
+            case ModelKind.Fiducial _ -> "fiducial";
+            case ModelKind.Gripper _ -> "gripper";
+            case ModelKind.Bumper _ -> "bumper";
+            case ModelKind.Actuator _ -> "actuator";
+            case ModelKind.Camera _ -> "camera";
+            case ModelKind.Blinkenlight _, ModelKind.LightIndicator _, ModelKind.Thing _ -> "model";
         };
     }
 }

@@ -9,8 +9,8 @@ import rsal.data.Point2d;
 import rsal.map.Maps;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Value;
-import rsal.stage.Findings;
 import rsal.stage.WorldFiles;
+import rsal.stage.WorldProblems;
 
 /// Reads the map that a configuration's drivers `mapfile` have. A run has one, so that the first counts; one that can't
 /// be read leaves robots with what is made of their world.
@@ -19,9 +19,9 @@ final class MapFile {
 
     private final PlayerConfig config;
     private final WorldFiles files;
-    private final Findings findings;
+    private final WorldProblems findings;
 
-    MapFile(PlayerConfig config, WorldFiles files, Findings findings) {
+    MapFile(PlayerConfig config, WorldFiles files, WorldProblems findings) {
         this.config = config;
         this.files = files;
         this.findings = findings;

@@ -11,7 +11,7 @@ import rsal.data.Pose2d;
 import rsal.device.Navigator.Tolerance;
 import rsal.settings.Location;
 import rsal.settings.Value;
-import rsal.stage.Findings;
+import rsal.stage.WorldProblems;
 
 /// What Player's options for navigation are of ours: names, and units.
 final class Options {
@@ -109,9 +109,9 @@ final class Options {
             Set.of("maxSpeed", "maxTurnRate", "maxAcceleration", "escapeSpeed", "escapeTime");
 
     private final PlayerConfig config;
-    private final Findings findings;
+    private final WorldProblems findings;
 
-    Options(PlayerConfig config, Findings findings) {
+    Options(PlayerConfig config, WorldProblems findings) {
         this.config = config;
         this.findings = findings;
     }
@@ -154,7 +154,7 @@ final class Options {
                 .forEach(option -> findings.warn(
                         option.location(),
                         "(%s) has no effect: what does the work of (%s) here has nothing like it."
-                                .formatted(Findings.shortened(option.name()), driver.name()),
+                                .formatted(WorldProblems.shortened(option.name()), driver.name()),
                         KnownDrivers.insteadOf(driver.name(), option.name())));
         return new Value.Mapping(driver.location(), entries, keys);
     }

@@ -2,9 +2,9 @@ package rsal.stage.playercfg;
 
 import java.util.List;
 import rsal.stage.Dialect;
-import rsal.stage.Findings;
 import rsal.stage.WorldFile;
 import rsal.stage.WorldFiles;
+import rsal.stage.WorldProblems;
 
 /// A configuration file of a Player server, as it is written.
 ///
@@ -21,7 +21,7 @@ public record PlayerConfig(String path, double meters, double radians, List<Driv
     ///
     /// @param findings takes mistakes that leave something to read, and warnings
     /// @throws rsal.settings.InvalidSettings when there is no such file, or too much of anything
-    public static PlayerConfig read(String path, WorldFiles files, Findings findings) {
+    public static PlayerConfig read(String path, WorldFiles files, WorldProblems findings) {
         WorldFile file = WorldFile.read(path, files, findings, Dialect.PLAYER);
         return new ConfigReader(path, file, findings).config();
     }

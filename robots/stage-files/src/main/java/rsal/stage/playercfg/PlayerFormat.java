@@ -5,15 +5,15 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import rsal.data.OccupancyGrid;
+import rsal.scene.RobotService;
 import rsal.scene.Scene;
-import rsal.scene.Service;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
-import rsal.stage.Findings;
 import rsal.stage.StageFormat;
 import rsal.stage.StageWorld;
 import rsal.stage.WorldFiles;
+import rsal.stage.WorldProblems;
 import rsal.world.SceneFormat;
 
 /// Configuration files of Player servers (`.cfg`): the world is the one of their `stage` driver, with what is
@@ -29,16 +29,16 @@ public final class PlayerFormat implements SceneFormat {
     @Override
     public Scene read(String path, FileSource files, long seed) {
         WorldFiles found = StageFormat.files(files);
-        var findings = new Findings();
+        var findings = new WorldProblems();
         PlayerConfig config = PlayerConfig.read(path, found, findings);
         Optional<Driver.Option> worldFile = worldFile(config, findings);
         findings.throwIfAny();
         Scene scene;
-        List<Service> services;
+        List<RobotService> services;
         if (worldFile.isPresent()) {
             String world = find(worldFile.get(), path, found);
             StageWorld read = StageWorld.read(world, found);
-            services = new Served(config, read, findings).services();
+            services = new ServedDevices(config, read, findings).services();
             findings.throwIfAny();
             scene = StageFormat.scene(read, world, seed);
         } else {
@@ -47,7 +47,7 @@ public final class PlayerFormat implements SceneFormat {
                     "No driver (stage) of it has a (worldfile): the world is empty.",
                     "Maybe it goes with another file, which has one.");
             var empty = new StageWorld(path, Duration.ofMillis(100), 0.02, Optional.empty(), List.of(), List.of());
-            services = new Served(config, empty, findings).services();
+            services = new ServedDevices(config, empty, findings).services();
             scene = StageFormat.scene(empty, path, seed);
         }
         Optional<OccupancyGrid> map = new MapFile(config, found, findings).read();
@@ -57,7 +57,7 @@ public final class PlayerFormat implements SceneFormat {
     }
 
     /// What the first driver that simulates names.
-    private static Optional<Driver.Option> worldFile(PlayerConfig config, Findings findings) {
+    private static Optional<Driver.Option> worldFile(PlayerConfig config, WorldProblems findings) {
         Driver.Option world = null;
         boolean plugin = false;
         boolean any = false;
@@ -101,8 +101,8 @@ public final class PlayerFormat implements SceneFormat {
         return driver.provides().stream().anyMatch(address -> address.type().equals(type));
     }
 
-    private static void checkInterfaces(Driver driver, Findings findings) {
-        for (Address address : driver.provides()) {
+    private static void checkInterfaces(Driver driver, WorldProblems findings) {
+        for (DriverAddress address : driver.provides()) {
             boolean known = Interfaces.MODELS.containsKey(address.type())
                     || Interfaces.OF_ANY_MODEL.contains(address.type())
                     || address.type().equals(Interfaces.SIMULATION);

@@ -17,13 +17,13 @@ import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.device.Navigator.Tolerance;
 import rsal.robot.RobotSpec;
+import rsal.scene.RobotService;
+import rsal.scene.RobotService.Software;
 import rsal.scene.Scene;
-import rsal.scene.Service;
-import rsal.scene.Service.Software;
 import rsal.settings.Problem;
 import rsal.settings.Value;
-import rsal.stage.Findings;
 import rsal.stage.WorldFiles;
+import rsal.stage.WorldProblems;
 import rsal.world.SceneFormat;
 
 class PlayerFormatTest {
@@ -142,7 +142,12 @@ class PlayerFormatTest {
     @Test
     void whatIsServedIsTold() {
         assertThat(configs(UHH).read().services())
-                .extracting(Service::driver, Service::port, Service::devices, Service::needs, Service::robot)
+                .extracting(
+                        RobotService::driver,
+                        RobotService::port,
+                        RobotService::devices,
+                        RobotService::needs,
+                        RobotService::robot)
                 .containsExactly(
                         tuple("stage", 6665, List.of("simulation:0"), List.of(), Optional.empty()),
                         tuple(
@@ -164,11 +169,11 @@ class PlayerFormatTest {
 
     @Test
     void whatStandsBehindItIsFound() {
-        List<Service> services = configs(UHH + PLANNER.replace("odom_init 0", "odom_init 0 pf_max_samples 2000"))
+        List<RobotService> services = configs(UHH + PLANNER.replace("odom_init 0", "odom_init 0 pf_max_samples 2000"))
                 .read()
                 .services();
-        assertThat(services).extracting(Service::refusal).containsOnly(Optional.empty());
-        assertThat(services.get(0).sources()).containsExactly(entry("simulation:0", Service.SIMULATION));
+        assertThat(services).extracting(RobotService::refusal).containsOnly(Optional.empty());
+        assertThat(services.get(0).sources()).containsExactly(entry("simulation:0", RobotService.SIMULATION));
         assertThat(services.get(1).sources())
                 .containsExactly(
                         entry("position2d:0", "base"),
@@ -176,12 +181,12 @@ class PlayerFormatTest {
                         entry("ranger:1", "laser"),
                         entry("gripper:0", "gripper"));
         assertThat(services.get(4).sources()).containsExactly(entry("laser:0", "laser"));
-        assertThat(services.get(5).sources()).containsExactly(entry("map:0", Service.MAP));
+        assertThat(services.get(5).sources()).containsExactly(entry("map:0", RobotService.MAP));
         assertThat(services.get(6).sources()).containsExactly(entry("position2d:1", "navigator"));
         assertThat(services.get(7).sources())
                 .containsExactly(entry("localize:0", "localizer"), entry("position2d:2", "localizer"));
         assertThat(services.get(8).sources()).containsExactly(entry("planner:0", "navigator"));
-        assertThat(services.subList(6, 9)).extracting(Service::robot).containsOnly(Optional.of("r0"));
+        assertThat(services.subList(6, 9)).extracting(RobotService::robot).containsOnly(Optional.of("r0"));
         Tolerance tolerance = services.get(8).tolerance();
         assertThat(tolerance.distance()).isEqualTo(0.4);
         assertThat(tolerance.angle()).isCloseTo(Math.toRadians(10), within(1e-9));
@@ -189,18 +194,18 @@ class PlayerFormatTest {
 
     @Test
     void aDriverAtTwoPortsHasSomethingElseBehindTheSameIndex() {
-        List<Service> services = configs(
+        List<RobotService> services = configs(
                         STAGE + "driver ( name \"stage\" provides [\"6670:ranger:0\" \"6671:ranger:0\"] model \"r0\" )")
                 .read()
                 .services();
         assertThat(services.subList(1, 3))
-                .extracting(Service::port, Service::sources)
+                .extracting(RobotService::port, RobotService::sources)
                 .containsExactly(tuple(6670, Map.of("ranger:0", "sonar")), tuple(6671, Map.of("ranger:0", "laser")));
     }
 
     @Test
     void whatRobotsNeedForItIsSetAsTheFileSays() {
-        List<Service> services = configs(UHH + PLANNER.replace("odom_init 0", "odom_init 0 pf_max_samples 2000"))
+        List<RobotService> services = configs(UHH + PLANNER.replace("odom_init 0", "odom_init 0 pf_max_samples 2000"))
                 .read()
                 .services();
         List<Software> software = services.stream()
@@ -418,7 +423,7 @@ class PlayerFormatTest {
         Scene scene = Configs.of(PLANNER).read();
         assertThat(scene.robots()).isEmpty();
         assertThat(scene.services())
-                .extracting(Service::driver, Service::devices, Service::needs)
+                .extracting(RobotService::driver, RobotService::devices, RobotService::needs)
                 .containsExactly(
                         tuple("vfh", List.of("position2d:1"), List.of("6665:position2d:0", "6665:laser:0")),
                         tuple(
@@ -440,7 +445,7 @@ class PlayerFormatTest {
 
     @Test
     void theGrammarIsReadIntoDrivers() {
-        var findings = new Findings();
+        var findings = new WorldProblems();
         Configs configs = Configs.of("""
                 include "more.inc"
                 unit_length "cm"
@@ -479,7 +484,7 @@ class PlayerFormatTest {
     /// The thesis started `player -p 6666 planner1.cfg` and `player -p 6668 planner2.cfg` beside the world.
     @Test
     void includedFilesHaveAPortEach() {
-        var findings = new Findings();
+        var findings = new WorldProblems();
         String planner = """
                 driver ( name "amcl" provides ["localize:0"] requires ["odometry::%d:position2d:0"] )
                 driver ( name "wavefront" provides ["planner:0"] requires ["localize:0"] )
@@ -501,7 +506,7 @@ class PlayerFormatTest {
                         "6666:localize:0", "6666:planner:0", "6668:localize:0", "6668:planner:0", "6665:map:0");
         assertThat(config.drivers())
                 .flatExtracting(Driver::requires)
-                .extracting(Address::place)
+                .extracting(DriverAddress::place)
                 .as("what names a port keeps it")
                 .containsExactly("6665:position2d:0", "6666:localize:0", "6667:position2d:0", "6668:localize:0");
     }

@@ -24,7 +24,7 @@ import rsal.agent.bdi.Mind;
 import rsal.agent.message.GoalReached;
 import rsal.agent.message.NewGoal;
 import rsal.agent.platform.AgentPlatform;
-import rsal.agent.platform.Turns;
+import rsal.agent.platform.AgentTurns;
 import rsal.agent.protocol.Act;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
@@ -69,7 +69,7 @@ public final class Agents implements AutoCloseable {
     private final Team team;
     private final RobotPoses where;
     private final Traffic traffic;
-    private final Turns turns;
+    private final AgentTurns turns;
     private final Map<String, PlannedAgent> started = new HashMap<>(); // by name
     private final Map<String, Deque<String>> lastMessages = new HashMap<>(); // in words
     private final Map<String, Instant> lastSaid = new HashMap<>(); // when
@@ -95,7 +95,7 @@ public final class Agents implements AutoCloseable {
             Team team,
             RobotPoses where,
             Traffic traffic,
-            Turns turns) {
+            AgentTurns turns) {
         this.plan = plan;
         this.scheduler = scheduler;
         this.eventLog = eventLog;

@@ -10,8 +10,8 @@ import rsal.experiment.Findings;
 import rsal.experiment.Findings.Interaction;
 import rsal.experiment.Manifest.Measure;
 import rsal.experiment.Measurements;
+import rsal.experiment.statistics.ConfidenceInterval;
 import rsal.experiment.statistics.Effect;
-import rsal.experiment.statistics.Interval;
 import rsal.experiment.statistics.Mean;
 
 /// What an experiment says: all that is compared, and which differences are clear. p-values are corrected within each
@@ -158,7 +158,7 @@ public final class Conclusions {
     private static Sentence sentence(Compared<?> compared, String what, String judged) {
         return new Sentence(
                 String.valueOf(compared.subject()),
-                ": %s%s (%s)%s".formatted(Numbers.signed(compared.difference()), what, sure(compared), judged));
+                ": %s%s (%s)%s".formatted(NumberFormats.signed(compared.difference()), what, sure(compared), judged));
     }
 
     private static Sentence sentence(Measure measure, InPlaces places) {
@@ -177,21 +177,23 @@ public final class Conclusions {
                                 difference(places.after()),
                                 unit(measure),
                                 where.to(),
-                                Numbers.signed(places.compared().difference()),
+                                NumberFormats.signed(places.compared().difference()),
                                 sure(places.compared())));
     }
 
     private static String difference(Effect effect) {
-        return effect.difference().map(mean -> Numbers.signed(mean.value())).orElse("–");
+        return effect.difference()
+                .map(mean -> NumberFormats.signed(mean.value()))
+                .orElse("–");
     }
 
     /// `95 % −30 to −14, 30 of 30 seeds, p = 0.012`
     private static String sure(Compared<?> compared) {
-        Optional<Interval> interval = compared.effect().difference().flatMap(Mean::interval);
-        String p = Numbers.probability(compared.corrected().orElseThrow());
+        Optional<ConfidenceInterval> interval = compared.effect().difference().flatMap(Mean::interval);
+        String p = NumberFormats.probability(compared.corrected().orElseThrow());
         return "95 %% %s, %d of %d seeds, p %s"
                 .formatted(
-                        interval.map(Numbers::signed).orElse("–"),
+                        interval.map(NumberFormats::signed).orElse("–"),
                         compared.effect().complete(),
                         compared.effect().blocks(),
                         p.startsWith("<") ? p : "= " + p);
@@ -237,7 +239,7 @@ public final class Conclusions {
                                     name,
                                     without - (runs - used),
                                     runs,
-                                    Numbers.of(measurements.horizon().getAsDouble()),
+                                    NumberFormats.of(measurements.horizon().getAsDouble()),
                                     unit(measurements.measure()),
                                     left));
         }

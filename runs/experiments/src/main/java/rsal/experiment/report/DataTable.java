@@ -23,7 +23,7 @@ record DataTable(
         List<String> fields,
         List<List<String>> exact) {
     DataTable {
-        name = Figure.fileName(name);
+        name = ReportFigure.fileName(name);
         header = List.copyOf(header);
         rows = List.copyOf(rows);
         fields = List.copyOf(fields);

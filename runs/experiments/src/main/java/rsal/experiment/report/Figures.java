@@ -17,10 +17,10 @@ import rsal.experiment.Measurements;
 import rsal.experiment.Row;
 import rsal.experiment.report.Drawing.Align;
 import rsal.experiment.report.Drawing.Ink;
-import rsal.experiment.report.Figure.Picture;
-import rsal.experiment.report.Frame.Mark;
+import rsal.experiment.report.FigureLayout.Mark;
+import rsal.experiment.report.ReportFigure.Picture;
 import rsal.experiment.statistics.BoxPlot;
-import rsal.experiment.statistics.Interval;
+import rsal.experiment.statistics.ConfidenceInterval;
 import rsal.experiment.statistics.KaplanMeier;
 import rsal.experiment.statistics.Mean;
 import rsal.experiment.statistics.Share;
@@ -69,11 +69,11 @@ final class Figures {
     /// What is drawn in rows, with a scale below.
     private record Rows(List<String> labels, List<Mark> keys, Content content) implements Picture {
         interface Content {
-            void draw(Drawing drawing, Frame frame);
+            void draw(Drawing drawing, FigureLayout frame);
         }
 
-        private Frame frame(double width) {
-            return new Frame(width, labels, keys);
+        private FigureLayout frame(double width) {
+            return new FigureLayout(width, labels, keys);
         }
 
         @Override
@@ -89,7 +89,7 @@ final class Figures {
     }
 
     /// A bar of shares for each combination.
-    static Figure outcomes(Findings findings, List<Combination> combinations) {
+    static ReportFigure outcomes(Findings findings, List<Combination> combinations) {
         List<String> outcomes = outcomes(findings);
         var numbers = new ArrayList<List<String>>();
         for (Combination combination : combinations) {
@@ -101,16 +101,16 @@ final class Figures {
                         outcome,
                         Integer.toString(share.count()),
                         Integer.toString(share.of()),
-                        Numbers.exact(share.value()),
-                        Numbers.exact(share.interval().low()),
-                        Numbers.exact(share.interval().high())));
+                        NumberFormats.exact(share.value()),
+                        NumberFormats.exact(share.interval().low()),
+                        NumberFormats.exact(share.interval().high())));
             }
         }
         List<Mark> keys = outcomes.stream()
                 .map(outcome ->
                         new Mark(outcome, (drawing, at) -> drawing.bar(at.x() - 6, at.y() - 6, 12, 12, ink(outcome))))
                 .toList();
-        return new Figure(
+        return new ReportFigure(
                 "outcomes",
                 "Bars of how runs ended, for each of %s; the table below has the numbers."
                         .formatted(counted(combinations)),
@@ -122,7 +122,8 @@ final class Figures {
                 numbers);
     }
 
-    private static void drawOutcomes(Drawing drawing, Frame frame, Findings findings, List<Combination> combinations) {
+    private static void drawOutcomes(
+            Drawing drawing, FigureLayout frame, Findings findings, List<Combination> combinations) {
         var scale = new Scale(0, 100, frame.left(), frame.right());
         scale.draw(drawing, frame.top(), frame.bottom(), "share of the runs [%]");
         for (int i = 0; i < combinations.size(); i++) {
@@ -138,7 +139,7 @@ final class Figures {
                     drawing.text(
                             scale.at(from) + width / 2,
                             frame.middle(i) + 5,
-                            Numbers.percent(share / 100),
+                            NumberFormats.percent(share / 100),
                             Align.MIDDLE,
                             Ink.ON_BAR);
                 }
@@ -154,7 +155,7 @@ final class Figures {
     /// For each combination a box plot, and the mean with its interval.
     ///
     /// @param combinations that have values
-    static Figure values(Findings findings, Measurements measurements, List<Combination> combinations) {
+    static ReportFigure values(Findings findings, Measurements measurements, List<Combination> combinations) {
         Measure measure = measurements.measure();
         var boxes = new ArrayList<BoxPlot>();
         var means = new ArrayList<Mean>();
@@ -168,17 +169,17 @@ final class Figures {
             numbers.add(List.of(
                     findings.label(combination),
                     Integer.toString(mean.count()),
-                    Numbers.exact(mean.value()),
-                    mean.interval().map(i -> Numbers.exact(i.low())).orElse(""),
-                    mean.interval().map(i -> Numbers.exact(i.high())).orElse(""),
-                    Numbers.exact(mean.deviation()),
-                    Numbers.exact(box.least()),
-                    Numbers.exact(box.first()),
-                    Numbers.exact(box.median()),
-                    Numbers.exact(box.third()),
-                    Numbers.exact(box.most())));
+                    NumberFormats.exact(mean.value()),
+                    mean.interval().map(i -> NumberFormats.exact(i.low())).orElse(""),
+                    mean.interval().map(i -> NumberFormats.exact(i.high())).orElse(""),
+                    NumberFormats.exact(mean.deviation()),
+                    NumberFormats.exact(box.least()),
+                    NumberFormats.exact(box.first()),
+                    NumberFormats.exact(box.median()),
+                    NumberFormats.exact(box.third()),
+                    NumberFormats.exact(box.most())));
         }
-        return new Figure(
+        return new ReportFigure(
                 measure.name(),
                 "Box plots of %s and means with 95 %% confidence intervals, for each of %s; the table below has the numbers."
                         .formatted(title(measure), counted(combinations)),
@@ -205,7 +206,8 @@ final class Figures {
                 numbers);
     }
 
-    private static void drawValues(Drawing drawing, Frame frame, List<BoxPlot> boxes, List<Mean> means, String title) {
+    private static void drawValues(
+            Drawing drawing, FigureLayout frame, List<BoxPlot> boxes, List<Mean> means, String title) {
         Scale scale = scale(
                 Stream.concat(
                         boxes.stream().flatMap(box -> Stream.of(box.least(), box.most())),
@@ -241,7 +243,7 @@ final class Figures {
     /// In which share of runs it had happened by when: Kaplan-Meier curves, a few in each figure.
     ///
     /// @param combinations with a curve
-    static List<Figure> curves(Findings findings, Measurements measurements, List<Combination> combinations) {
+    static List<ReportFigure> curves(Findings findings, Measurements measurements, List<Combination> combinations) {
         int figures = (combinations.size() + CURVES.size() - 1) / CURVES.size();
         return IntStream.range(0, figures)
                 .mapToObj(i -> curves(
@@ -252,7 +254,7 @@ final class Figures {
                 .toList();
     }
 
-    private static Figure curves(
+    private static ReportFigure curves(
             Findings findings, Measurements measurements, List<Combination> combinations, String part) {
         Measure measure = measurements.measure();
         double horizon = measurements.horizon().orElseThrow();
@@ -262,12 +264,12 @@ final class Figures {
             for (KaplanMeier.Step step : curve.steps()) {
                 numbers.add(List.of(
                         findings.label(combination),
-                        Numbers.exact(step.time()),
+                        NumberFormats.exact(step.time()),
                         Integer.toString(step.atRisk()),
                         Integer.toString(step.happened()),
-                        Numbers.exact(1 - step.share()),
-                        Numbers.exact(1 - step.interval().high()),
-                        Numbers.exact(1 - step.interval().low())));
+                        NumberFormats.exact(1 - step.share()),
+                        NumberFormats.exact(1 - step.interval().high()),
+                        NumberFormats.exact(1 - step.interval().low())));
             }
         }
         var keys = new ArrayList<Mark>();
@@ -277,7 +279,7 @@ final class Figures {
                     findings.label(combinations.get(i)),
                     (drawing, at) -> drawing.line(at.x() - 11, at.y(), at.x() + 11, at.y(), 2.5, ink)));
         }
-        return new Figure(
+        return new ReportFigure(
                 measure.name() + part,
                 "Kaplan-Meier curves of %s: in which share of runs it had happened by when, for each of %s."
                         .formatted(title(measure), counted(combinations)),
@@ -293,8 +295,8 @@ final class Figures {
                         drawCurves(drawing, frame(width), measurements, combinations, horizon);
                     }
 
-                    private Frame frame(double width) {
-                        return new Frame(width, List.of(), keys);
+                    private FigureLayout frame(double width) {
+                        return new FigureLayout(width, List.of(), keys);
                     }
                 },
                 List.of("combination", "time", "atRisk", "happened", "share", "low95", "high95"),
@@ -302,7 +304,11 @@ final class Figures {
     }
 
     private static void drawCurves(
-            Drawing drawing, Frame frame, Measurements measurements, List<Combination> combinations, double horizon) {
+            Drawing drawing,
+            FigureLayout frame,
+            Measurements measurements,
+            List<Combination> combinations,
+            double horizon) {
         double bottom = frame.bottom(CURVES_HIGH);
         var scale = new Scale(0, Math.max(horizon, 1e-9), frame.left(), frame.right());
         var shares = new Scale(0, 1, bottom, frame.top());
@@ -324,7 +330,7 @@ final class Figures {
         double horizon = scale.most();
         double from = 0;
         double share = 0;
-        Optional<Interval> interval = Optional.empty();
+        Optional<ConfidenceInterval> interval = Optional.empty();
         for (int i = 0; i <= curve.steps().size(); i++) {
             boolean last = i == curve.steps().size() || curve.steps().get(i).time() > horizon;
             double to = last ? horizon : curve.steps().get(i).time();
@@ -359,25 +365,25 @@ final class Figures {
     /// For each change the mean difference with its interval.
     ///
     /// @param changes that are known
-    static Figure effects(Measure measure, List<Compared<Change>> changes) {
+    static ReportFigure effects(Measure measure, List<Compared<Change>> changes) {
         List<Mean> means = changes.stream()
                 .map(change -> change.effect().difference().orElseThrow())
                 .toList();
         var numbers = new ArrayList<List<String>>();
         for (int i = 0; i < changes.size(); i++) {
             Compared<Change> change = changes.get(i);
-            Optional<Interval> interval = means.get(i).interval();
+            Optional<ConfidenceInterval> interval = means.get(i).interval();
             numbers.add(List.of(
                     change.subject().factor().argument(),
                     change.subject().from(),
                     change.subject().to(),
                     Integer.toString(change.effect().complete()),
                     Integer.toString(change.effect().blocks()),
-                    Numbers.exact(means.get(i).value()),
-                    interval.map(ends -> Numbers.exact(ends.low())).orElse(""),
-                    interval.map(ends -> Numbers.exact(ends.high())).orElse("")));
+                    NumberFormats.exact(means.get(i).value()),
+                    interval.map(ends -> NumberFormats.exact(ends.low())).orElse(""),
+                    interval.map(ends -> NumberFormats.exact(ends.high())).orElse("")));
         }
-        return new Figure(
+        return new ReportFigure(
                 measure.name() + "-effects",
                 "What each change does to %s: mean differences with 95 %% confidence intervals; the table below has the numbers."
                         .formatted(title(measure)),
@@ -404,7 +410,7 @@ final class Figures {
                 numbers);
     }
 
-    private static Scale scale(Stream<Double> ends, Frame frame) {
+    private static Scale scale(Stream<Double> ends, FigureLayout frame) {
         double[] all = ends.mapToDouble(Double::doubleValue).toArray();
         return Scale.of(
                 Arrays.stream(all).min().orElse(0), Arrays.stream(all).max().orElse(1), frame.left(), frame.right());

@@ -31,7 +31,7 @@ final class PdfDrawing implements Drawing {
         this.font = font;
     }
 
-    static byte[] of(Figure figure, Print print) {
+    static byte[] of(ReportFigure figure, Print print) {
         double scale = print.widthInPoints() / print.width();
         double height = figure.picture().height(print.width()) * scale;
         var bytes = new ByteArrayOutputStream();

@@ -25,17 +25,17 @@ final class PngDrawing implements Drawing {
         this.graphics = graphics;
     }
 
-    static byte[] of(Figure figure) {
-        int height = (int) Math.ceil(figure.picture().height(Figure.WIDTH));
-        var image = new BufferedImage((int) (SCALE * Figure.WIDTH), SCALE * height, BufferedImage.TYPE_INT_RGB);
+    static byte[] of(ReportFigure figure) {
+        int height = (int) Math.ceil(figure.picture().height(ReportFigure.WIDTH));
+        var image = new BufferedImage((int) (SCALE * ReportFigure.WIDTH), SCALE * height, BufferedImage.TYPE_INT_RGB);
         Graphics2D graphics = image.createGraphics();
         graphics.setColor(Color.WHITE);
         graphics.fillRect(0, 0, image.getWidth(), image.getHeight());
         graphics.scale(SCALE, SCALE);
         graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        graphics.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 1).deriveFont((float) Figure.TEXT));
-        figure.picture().draw(new PngDrawing(graphics), Figure.WIDTH);
+        graphics.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 1).deriveFont((float) ReportFigure.TEXT));
+        figure.picture().draw(new PngDrawing(graphics), ReportFigure.WIDTH);
         graphics.dispose();
         var bytes = new ByteArrayOutputStream();
         try {

@@ -34,15 +34,15 @@ public record Print(double millimeters, String family, double points) {
         return millimeters * POINTS_PER_MILLIMETER;
     }
 
-    /// Of the figure in the unit of drawings, in which a text is [Figure#TEXT] high.
+    /// Of the figure in the unit of drawings, in which a text is [ReportFigure#TEXT] high.
     double width() {
-        return widthInPoints() / points * Figure.TEXT;
+        return widthInPoints() / points * ReportFigure.TEXT;
     }
 
     /// In the unit of drawings.
     Font font() {
         String logical = logical(family);
-        return new Font(logical.isEmpty() ? family : logical, Font.PLAIN, 1).deriveFont((float) Figure.TEXT);
+        return new Font(logical.isEmpty() ? family : logical, Font.PLAIN, 1).deriveFont((float) ReportFigure.TEXT);
     }
 
     private static String logical(String family) {

@@ -38,7 +38,7 @@ public final class Report {
     private final Map<Integer, String> recordings; // of runs: where they are, seen from the page
     private final List<Combination> combinations; // of which runs have ended
     private final Conclusions conclusions;
-    private final List<Figure> figures = new ArrayList<>();
+    private final List<ReportFigure> figures = new ArrayList<>();
     private final List<DataTable> tables = new ArrayList<>();
     private final StringBuilder html = new StringBuilder();
 
@@ -87,7 +87,7 @@ public final class Report {
             return Optional.empty();
         }
         Files.createDirectories(folder);
-        for (Figure figure : figures) {
+        for (ReportFigure figure : figures) {
             String numbers = Stream.concat(Stream.of(figure.header()), figure.numbers().stream())
                     .map(row -> CsvLine.of(row.stream()))
                     .collect(Collectors.joining());
@@ -225,10 +225,10 @@ public final class Report {
     private void outcomes() {
         html.append("<section>\n<h2>How runs ended</h2>\n");
         figure(Figures.outcomes(findings, combinations));
-        table(Tables.outcomes(findings, combinations));
+        table(ReportTables.outcomes(findings, combinations));
         if (!conclusions.endings().isEmpty()) {
             html.append("<h3>What each change does to it</h3>\n");
-            table(Tables.effectsOnShares(conclusions.endings()));
+            table(ReportTables.effectsOnShares(conclusions.endings()));
             note("A run that ends so counts for 100, another one for 0; of each seed the mean over all that is varied"
                     + " besides. The interval is rough where seeds are few, or nearly all runs end alike.");
         }
@@ -249,10 +249,10 @@ public final class Report {
             Figures.curves(findings, measurements, measured).forEach(this::figure);
             note(
                     "Kaplan-Meier curves: the share of runs in which it has happened, by time. A tick is a run that ended before that.");
-            table(Tables.times(findings, measurements, combinations));
+            table(ReportTables.times(findings, measurements, combinations));
         } else {
             figure(Figures.values(findings, measurements, measured));
-            table(Tables.values(findings, measurements, combinations));
+            table(ReportTables.values(findings, measurements, combinations));
         }
         Conclusions.missing(measurements, combinations).ifPresent(this::note);
         effects(quantity);
@@ -270,20 +270,20 @@ public final class Report {
         if (!known.isEmpty()) {
             figure(Figures.effects(quantity.measure(), known));
         }
-        table(Tables.effects(quantity));
+        table(ReportTables.effects(quantity));
         note(
                 "Of each seed the mean over all that is varied besides; 95 % intervals are Student's. p (Holm) is corrected"
                         + " for all rows. d_z is the mean difference in standard deviations of the differences.");
         if (!quantity.interactions().isEmpty()) {
             html.append("<h3>Where it depends on something else</h3>\n");
-            table(Tables.interactions(quantity));
+            table(ReportTables.interactions(quantity));
             note(
                     "'before' and 'after' are what the change does before and after what stands under 'where'; the difference"
                             + " of both is judged.");
         }
     }
 
-    private void figure(Figure figure) {
+    private void figure(ReportFigure figure) {
         figures.add(figure);
         html.append("<figure>\n").append(SvgDrawing.of(figure)).append("</figure>\n");
     }
@@ -349,7 +349,7 @@ public final class Report {
                 row.outcome(),
                 Long.toString(row.seed()),
                 row.simulatedSeconds().isPresent()
-                        ? Numbers.of(row.simulatedSeconds().getAsDouble())
+                        ? NumberFormats.of(row.simulatedSeconds().getAsDouble())
                         : "–");
     }
 
@@ -365,7 +365,7 @@ public final class Report {
         findings.manifest()
                 .subject()
                 .forSeconds()
-                .ifPresent(seconds -> words.addAll(List.of("--for", Numbers.exact(seconds))));
+                .ifPresent(seconds -> words.addAll(List.of("--for", NumberFormats.exact(seconds))));
         return ShellWords.of(words);
     }
 

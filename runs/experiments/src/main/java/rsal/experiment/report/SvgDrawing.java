@@ -13,20 +13,20 @@ final class SvgDrawing implements Drawing {
     }
 
     /// Inside a page.
-    static String of(Figure figure) {
+    static String of(ReportFigure figure) {
         var drawing = new SvgDrawing(true);
         drawing.svg.append("<svg viewBox=\"0 0 %s %s\" width=\"%s\" role=\"img\" aria-label=\"%s\">%n"
                 .formatted(
-                        number(Figure.WIDTH),
-                        number(figure.picture().height(Figure.WIDTH)),
-                        number(Figure.WIDTH),
+                        number(ReportFigure.WIDTH),
+                        number(figure.picture().height(ReportFigure.WIDTH)),
+                        number(ReportFigure.WIDTH),
                         Html.text(figure.alternative())));
-        figure.picture().draw(drawing, Figure.WIDTH);
+        figure.picture().draw(drawing, ReportFigure.WIDTH);
         return drawing.svg.append("</svg>\n").toString();
     }
 
     /// A file of its own.
-    static String of(Figure figure, Print print) {
+    static String of(ReportFigure figure, Print print) {
         double width = print.width();
         double height = figure.picture().height(width);
         var drawing = new SvgDrawing(false);
@@ -39,7 +39,7 @@ final class SvgDrawing implements Drawing {
                         number(print.millimeters()),
                         number(print.millimeters() * height / width),
                         Html.text(print.family()),
-                        number(Figure.TEXT),
+                        number(ReportFigure.TEXT),
                         Html.text(figure.alternative())));
         figure.picture().draw(drawing, width);
         return drawing.svg.append("</svg>\n").toString();

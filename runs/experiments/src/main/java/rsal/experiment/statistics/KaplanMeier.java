@@ -14,7 +14,7 @@ import org.apache.commons.statistics.distribution.NormalDistribution;
 /// Immutable.
 public final class KaplanMeier {
     private static final double NORMAL =
-            NormalDistribution.of(0, 1).inverseSurvivalProbability((1 - Interval.CONFIDENCE) / 2);
+            NormalDistribution.of(0, 1).inverseSurvivalProbability((1 - ConfidenceInterval.CONFIDENCE) / 2);
 
     private final List<Observation> observations; // by time; at the same time, what happened comes first
     private final List<Step> steps;
@@ -27,7 +27,7 @@ public final class KaplanMeier {
     /// @param interval of the share, pointwise, on the scale of log(−log), with Greenwood's variance: J.
     /// Kalbfleisch,
     /// R. Prentice, The Statistical Analysis of Failure Time Data, 2nd edition, 2002, section 1.4
-    public record Step(double time, int atRisk, int happened, double share, Interval interval) {}
+    public record Step(double time, int atRisk, int happened, double share, ConfidenceInterval interval) {}
 
     private KaplanMeier(List<Observation> observations) {
         this.observations = observations;
@@ -61,12 +61,12 @@ public final class KaplanMeier {
                 .toList());
     }
 
-    private static Interval interval(double share, double greenwood) {
+    private static ConfidenceInterval interval(double share, double greenwood) {
         if (share == 0) {
-            return new Interval(0, 0);
+            return new ConfidenceInterval(0, 0);
         }
         double margin = NORMAL * Math.sqrt(greenwood) / Math.log(share);
-        return new Interval(Math.pow(share, Math.exp(-margin)), Math.pow(share, Math.exp(margin)));
+        return new ConfidenceInterval(Math.pow(share, Math.exp(-margin)), Math.pow(share, Math.exp(margin)));
     }
 
     /// Ascending by time; none when it never happened.

@@ -10,7 +10,7 @@ import org.apache.commons.statistics.distribution.TDistribution;
 /// @param count of the sample, at least 1
 /// @param deviation of the sample, by n − 1; 0 for one value
 /// @param interval of the mean it is from; empty for one value
-public record Mean(int count, double value, double deviation, Optional<Interval> interval) {
+public record Mean(int count, double value, double deviation, Optional<ConfidenceInterval> interval) {
     /// The interval is Student's: Student, The probable error of a mean, Biometrika 6, 1908. Right when
     /// values are independent and about normal, or many.
     ///
@@ -28,10 +28,11 @@ public record Mean(int count, double value, double deviation, Optional<Interval>
                 .map(value -> (value - mean) * (value - mean))
                 .sum();
         double deviation = Math.sqrt(squares / freedom);
-        double margin = TDistribution.of(freedom).inverseSurvivalProbability((1 - Interval.CONFIDENCE) / 2)
+        double margin = TDistribution.of(freedom).inverseSurvivalProbability((1 - ConfidenceInterval.CONFIDENCE) / 2)
                 * deviation
                 / Math.sqrt(values.length);
-        return new Mean(values.length, mean, deviation, Optional.of(new Interval(mean - margin, mean + margin)));
+        return new Mean(
+                values.length, mean, deviation, Optional.of(new ConfidenceInterval(mean - margin, mean + margin)));
     }
 
     /// How probable a mean so far from 0 or farther is when the values are from one with mean 0, by Student's t test;

@@ -20,11 +20,11 @@ public record Share(int count, int of) {
     /// succession, and statistical inference, JASA 22, 1927; as in L. Brown, T. Cai, A. DasGupta, Interval
     /// estimation for a binomial proportion, Statistical Science 16(2), 2001, equation 4. Unlike the usual
     /// one it says something where nothing or all was so, and is right for few, too.
-    public Interval interval() {
+    public ConfidenceInterval interval() {
         double squared = NORMAL * NORMAL;
         double middle = (count + squared / 2) / (of + squared);
         double margin =
                 NORMAL * Math.sqrt(of) / (of + squared) * Math.sqrt(value() * (1 - value()) + squared / (4 * of));
-        return new Interval(count == 0 ? 0 : middle - margin, count == of ? 1 : middle + margin);
+        return new ConfidenceInterval(count == 0 ? 0 : middle - margin, count == of ? 1 : middle + margin);
     }
 }

@@ -206,7 +206,7 @@ class ReportTest {
                 .isZero();
         assertThat(Report.html(findings))
                 .contains("Differences in shares of outcomes")
-                .contains(Numbers.signed(100 / 12.0));
+                .contains(NumberFormats.signed(100 / 12.0));
     }
 
     @Test
@@ -256,7 +256,7 @@ class ReportTest {
         assertThat(effects).hasSize(3);
         assertThat(effects.get(1)).startsWith("hunters,2,4,11,12,-");
         assertThat(ImageIO.read(figures.resolve("capturetime.png").toFile()).getWidth())
-                .isEqualTo((int) (2 * Figure.WIDTH));
+                .isEqualTo((int) (2 * ReportFigure.WIDTH));
     }
 
     @Test

@@ -18,7 +18,7 @@ class ShareTest {
         "1, 2, 0.0945312, 0.9054688"
     })
     void isAsWilsonSays(int count, int of, double low, double high) {
-        Interval interval = new Share(count, of).interval();
+        ConfidenceInterval interval = new Share(count, of).interval();
         assertThat(interval.low()).isEqualTo(low, within(1e-6));
         assertThat(interval.high()).isEqualTo(high, within(1e-6));
     }
@@ -29,7 +29,7 @@ class ShareTest {
         for (int of : new int[] {1, 2, 5, 17, 100}) {
             for (int count = 0; count <= of; count++) {
                 Share share = new Share(count, of);
-                Interval interval = share.interval();
+                ConfidenceInterval interval = share.interval();
                 for (int i = 1; i < 2000; i++) {
                     double p = i / 2000.0;
                     double score = Math.abs(share.value() - p) / Math.sqrt(p * (1 - p) / of);

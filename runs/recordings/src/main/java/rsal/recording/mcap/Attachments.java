@@ -12,9 +12,9 @@ final class Attachments {
     private Attachments() {}
 
     /// What a record says of its attachment, checked.
-    static AttachmentEntry entry(Window window, long at, long length) throws IOException, Malformed {
+    static AttachmentEntry entry(FileWindow window, long at, long length) throws IOException, Malformed {
         int head = (int) Math.min(length, MOST_HEAD);
-        var fields = new Fields(window.at(at + Opcode.PREFIX, head));
+        var fields = new RecordFields(window.at(at + Opcode.PREFIX, head));
         long logTime = fields.u64();
         fields.u64();
         String name = fields.string();
@@ -34,7 +34,7 @@ final class Attachments {
     }
 
     /// @throws InvalidMcap when it is damaged or too large
-    static Attachment read(Window window, AttachmentEntry entry) throws IOException {
+    static Attachment read(FileWindow window, AttachmentEntry entry) throws IOException {
         try {
             long length = entry.length() - Opcode.PREFIX;
             if (length < 0 || length > MOST) {
@@ -45,7 +45,7 @@ final class Attachments {
                 throw new Malformed("it is not where the index says");
             }
             AttachmentEntry known = entry(window, entry.offset(), length);
-            var fields = new Fields(window.at(entry.offset() + Opcode.PREFIX, (int) length));
+            var fields = new RecordFields(window.at(entry.offset() + Opcode.PREFIX, (int) length));
             long logTime = fields.u64();
             long createTime = fields.u64();
             fields.string();

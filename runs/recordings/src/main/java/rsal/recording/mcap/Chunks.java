@@ -14,13 +14,13 @@ final class Chunks implements AutoCloseable {
 
     private static final int MOST_COMPRESSION = 100; // characters of its name
 
-    private final Window window;
+    private final FileWindow window;
     private final ZstdDecompressCtx zstd = new ZstdDecompressCtx();
     private final CRC32 crc = new CRC32();
     private byte[] compressed = new byte[0];
     private byte[] records = new byte[0];
 
-    Chunks(Window window) {
+    Chunks(FileWindow window) {
         this.window = window;
     }
 
@@ -28,7 +28,7 @@ final class Chunks implements AutoCloseable {
     ///
     /// @param own whether they are the caller's to keep; else they are valid until the next are read
     /// @throws Malformed with what is wrong with it
-    ByteBuffer records(Block block, boolean own) throws IOException, Malformed {
+    ByteBuffer records(MessageBlock block, boolean own) throws IOException, Malformed {
         if (!block.isChunk()) {
             byte[] bytes = own ? new byte[(int) block.length()] : room((int) block.length());
             window.at(block.offset(), (int) block.length()).get(bytes, 0, (int) block.length());
@@ -39,7 +39,7 @@ final class Chunks implements AutoCloseable {
 
     private ByteBuffer chunk(long offset, long length, boolean own) throws IOException, Malformed {
         int head = (int) Math.min(length, Opcode.PREFIX + 8 + 8 + 8 + 4 + 4 + MOST_COMPRESSION + 8);
-        var fields = new Fields(window.at(offset, head));
+        var fields = new RecordFields(window.at(offset, head));
         if (fields.u8() != Opcode.CHUNK || fields.u64() != length - Opcode.PREFIX) {
             throw new Malformed("there is no chunk of that length");
         }
@@ -119,8 +119,8 @@ final class Chunks implements AutoCloseable {
     }
 
     /// What is in a record.
-    static Fields content(ByteBuffer records, int at, int next) {
-        return new Fields(records.slice(at + Opcode.PREFIX, next - at - Opcode.PREFIX));
+    static RecordFields content(ByteBuffer records, int at, int next) {
+        return new RecordFields(records.slice(at + Opcode.PREFIX, next - at - Opcode.PREFIX));
     }
 
     @Override

@@ -27,13 +27,13 @@ public final class McapFile implements Closeable {
 
     private final FileChannel file;
     private final Chunks chunks;
-    private final Contents contents;
+    private final McapContents contents;
 
-    private McapFile(FileChannel file, Chunks chunks, Contents contents) {
+    private McapFile(FileChannel file, Chunks chunks, McapContents contents) {
         this.file = file;
         this.chunks = chunks;
         this.contents = contents;
-        contents.blocks.sort(Comparator.comparingLong(Block::start).thenComparingLong(Block::offset));
+        contents.blocks.sort(Comparator.comparingLong(MessageBlock::start).thenComparingLong(MessageBlock::offset));
     }
 
     /// Opens a file. Damage of chunks is found when they are read, unless there is no index to go by.
@@ -52,7 +52,7 @@ public final class McapFile implements Closeable {
 
     private static McapFile open(Path path, boolean checked) throws IOException {
         FileChannel file = FileChannel.open(path, StandardOpenOption.READ);
-        var window = new Window(file);
+        var window = new FileWindow(file);
         var chunks = new Chunks(window);
         try {
             return new McapFile(file, chunks, contents(path, file.size(), window, chunks, checked));
@@ -63,7 +63,7 @@ public final class McapFile implements Closeable {
         }
     }
 
-    private static Contents contents(Path path, long size, Window window, Chunks chunks, boolean checked)
+    private static McapContents contents(Path path, long size, FileWindow window, Chunks chunks, boolean checked)
             throws IOException {
         byte[] magic = Opcode.magic();
         byte[] first = new byte[magic.length];
@@ -74,7 +74,7 @@ public final class McapFile implements Closeable {
             throw new InvalidMcap("File (%s) is no MCAP: it does not begin like one.".formatted(path));
         }
         String broken = "";
-        Optional<Contents> indexed = Optional.empty();
+        Optional<McapContents> indexed = Optional.empty();
         try {
             indexed = new Summary(window, size).read();
         } catch (Malformed e) {
@@ -83,7 +83,7 @@ public final class McapFile implements Closeable {
         if (indexed.isPresent() && !checked) {
             return indexed.get();
         }
-        Contents scanned = new Scan(window, chunks, size).read(checked);
+        McapContents scanned = new Scan(window, chunks, size).read(checked);
         if (!broken.isEmpty() && scanned.damage.isEmpty()) {
             scanned.damage.add("The index can't be used: %s. The messages are whole.".formatted(broken));
         }
@@ -127,21 +127,21 @@ public final class McapFile implements Closeable {
 
     /// @throws InvalidMcap when it is damaged
     public Attachment attachment(AttachmentEntry entry) throws IOException {
-        return Attachments.read(new Window(file), entry);
+        return Attachments.read(new FileWindow(file), entry);
     }
 
     /// Earliest log time of a message, in ns; empty when there is none.
     public OptionalLong start() {
-        return contents.blocks.stream().mapToLong(Block::start).min();
+        return contents.blocks.stream().mapToLong(MessageBlock::start).min();
     }
 
     /// Latest log time of a message, in ns; empty when there is none.
     public OptionalLong end() {
-        return contents.blocks.stream().mapToLong(Block::end).max();
+        return contents.blocks.stream().mapToLong(MessageBlock::end).max();
     }
 
     public int chunks() {
-        return (int) contents.blocks.stream().filter(Block::isChunk).count();
+        return (int) contents.blocks.stream().filter(MessageBlock::isChunk).count();
     }
 
     /// How long the file is [B].
@@ -167,7 +167,7 @@ public final class McapFile implements Closeable {
     public void read(long from, long to, Predicate<Channel> wanted, MessageVisitor visitor) throws IOException {
         var ids = new BitSet();
         contents.channels.values().stream().filter(wanted).map(Channel::id).forEach(ids::set);
-        List<Block> blocks = contents.blocks.stream()
+        List<MessageBlock> blocks = contents.blocks.stream()
                 .filter(block -> block.end() >= from
                         && block.start() <= to
                         && block.channels().intersects(ids))
@@ -194,14 +194,14 @@ public final class McapFile implements Closeable {
         }
     }
 
-    private void read(List<Block> blocks, Wanted wanted, MessageVisitor visitor) throws IOException {
+    private void read(List<MessageBlock> blocks, Wanted wanted, MessageVisitor visitor) throws IOException {
         if (blocks.size() == 1) {
             read(blocks.getFirst(), wanted, visitor);
             return;
         }
         var all = new ArrayList<Place>();
         long bytes = 0;
-        for (Block block : blocks) {
+        for (MessageBlock block : blocks) {
             Optional<ByteBuffer> records = records(block, true);
             bytes += records.map(ByteBuffer::limit).orElse(0);
             if (bytes > MOST_AT_ONCE) {
@@ -222,7 +222,7 @@ public final class McapFile implements Closeable {
         }
     }
 
-    private void read(Block block, Wanted wanted, MessageVisitor visitor) throws IOException {
+    private void read(MessageBlock block, Wanted wanted, MessageVisitor visitor) throws IOException {
         Optional<ByteBuffer> found = records(block, false);
         if (found.isEmpty()) {
             return;
@@ -284,7 +284,7 @@ public final class McapFile implements Closeable {
     }
 
     /// Checked; empty when it is damaged, which is told.
-    private Optional<ByteBuffer> records(Block block, boolean own) throws IOException {
+    private Optional<ByteBuffer> records(MessageBlock block, boolean own) throws IOException {
         try {
             ByteBuffer records = chunks.records(block, own);
             for (int at = 0; at < records.limit(); ) {

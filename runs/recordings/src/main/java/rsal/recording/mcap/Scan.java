@@ -12,10 +12,10 @@ final class Scan {
     private static final long MOST_LOOSE = 1 << 20; // [B] of messages outside of chunks that are read at once
     private static final int MOST_NOTES = 100;
 
-    private final Window window;
+    private final FileWindow window;
     private final Chunks chunks;
     private final long size;
-    private final Contents contents = new Contents();
+    private final McapContents contents = new McapContents();
     private int notes;
     private int strays; // messages of no channel
 
@@ -26,14 +26,14 @@ final class Scan {
     private long looseEnd;
     private BitSet looseChannels = new BitSet();
 
-    Scan(Window window, Chunks chunks, long size) {
+    Scan(FileWindow window, Chunks chunks, long size) {
         this.window = window;
         this.chunks = chunks;
         this.size = size;
     }
 
     /// @param withSum whether to check the sum of all data, too, for which all is read twice
-    Contents read(boolean withSum) throws IOException {
+    McapContents read(boolean withSum) throws IOException {
         long at = Opcode.magic().length;
         boolean ended = false;
         while (!ended && at + Opcode.PREFIX <= size) {
@@ -106,14 +106,14 @@ final class Scan {
             } else if (length > MOST_RECORD) {
                 throw new Malformed("it has %d bytes; more than %d are not read".formatted(length, MOST_RECORD));
             } else {
-                small(opcode, new Fields(window.at(at + Opcode.PREFIX, (int) length)));
+                small(opcode, new RecordFields(window.at(at + Opcode.PREFIX, (int) length)));
             }
         } catch (Malformed e) {
             note("The record at byte %d is lost: %s.".formatted(at, e.getMessage()));
         }
     }
 
-    private void small(int opcode, Fields fields) throws Malformed {
+    private void small(int opcode, RecordFields fields) throws Malformed {
         switch (opcode) {
             case Opcode.HEADER -> {
                 fields.string();
@@ -155,7 +155,7 @@ final class Scan {
 
     private void endLoose() {
         if (looseLength > 0) {
-            contents.blocks.add(new Block(looseAt, looseLength, false, looseStart, looseEnd, looseChannels));
+            contents.blocks.add(new MessageBlock(looseAt, looseLength, false, looseStart, looseEnd, looseChannels));
         }
         looseLength = 0;
         looseChannels = new BitSet();
@@ -171,7 +171,7 @@ final class Scan {
     }
 
     private void chunk(long at, long length) throws IOException {
-        var whole = new Block(at, Opcode.PREFIX + length, true, 0, 0, new BitSet());
+        var whole = new MessageBlock(at, Opcode.PREFIX + length, true, 0, 0, new BitSet());
         try {
             ByteBuffer records = chunks.records(whole, false);
             checkRecords(records);
@@ -188,7 +188,7 @@ final class Scan {
         }
     }
 
-    private void count(Block whole, ByteBuffer records) throws Malformed {
+    private void count(MessageBlock whole, ByteBuffer records) throws Malformed {
         var channels = new BitSet();
         long start = Long.MAX_VALUE;
         long end = Long.MIN_VALUE;
@@ -208,7 +208,7 @@ final class Scan {
             at = next;
         }
         if (start <= end) {
-            contents.blocks.add(new Block(whole.offset(), whole.length(), true, start, end, channels));
+            contents.blocks.add(new MessageBlock(whole.offset(), whole.length(), true, start, end, channels));
         }
     }
 

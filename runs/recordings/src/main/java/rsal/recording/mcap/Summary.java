@@ -12,19 +12,19 @@ final class Summary {
     private static final int TAIL = Opcode.PREFIX + Opcode.FOOTER_LENGTH + 8; // [B]
     private static final int MOST_RECORD = 64 << 20; // [B]
 
-    private final Window window;
+    private final FileWindow window;
     private final long size;
-    private final Contents contents = new Contents();
+    private final McapContents contents = new McapContents();
     private long messages = -1; // as it says; −1: it does not
 
-    Summary(Window window, long size) {
+    Summary(FileWindow window, long size) {
         this.window = window;
         this.size = size;
     }
 
     /// @return what it says; empty when there is none, or none that all messages can be found by
     /// @throws Malformed when it is damaged, or cut off
-    Optional<Contents> read() throws IOException, Malformed {
+    Optional<McapContents> read() throws IOException, Malformed {
         byte[] magic = Opcode.magic();
         if (size < magic.length + TAIL) {
             throw new Malformed("there is none");
@@ -58,13 +58,13 @@ final class Summary {
     }
 
     private void header() throws IOException, Malformed {
-        Fields fields = whole(Opcode.magic().length, Opcode.HEADER, size);
+        RecordFields fields = whole(Opcode.magic().length, Opcode.HEADER, size);
         fields.string();
         contents.library = fields.string();
     }
 
     /// A record that is known to be of a kind.
-    private Fields whole(long at, int opcode, long end) throws IOException, Malformed {
+    private RecordFields whole(long at, int opcode, long end) throws IOException, Malformed {
         if (at < 0 || at + Opcode.PREFIX > end) {
             throw new Malformed("a record is not where it says");
         }
@@ -76,7 +76,7 @@ final class Summary {
                 || length > end - at - Opcode.PREFIX) {
             throw new Malformed("a record is not where it says");
         }
-        return new Fields(window.at(at + Opcode.PREFIX, (int) length));
+        return new RecordFields(window.at(at + Opcode.PREFIX, (int) length));
     }
 
     /// @return where the next begins
@@ -85,7 +85,7 @@ final class Summary {
             throw new Malformed("it ends within a record");
         }
         int opcode = Byte.toUnsignedInt(window.at(at, 1).get(0));
-        Fields fields = whole(at, opcode, end);
+        RecordFields fields = whole(at, opcode, end);
         long next = at + Opcode.PREFIX + fields.remaining();
         switch (opcode) {
             case Opcode.SCHEMA -> contents.schema(fields);
@@ -99,7 +99,7 @@ final class Summary {
         return next;
     }
 
-    private void statistics(Fields fields) throws Malformed {
+    private void statistics(RecordFields fields) throws Malformed {
         messages = fields.u64();
         fields.u16();
         for (int i = 0; i < 4; i++) {
@@ -107,28 +107,28 @@ final class Summary {
         }
         fields.u64();
         fields.u64();
-        Fields counts = fields.part();
+        RecordFields counts = fields.part();
         while (counts.remaining() > 0) {
             contents.counts.put(counts.u16(), counts.u64());
         }
     }
 
-    private void chunk(Fields fields, long dataEnd) throws Malformed {
+    private void chunk(RecordFields fields, long dataEnd) throws Malformed {
         long start = fields.u64();
         long end = fields.u64();
         long offset = fields.u64();
         long length = fields.u64();
         inFile(offset, length, dataEnd);
-        Fields indexes = fields.part();
+        RecordFields indexes = fields.part();
         var channels = new BitSet();
         while (indexes.remaining() > 0) {
             channels.set(indexes.u16());
             indexes.u64();
         }
-        contents.blocks.add(new Block(offset, length, true, start, end, channels));
+        contents.blocks.add(new MessageBlock(offset, length, true, start, end, channels));
     }
 
-    private void attachment(Fields fields, long dataEnd) throws Malformed {
+    private void attachment(RecordFields fields, long dataEnd) throws Malformed {
         long offset = fields.u64();
         long length = fields.u64();
         inFile(offset, length, dataEnd);

@@ -31,8 +31,8 @@ import rsal.robot.RobotSpec;
 import rsal.scenario.RunPlan;
 import rsal.scene.Block;
 import rsal.scene.Entity;
-import rsal.scene.Raster;
 import rsal.scene.Scene;
+import rsal.scene.SolidRaster;
 import rsal.scene.Surface;
 
 /// A world from above: floor plans dark, things and robots in their colors, the higher over the lower, what range
@@ -114,7 +114,7 @@ public final class WorldPicture {
             List<Entity> bodies = Stream.concat(
                             scene.things().stream(), robots.stream().flatMap(robot -> bodyOf(robot).stream()))
                     .toList();
-            var sight = new Sight(scene.walls(), bodies);
+            var sight = new WorldSight(scene.walls(), bodies);
             robots.forEach(robot -> drawFans(robot, sight));
         }
         for (RobotSpec robot : robots) {
@@ -151,7 +151,7 @@ public final class WorldPicture {
                                 0)));
     }
 
-    private void draw(Raster raster) {
+    private void draw(SolidRaster raster) {
         graphics.setColor(WALL);
         graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_OFF);
         for (int row = 0; row < raster.height(); row++) {
@@ -213,7 +213,7 @@ public final class WorldPicture {
         graphics.draw(pixelsFromMap.createTransformedShape(new Line2D.Double(pose.x(), pose.y(), nose.x(), nose.y())));
     }
 
-    private void drawFans(RobotSpec robot, Sight sight) {
+    private void drawFans(RobotSpec robot, WorldSight sight) {
         bodyOf(robot)
                 .ifPresent(body -> robot.model()
                         .sensors()
@@ -221,7 +221,7 @@ public final class WorldPicture {
                                 part, body, body.height() + robot.model().level(name), sight)));
     }
 
-    private void drawFan(Part part, Entity body, double height, Sight sight) {
+    private void drawFan(Part part, Entity body, double height, WorldSight sight) {
         graphics.setStroke(new BasicStroke(1));
         switch (part) {
             case Part.Laser laser -> {
@@ -229,7 +229,7 @@ public final class WorldPicture {
                 double extent = laser.angleIncrement() * (laser.samples() - 1);
                 int rays = 1 + (int) Math.ceil(extent / RAYS_APART);
                 double apart = extent / Math.max(1, rays - 1);
-                var fan = new Sight.Fan(eye, height, laser.angleMin(), apart, rays, laser.rangeMax());
+                var fan = new WorldSight.Fan(eye, height, laser.angleMin(), apart, rays, laser.rangeMax());
                 double[] ranges = sight.ranges(fan, body.name());
                 var outline = new Path2D.Double();
                 outline.moveTo(eye.x(), eye.y());
@@ -246,7 +246,8 @@ public final class WorldPicture {
                 graphics.setColor(SONAR);
                 for (Pose2d baseFromSonar : sonars.baseFromSensors()) {
                     Pose2d eye = body.mapFromEntity().compose(baseFromSonar);
-                    double range = sight.ranges(new Sight.Fan(eye, height, 0, 0, 1, sonars.rangeMax()), body.name())[0];
+                    double range =
+                            sight.ranges(new WorldSight.Fan(eye, height, 0, 0, 1, sonars.rangeMax()), body.name())[0];
                     Point2d end = eye.transform(new Point2d(range, 0));
                     graphics.draw(pixelsFromMap.createTransformedShape(
                             new Line2D.Double(eye.x(), eye.y(), end.x(), end.y())));

@@ -11,6 +11,7 @@ import rsal.settings.Parameter;
 public final class Cautious implements ControllerType {
     private static final Parameter<Double> ROOM =
             Parameter.number("room", 0.6, 0.1, 3, "m", "The robot slows down with less room ahead.");
+
     @Override
     public String key() {
         return "cautious";

@@ -14,12 +14,12 @@ import rsal.settings.Parameter;
 
 /// How far robots are from their nearest neighbors, and how often two of them meet.
 public final class Spacing implements MetricType {
-    private static final Parameter<Double> NEAR =
-            Parameter.number("near", 1, 0.1, 100, "m", "How near two robots are that meet.");
     private static final SignalType SPACING =
             SignalType.ofRobots("spacing", "m", "distance of a robot to the nearest other one, after each step");
     private static final QuantityType ENCOUNTERS =
             QuantityType.of("encounters", "", "how often a robot has come near another one so far");
+    private static final Parameter<Double> NEAR =
+            Parameter.number("near", 1, 0.1, 100, "m", "How near two robots are that meet.");
 
     @Override
     public String key() {

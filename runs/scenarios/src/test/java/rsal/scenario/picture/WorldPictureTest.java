@@ -21,8 +21,8 @@ import rsal.data.Rgb;
 import rsal.data.Shape;
 import rsal.scene.Block;
 import rsal.scene.Entity;
-import rsal.scene.Raster;
 import rsal.scene.Scene;
+import rsal.scene.SolidRaster;
 import rsal.scene.Surface;
 import rsal.scene.Touch;
 import rsal.world.yaml.YamlFormat;
@@ -133,7 +133,7 @@ class WorldPictureTest {
     private static BufferedImage picture(Entity... things) throws IOException {
         var cell = new BitSet();
         cell.set(0);
-        var wall = new Raster(1, 1, cell, 1.5, 1.5, 1, 1, 0, 0.6, false, Surface.PLAIN);
+        var wall = new SolidRaster(1, 1, cell, 1.5, 1.5, 1, 1, 0, 0.6, false, Surface.PLAIN);
         var scene = new Scene(
                 "",
                 new OccupancyGrid(40, 40, 0.1, 0, 0, new byte[1600]),

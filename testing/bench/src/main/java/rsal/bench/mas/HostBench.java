@@ -12,8 +12,8 @@ import rsal.agent.AgentHostProvider;
 import rsal.agent.Topic;
 import rsal.agent.protocol.ContractNet;
 import rsal.agent.protocol.ConversationResult;
-import rsal.bench.measurement.Assignment;
 import rsal.bench.measurement.Bench;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Result;
 import rsal.bench.measurement.Stopwatch;
 import rsal.data.Pose2d;
@@ -58,7 +58,7 @@ public final class HostBench implements Bench {
     }
 
     @Override
-    public void measure(Assignment assignment) {
+    public void measure(BenchmarkRequest assignment) {
         for (AgentHostProvider host : hosts) {
             if (wants(assignment, host, "start", "create.100", "create.1000")) {
                 creation(host, assignment);
@@ -75,12 +75,12 @@ public final class HostBench implements Bench {
         }
     }
 
-    static boolean wants(Assignment assignment, AgentHostProvider host, String... whats) {
+    static boolean wants(BenchmarkRequest assignment, AgentHostProvider host, String... whats) {
         return assignment.wantsAny(
                 Stream.of(whats).map(what -> name(host, what)).toList());
     }
 
-    private static void creation(AgentHostProvider host, Assignment assignment) {
+    private static void creation(AgentHostProvider host, BenchmarkRequest assignment) {
         int repeats = assignment.repeats();
         var start = new double[repeats];
         for (int count : new int[] {100, 1000}) {
@@ -102,7 +102,7 @@ public final class HostBench implements Bench {
         assignment.tell(Result.less(name(host, "start"), "s", start));
     }
 
-    private static void load(AgentHostProvider host, Assignment assignment) {
+    private static void load(AgentHostProvider host, BenchmarkRequest assignment) {
         int repeats = assignment.repeats();
         var cpu = new double[repeats];
         var rate = new double[repeats];
@@ -139,7 +139,7 @@ public final class HostBench implements Bench {
         void begin(BenchedSociety society, LongAdder done);
     }
 
-    private static void most(AgentHostProvider host, String what, Work work, Assignment assignment) {
+    private static void most(AgentHostProvider host, String what, Work work, BenchmarkRequest assignment) {
         int repeats = assignment.repeats();
         var rate = new double[repeats];
         var done = new LongAdder();

@@ -13,8 +13,8 @@ import java.util.stream.Stream;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.bare.BareSystem;
 import rsal.agent.bare.Life;
-import rsal.bench.measurement.Assignment;
 import rsal.bench.measurement.Bench;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Result;
 import rsal.bench.measurement.Stopwatch;
 import rsal.scenario.installed.Providers;
@@ -67,13 +67,13 @@ public final class OverheadBench implements Bench {
     }
 
     @Override
-    public void measure(Assignment assignment) {
+    public void measure(BenchmarkRequest assignment) {
         for (AgentHostProvider host : hosts) {
             bare(host).ifPresent(bare -> measure(host, bare, assignment));
         }
     }
 
-    private static void measure(AgentHostProvider host, BareSystem bare, Assignment assignment) {
+    private static void measure(AgentHostProvider host, BareSystem bare, BenchmarkRequest assignment) {
         if (HostBench.wants(assignment, host, "bare.start", "bare.create.100", "bare.create.1000")) {
             creation(host, bare, assignment);
         }
@@ -88,7 +88,7 @@ public final class OverheadBench implements Bench {
         }
     }
 
-    private static void creation(AgentHostProvider host, BareSystem bare, Assignment assignment) {
+    private static void creation(AgentHostProvider host, BareSystem bare, BenchmarkRequest assignment) {
         int repeats = assignment.repeats();
         var start = new double[repeats];
         for (int count : new int[] {100, 1000}) {
@@ -110,15 +110,15 @@ public final class OverheadBench implements Bench {
         assignment.tell(Result.less(HostBench.name(host, "bare.start"), "s", start));
     }
 
-    private static void load(AgentHostProvider host, BareSystem bare, Assignment assignment) {
+    private static void load(AgentHostProvider host, BareSystem bare, BenchmarkRequest assignment) {
         int repeats = assignment.repeats();
         var cpu = new double[repeats];
         var rate = new double[repeats];
         var overhead = new double[repeats];
         for (int i = 0; i < repeats; i++) {
             assignment.reach(HostBench.name(host, "overhead"), i, repeats);
-            Load ours = poses(host);
-            Load theirs = poses(bare);
+            PlatformLoad ours = poses(host);
+            PlatformLoad theirs = poses(bare);
             cpu[i] = theirs.cpu();
             rate[i] = theirs.rate();
             overhead[i] = ours.each() / theirs.each();
@@ -129,14 +129,14 @@ public final class OverheadBench implements Bench {
                 Result.less(HostBench.name(host, "overhead"), "", overhead));
     }
 
-    private static void contracts(AgentHostProvider host, BareSystem bare, Assignment assignment) {
+    private static void contracts(AgentHostProvider host, BareSystem bare, BenchmarkRequest assignment) {
         int repeats = assignment.repeats();
         var rate = new double[repeats];
         var overhead = new double[repeats];
         for (int i = 0; i < repeats; i++) {
             assignment.reach(HostBench.name(host, "overhead.contracts"), i, repeats);
-            Load ours = nets(host);
-            Load theirs = nets(bare);
+            PlatformLoad ours = nets(host);
+            PlatformLoad theirs = nets(bare);
             rate[i] = theirs.rate();
             overhead[i] = ours.each() / theirs.each();
         }
@@ -146,41 +146,41 @@ public final class OverheadBench implements Bench {
     }
 
     /// Of a hundred that tell each other their poses: messages heard.
-    private static Load poses(AgentHostProvider host) {
+    private static PlatformLoad poses(AgentHostProvider host) {
         var heard = new LongAdder();
         try (var society = BenchedSociety.inRealTime(host)) {
             HostBench.tellPoses(society, heard);
-            return Load.of(heard::sum, OverheadBench::pass);
+            return PlatformLoad.of(heard::sum, OverheadBench::pass);
         }
     }
 
-    private static Load poses(BareSystem bare) {
+    private static PlatformLoad poses(BareSystem bare) {
         var heard = new LongAdder();
         try (var platform = bare.start()) {
             platform.start(HostBench.TEAM, new Life(HostBench.PERIOD, () -> {}, heard::increment));
-            return Load.of(heard::sum, OverheadBench::pass);
+            return PlatformLoad.of(heard::sum, OverheadBench::pass);
         }
     }
 
     /// Of a manager and bidders that do nothing else: contract nets ended.
-    private static Load nets(AgentHostProvider host) {
+    private static PlatformLoad nets(AgentHostProvider host) {
         var ended = new LongAdder();
         try (var society = BenchedSociety.of(host)) {
             HostBench.contracts(society, ended);
-            return Load.of(ended::sum, society::pass);
+            return PlatformLoad.of(ended::sum, society::pass);
         }
     }
 
-    private static Load nets(BareSystem bare) {
+    private static PlatformLoad nets(BareSystem bare) {
         var ended = new LongAdder();
         try (var platform = bare.start()) {
             platform.contract(HostBench.BIDDERS, ended::increment);
-            return Load.of(ended::sum, OverheadBench::pass);
+            return PlatformLoad.of(ended::sum, OverheadBench::pass);
         }
     }
 
     /// All speak, and again once all have heard all.
-    private static void deliveries(AgentHostProvider host, BareSystem bare, Assignment assignment) {
+    private static void deliveries(AgentHostProvider host, BareSystem bare, BenchmarkRequest assignment) {
         String name = HostBench.name(host, "bare.deliveries");
         int repeats = assignment.repeats();
         var rate = new double[repeats];

@@ -19,8 +19,8 @@ import rsal.agent.AgentType;
 import rsal.agent.bare.BareLanguage;
 import rsal.agent.bare.BareLanguage.Platform;
 import rsal.agent.bare.BareLanguage.Program;
-import rsal.bench.measurement.Assignment;
 import rsal.bench.measurement.Bench;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Result;
 import rsal.bench.measurement.Stopwatch;
 import rsal.scenario.installed.Providers;
@@ -86,9 +86,10 @@ public final class WrittenBench implements Bench {
     /// @param pass lets time pass for its agents
     private record Team(Platform platform, Consumer<Duration> pass) implements AutoCloseable {
         /// @param counting names of those whose counts matter
-        Load load(Map<String, Program> agents, List<String> counting) {
+        PlatformLoad load(Map<String, Program> agents, List<String> counting) {
             platform.start(agents);
-            return Load.of(() -> counting.stream().mapToLong(platform::count).sum(), pass);
+            return PlatformLoad.of(
+                    () -> counting.stream().mapToLong(platform::count).sum(), pass);
         }
 
         @Override
@@ -125,7 +126,7 @@ public final class WrittenBench implements Bench {
     }
 
     @Override
-    public void measure(Assignment assignment) {
+    public void measure(BenchmarkRequest assignment) {
         for (Pair pair : pairs) {
             Side ours = pair.ours();
             Side theirs = pair.theirs();
@@ -138,7 +139,7 @@ public final class WrittenBench implements Bench {
         }
     }
 
-    private static boolean wants(Assignment assignment, Pair pair, String... whats) {
+    private static boolean wants(BenchmarkRequest assignment, Pair pair, String... whats) {
         return HostBench.wants(assignment, pair.host, whats);
     }
 
@@ -148,7 +149,7 @@ public final class WrittenBench implements Bench {
         return team;
     }
 
-    private static void creation(Pair pair, Side side, Assignment assignment) {
+    private static void creation(Pair pair, Side side, BenchmarkRequest assignment) {
         if (!wants(assignment, pair, side.what("start"), side.what("create.100"), side.what("create.1000"))) {
             return;
         }
@@ -175,7 +176,7 @@ public final class WrittenBench implements Bench {
         assignment.tell(Result.less(pair.name(side.what("start")), "s", start));
     }
 
-    private static void load(Pair pair, Side ours, Side theirs, Assignment assignment) {
+    private static void load(Pair pair, Side ours, Side theirs, BenchmarkRequest assignment) {
         if (!wants(
                 assignment,
                 pair,
@@ -189,42 +190,42 @@ public final class WrittenBench implements Bench {
         Map<String, Program> agents = team(HostBench.TEAM, Program.TELLER);
         List<String> all = List.copyOf(agents.keySet());
         int repeats = assignment.repeats();
-        var written = new Load[repeats];
-        var bare = new Load[repeats];
+        var written = new PlatformLoad[repeats];
+        var bare = new PlatformLoad[repeats];
         for (int i = 0; i < repeats; i++) {
             assignment.reach(pair.name("written.overhead"), i, repeats);
             written[i] = load(ours.real, agents, all);
             bare[i] = load(theirs.real, agents, all);
         }
         assignment.tell(
-                Result.less(pair.name(ours.what("load.cpu")), "core", each(written, Load::cpu)),
-                Result.more(pair.name(ours.what("load.rate")), "1/s", each(written, Load::rate)),
-                Result.less(pair.name(theirs.what("load.cpu")), "core", each(bare, Load::cpu)),
-                Result.more(pair.name(theirs.what("load.rate")), "1/s", each(bare, Load::rate)),
+                Result.less(pair.name(ours.what("load.cpu")), "core", each(written, PlatformLoad::cpu)),
+                Result.more(pair.name(ours.what("load.rate")), "1/s", each(written, PlatformLoad::rate)),
+                Result.less(pair.name(theirs.what("load.cpu")), "core", each(bare, PlatformLoad::cpu)),
+                Result.more(pair.name(theirs.what("load.rate")), "1/s", each(bare, PlatformLoad::rate)),
                 Result.less(pair.name("written.overhead"), "", ratios(written, bare)));
     }
 
-    private static void contracts(Pair pair, Side ours, Side theirs, Assignment assignment) {
+    private static void contracts(Pair pair, Side ours, Side theirs, BenchmarkRequest assignment) {
         if (!wants(assignment, pair, ours.what("contracts"), theirs.what("contracts"), "written.overhead.contracts")) {
             return;
         }
         Map<String, Program> agents = team(HostBench.BIDDERS, Program.BIDDER);
         agents.put(MANAGER, Program.MANAGER);
         int repeats = assignment.repeats();
-        var written = new Load[repeats];
-        var bare = new Load[repeats];
+        var written = new PlatformLoad[repeats];
+        var bare = new PlatformLoad[repeats];
         for (int i = 0; i < repeats; i++) {
             assignment.reach(pair.name("written.overhead.contracts"), i, repeats);
             written[i] = load(ours.fast, agents, List.of(MANAGER));
             bare[i] = load(theirs.fast, agents, List.of(MANAGER));
         }
         assignment.tell(
-                Result.more(pair.name(ours.what("contracts")), "1/s", each(written, Load::rate)),
-                Result.more(pair.name(theirs.what("contracts")), "1/s", each(bare, Load::rate)),
+                Result.more(pair.name(ours.what("contracts")), "1/s", each(written, PlatformLoad::rate)),
+                Result.more(pair.name(theirs.what("contracts")), "1/s", each(bare, PlatformLoad::rate)),
                 Result.less(pair.name("written.overhead.contracts"), "", ratios(written, bare)));
     }
 
-    private static void deliveries(Pair pair, Side side, Assignment assignment) {
+    private static void deliveries(Pair pair, Side side, BenchmarkRequest assignment) {
         if (!wants(assignment, pair, side.what("deliveries"))) {
             return;
         }
@@ -240,17 +241,17 @@ public final class WrittenBench implements Bench {
         assignment.tell(Result.more(name, "1/s", rate));
     }
 
-    private static Load load(Supplier<Team> begin, Map<String, Program> agents, List<String> counting) {
+    private static PlatformLoad load(Supplier<Team> begin, Map<String, Program> agents, List<String> counting) {
         try (Team team = begin.get()) {
             return team.load(agents, counting);
         }
     }
 
-    private static double[] each(Load[] loads, ToDoubleFunction<Load> part) {
+    private static double[] each(PlatformLoad[] loads, ToDoubleFunction<PlatformLoad> part) {
         return Stream.of(loads).mapToDouble(part).toArray();
     }
 
-    private static double[] ratios(Load[] ours, Load[] theirs) {
+    private static double[] ratios(PlatformLoad[] ours, PlatformLoad[] theirs) {
         return IntStream.range(0, ours.length)
                 .mapToDouble(i -> ours[i].each() / theirs[i].each())
                 .toArray();

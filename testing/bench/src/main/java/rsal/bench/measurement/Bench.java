@@ -8,5 +8,5 @@ public interface Bench {
     List<String> names();
 
     /// Measures what is asked for and tells each result as soon as it is known.
-    void measure(Assignment assignment);
+    void measure(BenchmarkRequest assignment);
 }

@@ -12,8 +12,8 @@ import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import rsal.bench.measurement.AllCores;
-import rsal.bench.measurement.Assignment;
 import rsal.bench.measurement.Bench;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Plot;
 import rsal.bench.measurement.Plot.Shares.Share;
 import rsal.bench.measurement.Result;
@@ -165,7 +165,7 @@ public final class BarnBench implements Bench {
     }
 
     @Override
-    public void measure(Assignment assignment) {
+    public void measure(BenchmarkRequest assignment) {
         Optional<Path> file = assignment.data("barn/worlds.json");
         if (file.isEmpty()) {
             return;
@@ -195,7 +195,7 @@ public final class BarnBench implements Bench {
         }
     }
 
-    private static List<List<Run>> measure(Avoidance avoidance, List<BarnWorld> worlds, Assignment assignment) {
+    private static List<List<Run>> measure(Avoidance avoidance, List<BarnWorld> worlds, BenchmarkRequest assignment) {
         var repeats = new ArrayList<List<Run>>();
         for (int repeat = 0; repeat < assignment.repeats(); repeat++) {
             repeats.add(runs(avoidance, worlds, repeat, assignment));
@@ -208,7 +208,7 @@ public final class BarnBench implements Bench {
     }
 
     /// How much less the turn rate changes, in worlds that both came through with the same noise.
-    private static void compare(List<List<Run>> snd, List<List<Run>> nd, Assignment assignment) {
+    private static void compare(List<List<Run>> snd, List<List<Run>> nd, BenchmarkRequest assignment) {
         double[] perSecond = new double[snd.size()];
         double[] perMeter = new double[snd.size()];
         for (int repeat = 0; repeat < perSecond.length; repeat++) {
@@ -265,7 +265,8 @@ public final class BarnBench implements Bench {
         return runs.stream().mapToDouble(value).average().orElse(0);
     }
 
-    private static List<Run> runs(Avoidance avoidance, List<BarnWorld> worlds, int repeat, Assignment assignment) {
+    private static List<Run> runs(
+            Avoidance avoidance, List<BarnWorld> worlds, int repeat, BenchmarkRequest assignment) {
         return AllCores.each(
                 "barn",
                 worlds,

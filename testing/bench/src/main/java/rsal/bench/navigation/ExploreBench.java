@@ -3,8 +3,8 @@ package rsal.bench.navigation;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Executors;
-import rsal.bench.measurement.Assignment;
 import rsal.bench.measurement.Bench;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Plot;
 import rsal.bench.measurement.Plot.Lines.Point;
 import rsal.bench.measurement.Result;
@@ -37,7 +37,7 @@ public final class ExploreBench implements Bench {
     }
 
     @Override
-    public void measure(Assignment assignment) {
+    public void measure(BenchmarkRequest assignment) {
         var points = new ArrayList<Point>();
         for (int robots = 1; robots <= MOST_ROBOTS; robots++) {
             int count = robots;
@@ -49,7 +49,7 @@ public final class ExploreBench implements Bench {
     }
 
     /// @return how the first repeat got on
-    private static List<Point> measure(int robots, Assignment assignment) {
+    private static List<Point> measure(int robots, BenchmarkRequest assignment) {
         var share = new double[assignment.repeats()];
         var minutes = new double[assignment.repeats()];
         var contacts = new double[assignment.repeats()];

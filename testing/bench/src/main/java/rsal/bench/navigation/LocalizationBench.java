@@ -10,8 +10,8 @@ import java.util.function.Predicate;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import rsal.bench.measurement.Assignment;
 import rsal.bench.measurement.Bench;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Plot;
 import rsal.bench.measurement.Plot.Lines.Point;
 import rsal.bench.measurement.Result;
@@ -125,7 +125,7 @@ public final class LocalizationBench implements Bench {
     }
 
     @Override
-    public void measure(Assignment assignment) {
+    public void measure(BenchmarkRequest assignment) {
         var office = new Drive(new Maps(FileSource.disk()).read("office", Location.of("office")));
         for (int[] size : SIZES) {
             measure(office, size[0], size[1], assignment);
@@ -165,7 +165,7 @@ public final class LocalizationBench implements Bench {
         }
     }
 
-    private static void measure(Drive office, int particles, int beams, Assignment assignment) {
+    private static void measure(Drive office, int particles, int beams, BenchmarkRequest assignment) {
         int[] size = {particles, beams};
         String name = name(size, "");
         if (Stream.of("ms", "ns", "beam.ns").noneMatch(what -> assignment.wants(name + what))) {
@@ -192,7 +192,7 @@ public final class LocalizationBench implements Bench {
         }
     }
 
-    private static void measureMany(Drive office, String sensor, Assignment assignment) {
+    private static void measureMany(Drive office, String sensor, BenchmarkRequest assignment) {
         if (!assignment.wants(nameOfMany(sensor)) && !assignment.wants(nameOfAlways(sensor))) {
             return;
         }
@@ -212,7 +212,7 @@ public final class LocalizationBench implements Bench {
     }
 
     /// Of a first run, only for the machine to learn the code, nothing is told.
-    private static double[] cores(LocalizedFleet fleet, Settings settings, Assignment assignment) {
+    private static double[] cores(LocalizedFleet fleet, Settings settings, BenchmarkRequest assignment) {
         fleet.cores(settings);
         return IntStream.range(0, assignment.repeats())
                 .mapToDouble(_ -> fleet.cores(settings))
@@ -355,7 +355,7 @@ public final class LocalizationBench implements Bench {
         return (double) beliefs.stream().filter(which).count() / beliefs.size();
     }
 
-    private static void tellBeliefs(String name, Supplier<List<Belief>> drives, Assignment assignment) {
+    private static void tellBeliefs(String name, Supplier<List<Belief>> drives, BenchmarkRequest assignment) {
         if (OF_TOURS.stream().noneMatch(what -> assignment.wants(name + what))) {
             return;
         }
@@ -442,7 +442,7 @@ public final class LocalizationBench implements Bench {
     }
 
     /// Steps of each run.
-    private static List<List<Replay.Step>> onLog(String name, Course course, Assignment assignment) {
+    private static List<List<Replay.Step>> onLog(String name, Course course, BenchmarkRequest assignment) {
         var map = new LocalizationMap(
                 ScanMapper.draw(course.only(i -> i % 2 == 0).posed(), ScanMapper.Settings.of(0.05)), 0.1, 0.05);
         Course rest = course.only(i -> i % 2 == 1);

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
-import rsal.bench.measurement.Assignment;
 import rsal.bench.measurement.Bench;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Result;
 import rsal.bench.measurement.Stopwatch;
 import rsal.data.Pose2d;
@@ -36,7 +36,7 @@ public final class MappingBench implements Bench {
     }
 
     @Override
-    public void measure(Assignment assignment) {
+    public void measure(BenchmarkRequest assignment) {
         for (String log : PublicLogs.NAMES) {
             if (KINDS.stream().anyMatch(kind -> assignment.wants(name(log, kind)))) {
                 PublicLogs.course(log, assignment).ifPresent(course -> measure(log, course, assignment));
@@ -44,7 +44,7 @@ public final class MappingBench implements Bench {
         }
     }
 
-    private static void measure(String name, Course course, Assignment assignment) {
+    private static void measure(String name, Course course, BenchmarkRequest assignment) {
         var values = new double[KINDS.size()][assignment.repeats()];
         for (int repeat = 0; repeat < assignment.repeats(); repeat++) {
             Course driven = course.drifting(Drive.WHEELS, new SplittableRandom(repeat + 1));

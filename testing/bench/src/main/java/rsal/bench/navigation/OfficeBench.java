@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Executors;
-import rsal.bench.measurement.Assignment;
 import rsal.bench.measurement.Bench;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Result;
 import rsal.bench.navigation.OfficeRun.Errand;
 
@@ -35,7 +35,7 @@ public final class OfficeBench implements Bench {
     }
 
     @Override
-    public void measure(Assignment assignment) {
+    public void measure(BenchmarkRequest assignment) {
         for (String planner : PLANNERS) {
             if (WHATS.stream().anyMatch(what -> assignment.wants(name(planner, what)))) {
                 measure(planner, assignment);
@@ -43,7 +43,7 @@ public final class OfficeBench implements Bench {
         }
     }
 
-    private static void measure(String planner, Assignment assignment) {
+    private static void measure(String planner, BenchmarkRequest assignment) {
         double[] reached = new double[assignment.repeats()];
         double[] contacts = new double[assignment.repeats()];
         double[] ratio = new double[assignment.repeats()];

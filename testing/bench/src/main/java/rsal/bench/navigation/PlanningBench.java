@@ -7,8 +7,8 @@ import java.util.SplittableRandom;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
-import rsal.bench.measurement.Assignment;
 import rsal.bench.measurement.Bench;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Plot;
 import rsal.bench.measurement.Plot.Bars.Bar;
 import rsal.bench.measurement.Result;
@@ -82,7 +82,7 @@ public final class PlanningBench implements Bench {
     }
 
     @Override
-    public void measure(Assignment assignment) {
+    public void measure(BenchmarkRequest assignment) {
         var bars = new ArrayList<Bar>();
         for (Site site : Site.values()) {
             if (KINDS.stream().anyMatch(kind -> assignment.wants(site.name(kind)))) {
@@ -92,7 +92,7 @@ public final class PlanningBench implements Bench {
         assignment.show(new Plot.Bars("Planning", "", "time of the processor [ms]", bars));
     }
 
-    private static List<Bar> measure(Site site, Assignment assignment) {
+    private static List<Bar> measure(Site site, BenchmarkRequest assignment) {
         var bars = new ArrayList<Bar>();
         OccupancyGrid map = site.map();
         var random = new SplittableRandom(1);

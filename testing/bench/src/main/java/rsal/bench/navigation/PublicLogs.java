@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import rsal.bench.measurement.Assignment;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.navigation.carmen.CarmenLog;
 import rsal.navigation.carmen.LogReader;
 import rsal.navigation.replay.Course;
@@ -22,7 +22,7 @@ final class PublicLogs {
     }
 
     /// A log's course; empty when it is not among the data.
-    static Optional<Course> course(String log, Assignment assignment) {
+    static Optional<Course> course(String log, BenchmarkRequest assignment) {
         return assignment.data("logs/%s-corrected.log.gz".formatted(log)).map(PublicLogs::read);
     }
 

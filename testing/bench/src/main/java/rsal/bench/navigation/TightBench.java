@@ -8,8 +8,8 @@ import java.util.function.ToDoubleFunction;
 import java.util.stream.DoubleStream;
 import java.util.stream.LongStream;
 import rsal.bench.measurement.AllCores;
-import rsal.bench.measurement.Assignment;
 import rsal.bench.measurement.Bench;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Result;
 import rsal.bench.navigation.TightTrip.Outcome;
 
@@ -50,7 +50,7 @@ public final class TightBench implements Bench {
     }
 
     @Override
-    public void measure(Assignment assignment) {
+    public void measure(BenchmarkRequest assignment) {
         for (String planner : PLANNERS) {
             measureDoor(planner, assignment);
         }
@@ -62,7 +62,7 @@ public final class TightBench implements Bench {
         }
     }
 
-    private static void measureDoor(String planner, Assignment assignment) {
+    private static void measureDoor(String planner, BenchmarkRequest assignment) {
         List<String> names = names("door", planner);
         if (assignment.wantsAny(names)) {
             List<Crossing> runs = eachSeed(names, assignment, seed -> {
@@ -82,7 +82,7 @@ public final class TightBench implements Bench {
             String planner,
             Duration longest,
             LongFunction<List<TightTrip>> trips,
-            Assignment assignment) {
+            BenchmarkRequest assignment) {
         List<String> names = names(where, planner);
         if (!assignment.wantsAny(names)) {
             return;
@@ -117,7 +117,7 @@ public final class TightBench implements Bench {
                 .toArray();
     }
 
-    private static <T> List<T> eachSeed(List<String> names, Assignment assignment, LongFunction<T> run) {
+    private static <T> List<T> eachSeed(List<String> names, BenchmarkRequest assignment, LongFunction<T> run) {
         List<Long> seeds =
                 LongStream.rangeClosed(1, assignment.repeats()).boxed().toList();
         String what = names.getFirst().substring(0, names.getFirst().lastIndexOf('.'));

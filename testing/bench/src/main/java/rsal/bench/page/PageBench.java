@@ -27,8 +27,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import java.util.zip.GZIPOutputStream;
-import rsal.bench.measurement.Assignment;
 import rsal.bench.measurement.Bench;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Result;
 import rsal.bench.measurement.Stopwatch;
 import rsal.engine.LiveRun;
@@ -121,7 +121,7 @@ public final class PageBench implements Bench {
     }
 
     @Override
-    public void measure(Assignment assignment) {
+    public void measure(BenchmarkRequest assignment) {
         Optional<Path> page =
                 Optional.ofNullable(System.getProperty("rsal.page")).map(Path::of);
         Optional<Path> program = Browser.find();
@@ -150,7 +150,7 @@ public final class PageBench implements Bench {
         }
     }
 
-    private static void drawing(int robots, Path page, Path program, Assignment assignment) {
+    private static void drawing(int robots, Path page, Path program, BenchmarkRequest assignment) {
         int repeats = assignment.repeats();
         var frames = new double[repeats];
         var states = new double[repeats];
@@ -190,7 +190,7 @@ public final class PageBench implements Bench {
         return (browser.number("rsalStates") - before) / watch.wall();
     }
 
-    private static void costs(Path page, Path program, Assignment assignment) {
+    private static void costs(Path page, Path program, BenchmarkRequest assignment) {
         int repeats = assignment.repeats();
         var slower = new double[repeats];
         var more = new double[repeats];

@@ -25,15 +25,15 @@ import rsal.time.Task;
 /// A robot that stands still, and whose readings say what nobody else could know who gets them: when they were told,
 /// and which of all they are. Called on the scheduler's thread, unless it says otherwise.
 final class Beacon {
-    private static final Part.Laser SCANNER = Swarm.Kind.laser(180, 8);
-    private static final Part.Sonars SONARS = Swarm.Kind.ring(16, 0.22, 5);
+    private static final Part.Laser SCANNER = WanderingRobots.Kind.laser(180, 8);
+    private static final Part.Sonars SONARS = WanderingRobots.Kind.ring(16, 0.22, 5);
 
     /// A base, a laser of 180 beams and 16 sonars.
     static final RobotModel MODEL = new RobotModel(
             "beacon",
             "Beacon",
-            Swarm.Kind.LASER180.model().body(),
-            Swarm.Kind.LASER180.model().drive(),
+            WanderingRobots.Kind.LASER180.model().body(),
+            WanderingRobots.Kind.LASER180.model().drive(),
             Map.of("laser", SCANNER, "sonar", SONARS));
 
     private static final int ROUND = 1000; // readings, after which their numbers begin again

@@ -14,8 +14,8 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import rsal.bench.measurement.Assignment;
 import rsal.bench.measurement.Bench;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Result;
 import rsal.bench.measurement.Stopwatch;
 import rsal.bench.robots.Beacon.Mark;
@@ -73,7 +73,7 @@ public final class RemoteBench implements Bench {
     }
 
     @Override
-    public void measure(Assignment assignment) {
+    public void measure(BenchmarkRequest assignment) {
         try (var process = new BeaconProcess(system, ROBOTS);
                 var time = new WallScheduler("listeners", Runnable::run)) {
             RobotSystem robots = on(time, () -> provider().create(config(process.ports()), time));
@@ -122,7 +122,7 @@ public final class RemoteBench implements Bench {
                 new Ear(robot.require(SonarArray.class), (RangeArray ranges) -> Mark.of(ranges.ranges())));
     }
 
-    private void measure(BeaconProcess process, List<Ear> ears, WallScheduler time, Assignment assignment) {
+    private void measure(BeaconProcess process, List<Ear> ears, WallScheduler time, BenchmarkRequest assignment) {
         pause(WARM);
         windows(name(""), ears, time, assignment);
         on(time, () -> driven = true);
@@ -137,7 +137,7 @@ public final class RemoteBench implements Bench {
         assignment.tell(Result.less(name("old"), "", old));
     }
 
-    private void windows(String key, List<Ear> ears, WallScheduler time, Assignment assignment) {
+    private void windows(String key, List<Ear> ears, WallScheduler time, BenchmarkRequest assignment) {
         int repeats = assignment.repeats();
         double[] cpu = new double[repeats];
         double[] median = new double[repeats];

@@ -5,12 +5,12 @@ import java.util.List;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import org.jspecify.annotations.Nullable;
-import rsal.bench.measurement.Assignment;
 import rsal.bench.measurement.Bench;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Result;
 import rsal.bench.measurement.Stopwatch;
 import rsal.bench.place.Cave;
-import rsal.bench.robots.Swarm.Kind;
+import rsal.bench.robots.WanderingRobots.Kind;
 import rsal.data.OccupancyGrid;
 
 /// The simulator: wandering robots in a cave of 128 m × 128 m, cells of 0.05 m, 10 steps a second.
@@ -68,7 +68,7 @@ public final class SwarmBench implements Bench {
     }
 
     @Override
-    public void measure(Assignment assignment) {
+    public void measure(BenchmarkRequest assignment) {
         for (Case one : CASES) {
             if (one.names().stream().anyMatch(assignment::wants)) {
                 measure(one, assignment);
@@ -76,13 +76,14 @@ public final class SwarmBench implements Bench {
         }
     }
 
-    private void measure(Case one, Assignment assignment) {
+    private void measure(Case one, BenchmarkRequest assignment) {
         int repeats = assignment.repeats();
         ExecutorService helpers = Executors.newFixedThreadPool(
                 Math.max(1, one.cores - 1),
                 Thread.ofPlatform().daemon().name("bench-helper-", 1).factory());
         try (helpers;
-                var swarm = new Swarm(cave(), one.kind, one.robots, SEED, one.cores == 1 ? Runnable::run : helpers)) {
+                var swarm = new WanderingRobots(
+                        cave(), one.kind, one.robots, SEED, one.cores == 1 ? Runnable::run : helpers)) {
             double seconds = warmUp(swarm);
             double[] rtf = new double[repeats];
             double[] cpu = new double[repeats];
@@ -113,7 +114,7 @@ public final class SwarmBench implements Bench {
     /// Lets the machine learn the code.
     ///
     /// @return how much to simulate for a measurement that takes long enough [s]
-    private static double warmUp(Swarm swarm) {
+    private static double warmUp(WanderingRobots swarm) {
         var sinceStart = new Stopwatch();
         double seconds = 0.5;
         double took = 0;

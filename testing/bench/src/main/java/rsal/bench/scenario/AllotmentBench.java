@@ -17,10 +17,10 @@ import java.util.stream.IntStream;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
 import rsal.agent.team.Estimate;
+import rsal.agent.team.JobRoutes;
 import rsal.agent.team.Objective;
-import rsal.agent.team.Routes;
-import rsal.bench.measurement.Assignment;
 import rsal.bench.measurement.Bench;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Result;
 import rsal.bench.place.Office;
 import rsal.data.Point2d;
@@ -74,7 +74,7 @@ public final class AllotmentBench implements Bench {
     }
 
     @Override
-    public void measure(Assignment assignment) {
+    public void measure(BenchmarkRequest assignment) {
         if (assignment.wantsAny(ratios(SINGLE))) {
             tell(SINGLE, draws(AllotmentBench::single), assignment);
         }
@@ -103,7 +103,7 @@ public final class AllotmentBench implements Bench {
                 .toArray();
     }
 
-    private static void tell(String name, double[] ratios, Assignment assignment) {
+    private static void tell(String name, double[] ratios, BenchmarkRequest assignment) {
         Result all = Result.less(name + ".ratio", "", ratios);
         assignment.tell(
                 all.withValue(DoubleStream.of(ratios).average().orElseThrow()), all.at(name + ".worst", all.most()));
@@ -188,9 +188,9 @@ public final class AllotmentBench implements Bench {
 
     private static double inRoutes(SplittableRandom random, Objective objective) {
         NavigableMap<String, Estimate> members = anywhere(random, random.nextInt(1, 5), random.nextInt(8, 11));
-        SortedMap<String, List<Integer>> divided = Routes.divide(members, objective);
+        SortedMap<String, List<Integer>> divided = JobRoutes.divide(members, objective);
         DoubleStream costs = divided.entrySet().stream()
-                .mapToDouble(route -> Routes.cost(requireNonNull(members.get(route.getKey())), route.getValue()));
+                .mapToDouble(route -> JobRoutes.cost(requireNonNull(members.get(route.getKey())), route.getValue()));
         double value = objective == Objective.SUM ? costs.sum() : costs.max().orElse(0);
         return value / best(members, objective);
     }

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import rsal.bench.measurement.Assignment;
 import rsal.bench.measurement.Bench;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Confidence;
 import rsal.bench.measurement.Plot;
 import rsal.bench.measurement.Plot.Lines.Point;
@@ -48,7 +48,7 @@ public final class CollectBench implements Bench {
     }
 
     @Override
-    public void measure(Assignment assignment) {
+    public void measure(BenchmarkRequest assignment) {
         var points = new ArrayList<Point>();
         for (int collectors : TEAMS) {
             boolean compared = collectors == COMPARED && assignment.wantsAny(compared());
@@ -74,7 +74,7 @@ public final class CollectBench implements Bench {
         return Arrays.stream(seconds).map(each -> each / 60).toArray();
     }
 
-    private static List<RunResult> runs(int collectors, String allotment, Assignment assignment) {
+    private static List<RunResult> runs(int collectors, String allotment, BenchmarkRequest assignment) {
         var options = RunOptions.NONE
                 .withConfiguration("watched")
                 .withArguments(Map.of("collectors", Integer.toString(collectors), "allotment", allotment));

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import rsal.bench.measurement.Assignment;
 import rsal.bench.measurement.Bench;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Confidence;
 import rsal.bench.measurement.Plot;
 import rsal.bench.measurement.Plot.Bars.Bar;
@@ -41,7 +41,7 @@ public final class CoverageBench implements Bench {
     }
 
     @Override
-    public void measure(Assignment assignment) {
+    public void measure(BenchmarkRequest assignment) {
         var bars = new ArrayList<Bar>();
         for (int robots : TEAMS) {
             if (assignment.wantsAny(names(robots))) {
@@ -52,7 +52,7 @@ public final class CoverageBench implements Bench {
                 "Robots that map the office floor", "robots", "time until so much of it is mapped [s]", bars));
     }
 
-    private static void cover(int robots, Assignment assignment, List<Bar> bars) {
+    private static void cover(int robots, BenchmarkRequest assignment, List<Bar> bars) {
         var options =
                 RunOptions.NONE.withConfiguration("coverage").withArguments(Map.of("robots", Integer.toString(robots)));
         List<RunResult> runs = SeededRuns.of("coverage." + robots, SCENARIO, options, assignment);

@@ -4,8 +4,8 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
-import rsal.bench.measurement.Assignment;
 import rsal.bench.measurement.Bench;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Result;
 import rsal.bench.measurement.Stopwatch;
 import rsal.engine.LiveRun;
@@ -52,7 +52,7 @@ public final class FleetBench implements Bench {
     }
 
     @Override
-    public void measure(Assignment assignment) {
+    public void measure(BenchmarkRequest assignment) {
         for (Case one : CASES) {
             if (one.names().anyMatch(assignment::wants)) {
                 measure(one, assignment);
@@ -60,7 +60,7 @@ public final class FleetBench implements Bench {
         }
     }
 
-    private static void measure(Case one, Assignment assignment) {
+    private static void measure(Case one, BenchmarkRequest assignment) {
         int repeats = assignment.repeats();
         double memory = run(one, 0, LEARNING);
         double[] rtf = new double[repeats];

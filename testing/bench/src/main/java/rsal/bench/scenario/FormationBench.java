@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import rsal.bench.measurement.Assignment;
 import rsal.bench.measurement.Bench;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Confidence;
 import rsal.bench.measurement.Plot;
 import rsal.bench.measurement.Plot.Bars.Bar;
@@ -43,7 +43,7 @@ public final class FormationBench implements Bench {
     }
 
     @Override
-    public void measure(Assignment assignment) {
+    public void measure(BenchmarkRequest assignment) {
         var bars = new ArrayList<Bar>();
         for (String shape : SHAPES) {
             if (assignment.wantsAny(names(shape))) {
@@ -53,7 +53,7 @@ public final class FormationBench implements Bench {
         assignment.show(new Plot.Bars("Six robots in formation", "", "true distance to places [m]", bars));
     }
 
-    private static Bar measure(String shape, Assignment assignment) {
+    private static Bar measure(String shape, BenchmarkRequest assignment) {
         var options = RunOptions.NONE.withConfiguration("formation").withArguments(Map.of("shape", shape));
         List<RunResult> runs = SeededRuns.of("formation." + shape, SCENARIO, options, assignment);
         double[] apart = SeededRuns.values(runs, "forming", RunResult::simulatedSeconds);

@@ -3,8 +3,8 @@ package rsal.bench.scenario;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import rsal.bench.measurement.Assignment;
 import rsal.bench.measurement.Bench;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Confidence;
 import rsal.bench.measurement.Plot;
 import rsal.bench.measurement.Plot.Bars.Bar;
@@ -46,7 +46,7 @@ public final class HuntBench implements Bench {
     }
 
     @Override
-    public void measure(Assignment assignment) {
+    public void measure(BenchmarkRequest assignment) {
         boolean compares = assignment.wantsAny(Saving.names(SOONER));
         var bars = new ArrayList<Bar>();
         double[] bidding = compares || assignment.wantsAny(names(BIDS)) ? hunt(BIDS, assignment, bars) : new double[0];
@@ -60,7 +60,7 @@ public final class HuntBench implements Bench {
     }
 
     /// @return how long each hunt took [s]
-    private static double[] hunt(String how, Assignment assignment, List<Bar> bars) {
+    private static double[] hunt(String how, BenchmarkRequest assignment, List<Bar> bars) {
         var options = RunOptions.NONE.withConfiguration("advanced").withArguments(Map.of("assignment", how));
         List<RunResult> runs = SeededRuns.of("hunt." + how, SCENARIO, options, assignment);
         double[] seconds = SeededRuns.values(runs, "captureTime", RunResult::simulatedSeconds);

@@ -3,8 +3,8 @@ package rsal.bench.scenario;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import rsal.bench.measurement.Assignment;
 import rsal.bench.measurement.Bench;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Confidence;
 import rsal.bench.measurement.Plot;
 import rsal.bench.measurement.Plot.Bars.Bar;
@@ -56,7 +56,7 @@ public final class PatrolBench implements Bench {
     }
 
     @Override
-    public void measure(Assignment assignment) {
+    public void measure(BenchmarkRequest assignment) {
         var bars = new ArrayList<Bar>();
         List<String> compared = OTHERS.stream()
                 .filter(other -> assignment.wantsAny(namesOfSaved(other)))
@@ -76,7 +76,7 @@ public final class PatrolBench implements Bench {
                 new Plot.Bars("Four guards and twelve places", "", "time that a place is left alone [s]", bars));
     }
 
-    private static List<RunResult> watch(String strategy, Assignment assignment, List<Bar> bars) {
+    private static List<RunResult> watch(String strategy, BenchmarkRequest assignment, List<Bar> bars) {
         var options = RunOptions.NONE.withArguments(Map.of("strategy", strategy));
         List<RunResult> runs = SeededRuns.of("patrol." + strategy, SCENARIO, options, assignment);
         for (String what : WHATS) {

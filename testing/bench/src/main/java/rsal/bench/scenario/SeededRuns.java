@@ -5,7 +5,7 @@ import java.util.OptionalDouble;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.LongStream;
 import rsal.bench.measurement.AllCores;
-import rsal.bench.measurement.Assignment;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.engine.LiveRun;
 import rsal.engine.report.RunResult;
 import rsal.scenario.RunOptions;
@@ -18,7 +18,7 @@ public final class SeededRuns {
 
     /// @param name for those who wait (`patrol.bids`)
     /// @return by seed
-    public static List<RunResult> of(String name, Scenario scenario, RunOptions options, Assignment assignment) {
+    public static List<RunResult> of(String name, Scenario scenario, RunOptions options, BenchmarkRequest assignment) {
         List<Long> seeds = LongStream.rangeClosed(1, assignment.seeds()).boxed().toList();
         assignment.reach(name + ".runs", 0, seeds.size());
         return AllCores.each(

@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.function.IntConsumer;
-import rsal.bench.measurement.Assignment;
 import rsal.bench.measurement.Bench;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Plot;
 import rsal.bench.measurement.Plot.Bars.Bar;
 import rsal.bench.measurement.Result;
@@ -42,12 +42,12 @@ public final class SpreadBench implements Bench {
             return "spread.%s.%d.%s".formatted(label, places, what);
         }
 
-        boolean isWanted(Assignment assignment) {
+        boolean isWanted(BenchmarkRequest assignment) {
             return NUMBERS.stream()
                     .anyMatch(number -> WHATS.stream().anyMatch(what -> assignment.wants(name(number, what))));
         }
 
-        Optional<OccupancyGrid> map(Assignment assignment) {
+        Optional<OccupancyGrid> map(BenchmarkRequest assignment) {
             return switch (label) {
                 case "office" -> Optional.of(Office.MAP);
                 case "cave2560" -> Optional.of(Cave.draw(128, 0.05, 1));
@@ -82,7 +82,7 @@ public final class SpreadBench implements Bench {
     }
 
     @Override
-    public void measure(Assignment assignment) {
+    public void measure(BenchmarkRequest assignment) {
         var bars = new ArrayList<Bar>();
         for (Site site : SITES) {
             if (site.isWanted(assignment)) {
@@ -93,7 +93,7 @@ public final class SpreadBench implements Bench {
                 "Places spread over maps", "", "mean square root of ways, by the best of 100 of Lloyd's runs", bars));
     }
 
-    private static List<Bar> measure(Site site, OccupancyGrid map, Assignment assignment) {
+    private static List<Bar> measure(Site site, OccupancyGrid map, BenchmarkRequest assignment) {
         var bars = new ArrayList<Bar>();
         for (int number : NUMBERS) {
             boolean compared =

@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
-import rsal.bench.measurement.Assignment;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Result;
 
 class OverheadBenchTest {
@@ -21,7 +21,7 @@ class OverheadBenchTest {
     void measuresWhatIsAskedFor() {
         var results = new ArrayList<Result>();
         new OverheadBench()
-                .measure(new Assignment(
+                .measure(new BenchmarkRequest(
                         Set.of("mas.plain.bare.create.100"),
                         OptionalInt.of(2),
                         Optional.empty(),

@@ -10,7 +10,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
-import rsal.bench.measurement.Assignment;
+import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Result;
 import rsal.engine.report.RunResult;
 import rsal.scenario.RunOptions;
@@ -20,8 +20,8 @@ class SeededRunsIT {
     private final List<Result> results = new ArrayList<>();
     private final List<String> progress = new ArrayList<>();
 
-    private Assignment assignment(List<String> wanted, int seeds) {
-        return new Assignment(
+    private BenchmarkRequest assignment(List<String> wanted, int seeds) {
+        return new BenchmarkRequest(
                 Set.copyOf(wanted),
                 OptionalInt.of(seeds),
                 Optional.empty(),

@@ -25,11 +25,11 @@ public class ArcWays {
     private final double[] x = new double[POINTS];
     private final double[] y = new double[POINTS];
     private final double[] curvature = new double[POINTS];
-    private Outline outline;
+    private FootprintOutline outline;
 
     @Setup
     public void scatter() {
-        outline = new Outline(Footprint.box(0.5, 0.4, new Point2d(0, 0)), 0.05);
+        outline = new FootprintOutline(Footprint.box(0.5, 0.4, new Point2d(0, 0)), 0.05);
         var random = new SplittableRandom(1);
         for (int i = 0; i < POINTS; i++) {
             x[i] = random.nextDouble(0.4, FAR);

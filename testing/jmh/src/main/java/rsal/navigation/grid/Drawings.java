@@ -54,7 +54,7 @@ public class Drawings {
 
     @Benchmark
     public List<OccupancyGrid> kernel() {
-        return drive(new Drawing(settings)::of);
+        return drive(new IncrementalMap(settings)::of);
     }
 
     @Benchmark

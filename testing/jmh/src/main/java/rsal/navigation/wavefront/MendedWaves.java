@@ -27,8 +27,8 @@ public class MendedWaves {
 
     private CostMap without;
     private CostMap with;
-    private Changes toWith;
-    private Changes toWithout;
+    private CostChanges toWith;
+    private CostChanges toWithout;
     private Wave mended;
     private boolean isThere;
     private int source;
@@ -48,8 +48,8 @@ public class MendedWaves {
         }
         with = costs(new OccupancyGrid(
                 cave.width(), cave.height(), cave.resolution(), cave.originX(), cave.originY(), cells));
-        toWith = Changes.between(without, with).orElseThrow();
-        toWithout = Changes.between(with, without).orElseThrow();
+        toWith = CostChanges.between(without, with).orElseThrow();
+        toWithout = CostChanges.between(with, without).orElseThrow();
         mended = new Wave(without);
         mended.start(source);
         mended.spread(-1);

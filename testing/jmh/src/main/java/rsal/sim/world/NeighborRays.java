@@ -19,7 +19,8 @@ import rsal.data.Pose2d;
 @Measurement(iterations = 5, time = 2)
 public class NeighborRays {
     private static final double REACH = 8;
-    private static final Beams BEAMS = new Beams(List.of(new Fan(Pose2d.ORIGIN, -Math.PI / 2, Math.PI / 179, 180)), 0);
+    private static final SensorRays BEAMS =
+            new SensorRays(List.of(new Fan(Pose2d.ORIGIN, -Math.PI / 2, Math.PI / 179, 180)), 0);
 
     @Param({"100", "1000"})
     int robots;

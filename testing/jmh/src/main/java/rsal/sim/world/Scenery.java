@@ -13,7 +13,7 @@ import rsal.data.Pose2d;
 final class Scenery {
     static final OccupancyGrid CAVE = Cave.draw(128, 0.05, 1);
 
-    final Walls walls = Walls.of(CAVE);
+    final RasterWalls walls = RasterWalls.of(CAVE);
     final World world = new World(walls);
     final List<Body> robots = new ArrayList<>();
 

@@ -9,7 +9,7 @@ import rsal.data.Pose2d;
 import rsal.data.Twist2d;
 import rsal.device.LaserScanner;
 import rsal.robot.RobotModel.Part;
-import rsal.testkit.Rays;
+import rsal.testkit.ObviousRays;
 
 /// What every [LaserScanner] owes.
 public abstract class LaserScannerContract extends SensorContract<LaserScan, LaserScanner> {
@@ -57,7 +57,7 @@ public abstract class LaserScannerContract extends SensorContract<LaserScan, Las
 
     /// Beams may be off where they graze a wall or pass a corner, so a few may differ.
     private void assertRight(LaserScan scan) {
-        var rays = new Rays(WORLD.grid());
+        var rays = new ObviousRays(WORLD.grid());
         Pose2d mapFromLaser = truth().compose(scan.baseFromLaser());
         double tolerance = 5 * part().noise().deviation() + 0.03;
         int wrong = 0;

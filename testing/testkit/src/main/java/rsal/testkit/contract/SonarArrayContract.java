@@ -8,7 +8,7 @@ import rsal.data.Pose2d;
 import rsal.data.RangeArray;
 import rsal.device.SonarArray;
 import rsal.robot.RobotModel.Part;
-import rsal.testkit.Rays;
+import rsal.testkit.ObviousRays;
 
 /// What every [SonarArray] owes.
 public abstract class SonarArrayContract extends SensorContract<RangeArray, SonarArray> {
@@ -34,7 +34,7 @@ public abstract class SonarArrayContract extends SensorContract<RangeArray, Sona
         needs(Capability.TRUTH);
         simulation().place("r1", WORLD.pose('b', -90));
         RangeArray sonars = reading();
-        var rays = new Rays(WORLD.grid());
+        var rays = new ObviousRays(WORLD.grid());
         double tolerance = 5 * part().noise().deviation() + 0.03;
         int hits = 0;
         for (int i = 0; i < sonars.count(); i++) {

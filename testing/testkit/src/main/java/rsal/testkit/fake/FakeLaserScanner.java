@@ -8,17 +8,17 @@ import rsal.data.Stamped;
 import rsal.device.DeviceInfo;
 import rsal.device.LaserScanner;
 import rsal.robot.RobotModel.Part;
-import rsal.testkit.Rays;
+import rsal.testkit.ObviousRays;
 
 /// A laser that sees walls exactly, or what a test shows it.
 public final class FakeLaserScanner extends FakeSensor<LaserScan> implements LaserScanner {
     private final Part.Laser part;
     private final FakeDriveBase base;
-    private final Rays rays;
+    private final ObviousRays rays;
     private final InstantSource clock;
     private float @Nullable [] shown;
 
-    FakeLaserScanner(DeviceInfo info, Part.Laser part, FakeDriveBase base, Rays rays, InstantSource clock) {
+    FakeLaserScanner(DeviceInfo info, Part.Laser part, FakeDriveBase base, ObviousRays rays, InstantSource clock) {
         super(info);
         this.part = part;
         this.base = base;

@@ -8,7 +8,7 @@ import rsal.data.Stamped;
 import rsal.device.DeviceInfo;
 import rsal.device.SonarArray;
 import rsal.robot.RobotModel.Part;
-import rsal.testkit.Rays;
+import rsal.testkit.ObviousRays;
 
 /// Sonars that see the nearest wall of five rays across their cone exactly, or what a test shows them.
 public final class FakeSonarArray extends FakeSensor<RangeArray> implements SonarArray {
@@ -16,11 +16,11 @@ public final class FakeSonarArray extends FakeSensor<RangeArray> implements Sona
 
     private final Part.Sonars part;
     private final FakeDriveBase base;
-    private final Rays rays;
+    private final ObviousRays rays;
     private final InstantSource clock;
     private float @Nullable [] shown;
 
-    FakeSonarArray(DeviceInfo info, Part.Sonars part, FakeDriveBase base, Rays rays, InstantSource clock) {
+    FakeSonarArray(DeviceInfo info, Part.Sonars part, FakeDriveBase base, ObviousRays rays, InstantSource clock) {
         super(info);
         this.part = part;
         this.base = base;

@@ -27,7 +27,7 @@ import rsal.system.RobotSystem;
 import rsal.system.RobotSystemProvider.Config;
 import rsal.system.RobotSystemProvider.InvalidRobots;
 import rsal.testkit.DrawnMap;
-import rsal.testkit.Rays;
+import rsal.testkit.ObviousRays;
 import rsal.time.Phase;
 import rsal.time.Scheduler;
 import rsal.time.Task;
@@ -52,7 +52,7 @@ public final class FakeSystem implements RobotSystem {
 
     FakeSystem(Config config, Scheduler scheduler) {
         this.scheduler = scheduler;
-        this.world = new FakeWorld(new Rays(config.scene().map()));
+        this.world = new FakeWorld(new ObviousRays(config.scene().map()));
         var problems = new ArrayList<InvalidRobots.Problem>();
         for (RobotSpec spec : config.robots()) {
             Pose2d start = spec.mapFromBase().orElse(Pose2d.ORIGIN);

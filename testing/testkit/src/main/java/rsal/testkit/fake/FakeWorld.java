@@ -7,18 +7,18 @@ import java.util.Optional;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.device.SimulationControl.Thing;
-import rsal.testkit.Rays;
+import rsal.testkit.ObviousRays;
 
 /// Walls, and things that are as large as the circle around their origin that holds them.
 final class FakeWorld {
-    private final Rays rays;
+    private final ObviousRays rays;
     private final Map<String, Thing> things = new LinkedHashMap<>();
 
-    FakeWorld(Rays rays) {
+    FakeWorld(ObviousRays rays) {
         this.rays = rays;
     }
 
-    Rays rays() {
+    ObviousRays rays() {
         return rays;
     }
 

@@ -1,0 +1,66 @@
+package rsal.agent.platform;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import org.junit.jupiter.api.Test;
+
+class AgentTurnsTest {
+    private final AgentTurns turns = new AgentTurns();
+
+    @Test
+    void tellsWhoseTurnItIsAndWhichOne() {
+        AgentTurns.Turn amy = turns.of("amy");
+        AgentTurns.Turn bob = turns.of("bob");
+        assertThat(turns.underWay()).isEmpty();
+        assertThat(bob.begin()).isTrue();
+        long first = turns.underWay().get("bob");
+        assertThat(amy.begin()).isTrue();
+        assertThat(turns.underWay()).containsOnlyKeys("amy", "bob");
+        bob.end();
+        assertThat(turns.underWay()).containsOnlyKeys("amy");
+        assertThat(bob.begin()).isTrue();
+        assertThat(turns.underWay().get("bob")).isNotEqualTo(first);
+    }
+
+    @Test
+    void aTurnWithinATurnIsNoOther() {
+        AgentTurns.Turn amy = turns.of("amy");
+        assertThat(amy.begin()).isTrue();
+        long turn = turns.underWay().get("amy");
+        assertThat(amy.begin()).isFalse();
+        assertThat(turns.underWay()).containsEntry("amy", turn);
+        amy.end();
+        assertThat(turns.underWay()).isEmpty();
+    }
+
+    @Test
+    void tellsWhoseCodeRunsWhere() throws InterruptedException {
+        assertThat(turns.thread("amy")).isEmpty();
+        AgentTurns.Turn amy = turns.of("amy");
+        Thread other = Thread.ofPlatform().start(() -> {
+            amy.begin();
+            amy.end();
+        });
+        other.join();
+        assertThat(turns.thread("amy")).contains(other);
+        assertThat(amy.isHere()).isFalse();
+        amy.begin();
+        assertThat(turns.thread("amy")).contains(Thread.currentThread());
+        assertThat(amy.isHere()).isTrue();
+    }
+
+    @Test
+    void anAgentIsAtWorkOnlyWhileItsCodeRuns() {
+        var run = new Run();
+        var seen = new ArrayList<String>();
+        run.start(
+                "amy",
+                self -> self.scheduler()
+                        .execute(() ->
+                                seen.add("" + run.society.turns().underWay().keySet())));
+        run.advance(1);
+        assertThat(seen).containsExactly("[amy]");
+        assertThat(run.society.turns().underWay()).isEmpty();
+    }
+}

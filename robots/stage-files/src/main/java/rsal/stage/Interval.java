@@ -1,4 +1,0 @@
-package rsal.stage;
-
-/// From the least to the greatest value; the unit is that of whatever it bounds.
-public record Interval(double min, double max) {}
