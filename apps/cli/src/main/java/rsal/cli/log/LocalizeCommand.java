@@ -7,10 +7,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.ArgGroup;
@@ -18,6 +15,8 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import rsal.cli.log.LocalizeResult.RunView;
+import rsal.cli.log.LocalizeResult.Summary;
 import rsal.cli.terminal.Destination;
 import rsal.cli.terminal.Exit;
 import rsal.cli.terminal.Mistake;
@@ -26,7 +25,6 @@ import rsal.data.Covariance2d;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
-import rsal.data.PoseEstimate.Quality;
 import rsal.map.Maps;
 import rsal.map.RosMap;
 import rsal.navigation.amcl.Amcl;
@@ -38,7 +36,6 @@ import rsal.navigation.grid.ScanMapper;
 import rsal.navigation.replay.Course;
 import rsal.navigation.replay.Replay;
 import rsal.navigation.replay.Verdict;
-import rsal.scenario.text.Counted;
 import rsal.settings.Arguments;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
@@ -62,7 +59,6 @@ import rsal.time.AllowedToReadWallClock;
 @AllowedToReadWallClock("Tells how long updates take.")
 public final class LocalizeCommand extends Subcommand {
     private static final int MOST_PARTICLES = 1_000_000;
-    private static final double MOSTLY = 0.3; // share of the scans, at which lost is worth a word
     private static final double OFF_MAP = 5; // m; how far off a map a start may be
 
     @Parameters(index = "0", paramLabel = "LOG", description = "The log's file.")
@@ -161,151 +157,6 @@ public final class LocalizeCommand extends Subcommand {
         boolean right;
     }
 
-    /// @param time of the scan [s]
-    /// @param x in the map frame [m]
-    /// @param heading [rad]
-    /// @param covariance rows of the 3 × 3 covariance of x, y and heading, the upper triangle [m, rad]
-    /// @param error of the position [m]; null when it is not known where the robot was
-    /// @param headingError [rad]; likewise
-    record StepView(
-            double time,
-            int line,
-            double x,
-            double y,
-            double heading,
-            double[] covariance,
-            double confidence,
-            String quality,
-            int particles,
-            double ms,
-            @Nullable Double error,
-            @Nullable Double headingError) {
-        static StepView of(Replay.Step step) {
-            PoseEstimate estimate = step.estimate();
-            Pose2d pose = estimate.mapFromBase();
-            Covariance2d c = estimate.covariance();
-            var time = step.stop().time();
-            return new StepView(
-                    time.getEpochSecond() + time.getNano() * 1e-9,
-                    step.stop().line(),
-                    pose.x(),
-                    pose.y(),
-                    pose.theta(),
-                    new double[] {c.xx(), c.xy(), c.xTheta(), c.yy(), c.yTheta(), c.thetaTheta()},
-                    estimate.confidence(),
-                    word(estimate.quality()),
-                    step.particles(),
-                    step.nanos() * 1e-6,
-                    step.error().orElse(null),
-                    step.headingError().orElse(null));
-        }
-
-        static String word(Quality quality) {
-            return quality.name().toLowerCase(Locale.ROOT);
-        }
-    }
-
-    /// @param localized share of the scans at which that was the word; likewise the next two
-    /// @param convergedAfter scans, from 1; null when it never did
-    /// @param rmse and the like from there on [m]; null when it never converged
-    record RunView(
-            int seed,
-            double localized,
-            double ambiguous,
-            double lost,
-            int judged,
-            @Nullable Integer convergedAfter,
-            @Nullable Double rmse,
-            @Nullable Double p95,
-            @Nullable Double worst,
-            @Nullable Double headingRmse,
-            double near,
-            int falselySure,
-            double msPerScan,
-            double msWorst,
-            List<StepView> steps) {
-        static RunView of(int seed, List<Replay.Step> steps, Verdict verdict) {
-            OptionalInt converged = verdict.converged();
-            return new RunView(
-                    seed,
-                    share(steps, Quality.LOCALIZED),
-                    share(steps, Quality.AMBIGUOUS),
-                    share(steps, Quality.LOST),
-                    verdict.judged(),
-                    converged.isPresent() ? converged.getAsInt() : null,
-                    known(verdict.rmse()),
-                    known(verdict.p95()),
-                    known(verdict.worst()),
-                    known(verdict.headingRmse()),
-                    verdict.near(),
-                    verdict.falselySure(),
-                    steps.stream().mapToLong(Replay.Step::nanos).average().orElse(0) * 1e-6,
-                    steps.stream().mapToLong(Replay.Step::nanos).max().orElse(0) * 1e-6,
-                    steps.stream().map(StepView::of).toList());
-        }
-
-        private static double share(List<Replay.Step> steps, Quality word) {
-            return Summary.share(
-                    steps.stream()
-                            .filter(step -> step.estimate().quality() == word)
-                            .count(),
-                    steps.size());
-        }
-    }
-
-    /// @param judged scans of all runs of which it is known where they were taken
-    /// @param converged10 share of the runs that converged within 10 scans
-    /// @param rmse and the like are of all scans from where each run converged on; null when none did
-    /// @param worstRmse of the run that has the largest; likewise
-    /// @param falselySure share of the judged scans at which it said to be localized and was not near
-    record Summary(
-            int seeds,
-            int judged,
-            double converged,
-            double converged10,
-            @Nullable Double rmse,
-            @Nullable Double worstRmse,
-            @Nullable Double p95,
-            @Nullable Double headingRmse,
-            double near,
-            double falselySure,
-            double msPerScan) {
-        static Summary of(List<RunView> runs, Verdict.Pooled pooled) {
-            int judged = runs.stream().mapToInt(RunView::judged).sum();
-            return new Summary(
-                    runs.size(),
-                    judged,
-                    share(runs.stream().filter(r -> r.convergedAfter != null).count(), runs.size()),
-                    share(
-                            runs.stream()
-                                    .filter(r -> r.convergedAfter != null && r.convergedAfter <= 10)
-                                    .count(),
-                            runs.size()),
-                    known(pooled.rmse()),
-                    known(pooled.worstRmse()),
-                    known(pooled.p95()),
-                    known(pooled.headingRmse()),
-                    runs.stream().mapToDouble(RunView::near).average().orElse(0),
-                    share(runs.stream().mapToInt(RunView::falselySure).sum(), judged),
-                    runs.stream().mapToDouble(RunView::msPerScan).average().orElse(0));
-        }
-
-        private static double share(long part, int all) {
-            return all == 0 ? 0 : (double) part / all;
-        }
-    }
-
-    /// @param untold scans left out since nothing tells where the wheels had brought the robot
-    /// @param skipped messages of the log that were not used, by reason
-    record Localized(
-            String log,
-            String map,
-            int scans,
-            int untold,
-            Map<String, Integer> skipped,
-            Summary summary,
-            List<RunView> runs) {}
-
     @Override
     protected int run() throws IOException {
         checkOptions();
@@ -327,6 +178,7 @@ public final class LocalizeCommand extends Subcommand {
         if (map.fromHalf) {
             course = course.only(i -> i % 2 == 1);
         }
+        var report = new LocalizeReport(out(), err());
         var runs = new ArrayList<RunView>();
         var verdicts = new ArrayList<Verdict>();
         for (int seed = 1; seed <= seeds; seed++) {
@@ -336,12 +188,12 @@ public final class LocalizeCommand extends Subcommand {
             runs.add(run);
             verdicts.add(verdict);
             if (!json) {
-                tell(run);
+                report.tell(run, seeds == 1);
             }
         }
         Summary summary = Summary.of(runs, Verdict.pooled(verdicts));
         if (json) {
-            printJson(new Localized(
+            printJson(new LocalizeResult(
                     file,
                     map.map == null ? "from half" : map.map,
                     course.stops().size(),
@@ -351,11 +203,11 @@ public final class LocalizeCommand extends Subcommand {
                     runs));
         } else {
             LogOptions.tellSkipped(err(), file, log);
-            tell(summary);
+            report.tell(summary);
         }
         LogOptions.tellWandering(err(), file, log);
         LogOptions.tellOddities(err(), file, log);
-        tellDoubts(course, runs);
+        report.tellDoubts(file, course, runs);
         return Exit.SUCCESS;
     }
 
@@ -477,107 +329,4 @@ public final class LocalizeCommand extends Subcommand {
         return fileName(yaml).replaceFirst("\\.yaml$", ".pgm");
     }
 
-    private static @Nullable Double known(double value) {
-        return Double.isNaN(value) ? null : value;
-    }
-
-    private void tell(RunView run) {
-        if (seeds == 1) {
-            out().println(
-                            "      time        x        y     deg  ± m ± deg   confidence             particles      ms  error m");
-            for (StepView step : run.steps) {
-                out().println("%10.2f %8.2f %8.2f %7.1f %5.2f %5.1f %5.2f %-13s %9d %9.2f %8s"
-                        .formatted(
-                                step.time,
-                                step.x,
-                                step.y,
-                                Math.toDegrees(step.heading),
-                                Math.sqrt(step.covariance[0] + step.covariance[3]),
-                                Math.toDegrees(Math.sqrt(step.covariance[5])),
-                                step.confidence,
-                                step.quality,
-                                step.particles,
-                                step.ms,
-                                meters(step.error)));
-            }
-        }
-        out().println("seed %d: localized at %.0f%%, ambiguous at %.0f%%, lost at %.0f%% of %d scans"
-                .formatted(run.seed, 100 * run.localized, 100 * run.ambiguous, 100 * run.lost, run.steps.size()));
-        if (run.judged > 0) {
-            out().println(
-                            run.convergedAfter == null
-                                    ? "seed %d: never converged; falsely sure at %d of %d scans"
-                                            .formatted(run.seed, run.falselySure, run.judged)
-                                    : ("seed %d: converged after %s; from there on rmse %s m%s, 95%% below %s m,"
-                                                    + " worst %s m; falsely sure at %d of %d scans")
-                                            .formatted(
-                                                    run.seed,
-                                                    Counted.of(run.convergedAfter, "scan"),
-                                                    meters(run.rmse),
-                                                    lostAgain(run.steps, run.convergedAfter),
-                                                    meters(run.p95),
-                                                    meters(run.worst),
-                                                    run.falselySure,
-                                                    run.judged));
-        }
-        out().flush();
-    }
-
-    /// ` (lost at 80% of these scans)`, where that is more than half; else nothing.
-    ///
-    /// @param converged at which of the scans, from 1, whose places are known
-    private static String lostAgain(List<StepView> steps, int converged) {
-        List<StepView> rest = steps.stream()
-                .filter(step -> step.error != null)
-                .skip(converged - 1L)
-                .toList();
-        long lost = rest.stream()
-                .filter(step -> step.quality.equals(StepView.word(Quality.LOST)))
-                .count();
-        return 2 * lost > rest.size() ? " (lost at %.0f%% of these scans)".formatted(100.0 * lost / rest.size()) : "";
-    }
-
-    /// What nobody should miss who looks at the last poses only.
-    private void tellDoubts(Course course, List<RunView> runs) {
-        if (course.untold() > 0) {
-            err().println(
-                            "%s: %d of %d scans were left out: nothing tells where the wheels had brought the robot by then."
-                                    .formatted(
-                                            file,
-                                            course.untold(),
-                                            course.untold() + course.stops().size()));
-        }
-        double lost = runs.stream().mapToDouble(RunView::lost).average().orElse(0);
-        if (lost > MOSTLY) {
-            err().println(
-                            ("It was lost at %.0f%% of the scans. Maybe the map is of another place, or the laser is not where"
-                                            + " the log says, or sees farther around than --field-of-view, or its"
-                                            + " ranges are in other units than meters, or the map's scale is off.")
-                                    .formatted(100 * lost));
-        }
-        err().flush();
-    }
-
-    private void tell(Summary summary) {
-        if (summary.seeds > 1 && summary.judged > 0) {
-            out().println(("%d runs: %.0f%% converged within 10 scans, %.0f%% at all; from there on rmse %s m, of the"
-                            + " worst run %s m, 95%% below %s m, heading %s°; falsely sure at %.2f%% of scans; %.2f ms"
-                            + " per scan")
-                    .formatted(
-                            summary.seeds,
-                            100 * summary.converged10,
-                            100 * summary.converged,
-                            meters(summary.rmse),
-                            meters(summary.worstRmse),
-                            meters(summary.p95),
-                            summary.headingRmse == null ? "-" : "%.2f".formatted(Math.toDegrees(summary.headingRmse)),
-                            100 * summary.falselySure,
-                            summary.msPerScan));
-        }
-        out().flush();
-    }
-
-    private static String meters(@Nullable Double value) {
-        return value == null ? "-" : "%.3f".formatted(value);
-    }
 }
