@@ -22,7 +22,7 @@ class HouseTest {
     private static final int MOST_LINES = 500; // of a file
 
     /// How many files are longer. It only goes down.
-    private static final int LONGER = 13;
+    private static final int LONGER = 12;
 
     private static final Pattern MODULE = Pattern.compile("<module>([^<]+)</module>");
     private static final List<Path> SOURCES = sources();

@@ -23,7 +23,7 @@ record OwnFolder(Path folder) {
 
     /// A file's name, the rest of the sentence, and what is in it.
     private static final Pattern FILE =
-            Pattern.compile("`(agents/own/[^`]+|[\\w-]+\\.yaml)`[^`]*:\n\n```\\w*\n(.*?)```", Pattern.DOTALL);
+            Pattern.compile("`(agents/own/[^`]+|[\\w-]+\\.(?:yaml|plan))`[^`]*:\n\n```\\w*\n(.*?)```", Pattern.DOTALL);
 
     /// Writes all files of a page, which must be all Java and YAML that it shows.
     static OwnFolder of(String page, Path folder) throws IOException {

@@ -12,7 +12,7 @@ class OwnFolderIT {
     Path folder;
 
     @ParameterizedTest
-    @ValueSource(strings = {"own-device", "another-robot-system"})
+    @ValueSource(strings = {"own-device", "another-robot-system", "another-world-format"})
     void itsCommandsShowWhatItSays(String guide) throws Exception {
         String page = Files.readString(Path.of("../../docs/how-to", guide + ".md"));
         OwnFolder own = OwnFolder.of(page, folder);
