@@ -38,7 +38,8 @@ class HouseTest {
 
     private static Stream<Path> filesIn(Path folder) {
         try (Stream<Path> files = Files.walk(folder)) {
-            return files.filter(file -> file.toString().endsWith(".java"))
+            return files
+                    .filter(file -> file.toString().endsWith(".java"))
                     .filter(file -> !file.getFileName().toString().endsWith("-info.java"))
                     .toList()
                     .stream();
@@ -62,9 +63,9 @@ class HouseTest {
     @Test
     void noPackageHasMoreThanFortyFiles() {
         assertThat(SOURCES).hasSizeGreaterThan(1000);
-        assertThat(by(Path::getParent)).allSatisfy((folder, files) -> assertThat(files)
-                .as(folder.toString())
-                .isLessThanOrEqualTo(MOST_FILES));
+        assertThat(by(Path::getParent))
+                .allSatisfy((folder, files) ->
+                        assertThat(files).as(folder.toString()).isLessThanOrEqualTo(MOST_FILES));
     }
 
     @Test

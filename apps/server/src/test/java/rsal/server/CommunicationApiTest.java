@@ -8,6 +8,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
+import java.util.function.Predicate;
 import java.util.stream.StreamSupport;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -19,6 +20,7 @@ import rsal.agent.AgentType;
 import rsal.engine.LiveRun;
 import rsal.engine.RunOperator;
 import rsal.engine.report.Answer;
+import rsal.engine.report.Snapshot;
 import rsal.scenario.RunOptions;
 import rsal.server.RawHttp.Response;
 import tools.jackson.databind.JsonNode;
@@ -59,16 +61,16 @@ class CommunicationApiTest {
 
     /// Lets the run come so far, step by step, and stand still there.
     private void advanceTo(double seconds) {
-        while (!server.run().snapshot().paused()) {
-            Thread.onSpinWait();
-        }
-        double left = seconds - server.run().snapshot().time().toMillis() / 1000.0;
+        Snapshot before = reached(Snapshot::paused);
+        double left = seconds - before.time().toMillis() / 1000.0;
         for (int i = 0; i < left / STEP - 1e-6; i++) { // not one more, by rounding
             server.run().step();
         }
-        while (server.run().snapshot().time().toMillis() < 1000 * seconds) {
-            Thread.onSpinWait();
-        }
+        reached(now -> now.time().toMillis() >= 1000 * seconds);
+    }
+
+    private Snapshot reached(Predicate<Snapshot> wanted) {
+        return server.run().when(wanted).toCompletableFuture().join();
     }
 
     /// Waits for what the server does by its own clock.

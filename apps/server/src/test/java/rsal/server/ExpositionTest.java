@@ -129,9 +129,10 @@ class ExpositionTest {
     @Test
     void agreesWithTheApi() throws Exception {
         try (var server = Errand.serve("talk.yaml", directory, 0)) {
-            while (server.run().snapshot().time().compareTo(Duration.ofSeconds(3)) < 0) {
-                Thread.onSpinWait();
-            }
+            server.run()
+                    .when(now -> now.time().compareTo(Duration.ofSeconds(3)) >= 0)
+                    .toCompletableFuture()
+                    .join();
             server.run().pause();
             PrometheusText metrics = await(server, text -> text.value("rsal_run_paused") == 1);
             Snapshot snapshot = server.run().snapshot();

@@ -3,6 +3,7 @@ package rsal.engine;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import java.util.function.Predicate;
 import rsal.device.Subscription;
 import rsal.engine.report.Metrics;
 import rsal.engine.report.RunEvent;
@@ -108,6 +109,25 @@ public final class LiveRun implements AutoCloseable {
         Subscription looking = onSnapshot(() -> fresh.complete(snapshots.newest()));
         snapshot(); // asks for one
         return fresh.whenComplete((_, _) -> looking.cancel());
+    }
+
+    /// The first snapshot from now on of which something is true. Completes on the run's thread; exceptionally
+    /// with an [IllegalStateException] when the run ends before.
+    ///
+    /// @param wanted is asked on the run's thread, and must be quick
+    public CompletionStage<Snapshot> when(Predicate<Snapshot> wanted) {
+        var found = new CompletableFuture<Snapshot>();
+        Subscription looking = onSnapshot(() -> {
+            if (wanted.test(loop.snapshots().newest())) {
+                found.complete(loop.snapshots().newest());
+            } else {
+                loop.snapshots().want();
+            }
+        });
+        var _ = loop.result()
+                .whenComplete((_, _) -> found.completeExceptionally(new IllegalStateException("The run has ended.")));
+        snapshot(); // asks for the first
+        return found.whenComplete((_, _) -> looking.cancel());
     }
 
     /// Tells when there is a new snapshot. A listener that throws is told no more.

@@ -3,6 +3,7 @@ package rsal.engine;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletionStage;
@@ -84,17 +85,9 @@ class AgentsByHandTest {
 
     /// Goes on for a step, at least.
     private void step() {
-        long before = steps();
+        Duration before = run.freshSnapshot().toCompletableFuture().join().time();
         run.step();
-        while (steps() == before) {
-            Thread.onSpinWait();
-        }
-    }
-
-    private long steps() {
-        return run.metrics().steps().counts().stream()
-                .mapToLong(Long::longValue)
-                .sum();
+        run.when(now -> now.time().compareTo(before) > 0).toCompletableFuture().join();
     }
 
     private List<String> byHand() {

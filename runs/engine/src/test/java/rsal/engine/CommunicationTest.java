@@ -93,9 +93,8 @@ class CommunicationTest {
         for (int i = 0; i < steps; i++) {
             run.step();
         }
-        while (run.snapshot().time().compareTo(before.plusMillis(100L * steps)) < 0) {
-            Thread.onSpinWait();
-        }
+        Duration wanted = before.plusMillis(100L * steps);
+        run.when(now -> now.time().compareTo(wanted) >= 0).toCompletableFuture().get(10, TimeUnit.SECONDS);
     }
 
     private static Reception find(List<Reception> all, String sender, String listener) {

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CountDownLatch;
@@ -598,6 +599,21 @@ class LiveRunTest {
     }
 
     /// When the last snapshot is made, no step comes any more in which it could be answered.
+    @Test
+    void tellsTheFirstSnapshotOfWhichSomethingIsTrue() throws Exception {
+        try (LiveRun run = LiveRun.start(slow())) {
+            Snapshot found = run.when(now -> now.time().toMillis() >= 500)
+                    .toCompletableFuture()
+                    .get(30, TimeUnit.SECONDS);
+            assertThat(found.time().toMillis()).isGreaterThanOrEqualTo(500);
+            CompletableFuture<Snapshot> never = run.when(_ -> false).toCompletableFuture();
+            run.stop();
+            assertThatThrownBy(() -> never.get(30, TimeUnit.SECONDS))
+                    .hasCauseInstanceOf(IllegalStateException.class)
+                    .hasMessageContaining("The run has ended.");
+        }
+    }
+
     @Test
     void whatIsAskedAtTheEndIsAnsweredByWhatIsRemembered() {
         var asked = new ConcurrentLinkedQueue<CompletionStage<Answer>>();

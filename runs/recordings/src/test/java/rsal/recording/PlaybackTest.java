@@ -313,9 +313,7 @@ class PlaybackTest {
                 .plan(RunOptions.NONE.withSeed(7).withSpeed(50).withLimit(Duration.ofSeconds(30)));
         try (Recorder recorder = Recorded.begin(plan, file);
                 LiveRun run = LiveRun.of(plan).observer(recorder.witness()).start()) {
-            while (run.snapshot().robots().isEmpty()) {
-                Thread.onSpinWait();
-            }
+            run.when(now -> !now.robots().isEmpty()).toCompletableFuture().get(30, TimeUnit.SECONDS);
             var added =
                     run.operator().newRobot("pioneer2dx", new Pose2d(-8, -1, 0)).toCompletableFuture();
             assertThat(added.get(30, TimeUnit.SECONDS)).isEqualTo(new Answer.Added("pioneer2dx-1"));

@@ -328,5 +328,4 @@ public final class LocalizeCommand extends Subcommand {
     private static String imageName(String yaml) {
         return fileName(yaml).replaceFirst("\\.yaml$", ".pgm");
     }
-
 }

@@ -1,14 +1,14 @@
 package rsal.cli.log;
 
+import java.io.PrintWriter;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import rsal.data.PoseEstimate.Quality;
-import rsal.navigation.replay.Course;
-import rsal.scenario.text.Counted;
-import java.io.PrintWriter;
 import rsal.cli.log.LocalizeResult.RunView;
 import rsal.cli.log.LocalizeResult.StepView;
 import rsal.cli.log.LocalizeResult.Summary;
+import rsal.data.PoseEstimate.Quality;
+import rsal.navigation.replay.Course;
+import rsal.scenario.text.Counted;
 
 /// Says for people how well a robot was localized.
 final class LocalizeReport {
@@ -26,7 +26,7 @@ final class LocalizeReport {
     void tell(RunView run, boolean steps) {
         if (steps) {
             out.println(
-                            "      time        x        y     deg  ± m ± deg   confidence             particles      ms  error m");
+                    "      time        x        y     deg  ± m ± deg   confidence             particles      ms  error m");
             for (StepView step : run.steps()) {
                 out.println("%10.2f %8.2f %8.2f %7.1f %5.2f %5.1f %5.2f %-13s %9d %9.2f %8s"
                         .formatted(
@@ -44,23 +44,28 @@ final class LocalizeReport {
             }
         }
         out.println("seed %d: localized at %.0f%%, ambiguous at %.0f%%, lost at %.0f%% of %d scans"
-                .formatted(run.seed(), 100 * run.localized(), 100 * run.ambiguous(), 100 * run.lost(), run.steps().size()));
+                .formatted(
+                        run.seed(),
+                        100 * run.localized(),
+                        100 * run.ambiguous(),
+                        100 * run.lost(),
+                        run.steps().size()));
         if (run.judged() > 0) {
             out.println(
-                            run.convergedAfter() == null
-                                    ? "seed %d: never converged; falsely sure at %d of %d scans"
-                                            .formatted(run.seed(), run.falselySure(), run.judged())
-                                    : ("seed %d: converged after %s; from there on rmse %s m%s, 95%% below %s m,"
-                                                    + " worst %s m; falsely sure at %d of %d scans")
-                                            .formatted(
-                                                    run.seed(),
-                                                    Counted.of(run.convergedAfter(), "scan"),
-                                                    meters(run.rmse()),
-                                                    lostAgain(run.steps(), run.convergedAfter()),
-                                                    meters(run.p95()),
-                                                    meters(run.worst()),
-                                                    run.falselySure(),
-                                                    run.judged()));
+                    run.convergedAfter() == null
+                            ? "seed %d: never converged; falsely sure at %d of %d scans"
+                                    .formatted(run.seed(), run.falselySure(), run.judged())
+                            : ("seed %d: converged after %s; from there on rmse %s m%s, 95%% below %s m,"
+                                            + " worst %s m; falsely sure at %d of %d scans")
+                                    .formatted(
+                                            run.seed(),
+                                            Counted.of(run.convergedAfter(), "scan"),
+                                            meters(run.rmse()),
+                                            lostAgain(run.steps(), run.convergedAfter()),
+                                            meters(run.p95()),
+                                            meters(run.worst()),
+                                            run.falselySure(),
+                                            run.judged()));
         }
         out.flush();
     }
@@ -83,19 +88,19 @@ final class LocalizeReport {
     void tellDoubts(String file, Course course, List<RunView> runs) {
         if (course.untold() > 0) {
             err.println(
-                            "%s: %d of %d scans were left out: nothing tells where the wheels had brought the robot by then."
-                                    .formatted(
-                                            file,
-                                            course.untold(),
-                                            course.untold() + course.stops().size()));
+                    "%s: %d of %d scans were left out: nothing tells where the wheels had brought the robot by then."
+                            .formatted(
+                                    file,
+                                    course.untold(),
+                                    course.untold() + course.stops().size()));
         }
         double lost = runs.stream().mapToDouble(RunView::lost).average().orElse(0);
         if (lost > MOSTLY) {
             err.println(
-                            ("It was lost at %.0f%% of the scans. Maybe the map is of another place, or the laser is not where"
-                                            + " the log says, or sees farther around than --field-of-view, or its"
-                                            + " ranges are in other units than meters, or the map's scale is off.")
-                                    .formatted(100 * lost));
+                    ("It was lost at %.0f%% of the scans. Maybe the map is of another place, or the laser is not where"
+                                    + " the log says, or sees farther around than --field-of-view, or its"
+                                    + " ranges are in other units than meters, or the map's scale is off.")
+                            .formatted(100 * lost));
         }
         err.flush();
     }
@@ -112,7 +117,9 @@ final class LocalizeReport {
                             meters(summary.rmse()),
                             meters(summary.worstRmse()),
                             meters(summary.p95()),
-                            summary.headingRmse() == null ? "-" : "%.2f".formatted(Math.toDegrees(summary.headingRmse())),
+                            summary.headingRmse() == null
+                                    ? "-"
+                                    : "%.2f".formatted(Math.toDegrees(summary.headingRmse())),
                             100 * summary.falselySure(),
                             summary.msPerScan()));
         }
