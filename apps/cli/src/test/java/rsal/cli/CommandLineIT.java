@@ -686,6 +686,10 @@ class CommandLineIT {
         assertThat(there.code()).as(there.out() + there.err()).isZero();
         assertThat(there.out()).contains("Goal 2 of 'robot-1' succeeded after ");
         onlyWhoTakesControlSendsARobotSomebodyElseControls(ours, URI.create(url), goal, y);
+        assertThat(ours.run("tell", "behavior", "robot=robot-2", "behavior=stand")
+                        .out())
+                .startsWith("'behavior' is done, confirmed in ");
+        assertThat(ours.run("tell", "behavior", "robot=nobody").err()).contains("There is no (nobody)");
         Ended wall = ours.run("goal", "robot-1", "900", "900", "90");
         assertThat(wall.code()).isEqualTo(Exit.USAGE);
         assertThat(wall.err()).contains("is outside the map");
