@@ -155,7 +155,7 @@ export const texts = {
     box: 'Add a box here',
     ball: 'Add a ball here',
     copy: (robot: string) => `Add a copy of ${robot} here`,
-    model: (title: string) => `Add a ${title} here`,
+    model: (title: string) => `Add ${/^[aeiou]/i.test(title) ? 'an' : 'a'} ${title} here`,
     remove: (name: string) => `Remove ${name}`,
   },
   things: {
