@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Path;
 import java.util.concurrent.CompletionException;
+import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -35,6 +36,11 @@ class WatchdogTest {
                 .helpers(1)
                 .patience(PATIENCE)
                 .start();
+        var ended = new CountDownLatch(1);
+        run.onEvents(() -> run.events(0).stream()
+                .filter(event -> event.text().equals("ends: broken"))
+                .findFirst()
+                .ifPresent(_ -> ended.countDown()));
         try {
             assertThatThrownBy(() -> run.result().toCompletableFuture().join())
                     .isInstanceOf(CompletionException.class)
@@ -44,9 +50,7 @@ class WatchdogTest {
         } finally {
             Endless.RELEASE.release();
         }
-        while (run.events(0).stream().noneMatch(event -> event.text().equals("ends: broken"))) {
-            Thread.sleep(10); // until it lets go of everything after all
-        }
+        ended.await(); // until it lets go of everything after all
     }
 
     @Test
