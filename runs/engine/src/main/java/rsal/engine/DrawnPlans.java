@@ -15,7 +15,7 @@ import rsal.device.Canvas;
 import rsal.device.Localizer;
 import rsal.device.Navigator;
 import rsal.engine.robot.RobotPoses;
-import rsal.engine.robot.Team;
+import rsal.engine.robot.RobotTeam;
 import rsal.robot.Robot;
 import rsal.robot.RobotSpec;
 import rsal.scene.Surface;
@@ -29,12 +29,12 @@ final class DrawnPlans {
     private static final Duration BEAT = Duration.ofMillis(200);
     private static final int MOST_POINTS = 500;
 
-    private final Team team;
+    private final RobotTeam team;
     private final Scheduler scheduler;
     private final Set<RobotSpec> robots = new LinkedHashSet<>();
     private boolean beating;
 
-    DrawnPlans(Team team, Scheduler scheduler) {
+    DrawnPlans(RobotTeam team, Scheduler scheduler) {
         this.team = team;
         this.scheduler = scheduler;
     }

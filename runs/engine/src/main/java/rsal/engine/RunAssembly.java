@@ -30,7 +30,7 @@ import rsal.engine.report.Teammate;
 import rsal.engine.report.TopicTraffic;
 import rsal.engine.robot.RobotPoses;
 import rsal.engine.robot.RobotSystems;
-import rsal.engine.robot.Team;
+import rsal.engine.robot.RobotTeam;
 import rsal.engine.world.DeviceFactory;
 import rsal.engine.world.DynamicRobots;
 import rsal.engine.world.Overlay;
@@ -70,7 +70,7 @@ final class RunAssembly implements AutoCloseable {
     private final Agents agents;
     private final RobotCommands robotCommands;
     private final RobotViews robotViews;
-    private final Team team = new Team();
+    private final RobotTeam team = new RobotTeam();
     private final RobotPoses where;
     private final List<Bridge> bridges = new ArrayList<>();
     private boolean closed;

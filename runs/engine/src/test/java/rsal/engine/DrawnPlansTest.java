@@ -29,7 +29,7 @@ import rsal.device.Localizer;
 import rsal.device.Navigator;
 import rsal.device.SensorCore;
 import rsal.engine.report.Teammate;
-import rsal.engine.robot.Team;
+import rsal.engine.robot.RobotTeam;
 import rsal.model.RobotModels;
 import rsal.robot.Robot;
 import rsal.robot.RobotModel;
@@ -44,7 +44,7 @@ class DrawnPlansTest {
     private static final RobotSpec SPEC = new RobotSpec("r1", "rover", MODEL, Optional.empty(), "#ff8000");
 
     private final LockstepScheduler time = new LockstepScheduler();
-    private final Team team = new Team();
+    private final RobotTeam team = new RobotTeam();
     private final DrawnPlans drawn = new DrawnPlans(team, time);
     private final Paper paper = new Paper();
     private final Guide guide = new Guide();

@@ -27,7 +27,7 @@ import rsal.agent.team.Job;
 import rsal.agent.team.Rules;
 import rsal.agent.team.Skill;
 import rsal.agent.team.TaskRoute;
-import rsal.agent.team.TeamBooks;
+import rsal.agent.team.Team;
 import rsal.agent.team.Work;
 import rsal.agent.team.Worker;
 import rsal.data.Point2d;
@@ -190,15 +190,15 @@ class RadioTalkTest {
         var seen = new ArrayList<Visit>();
         var told = new ArrayList<String>();
         var allotted = new ArrayList<String>();
-        var teams = new ArrayList<TeamBooks>();
+        var teams = new ArrayList<Team>();
         for (String name : List.of("amy", "bob", "eve", "ian")) {
             start(name, new Point2d(1.5 + random.nextDouble(4), NORTH), self -> new Walker(self, seen::add));
         }
         start("zoe", YARD.place('z'), self -> {
-            var team = new TeamBooks(self, Rules.DEFAULT.withTries(0), event -> {
+            var team = new Team(self, Rules.DEFAULT.withTries(0), event -> {
                 switch (event) {
-                    case TeamBooks.Event.Done _ -> told.add(event.job().name());
-                    case TeamBooks.Event.Allotted _ -> allotted.add(event.job().name());
+                    case Team.Event.Done _ -> told.add(event.job().name());
+                    case Team.Event.Allotted _ -> allotted.add(event.job().name());
                     default -> {}
                 }
             });

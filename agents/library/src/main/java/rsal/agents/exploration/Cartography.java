@@ -9,7 +9,7 @@ import java.util.TreeMap;
 import rsal.agent.AgentContext;
 import rsal.agent.team.Objective;
 import rsal.agent.team.Rules;
-import rsal.agent.team.TeamBooks;
+import rsal.agent.team.Team;
 import rsal.data.Point2d;
 
 /// What a team that maps a place has to do: each end of its map, as any of them tells it, is a job until the map goes
@@ -22,7 +22,7 @@ final class Cartography {
     private static final double MOST_WORTH = 3; // m
 
     private final AgentContext self;
-    private final TeamBooks team;
+    private final Team team;
     private final Map<String, Told> told = new TreeMap<>(); // by robot
     private List<Chart> jobs = List.of();
 
@@ -31,7 +31,7 @@ final class Cartography {
     Cartography(AgentContext self) {
         this.self = self;
         Rules rules = Rules.DEFAULT.withObjective(Objective.SUM).withTries(0).reconsideredEvery(ANEW);
-        this.team = new TeamBooks(self, rules, _ -> {});
+        this.team = new Team(self, rules, _ -> {});
     }
 
     void begin() {

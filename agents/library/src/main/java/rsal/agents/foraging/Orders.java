@@ -12,7 +12,7 @@ import rsal.agent.protocol.Request;
 import rsal.agent.protocol.Request.Asked;
 import rsal.agent.team.Objective;
 import rsal.agent.team.Rules;
-import rsal.agent.team.TeamBooks;
+import rsal.agent.team.Team;
 import rsal.settings.Arguments;
 
 /// What a team is asked to fetch: each thing once, whoever asks. Says every few seconds what is to be fetched, so that
@@ -25,14 +25,14 @@ final class Orders {
     private static final int TRIES = 3;
 
     private final AgentContext self;
-    private final TeamBooks team;
+    private final Team team;
     private final Map<String, Asked<CollectGoal, String>> open = new LinkedHashMap<>(); // by job's name
 
     Orders(AgentContext self, Arguments arguments) {
         this.self = self;
         boolean bids = arguments.get(FetchMaster.ALLOTMENT).equals("bids");
         Rules rules = bids ? Rules.DEFAULT.withObjective(Objective.LONGEST) : Rules.DEFAULT.firstCome();
-        this.team = new TeamBooks(self, rules.withTries(TRIES), this::note);
+        this.team = new Team(self, rules.withTries(TRIES), this::note);
     }
 
     /// The service by which one asks: [CollectGoal] → where it lies now, in words.
@@ -69,15 +69,15 @@ final class Orders {
         tell();
     }
 
-    private void note(TeamBooks.Event event) {
+    private void note(Team.Event event) {
         switch (event) {
-            case TeamBooks.Event.Done done -> close(done).inform(done.report());
-            case TeamBooks.Event.GivenUp vain -> close(vain).fail(vain.why()); // if it is there, it will be found again
-            case TeamBooks.Event.Allotted _, TeamBooks.Event.Returned _ -> {}
+            case Team.Event.Done done -> close(done).inform(done.report());
+            case Team.Event.GivenUp vain -> close(vain).fail(vain.why()); // if it is there, it will be found again
+            case Team.Event.Allotted _, Team.Event.Returned _ -> {}
         }
     }
 
-    private Asked<CollectGoal, String> close(TeamBooks.Event event) {
+    private Asked<CollectGoal, String> close(Team.Event event) {
         Asked<CollectGoal, String> asked =
                 Objects.requireNonNull(open.remove(event.job().name()));
         tell();

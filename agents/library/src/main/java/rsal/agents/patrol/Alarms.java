@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import rsal.agent.AgentContext;
-import rsal.agent.team.TeamBooks;
+import rsal.agent.team.Team;
 import rsal.agents.patrol.Intruders.Track;
 import rsal.data.Point2d;
 import rsal.settings.Arguments;
@@ -25,14 +25,14 @@ final class Alarms {
     private static final double STAYS = 3; // m, from where it was met
 
     private final AgentContext self;
-    private final TeamBooks team;
+    private final Team team;
     private final int responders;
     private final Intruders intruders = new Intruders();
     private final Map<Track, List<String>> underWay = new HashMap<>(); // names of jobs
     private final List<Point2d> mapFromMet = new ArrayList<>();
     private int alarms;
 
-    Alarms(AgentContext self, Arguments arguments, TeamBooks team) {
+    Alarms(AgentContext self, Arguments arguments, Team team) {
         this.self = self;
         this.team = team;
         this.responders = arguments.get(RESPONDERS);

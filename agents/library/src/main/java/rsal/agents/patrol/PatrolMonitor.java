@@ -17,7 +17,7 @@ import rsal.agent.message.PoseReport;
 import rsal.agent.message.PoseRequest;
 import rsal.agent.team.Objective;
 import rsal.agent.team.Rules;
-import rsal.agent.team.TeamBooks;
+import rsal.agent.team.Team;
 import rsal.agents.driving.PlaceQuest;
 import rsal.agents.driving.PlaceSearch.Wanted;
 import rsal.agents.parts.AgentWords;
@@ -40,7 +40,7 @@ final class PatrolMonitor {
     private final Duration stay;
     private final Optional<Wanted> wanted;
     private final PlaceQuest quest;
-    private final TeamBooks team;
+    private final Team team;
     private final Alarms alarms;
     private final Map<String, PoseReport> members = new TreeMap<>(); // by agent
     private final Map<String, Integer> nextOf = new HashMap<>(); // place by robot, along the cycle
@@ -55,7 +55,7 @@ final class PatrolMonitor {
         this.stay = arguments.seconds(Patrol.STAY);
         this.quest = new PlaceQuest(self, this::watch);
         Rules rules = Rules.DEFAULT.withObjective(Objective.SUM).oneAtATime().withTries(0);
-        this.team = new TeamBooks(self, rules, this::note);
+        this.team = new Team(self, rules, this::note);
         this.alarms = new Alarms(self, arguments, team);
         List<Point2d> given = arguments.get(Patrol.PLACES);
         this.wanted = given.isEmpty()
@@ -140,20 +140,20 @@ final class PatrolMonitor {
         add(new Visit(name, mapFromPlaces.get(place), stay, Optional.of(robot)), place);
     }
 
-    private void note(TeamBooks.Event event) {
+    private void note(Team.Event event) {
         switch (event.job()) {
             case Visit visit -> note(event, visit.robot());
-            case Meet meet when event instanceof TeamBooks.Event.Done -> alarms.done(meet);
+            case Meet meet when event instanceof Team.Event.Done -> alarms.done(meet);
             default -> {} // they go on until they have met it or nobody sees it
         }
         tell();
     }
 
     /// @param only id of the robot that alone goes there
-    private void note(TeamBooks.Event event, Optional<String> only) {
+    private void note(Team.Event event, Optional<String> only) {
         int place = placeOf.getOrDefault(event.job().name(), 0);
         switch (event) {
-            case TeamBooks.Event.Done done -> {
+            case Team.Event.Done done -> {
                 visited[place] = self.scheduler().instant();
                 String robot = self.directory()
                         .find(done.member())
@@ -164,13 +164,13 @@ final class PatrolMonitor {
                         new Visited(robot, mapFromPlaces.get(place).position()));
                 only.ifPresentOrElse(this::sendOn, () -> self.scheduler().after(SEEN, () -> call(place)));
             }
-            case TeamBooks.Event.Returned _ ->
+            case Team.Event.Returned _ ->
                 only.ifPresent(
                         robot -> { // it can't get there now: it goes on
                             team.withdraw(event.job().name());
                             sendOn(robot);
                         });
-            case TeamBooks.Event.Allotted _, TeamBooks.Event.GivenUp _ -> {}
+            case Team.Event.Allotted _, Team.Event.GivenUp _ -> {}
         }
     }
 

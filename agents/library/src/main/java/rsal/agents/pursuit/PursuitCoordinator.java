@@ -13,7 +13,7 @@ import rsal.agent.AgentContext;
 import rsal.agent.message.PoseReport;
 import rsal.agent.team.Objective;
 import rsal.agent.team.Rules;
-import rsal.agent.team.TeamBooks;
+import rsal.agent.team.Team;
 import rsal.settings.Arguments;
 
 /// What a team of hunters has to do: one goes for each prey that was seen and is not caught, then a second for each,
@@ -26,7 +26,7 @@ final class PursuitCoordinator {
 
     private final AgentContext self;
     private final String prey;
-    private final TeamBooks team;
+    private final Team team;
     private final SortedMap<String, Instant> seen = new TreeMap<>(); // when last
     private final Set<String> lost = new HashSet<>(); // neither seen lately nor caught
     private final Set<String> caught = new HashSet<>();
@@ -39,7 +39,7 @@ final class PursuitCoordinator {
                 .withObjective(Objective.LONGEST)
                 .withTries(0)
                 .reconsideredEvery(arguments.seconds(HuntMaster.INTERVAL));
-        this.team = new TeamBooks(self, rules, this::changed);
+        this.team = new Team(self, rules, this::changed);
     }
 
     void begin() {
@@ -60,9 +60,9 @@ final class PursuitCoordinator {
 
     /// A prey that its hunter leaves can't wait until another is free: it would escape. Not more than once a second,
     /// for one that fails at whatever it gets.
-    private void changed(TeamBooks.Event event) {
+    private void changed(Team.Event event) {
         Instant now = self.scheduler().instant();
-        if (event instanceof TeamBooks.Event.Returned && !now.isBefore(allottedAnew.plus(LOOK))) {
+        if (event instanceof Team.Event.Returned && !now.isBefore(allottedAnew.plus(LOOK))) {
             allottedAnew = now;
             team.reallot();
         }

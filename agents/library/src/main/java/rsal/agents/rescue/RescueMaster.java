@@ -5,7 +5,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import rsal.agent.AgentContext;
 import rsal.agent.team.Rules;
-import rsal.agent.team.TeamBooks;
+import rsal.agent.team.Team;
 import rsal.agents.parts.AgentTypeBase;
 import rsal.settings.Arguments;
 
@@ -27,13 +27,13 @@ public final class RescueMaster extends AgentTypeBase {
 
     private static final class Books {
         private final AgentContext self;
-        private final TeamBooks team;
+        private final Team team;
         private final Set<Integer> found = new TreeSet<>();
         private final Set<Integer> helped = new TreeSet<>();
 
         Books(AgentContext self) {
             this.self = self;
-            this.team = new TeamBooks(self, Rules.DEFAULT.withTries(0), this::note);
+            this.team = new Team(self, Rules.DEFAULT.withTries(0), this::note);
         }
 
         void begin() {
@@ -51,8 +51,8 @@ public final class RescueMaster extends AgentTypeBase {
             }
         }
 
-        private void note(TeamBooks.Event event) {
-            if (event instanceof TeamBooks.Event.Done(Help job, var _, var _)) {
+        private void note(Team.Event event) {
+            if (event instanceof Team.Event.Done(Help job, var _, var _)) {
                 helped.add(job.victim());
                 self.publish(VictimHelped.TOPIC, new VictimHelped(job.victim()));
                 tell();

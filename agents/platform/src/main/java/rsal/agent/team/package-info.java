@@ -2,7 +2,7 @@
 /// the least cost, watched, and given to others when a member fails, falls silent or is not fit for them any
 /// more. Members that come late or are back join at the next call.
 ///
-/// One agent keeps the books ([rsal.agent.team.TeamBooks]); each member has a [rsal.agent.team.Worker] with the
+/// One agent keeps the books ([rsal.agent.team.Team]); each member has a [rsal.agent.team.Worker] with the
 /// skills that its robot's devices allow.
 ///
 /// Sources: R. G. Smith, "The Contract Net Protocol" (1980), for calls and bids; B. P. Gerkey and M. J.

@@ -46,7 +46,7 @@ import rsal.engine.report.MindWords;
 import rsal.engine.report.RunBroken;
 import rsal.engine.report.Words;
 import rsal.engine.robot.RobotPoses;
-import rsal.engine.robot.Team;
+import rsal.engine.robot.RobotTeam;
 import rsal.scenario.Communication;
 import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.PlannedAgent;
@@ -66,7 +66,7 @@ public final class Agents implements AutoCloseable {
     private final EventLog eventLog;
     private final MetricsObserver observer;
     private final Faults faults;
-    private final Team team;
+    private final RobotTeam team;
     private final RobotPoses where;
     private final Traffic traffic;
     private final AgentTurns turns;
@@ -92,7 +92,7 @@ public final class Agents implements AutoCloseable {
             EventLog eventLog,
             MetricsObserver observer,
             Faults faults,
-            Team team,
+            RobotTeam team,
             RobotPoses where,
             Traffic traffic,
             AgentTurns turns) {

@@ -20,7 +20,7 @@ import rsal.engine.event.EventLog;
 import rsal.engine.report.Answer;
 import rsal.engine.report.SentGoal.Status;
 import rsal.engine.report.Words;
-import rsal.engine.robot.Team;
+import rsal.engine.robot.RobotTeam;
 import rsal.engine.world.SimulatedWorld;
 
 /// What people tell robots to do, and all of them to stop. All calls on the run's thread.
@@ -29,7 +29,7 @@ public final class RobotCommands {
     private final EventLog eventLog;
     private final Faults faults;
     private final SimulatedWorld world;
-    private final Team team;
+    private final RobotTeam team;
     private final Agents agents;
     private final SentGoals goals;
     private boolean stopped;
@@ -39,7 +39,7 @@ public final class RobotCommands {
             EventLog eventLog,
             Faults faults,
             SimulatedWorld world,
-            Team team,
+            RobotTeam team,
             Agents agents,
             SentGoals goals) {
         this.map = map;

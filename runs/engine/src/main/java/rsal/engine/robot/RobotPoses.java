@@ -16,10 +16,10 @@ public final class RobotPoses {
     public static final String WORLD = "map";
 
     private final RobotSystems systems;
-    private final Team team;
+    private final RobotTeam team;
     private final Map<String, Pose2d> mapFromOdom = new HashMap<>(); // of robots without a localizer
 
-    public RobotPoses(RobotSystems systems, Team team) {
+    public RobotPoses(RobotSystems systems, RobotTeam team) {
         this.systems = systems;
         this.team = team;
     }

@@ -17,7 +17,7 @@ import rsal.engine.event.EventLog;
 import rsal.engine.report.Teammate;
 import rsal.engine.report.Words;
 import rsal.engine.robot.GuardedScheduler;
-import rsal.engine.robot.Team;
+import rsal.engine.robot.RobotTeam;
 import rsal.robot.DeviceDriver;
 import rsal.robot.Robot;
 import rsal.robot.RobotSpec;
@@ -34,7 +34,7 @@ public final class DeviceFactory implements AutoCloseable {
     private final EventLog eventLog;
     private final RobotBreaker breaker;
     private final SimulatedWorld world;
-    private final Team team;
+    private final RobotTeam team;
     private final Function<RobotSpec, Overlay> overlays;
     private final Map<String, List<GuardedScheduler>> lanes = new HashMap<>(); // of software devices, by robot
     private boolean closed;
@@ -46,7 +46,7 @@ public final class DeviceFactory implements AutoCloseable {
             EventLog eventLog,
             RobotBreaker breaker,
             SimulatedWorld world,
-            Team team,
+            RobotTeam team,
             Function<RobotSpec, Overlay> overlays) {
         this.plan = plan;
         this.scheduler = scheduler;

@@ -20,7 +20,7 @@ import rsal.device.SimulationControl.Thing;
 import rsal.engine.event.EventLog;
 import rsal.engine.robot.RobotPoses;
 import rsal.engine.robot.RobotSystems;
-import rsal.engine.robot.Team;
+import rsal.engine.robot.RobotTeam;
 import rsal.robot.RobotSpec;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.scene.Surface;
@@ -41,14 +41,14 @@ public final class Proxies {
     private static final double JUMP = 1; // of one update, from which on it is told [m]
 
     private final RobotSystems systems;
-    private final Team team;
+    private final RobotTeam team;
     private final RobotPoses where;
     private final Scheduler scheduler;
     private final EventLog eventLog;
     private final Map<String, Proxy> proxies = new LinkedHashMap<>();
     private boolean beating;
 
-    public Proxies(RobotSystems systems, Team team, RobotPoses where, Scheduler scheduler, EventLog eventLog) {
+    public Proxies(RobotSystems systems, RobotTeam team, RobotPoses where, Scheduler scheduler, EventLog eventLog) {
         this.systems = systems;
         this.team = team;
         this.where = where;

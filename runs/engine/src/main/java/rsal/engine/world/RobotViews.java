@@ -27,20 +27,20 @@ import rsal.engine.report.NavigatorState;
 import rsal.engine.report.Reading;
 import rsal.engine.report.RobotView;
 import rsal.engine.report.Teammate;
-import rsal.engine.robot.Team;
+import rsal.engine.robot.RobotTeam;
 import rsal.robot.Robot;
 import rsal.robot.RobotSpec;
 
 /// Shows robots as people see them, without what those that are gone or elsewhere now sensed and believed before.
 /// All calls on the run's thread.
 public final class RobotViews {
-    private final Team team;
+    private final RobotTeam team;
     private final SimulatedWorld world;
     private final Faults faults;
     private final Proxies proxies;
     private final InstantSource clock;
 
-    public RobotViews(Team team, SimulatedWorld world, Faults faults, Proxies proxies, InstantSource clock) {
+    public RobotViews(RobotTeam team, SimulatedWorld world, Faults faults, Proxies proxies, InstantSource clock) {
         this.team = team;
         this.world = world;
         this.faults = faults;

@@ -22,7 +22,7 @@ import rsal.engine.metric.MetricsObserver;
 import rsal.engine.report.Answer;
 import rsal.engine.report.PlacedThing;
 import rsal.engine.robot.RobotSystems;
-import rsal.engine.robot.Team;
+import rsal.engine.robot.RobotTeam;
 import rsal.model.RobotModels;
 import rsal.robot.Robot;
 import rsal.robot.RobotModel;
@@ -44,7 +44,7 @@ public final class SimulatedWorld {
     private final EventLog eventLog;
     private final MetricsObserver observer;
     private final DynamicRobots dynamicRobots;
-    private final Team team;
+    private final RobotTeam team;
     private final Faults faults;
     private final Relocations placements = new Relocations();
     private final Set<String> props = new HashSet<>(); // things that were added by hand and are there
@@ -58,7 +58,7 @@ public final class SimulatedWorld {
             EventLog eventLog,
             MetricsObserver observer,
             DynamicRobots dynamicRobots,
-            Team team,
+            RobotTeam team,
             Faults faults) {
         this.plan = plan;
         this.hasProxies = plan.robots().stream().anyMatch(RunPlan.PlannedRobot::proxy);

@@ -42,7 +42,7 @@ import rsal.engine.report.RunEvent;
 import rsal.engine.report.Teammate;
 import rsal.engine.robot.RobotPoses;
 import rsal.engine.robot.RobotSystems;
-import rsal.engine.robot.Team;
+import rsal.engine.robot.RobotTeam;
 import rsal.robot.Robot;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
@@ -67,7 +67,7 @@ class ProxiesTest {
     private Path folder;
 
     private final LockstepScheduler time = new LockstepScheduler(Instant.EPOCH, Runnable::run);
-    private final Team team = new Team();
+    private final RobotTeam team = new RobotTeam();
     private EventLog eventLog;
     private RunPlan plan;
     private RobotSystems systems;

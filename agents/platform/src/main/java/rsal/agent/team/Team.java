@@ -33,7 +33,7 @@ import rsal.agent.protocol.RetryPolicy;
 ///
 /// A job belongs to one member at a time, as far as can be heard: one that has only fallen silent may go on with what
 /// another has got meanwhile.
-public final class TeamBooks {
+public final class Team {
     private static final int MOST_AT_ONCE = 16; // jobs in one call
     private static final Duration PAUSE = Duration.ofSeconds(5); // until what nobody could do is called again
     private static final double LOYALTY = 0.8; // what a job costs the one that has it, when all is allotted anew
@@ -51,7 +51,7 @@ public final class TeamBooks {
     private boolean anewWanted;
 
     /// @param onEvent told on the agent's lane
-    public TeamBooks(AgentContext self, Rules rules, Consumer<? super Event> onEvent) {
+    public Team(AgentContext self, Rules rules, Consumer<? super Event> onEvent) {
         this.self = self;
         this.rules = rules;
         this.onEvent = onEvent;
@@ -303,7 +303,7 @@ public final class TeamBooks {
         public void ended(Proposal<Estimate> accepted, ConversationResult<String> how) {
             Entry entry = given.get(accepted.from());
             if (entry != null) {
-                TeamBooks.this.ended(accepted.from(), entry, how);
+                Team.this.ended(accepted.from(), entry, how);
             }
         }
     }

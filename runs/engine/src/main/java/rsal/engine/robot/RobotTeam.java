@@ -11,7 +11,7 @@ import rsal.engine.report.Teammate;
 import rsal.robot.Robot;
 
 /// The robots of a run. All calls on the run's thread.
-public final class Team {
+public final class RobotTeam {
     private final Map<String, Robot> robots = new LinkedHashMap<>();
     private final Map<String, Teleoperation> teleoperation = new LinkedHashMap<>();
     private final Map<String, Teammate> cameSoFar = new LinkedHashMap<>();

@@ -19,8 +19,8 @@ import rsal.testkit.contract.RobotBench;
 import rsal.testkit.fake.FakeSystem;
 import rsal.time.LockstepScheduler;
 
-class TeamTest {
-    private final Team team = new Team();
+class RobotTeamTest {
+    private final RobotTeam team = new RobotTeam();
 
     private void join(Robot robot) {
         var teleoperation = new Teleoperation(

@@ -24,7 +24,7 @@ import rsal.agent.presence.Presence;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 
-class TeamBooksTest {
+class TeamTest {
     private record Visit(String name, Point2d place) implements Job {
         Pose2d pose() {
             return new Pose2d(place.x(), place.y(), 0);
@@ -78,7 +78,7 @@ class TeamBooksTest {
     private final List<String> done = new ArrayList<>();
     private final Map<String, Walker> walkers = new HashMap<>();
     private final Set<String> silenced = new HashSet<>();
-    private TeamBooks team;
+    private Team team;
 
     private void walker(String name, double x) {
         run.start(name, self -> {
@@ -92,9 +92,9 @@ class TeamBooksTest {
 
     private void team(Rules rules, Visit... jobs) {
         run.start("zoe", self -> {
-            team = new TeamBooks(self, rules, event -> {
+            team = new Team(self, rules, event -> {
                 events.add(words(self, event));
-                if (event instanceof TeamBooks.Event.Done) {
+                if (event instanceof Team.Event.Done) {
                     done.add(event.job().name());
                 }
             });
@@ -104,7 +104,7 @@ class TeamBooksTest {
         run.advance(0);
     }
 
-    private static String words(AgentContext self, TeamBooks.Event event) {
+    private static String words(AgentContext self, Team.Event event) {
         String kind = event.getClass().getSimpleName();
         double time = self.scheduler().instant().toEpochMilli() / 1000.0;
         return "%.1f %s %s %s".formatted(time, kind, event.job().name(), event.member());
@@ -296,7 +296,7 @@ class TeamBooksTest {
         walker("amy", 0);
         team(Rules.DEFAULT, visit("a", 10));
         run.start("yan", self -> {
-            var other = new TeamBooks(self, Rules.DEFAULT, event -> events.add(words(self, event)));
+            var other = new Team(self, Rules.DEFAULT, event -> events.add(words(self, event)));
             other.begin();
             other.add(visit("b", 20));
         });
@@ -310,7 +310,7 @@ class TeamBooksTest {
         team(Rules.DEFAULT, visit("a", 10));
         run.scheduler.execute(() -> {});
         run.start("yan", self -> {
-            var other = new TeamBooks(self, Rules.DEFAULT, _ -> {});
+            var other = new Team(self, Rules.DEFAULT, _ -> {});
             other.add(visit("a", 1));
             other.add(visit("a", 2));
         });
@@ -322,7 +322,7 @@ class TeamBooksTest {
     @ValueSource(booleans = {true, false})
     void whateverHappensEachJobIsDoneOnceWhileSomebodyIsThere(boolean inRoutes) {
         for (int seed = 1; seed <= 100; seed++) {
-            var test = new TeamBooksTest();
+            var test = new TeamTest();
             test.storm(seed, inRoutes);
         }
     }
