@@ -3,6 +3,7 @@ package rsal.engine;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import java.util.function.Function;
 import java.util.function.Predicate;
 import rsal.device.Subscription;
 import rsal.engine.report.Metrics;
@@ -101,14 +102,7 @@ public final class LiveRun implements AutoCloseable {
     /// How the run is now: a snapshot that is made after this was asked, as the newest may be of long ago. Completes on
     /// the run's thread; when the run is over, at once with its last.
     public CompletionStage<Snapshot> freshSnapshot() {
-        Snapshots snapshots = loop.snapshots();
-        if (loop.result().isDone()) {
-            return CompletableFuture.completedFuture(snapshots.newest());
-        }
-        var fresh = new CompletableFuture<Snapshot>();
-        Subscription looking = onSnapshot(() -> fresh.complete(snapshots.newest()));
-        snapshot(); // asks for one
-        return fresh.whenComplete((_, _) -> looking.cancel());
+        return when(_ -> true).exceptionally(_ -> loop.snapshots().newest());
     }
 
     /// The first snapshot from now on of which something is true. Completes on the run's thread; exceptionally
@@ -124,10 +118,8 @@ public final class LiveRun implements AutoCloseable {
                 loop.snapshots().want();
             }
         });
-        var _ = loop.result()
-                .whenComplete((_, _) -> found.completeExceptionally(new IllegalStateException("The run has ended.")));
         snapshot(); // asks for the first
-        return found.whenComplete((_, _) -> looking.cancel());
+        return found.applyToEither(loop.ended(), Function.identity()).whenComplete((_, _) -> looking.cancel());
     }
 
     /// Tells when there is a new snapshot. A listener that throws is told no more.
