@@ -142,12 +142,13 @@ public final class ColumnRenderer {
     }
 
     void meetPieces(World world, Body self) {
+        SensorView seen = world.sensorView();
         PieceGrid.Found near = Rays.ofThisThread(1).near;
-        world.sensorView().near(fromX, fromY, reach, near);
+        seen.near(fromX, fromY, reach, near);
         for (int k = 0; k < near.count; k++) {
             int slot = near.slots[k];
-            if (world.sensorView().owner(slot) != self) {
-                meet(world.sensorView().piece(slot));
+            if (seen.owner(slot) != self) {
+                meet(seen.piece(slot));
             }
         }
     }

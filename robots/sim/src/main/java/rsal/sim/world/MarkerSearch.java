@@ -37,7 +37,7 @@ public final class MarkerSearch {
             int key,
             boolean allHeights) {
         var found = new ArrayList<Found>();
-        for (Candidate candidate : candidates(world, self, mapFromFinder, reach, key)) {
+        for (Candidate candidate : candidates(world.sensorView(), self, mapFromFinder, reach, key)) {
             Pose2d at = candidate.body.seenPose();
             double distance = mapFromFinder.distanceTo(at);
             boolean ahead = distance == 0 || Math.abs(mapFromFinder.bearingTo(at.position())) <= fieldOfView / 2;
@@ -51,16 +51,14 @@ public final class MarkerSearch {
 
     private record Candidate(Body body, int id) {}
 
-    private static Set<Candidate> candidates(World world, Body self, Pose2d from, double reach, int key) {
+    private static Set<Candidate> candidates(SensorView seen, Body self, Pose2d from, double reach, int key) {
         var candidates = new LinkedHashSet<Candidate>();
         PieceGrid.Found near = Rays.ofThisThread(1).near;
-        world.sensorView().near(from.x(), from.y(), reach + FARTHEST_PIECE, near);
+        seen.near(from.x(), from.y(), reach + FARTHEST_PIECE, near);
         for (int i = 0; i < near.count; i++) {
-            Surface surface = world.sensorView().piece(near.slots[i]).surface;
-            if (surface.fiducial() != 0
-                    && surface.fiducialKey() == key
-                    && world.sensorView().owner(near.slots[i]) != self) {
-                candidates.add(new Candidate(world.sensorView().body(near.slots[i]), surface.fiducial()));
+            Surface surface = seen.piece(near.slots[i]).surface;
+            if (surface.fiducial() != 0 && surface.fiducialKey() == key && seen.owner(near.slots[i]) != self) {
+                candidates.add(new Candidate(seen.body(near.slots[i]), surface.fiducial()));
             }
         }
         return candidates;
@@ -76,18 +74,18 @@ public final class MarkerSearch {
         rays.dx[0] = distance == 0 ? 1 : (to.x() - from.x()) / distance;
         rays.dy[0] = distance == 0 ? 0 : (to.y() - from.y()) / distance;
         rays.range[0] = Double.POSITIVE_INFINITY;
+        SensorView seen = world.sensorView();
         PieceGrid.Found near = rays.near;
-        world.sensorView().near(from.x(), from.y(), distance, near);
+        seen.near(from.x(), from.y(), distance, near);
         Body first = null;
         for (int i = 0; i < near.count; i++) {
-            PlacedShape piece = world.sensorView().piece(near.slots[i]);
-            boolean meets =
-                    piece.isAt(z) || (markerAtAllHeights && world.sensorView().body(near.slots[i]) == marker);
-            if (meets && world.sensorView().owner(near.slots[i]) != self) {
+            PlacedShape piece = seen.piece(near.slots[i]);
+            boolean meets = piece.isAt(z) || (markerAtAllHeights && seen.body(near.slots[i]) == marker);
+            if (meets && seen.owner(near.slots[i]) != self) {
                 double range = piece.ray(from.x(), from.y(), rays.dx[0], rays.dy[0]);
                 if (range < rays.range[0]) {
                     rays.range[0] = range;
-                    first = world.sensorView().body(near.slots[i]);
+                    first = seen.body(near.slots[i]);
                 }
             }
         }

@@ -82,7 +82,7 @@ public final class SensorRays {
         if (most > 0) {
             turn(rays, turn);
         }
-        meet(world, rays, base, z, reach, most, owner -> owner == self);
+        meet(world.sensorView(), rays, base, z, reach, most, owner -> owner == self);
         for (RasterWalls walls : world.walls()) {
             if (walls.surface().seenByRangers() && walls.isAt(z)) {
                 walls.end(rays, reach);
@@ -100,21 +100,19 @@ public final class SensorRays {
         base.placeAt(mapFromBase, 0);
         Rays rays = Rays.ofThisThread(cos.length);
         aim(rays, base);
-        meet(world, rays, base, height, reach, 0, through);
+        meet(world.sensorView(), rays, base, height, reach, 0, through);
         return Arrays.copyOf(rays.range, cos.length);
     }
 
     /// Ends rays at bodies.
     private void meet(
-            World world, Rays rays, Figure base, double z, double reach, double astray, Predicate<Body> through) {
+            SensorView seen, Rays rays, Figure base, double z, double reach, double astray, Predicate<Body> through) {
         PieceGrid.Found near = rays.near;
-        world.sensorView().near(base.pose().x(), base.pose().y(), reach + farthestOrigin, near);
+        seen.near(base.pose().x(), base.pose().y(), reach + farthestOrigin, near);
         for (int i = 0; i < near.count; i++) {
             int slot = near.slots[i];
-            PlacedShape piece = world.sensorView().piece(slot);
-            if (piece.surface.seenByRangers()
-                    && piece.isAt(z)
-                    && !through.test(world.sensorView().owner(slot))) {
+            PlacedShape piece = seen.piece(slot);
+            if (piece.surface.seenByRangers() && piece.isAt(z) && !through.test(seen.owner(slot))) {
                 for (int fan = 0; fan < originX.length; fan++) {
                     clip(rays, slot, piece, base, fan, reach, astray);
                 }
