@@ -1,6 +1,7 @@
 package rsal.settings;
 
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -43,6 +44,27 @@ public final class Arguments {
             }
         }
         return new Arguments(values);
+    }
+
+    /// The same of values that are texts as typed on a command line or in a form.
+    ///
+    /// @param typed by name; what is no text counts as it is
+    /// @throws IllegalArgumentException with sentences about all values that are wrong
+    public static Arguments parse(List<Parameter<?>> parameters, Map<String, ?> typed) {
+        var values = new LinkedHashMap<String, Object>(typed);
+        var mistakes = new ArrayList<String>();
+        for (Parameter<?> parameter : parameters) {
+            try {
+                values.computeIfPresent(
+                        parameter.name(), (_, value) -> value instanceof String text ? parameter.parse(text) : value);
+            } catch (IllegalArgumentException e) {
+                mistakes.add(e.getMessage());
+            }
+        }
+        if (!mistakes.isEmpty()) {
+            throw new IllegalArgumentException(String.join(" ", mistakes));
+        }
+        return of(parameters, values);
     }
 
     public static Arguments defaults(List<Parameter<?>> parameters) {

@@ -1,6 +1,5 @@
 package rsal.cli.page;
 
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -106,50 +105,38 @@ public final class TellCommand extends ControlCommands.Controlled {
 
     private Arguments arguments(OperatorCommand command) {
         var given = new LinkedHashMap<String, Object>();
-        var mistakes = new ArrayList<String>();
         for (String each : values) {
             int equals = each.indexOf('=');
             if (equals < 1) {
                 throw wrong("A parameter is NAME=VALUE, not (%s).".formatted(each));
             }
-            try {
-                put(given, command, each.substring(0, equals), each.substring(equals + 1));
-            } catch (IllegalArgumentException e) {
-                mistakes.add(e.getMessage());
-            }
-        }
-        if (!mistakes.isEmpty()) {
-            throw wrong(String.join(" ", mistakes));
+            put(given, command, each.substring(0, equals), each.substring(equals + 1));
         }
         try {
-            return Arguments.of(command.parameters(), given);
+            return Arguments.parse(command.parameters(), given);
         } catch (IllegalArgumentException e) {
             throw wrong(String.valueOf(e.getMessage()));
         }
     }
 
+    /// @param given takes the value; of a parameter that takes texts by name, the text among its others
     private static void put(Map<String, Object> given, OperatorCommand command, String name, String value) {
-        Optional<Parameter<?>> known = find(command, name);
         int dot = name.indexOf('.');
-        Optional<Parameter<?>> texts = dot < 0
-                ? Optional.empty()
-                : find(command, name.substring(0, dot)).filter(each -> each.kind() == Parameter.Kind.TEXTS);
-        if (texts.isPresent()) {
-            var all = new LinkedHashMap<String, String>();
-            if (given.get(texts.get().name()) instanceof Map<?, ?> before) {
-                before.forEach((key, text) -> all.put(String.valueOf(key), String.valueOf(text)));
-            }
-            all.put(name.substring(dot + 1), value);
-            given.put(texts.get().name(), all);
-        } else {
-            given.put(name, known.isPresent() ? known.get().parse(value) : value);
+        if (dot < 0 || !takesTexts(command, name.substring(0, dot))) {
+            given.put(name, value);
+            return;
         }
+        var all = new LinkedHashMap<Object, Object>();
+        if (given.get(name.substring(0, dot)) instanceof Map<?, ?> before) {
+            all.putAll(before);
+        }
+        all.put(name.substring(dot + 1), value);
+        given.put(name.substring(0, dot), all);
     }
 
-    private static Optional<Parameter<?>> find(OperatorCommand command, String name) {
+    private static boolean takesTexts(OperatorCommand command, String name) {
         return command.parameters().stream()
-                .filter(each -> each.name().equals(name))
-                .findFirst();
+                .anyMatch(each -> each.name().equals(name) && each.kind() == Parameter.Kind.TEXTS);
     }
 
     private ParameterException wrong(String message) {

@@ -1,7 +1,5 @@
 package rsal.engine.agent;
 
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -43,21 +41,7 @@ public final class TypedAgent {
     }
 
     private static Arguments arguments(List<Parameter<?>> parameters, Map<String, String> typed, List<Robot> team) {
-        var values = new LinkedHashMap<String, Object>();
-        var mistakes = new ArrayList<String>();
-        typed.forEach((name, text) -> {
-            Optional<Parameter<?>> parameter =
-                    parameters.stream().filter(one -> one.name().equals(name)).findFirst();
-            try {
-                values.put(name, parameter.isPresent() ? parameter.get().parse(text) : text);
-            } catch (IllegalArgumentException e) {
-                mistakes.add(e.getMessage());
-            }
-        });
-        if (!mistakes.isEmpty()) {
-            throw new IllegalArgumentException(String.join(" ", mistakes));
-        }
-        Arguments arguments = Arguments.of(parameters, values);
+        Arguments arguments = Arguments.parse(parameters, typed);
         List<String> names = team.stream()
                 .flatMap(robot -> Stream.of(robot.role(), robot.id()))
                 .distinct()
