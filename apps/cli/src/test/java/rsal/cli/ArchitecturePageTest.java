@@ -76,9 +76,14 @@ class ArchitecturePageTest {
         return ROWS.values().stream().filter(Row::isJava).toList();
     }
 
+    /// Folders of all modules that are built.
+    static Set<String> modules() {
+        return all(IN_POM, read("pom.xml"));
+    }
+
     @Test
     void itListsAllModules() {
-        Set<String> built = all(IN_POM, read("pom.xml"));
+        Set<String> built = modules();
         built.removeIf(module -> module.startsWith("testing/"));
         assertThat(ROWS.keySet()).containsAll(built);
         ROWS.keySet().forEach(folder -> assertThat(ROOT.resolve(folder)).isDirectory());

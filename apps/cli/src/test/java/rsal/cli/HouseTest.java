@@ -10,7 +10,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Function;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -24,13 +23,11 @@ class HouseTest {
     /// How many files are longer. It only goes down.
     private static final int LONGER = 12;
 
-    private static final Pattern MODULE = Pattern.compile("<module>([^<]+)</module>");
     private static final List<Path> SOURCES = sources();
 
     private static List<Path> sources() {
-        return MODULE.matcher(read(ROOT.resolve("pom.xml")))
-                .results()
-                .map(module -> ROOT.resolve(module.group(1)).resolve("src/main/java"))
+        return ArchitecturePageTest.modules().stream()
+                .map(module -> ROOT.resolve(module).resolve("src/main/java"))
                 .filter(Files::isDirectory)
                 .flatMap(HouseTest::filesIn)
                 .toList();

@@ -200,7 +200,7 @@ public final class OperatorCommands {
             List<Parameter<?>> parameters,
             Class<? extends Answer> answer,
             BiFunction<LiveRun, Arguments, CompletionStage<Answer>> execution) {
-        return new OperatorCommand(name, description, parameters, answer, _ -> false, false, execution);
+        return safe(name, description, parameters, answer, _ -> false, execution);
     }
 
     private static OperatorCommand safe(

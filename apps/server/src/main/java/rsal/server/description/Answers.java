@@ -21,7 +21,7 @@ public final class Answers {
         whenDone(request, stage, told -> ReadingWords.of(told.readings()));
     }
 
-    /// @param told what is told of readings
+    /// @param told how readings are answered
     public static void whenDone(Context request, CompletionStage<Answer> stage, Function<Answer.Read, Record> told) {
         // not on the run's thread, which has better to do than to write
         request.future(() -> stage.thenAcceptAsync(
@@ -32,7 +32,7 @@ public final class Answers {
                                 case Answer.Sent(int goal) -> Http.answer(request, new Sent(goal));
                                 case Answer.Stopped(int robots) -> Http.answer(request, new Stopped(robots));
                                 case Answer.Armed(int on, var off) -> Http.answer(request, new Armed(on, off));
-                                case Answer.Able(var abilities) -> Http.answer(request, Steering.abilities(abilities));
+                                case Answer.Able(var abilities) -> Http.answer(request, RobotAbilities.of(abilities));
                                 case Answer.Read read -> Http.answer(request, told.apply(read));
                                 case Answer.Heard(var all) -> Http.answer(request, Descriptions.communication(all));
                                 case Answer.Counted(var topics) -> Http.answer(request, Descriptions.topics(topics));

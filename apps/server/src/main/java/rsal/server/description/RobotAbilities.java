@@ -4,11 +4,10 @@ import rsal.robot.RobotModel;
 import rsal.server.message.Messages.Abilities;
 
 /// What a robot can be told to do, for the page.
-final class Steering {
+final class RobotAbilities {
+    private RobotAbilities() {}
 
-    private Steering() {}
-
-    static Abilities abilities(rsal.engine.report.Abilities robot) {
+    static Abilities of(rsal.engine.report.Abilities robot) {
         RobotModel.Drive drive = robot.drive();
         return new Abilities(
                 drive.forward().speed().most(),
