@@ -22,11 +22,15 @@ public final class LiveRun implements AutoCloseable {
     private final RunLoop loop;
     private final RunOperator operator;
     private final RunInspector inspector;
+    private final CompletableFuture<Snapshot> ended; // fails then; one for all waits, which it keeps none of
 
     LiveRun(RunLoop loop) {
         this.loop = loop;
         this.operator = new RunOperator(loop);
         this.inspector = new RunInspector(loop);
+        this.ended = loop.result().handle((_, _) -> {
+            throw new IllegalStateException("The run has ended.");
+        });
     }
 
     /// Prepares a run: see [RunBuilder#start].
@@ -119,7 +123,7 @@ public final class LiveRun implements AutoCloseable {
             }
         });
         snapshot(); // asks for the first
-        return found.applyToEither(loop.ended(), Function.identity()).whenComplete((_, _) -> looking.cancel());
+        return found.applyToEither(ended, Function.identity()).whenComplete((_, _) -> looking.cancel());
     }
 
     /// Tells when there is a new snapshot. A listener that throws is told no more.

@@ -40,7 +40,6 @@ import rsal.engine.report.Metrics;
 import rsal.engine.report.RunBroken;
 import rsal.engine.report.RunObserver;
 import rsal.engine.report.RunResult;
-import rsal.engine.report.Snapshot;
 import rsal.scenario.RunPlan;
 import rsal.time.AllowedToReadWallClock;
 import rsal.time.LockstepScheduler;
@@ -72,9 +71,6 @@ final class RunLoop {
     private final CompletableFuture<RunResult> result = new CompletableFuture<>();
     private final Requests requests = // wait until the robots are there
             new Requests(result.handle((_, _) -> ENDED));
-    private final CompletableFuture<Snapshot> ended = result.handle((_, _) -> {
-        throw new IllegalStateException("The run has ended.");
-    });
     private final Viewers eventViewers = new Viewers();
     private final ExecutorService helpers;
     private final PhaseTimes phaseTimes = new PhaseTimes(System::nanoTime, RunLoop::processorTime);
@@ -141,12 +137,6 @@ final class RunLoop {
 
     CompletableFuture<RunResult> result() {
         return result;
-    }
-
-    /// Fails once the run has ended. One for all who wait for a snapshot: a stage of each that hangs on the
-    /// result itself would stay until then.
-    CompletableFuture<Snapshot> ended() {
-        return ended;
     }
 
     EventLog eventLog() {
