@@ -47,7 +47,7 @@ export class CellMaps {
   /** Which a robot of this run has drawn, maybe not the one that is wanted. */
   readonly drawn = $derived.by((): Cells | null => (this.fetched?.told === live.told ? this.fetched : null));
 
-  /** Whether that map is by whom it should be and of then: whoever looks back waits for it. */
+  /** Whether that map is by whom it should be and of then: anyone who looks back waits for it. */
   readonly hasDrawn = $derived.by(
     () =>
       !!this.fetched && !!this.wanted && this.fetched.by === this.by && this.fetched.time <= this.wanted.time,

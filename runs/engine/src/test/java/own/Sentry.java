@@ -31,7 +31,7 @@ public final class Sentry implements AgentType {
     private static final Parameter<Double> REST =
             Parameter.number("rest", 2, 0, 600, "s", "How long it stays at a post.");
     private static final Parameter<Double> REACH =
-            Parameter.number("reach", 5, 0, 100, "m", "Whoever is nearer than this is challenged.");
+            Parameter.number("reach", 5, 0, 100, "m", "A robot nearer than this is challenged.");
 
     @Override
     public String key() {

@@ -41,7 +41,7 @@ import rsal.recording.Origin;
 
 /// Shows runs to Foxglove, one after the other, on this machine's loopback address: what recordings have, ten
 /// times a second of the run, at most. Programs of this machine may look; pages, as Foxglove itself is one,
-/// need the token, and so does whoever publishes goals and poses ([PublishedGoal#TOPICS]).
+/// need the token, and so does anyone who publishes goals and poses ([PublishedGoal#TOPICS]).
 ///
 /// There are places for some clients. Who knows the token takes one from those who do not, when all are taken.
 ///

@@ -8,8 +8,8 @@ import java.util.stream.Collectors;
 import rsal.data.Point2d;
 
 /// Something that may be set: an argument of a scenario or an agent, an option of a driver. Declared once, it
-/// serves validation, help, the JSON Schema, command line flags and the page's form; and whoever reads its
-/// value gets that with its type.
+/// serves validation, help, the JSON Schema, command line flags and the page's form; and code that reads its
+/// value gets it with its type.
 ///
 /// @param <T> type of the value, as [Arguments#get] gives it; follows from the kind
 /// @param fallback the value when none is given; empty when one must be

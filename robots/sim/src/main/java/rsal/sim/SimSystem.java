@@ -122,7 +122,7 @@ final class SimSystem implements RobotSystem {
         }
     }
 
-    /// Does something with each robot, but with none that has gone meanwhile: whoever hears of one may take
+    /// Does something with each robot, but with none that has gone meanwhile: a listener may take
     /// others out of the world.
     ///
     /// @param since [SimulatedRobots#changes] when they were all there

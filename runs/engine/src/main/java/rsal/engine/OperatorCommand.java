@@ -29,7 +29,7 @@ public record OperatorCommand(
         parameters = List.copyOf(parameters);
     }
 
-    /// @return what came of it, on the run's thread
+    /// @return the result, on the run's thread
     public CompletionStage<Answer> execute(LiveRun run, Arguments arguments) {
         return execution.apply(run, arguments);
     }

@@ -247,7 +247,7 @@ final class RunLoop {
 
     /// Has the run do something between two steps, in the name of who [Operator#name] names.
     ///
-    /// @return what came of it; refused when the run ends before
+    /// @return the answer; refused when the run ends before
     CompletionStage<Answer> ask(Function<RunAssembly, Answer> question) {
         String operator = Operator.name();
         CompletionStage<Answer> answer = requests.ask(() -> eventLog.by(operator, () -> answer(question)));

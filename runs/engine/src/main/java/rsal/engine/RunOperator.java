@@ -81,7 +81,7 @@ public final class RunOperator {
         return loop.ask(run -> run.robotCommands().behave(robot, behavior, now));
     }
 
-    /// Drives a robot by hand, instead of whoever else would, until [#release]. Must be said again and again:
+    /// Drives a robot by hand, instead of its agents, until [#release]. Must be said again and again:
     /// the robot stands still when it was not for half a second of real time, and is given back after five.
     ///
     /// @param driver who that is; as long as one drives, no other can

@@ -64,7 +64,7 @@ final class Format {
                     0,
                     100,
                     "m",
-                    "Likewise of ways that connect free places; as (clearance) without it.")
+                    "How far ways that connect free places keep from walls; as (clearance) without it.")
             .required();
     static final Parameter<Boolean> FREE = Parameter.flag("free", true, "Somewhere free, chosen by the seed.");
     static final Parameter<Boolean> OBSTACLE = Parameter.flag("obstacle", true, "Whether robots run into them.");

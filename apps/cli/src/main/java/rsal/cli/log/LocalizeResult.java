@@ -29,7 +29,7 @@ record LocalizeResult(
     /// @param heading [rad]
     /// @param covariance rows of the 3 × 3 covariance of x, y and heading, the upper triangle [m, rad]
     /// @param error of the position [m]; null when it is not known where the robot was
-    /// @param headingError [rad]; likewise
+    /// @param headingError [rad]; null when that is not known
     record StepView(
             double time,
             int line,
@@ -68,7 +68,9 @@ record LocalizeResult(
         }
     }
 
-    /// @param localized share of the scans at which that was the word; likewise the next two
+    /// @param localized share of the scans at which that was the quality
+    /// @param ambiguous share of the scans at which that was the quality
+    /// @param lost share of the scans at which that was the quality
     /// @param convergedAfter scans, from 1; null when it never did
     /// @param rmse and the like from there on [m]; null when it never converged
     record RunView(
@@ -119,7 +121,7 @@ record LocalizeResult(
     /// @param judged scans of all runs of which it is known where they were taken
     /// @param converged10 share of the runs that converged within 10 scans
     /// @param rmse and the like are of all scans from where each run converged on; null when none did
-    /// @param worstRmse of the run that has the largest; likewise
+    /// @param worstRmse of the run that has the largest; null when none converged
     /// @param falselySure share of the judged scans at which it said to be localized and was not near
     record Summary(
             int seeds,

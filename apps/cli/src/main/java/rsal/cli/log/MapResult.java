@@ -19,7 +19,7 @@ import rsal.navigation.slam.TurnAgreement;
 /// @param columns of the map
 /// @param rows of the map
 /// @param strain null when poses were known
-/// @param contradiction likewise, and when there were too few scans to tell
+/// @param contradiction null when poses were known, and when there were too few scans to tell
 record MapResult(
         List<Drawn> logs,
         List<Merged> merged,
@@ -50,7 +50,7 @@ record MapResult(
     /// @param kept scans in the graph
     /// @param loops places known again
     /// @param odometry error of the wheels from a scan to the next; null when nothing tells
-    /// @param next likewise of the map
+    /// @param next error of the map from a scan to the next; null when nothing tells
     /// @param near error between scans near each other that do not follow on each other
     /// @param turns at which both wheels and scans tell; null when poses were known
     /// @param wandering null when the laser stays where it is mounted
@@ -104,10 +104,10 @@ record MapResult(
         }
     }
 
-    /// A step of a robot's way, by numbers of the scans that were kept, and how far off the map is what was
-    /// told of it.
+    /// A step of a robot's way, by numbers of the scans that were kept, and how far the map is off what wheels
+    /// or scans say of it.
     ///
-    /// @param deviations as whoever told it errs
+    /// @param deviations in standard deviations of what wheels or scans say
     record Bent(int from, int to, double meters, double degrees, double deviations) {
         static @Nullable Bent of(Optional<GraphResidual.Step> step) {
             return step.map(s -> new Bent(s.from(), s.to(), s.meters(), Math.toDegrees(s.radians()), s.deviations()))
@@ -118,8 +118,8 @@ record MapResult(
     /// How much the map bends what it was told.
     ///
     /// @param wheels the step that is farthest off what the wheels say
-    /// @param scans likewise of what scans say
-    /// @param all the step that is farthest off all that was told of it
+    /// @param scans the step that is farthest off what scans say
+    /// @param all the step that is farthest off all that wheels and scans say
     /// @param tooMuch whether that is so far that the map is probably wrong
     /// @param steps of the way
     /// @param blind of them, told by wheels alone
@@ -158,8 +158,8 @@ record MapResult(
     /// before it.
     ///
     /// @param x of its frame in that of the first, now that all are joined [m]
-    /// @param y likewise
-    /// @param degrees likewise, the heading
+    /// @param y of its frame in that of the first [m]
+    /// @param degrees heading of its frame in that of the first
     /// @param squareMeters of floor that both saw
     /// @param against share of the cells hit by either, within that floor, that the other saw as free
     /// @param tooMuch whether that is so much that they are joined only as that was asked for

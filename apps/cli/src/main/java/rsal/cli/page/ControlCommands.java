@@ -132,7 +132,7 @@ public final class ControlCommands {
         @Option(
                 names = "--take-control",
                 description =
-                        "Take control over from whoever has it in the page, who is told; it is given back at once.")
+                        "Take control over from the one who has it in the page. The page says so, and control is given back at once.")
         private boolean takesControl;
 
         final JsonNode command(String command, Object message) throws InterruptedException {

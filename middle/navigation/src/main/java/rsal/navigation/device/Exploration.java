@@ -43,8 +43,8 @@ final class Exploration {
     private final List<Explorer> robots = new ArrayList<>();
     private final LeftAlone leftAlone = new LeftAlone();
     private final Sequence sequence = new Sequence(); // only the look under way touches it
-    private final IncrementalMap drawing; // likewise
-    private @Nullable Terrain terrain; // likewise: the last one
+    private final IncrementalMap drawing; // only the look under way touches it
+    private @Nullable Terrain terrain; // the last one; only the look under way touches it
     private Instant lastLook = Instant.MIN;
     private boolean looking;
 

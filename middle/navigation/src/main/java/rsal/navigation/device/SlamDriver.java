@@ -19,7 +19,7 @@ public final class SlamDriver implements DeviceDriver {
     private static final Parameter<Double> KEEP_DISTANCE =
             Parameter.number("keepDistance", 0.5, 0.05, 5, "m", "how far apart scans are that are kept");
     private static final Parameter<Double> KEEP_ANGLE =
-            Parameter.number("keepAngle", 20, 1, 180, "deg", "likewise of their headings");
+            Parameter.number("keepAngle", 20, 1, 180, "deg", "how far apart headings of scans are that are kept");
     private static final Parameter<Integer> MOST_SCANS =
             Parameter.integer("mostScans", 10_000, 2, 100_000, "", "scans kept; then it only finds its way");
 

@@ -34,9 +34,9 @@ import rsal.navigation.scanmatch.Match;
 public final class Slam {
     private static final double LEAST_SCORE = 0.35; // of a search, to be worth refining
     private static final double LEAST_PAIRS = 0.35; // of a scan, to be believed
-    private static final double WELL = 0.5; // likewise, to look no farther than wheels err as a rule
+    private static final double WELL = 0.5; // of a scan, to look no farther than wheels err as a rule
     private static final double LEAST_SCORE_ALONE = 0.2; // of a search, where nothing else is found
-    private static final double LEAST_ALONE = 0.3; // of a scan, likewise
+    private static final double LEAST_ALONE = 0.3; // of a scan, where nothing else is found
     private static final double RIVAL = 0.6; // share of the score from which another place is one
     private static final double BETTER = 0.1; // that one farther off scores more, to be believed instead
     private static final double WIDE = 0.6; // rad; searched then
@@ -76,7 +76,7 @@ public final class Slam {
 
     /// @param maxRange hits farther than this are not matched [m]
     /// @param everyMeters how far apart scans are that are kept
-    /// @param everyRadians likewise of their headings
+    /// @param everyRadians how far apart their headings are
     /// @param odometry how wheels err
     /// @param recent how many scans that were kept the next is matched with
     /// @param closesLoops whether places are known again
@@ -442,8 +442,8 @@ public final class Slam {
         return merge(other, false);
     }
 
-    /// Likewise, but believes it, too, when what one saw contradicts what the other did, as where something was
-    /// moved in between: [MapOverlap#isContradicted] tells.
+    /// The same, but it also believes the other map when what one saw contradicts what the other did, as where
+    /// something was moved in between: [MapOverlap#isContradicted] tells.
     public Merge mergeDespiteContradictions(Slam other) {
         return merge(other, true);
     }

@@ -29,20 +29,20 @@ final class CostComputation {
     /// @param driven as [CostMap#of] has it
     static byte[] all(OccupancyGrid grid, DistanceField toNotFree, Clearance clearance, List<List<Point2d>> driven) {
         var ground = new byte[grid.cells().length];
-        new CostComputation(grid, toNotFree, clearance, ground).reckon(List.of(CellWindow.of(grid)), driven);
+        new CostComputation(grid, toNotFree, clearance, ground).compute(List.of(CellWindow.of(grid)), driven);
         return ground;
     }
 
-    /// The same where it need be reckoned in windows only.
+    /// The same where only windows need to be computed.
     ///
     /// @param ground written to in these
     static void within(
             List<CellWindow> windows, OccupancyGrid grid, DistanceField toNotFree, Clearance clearance, byte[] ground) {
-        new CostComputation(grid, toNotFree, clearance, ground).reckon(windows, List.of());
+        new CostComputation(grid, toNotFree, clearance, ground).compute(windows, List.of());
     }
 
-    private void reckon(List<CellWindow> windows, List<List<Point2d>> driven) {
-        windows.forEach(this::reckon);
+    private void compute(List<CellWindow> windows, List<List<Point2d>> driven) {
+        windows.forEach(this::compute);
         blockRim();
         for (List<Point2d> way : driven) {
             for (int i = 1; i < way.size(); i++) {
@@ -54,7 +54,7 @@ final class CostComputation {
         }
     }
 
-    private void reckon(CellWindow window) {
+    private void compute(CellWindow window) {
         double halfCell = grid.resolution() / 2; // from the middle of the obstacle's cell to its side
         for (int row = window.firstRow(); row < window.endRow(); row++) {
             int end = row * width + window.endColumn();

@@ -19,7 +19,7 @@ final class SensorView {
     private final IntConsumer freeSlot;
     private boolean watched;
 
-    /// @param freeSlot told of slots that can be used again, as their piece is seen no more
+    /// @param freeSlot takes slots that can be used again, as their piece is seen no more
     SensorView(Extent extent, IntConsumer freeSlot) {
         this.grid = new PieceGrid(extent);
         this.freeSlot = freeSlot;
