@@ -176,7 +176,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     await form.getByText(/^prey has evade.* already: each may want something else of it/).waitFor();
     await form.getByRole('textbox', { name: 'period' }).fill('often');
     await form.getByRole('button', { name: 'Start' }).click();
-    await form.getByText('(period) must be').waitFor();
+    await form.getByText("'period' must be").waitFor();
     await form.getByRole('textbox', { name: 'period' }).fill('7');
     await picture(page, 'new-agent');
     await isAccessible(page);
@@ -206,9 +206,9 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     expect(await hunter.isVisible()).toBe(false); // closed until somebody wants to know
     await inside.getByText(/^Arguments/).click();
     expect(await hunter.innerText()).toMatch(/hunter\s+courier\s+default: nothing/);
-    const fear = await inside.locator('[data-argument="fear"]').innerText();
-    expect(fear).toMatch(/fear\s+6 m\s+It runs from hunters nearer than this\./);
-    expect(fear).not.toContain('default');
+    const distance = await inside.locator('[data-argument="fleeDistance"]').innerText();
+    expect(distance).toMatch(/fleeDistance\s+6 m\s+It flees from hunters nearer than this\./);
+    expect(distance).not.toContain('default');
     await page.waitForTimeout(1000); // it is asked for again meanwhile
     expect(await hunter.isVisible()).toBe(true);
     await inside.getByText(/^Arguments/).scrollIntoViewIfNeeded();

@@ -445,9 +445,9 @@ describe.skipIf(!chromium)('the page', () => {
     await dialog.getByRole('button', { name: 'Restart' }).click();
     await dialog.getByRole('alert').waitFor();
     for (const [name, mistake] of [
-      ['Seed', '(seed) must be a whole number, not (seven).'],
-      ['prey', '(prey) must be a whole number from 1 to 20, not (99).'],
-      ['catchDistance[m]', '(catchDistance) must be a number from 0.8 to 3 [m], not (far).'],
+      ['Seed', "'seed' must be a whole number, not 'seven'."],
+      ['prey', "'prey' must be a whole number from 1 to 20, not '99'."],
+      ['catchDistance[m]', "'catchDistance' must be a number from 0.8 to 3 [m], not 'far'."],
     ] as const) {
       expect(await field(name).getAttribute('aria-invalid'), name).toBe('true');
       const descriptions = (await field(name).getAttribute('aria-describedby'))!.split(' ');
@@ -474,7 +474,7 @@ describe.skipIf(!chromium)('the page', () => {
     const box = (await ending.boundingBox())!;
     expect(box.x >= map.x + map.width || box.y >= map.y + map.height).toBe(true);
     expect(box.x + box.width).toBeLessThanOrEqual(width);
-    const hidden = ending.getByRole('group', { name: 'Measures' });
+    const hidden = ending.getByRole('group', { name: 'Metrics' });
     expect(await hidden.evaluate((body) => body.scrollHeight - body.clientHeight)).toBeLessThanOrEqual(0);
     await ending.getByRole('button', { name: 'Close' }).click();
     await eventually(

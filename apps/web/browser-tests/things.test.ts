@@ -90,7 +90,7 @@ describe.skipIf(!chromium)('a world of things', () => {
   it('says why a thing has no room, and leaves it where it is', async () => {
     await drag(page, { x: 2, y: 2 }, { x: 5.9, y: 2 });
     const alert = page.getByRole('alert');
-    await alert.getByText('(crate) does not fit').waitFor();
+    await alert.getByText("'crate' does not fit").waitFor();
     const [told, tools] = [(await alert.boundingBox())!, (await page.locator('.map .bar').boundingBox())!];
     expect(told.y + told.height, 'it hides no tools of the map').toBeLessThanOrEqual(tools.y);
     await picture(page, 'notice');
@@ -118,7 +118,7 @@ describe.skipIf(!chromium)('a world of things', () => {
     expect(await page.getByRole('menu').count()).toBe(0);
     await page.mouse.click(x, y, { button: 'right' });
     await page.getByRole('menuitem', { name: 'Add a ball here' }).click();
-    await page.getByRole('alert').getByText('(box-1) is in the way').waitFor();
+    await page.getByRole('alert').getByText("'box-1' is in the way").waitFor();
     await page.locator('#map').focus();
     await page.keyboard.press('m');
     await page.keyboard.press('ArrowDown');

@@ -86,9 +86,9 @@ export const texts = {
       broken: 'The run broke',
     } as Record<string, string>,
     after: (simulated: string, wall: string) => `after ${simulated} simulated, in ${wall}`,
-    measures: 'Measures',
-    ofRun: 'Measures of the whole run',
-    ofRobots: 'Measures of each robot',
+    metrics: 'Metrics',
+    ofRun: 'Metrics of the whole run',
+    ofRobots: 'Metrics of each robot',
     unmeasured: 'not measured',
     outOfBounds: (name: string, value: string, bound: string) =>
       `Out of bounds: ${name} is ${value}; the scenario allows ${bound}.`,

@@ -187,7 +187,7 @@ export interface Ending {
   simulatedSeconds: number;
   wallSeconds: number;
   eventHash: string;
-  measures: Record<string, number | null>;
+  metrics: Record<string, number | null>;
   outOfBounds: string[];
   failed: Record<string, string>;
   unhandledGoals: Record<string, string[]>;
@@ -315,7 +315,7 @@ export interface MapInfo {
   wallHeight: number | null;
 }
 
-export interface MeasureInfo {
+export interface MetricInfo {
   name: string;
   unit: string;
   min: number | null;
@@ -372,7 +372,7 @@ export interface OutcomeShare {
 
 export interface PastNumbers {
   times: number[];
-  values: (number | null)[];
+  values: 'number | null'[];
 }
 
 export interface PieceInfo {
@@ -528,7 +528,7 @@ export interface RunInfo {
   step: number;
   map: MapInfo;
   robots: RobotInfo[];
-  measures: MeasureInfo[];
+  metrics: MetricInfo[];
   mas: string;
   edited: boolean;
   recording: RecordingInfo | null;
@@ -648,7 +648,7 @@ export interface SweepCombination {
   label: string;
   ended: number;
   outcomes: OutcomeShare[];
-  measures: Record<string, SweepEstimate>;
+  metrics: Record<string, SweepEstimate>;
 }
 
 export interface SweepEstimate {
@@ -673,11 +673,11 @@ export interface SweepInfo {
   ended: number;
   broken: number;
   left: number | null;
-  measures: SweepMeasure[];
+  metrics: SweepMetric[];
   combinations: SweepCombination[];
 }
 
-export interface SweepMeasure {
+export interface SweepMetric {
   name: string;
   unit: string;
   horizon: number | null;
@@ -808,11 +808,11 @@ export type Wanted = 'NOT_WANTED' | 'REACHED' | 'WAITING' | 'PURSUED' | 'SUSPEND
 
 /** Commands that people give to runs, from OperatorCommands: what each takes and answers. */
 export interface Commands {
-  /** Lets time stand still. A run in real time goes on. */
+  /** Pauses simulated time. A run in real time can't be paused. */
   pause: { takes: Record<string, never>; answers: object };
   /** Lets time go on. */
   resume: { takes: Record<string, never>; answers: object };
-  /** Goes on for one step while the run is paused. */
+  /** Runs one step while the run is paused. */
   step: { takes: Record<string, never>; answers: object };
   /** Sets how fast simulated time goes. */
   speed: { takes: { factor: string }; answers: object };
@@ -820,7 +820,7 @@ export interface Commands {
   stop: { takes: Record<string, never>; answers: object };
   /** Sends a robot to a pose. */
   goal: { takes: { robot: string; x: number; y: number; heading: number }; answers: Sent };
-  /** Has a robot do something until it is told something else. */
+  /** Has a robot do something until its next command. */
   behavior: { takes: { robot: string; behavior?: string }; answers: object };
   /** Drives a robot by hand. To be repeated ten times a second: after 0.5 s without, the robot stands still; after 5 s it is given back to its agents. */
   drive: { takes: { robot: string; driver: string; vx?: number; vy?: number; omega?: number }; answers: object };
@@ -828,13 +828,13 @@ export interface Commands {
   release: { takes: { robot: string; driver: string }; answers: object };
   /** Switches off the motors of all robots, in all runs side by side. */
   estop: { takes: Record<string, never>; answers: Stopped };
-  /** Switches the motors on after an emergency stop, but for robots that were switched off alone. */
+  /** Switches the motors on after an emergency stop, except of robots that were switched off one by one. */
   rearm: { takes: Record<string, never>; answers: Armed };
   /** Switches the motors of one robot off or on. */
   motors: { takes: { robot: string; on?: boolean }; answers: object };
-  /** Puts a robot, or a thing, elsewhere in the simulated world. Its localizer is told. */
+  /** Moves a robot, or a thing, in the simulated world. Its localizer gets the new pose. */
   place: { takes: { robot: string; x: number; y: number; heading: number }; answers: object };
-  /** Tells a robot's localizer where the robot is. The robot itself stays where it is. */
+  /** Sets the pose that a robot's localizer believes. The robot itself does not move. */
   believe: { takes: { robot: string; x: number; y: number; heading: number }; answers: object };
   /** Adds a thing to the simulated world. */
   add: { takes: { kind: 'BOX' | 'BALL'; x: number; y: number; heading: number }; answers: Added };

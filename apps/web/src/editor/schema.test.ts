@@ -60,7 +60,7 @@ group('what is offered', () => {
     expect(labels(`${text}robots:\n      prey: {}\n      |`)).toEqual(['hunter']);
     expect(labels(`${text}robots: {prey: {devices: {|`)).toContain('laser');
     expect(labels(`${text}agents: {|`)).toEqual(['escape']);
-    expect(labels(`${text}args: {|`)).toEqual(['many']);
+    expect(labels(`${text}arguments: {|`)).toEqual(['many']);
     expect(labels('robots: {prey: {}}\nagents: {|')).toEqual([]);
   });
 

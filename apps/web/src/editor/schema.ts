@@ -154,8 +154,7 @@ function overlaid(path: readonly Step[], entries: readonly Entry[]): Offer[] {
   if (group !== CONFIGURATIONS || below.length === 0) {
     return [];
   }
-  const of = below.length === 1 && below[0] === 'args' ? ['arguments'] : below;
-  return inside(entries, of)
+  return inside(entries, below)
     .map(({ path }) => path.at(-1))
     .filter((name) => typeof name === 'string')
     .map((name) => ({ ...written(name, ''), kind: 'key' }));

@@ -7,7 +7,7 @@ function combination(mean: number, half: number | null, outside: number[] = []):
     label: String(mean),
     ended: 5,
     outcomes: [],
-    measures: {
+    metrics: {
       way: {
         count: 5,
         measured: 5,
@@ -20,7 +20,7 @@ function combination(mean: number, half: number | null, outside: number[] = []):
   };
 }
 
-describe('the scale of a measure', () => {
+describe('the scale of a metric', () => {
   it('has room for the intervals and outliers of all combinations', () => {
     const scale = scaleOf('way', [combination(10, 2), combination(20, 1, [28])])!;
     const { least, greatest } = scale.axis;

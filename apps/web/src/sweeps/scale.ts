@@ -1,7 +1,7 @@
 import type { SweepCombination, SweepEstimate } from '../api/messages';
 import { axisOf, type Axis } from '../plots/axis';
 
-/** Where values lie in plots of a measure. */
+/** Where values lie in plots of a metric. */
 export interface Scale {
   /** From the left end of the plots to the right one. */
   axis: Axis;
@@ -9,9 +9,9 @@ export interface Scale {
   at: (value: number) => number;
 }
 
-/** Of a measure, the same for all combinations, so that their plots can be compared; null when there is nothing. */
-export function scaleOf(measure: string, combinations: readonly SweepCombination[]): Scale | null {
-  const values = combinations.flatMap(({ measures }) => (measures[measure] ? ends(measures[measure]) : []));
+/** Of a metric, the same for all combinations, so that their plots can be compared; null when there is nothing. */
+export function scaleOf(metric: string, combinations: readonly SweepCombination[]): Scale | null {
+  const values = combinations.flatMap(({ metrics }) => (metrics[metric] ? ends(metrics[metric]) : []));
   if (values.length === 0) {
     return null;
   }

@@ -14,7 +14,7 @@ public interface Metric {
     /// A step of the run is over.
     default void onStep() {}
 
-    /// What a quantity is now. Asked after each step in which a condition or measure needs it.
+    /// What a quantity is now. Asked after each step in which a condition or metric needs it.
     ///
     /// @param quantity a word of [MetricType#quantities]
     /// @param names as [QuantityType#names] declares them; empty for one without, or whose names are left out

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.regex.Pattern;
 
-/// A number that a run has at any instant, as conditions and measures write it: `time`, `caught(prey)`,
+/// A number that a run has at any instant, as conditions and metrics write it: `time`, `caught(prey)`,
 /// `distance(prey, hunter)`.
 ///
 /// @param word letters, digits, `_` and `-`, a letter first

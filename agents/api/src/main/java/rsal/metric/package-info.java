@@ -1,4 +1,4 @@
-/// What runs are judged by. A [rsal.metric.MetricType] offers quantities, which conditions and measures of a
+/// What runs are judged by. A [rsal.metric.MetricType] offers quantities, which conditions and metrics of a
 /// scenario can name, and signals, of which they can take means and percentiles. The engine hands it messages
 /// and true poses.
 @NullMarked

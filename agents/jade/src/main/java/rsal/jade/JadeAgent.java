@@ -93,7 +93,7 @@ final class JadeAgent extends Agent implements Executor {
         try {
             topics().register(topic);
         } catch (ServiceException e) {
-            throw new IllegalStateException("JADE can't let agent (%s) hear (%s).".formatted(name, topic), e);
+            throw new IllegalStateException("JADE can't let agent '%s' hear '%s'.".formatted(name, topic), e);
         }
     }
 
@@ -101,7 +101,7 @@ final class JadeAgent extends Agent implements Executor {
         try {
             topics().deregister(topic);
         } catch (ServiceException e) {
-            throw new IllegalStateException("JADE can't keep (%s) from agent (%s).".formatted(topic, name), e);
+            throw new IllegalStateException("JADE can't keep '%s' from agent '%s'.".formatted(topic, name), e);
         }
     }
 
@@ -170,7 +170,7 @@ final class JadeAgent extends Agent implements Executor {
         }
         try {
             if (!own.join(PATIENCE)) {
-                LOG.log(Level.WARNING, () -> "Agent (%s) never returns; its thread is left.".formatted(name));
+                LOG.log(Level.WARNING, () -> "Agent '%s' never returns; its thread is left.".formatted(name));
                 own.interrupt();
             }
         } catch (InterruptedException _) {
@@ -184,14 +184,14 @@ final class JadeAgent extends Agent implements Executor {
         } else if (isNoAnswer(message.getPerformative())) {
             ACLMessage answer = message.createReply();
             answer.setPerformative(ACLMessage.NOT_UNDERSTOOD);
-            answer.setContent("(%s) understands only what agents of its run say.".formatted(name));
+            answer.setContent("'%s' understands only what agents of its run say.".formatted(name));
             send(answer);
         } else if (message.getSender().equals(getDefaultDF())
                 && message.getPerformative() != ACLMessage.AGREE
                 && message.getPerformative() != ACLMessage.INFORM) {
             LOG.log(
                     Level.WARNING,
-                    () -> "JADE's facilitator does not do what agent (%s) asked: %s".formatted(name, message));
+                    () -> "JADE's facilitator does not do what agent '%s' asked: %s".formatted(name, message));
         }
     }
 

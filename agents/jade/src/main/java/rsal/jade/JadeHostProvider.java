@@ -58,7 +58,7 @@ public final class JadeHostProvider implements AgentHostProvider {
         return others.stream()
                 .filter(other -> other.equalsIgnoreCase(name) && !other.equals(name))
                 .findFirst()
-                .map(other -> "JADE does not tell '%s' and '%s' apart: they differ only in upper and lower case."
+                .map(other -> "JADE can't distinguish '%s' and '%s': they differ only in upper and lower case."
                         .formatted(other, name));
     }
 

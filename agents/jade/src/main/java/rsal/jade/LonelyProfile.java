@@ -119,7 +119,7 @@ final class LonelyProfile extends ProfileImpl {
                 proxy.setNode(where);
                 return proxy;
             } catch (ReflectiveOperationException e) {
-                throw new IMTPException("JADE's service (%s) has no proxy.".formatted(service), e);
+                throw new IMTPException("JADE's service '%s' has no proxy.".formatted(service), e);
             }
         }
 
@@ -156,7 +156,7 @@ final class LonelyProfile extends ProfileImpl {
                 if (ending) {
                     return null;
                 }
-                throw new IMTPException("JADE's service (%s) failed.".formatted(command.getService()), e);
+                throw new IMTPException("JADE's service '%s' failed.".formatted(command.getService()), e);
             }
         }
 

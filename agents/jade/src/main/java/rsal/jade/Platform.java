@@ -108,7 +108,7 @@ final class Platform {
             container.acceptNewAgent(name, agent).start();
         } catch (ControllerException e) {
             throw new IllegalArgumentException(
-                    "JADE can't start an agent (%s): %s Maybe one of its own has that name, or one that differs in upper and lower case; give it another."
+                    "JADE can't start an agent '%s': %s Maybe one of its own has that name, or one that differs in upper and lower case; give it another."
                             .formatted(name, e.getMessage()),
                     e);
         }
@@ -149,7 +149,7 @@ final class Platform {
             Files.deleteIfExists(files.resolve(DESCRIPTION));
             Files.deleteIfExists(files);
         } catch (ControllerException | IOException | RuntimeException e) {
-            LOG.log(Level.WARNING, () -> "JADE's platform (%s) does not end.".formatted(id), e);
+            LOG.log(Level.WARNING, () -> "JADE's platform '%s' does not end.".formatted(id), e);
         } catch (InterruptedException _) {
             Thread.currentThread().interrupt(); // then it is left as it is; its threads keep nothing alive
         }

@@ -79,7 +79,7 @@ class JadeSnifferTest {
                             "cid to boss: propose 3.0",
                             "dan to boss: propose 4.0",
                             "eve to boss: refuse busy",
-                            "fay to boss: not-understood (fay) does not answer (work).",
+                            "fay to boss: not-understood 'fay' does not answer 'work'.",
                             "boss to amy: accept-proposal dig",
                             "boss to bob: accept-proposal dig",
                             "boss to cid: accept-proposal dig",

@@ -342,7 +342,7 @@ class JadeTalkTest {
             assertThatExceptionOfType(AssertionError.class)
                     .isThrownBy(() -> run.start("df", _ -> {}))
                     .havingCause()
-                    .withMessageStartingWith("JADE can't start an agent (df)");
+                    .withMessageStartingWith("JADE can't start an agent 'df'");
             assertThat(run.ask(() -> run.society().views())).isEmpty();
         }
     }

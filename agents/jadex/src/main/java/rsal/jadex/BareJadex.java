@@ -58,7 +58,7 @@ public final class BareJadex implements BareSystem {
             private void create(Object agent, String name) {
                 platform.createComponent(new CreationInfo().setPojo(agent).setName(name))
                         .catchEx(e -> {
-                            throw new IllegalStateException("Jadex could not make agent (%s).".formatted(name), e);
+                            throw new IllegalStateException("Jadex could not make agent '%s'.".formatted(name), e);
                         });
             }
 

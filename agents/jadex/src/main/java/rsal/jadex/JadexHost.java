@@ -43,7 +43,7 @@ final class JadexHost implements AgentHost {
     /// One that was ended while Jadex still made it is not missed: that has come in between.
     private void notMade(JadexMicroAgent body, Exception why) {
         if (body.equals(bodies.get(body.name()))) {
-            throw new IllegalStateException("Jadex could not make agent (%s).".formatted(body.name()), why);
+            throw new IllegalStateException("Jadex could not make agent '%s'.".formatted(body.name()), why);
         }
     }
 

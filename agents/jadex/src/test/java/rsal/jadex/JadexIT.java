@@ -43,7 +43,7 @@ class JadexIT {
     void simulatedTimeIsRefusedWithTheReason() {
         Scenario hunt = Scenario.load("hunt-and-prey");
         assertThatThrownBy(() -> hunt.plan(RunOptions.NONE.withHost("jadex")))
-                .hasMessageContaining("The multi-agent system (jadex) can't follow simulated time")
+                .hasMessageContaining("The multi-agent system 'jadex' can't follow simulated time")
                 .hasMessageContaining("--clock wall");
     }
 

@@ -61,7 +61,7 @@ final class AgentSpeakAgent implements Agent {
     public void start(AgentContext self) {
         if (AgentSpeak.TAKEN.contains(self.name())) {
             throw new IllegalArgumentException(
-                    "An agent in AgentSpeak can't be called (%s): that is a source of its own beliefs."
+                    "An agent in AgentSpeak can't be called '%s': that is a source of its own beliefs."
                             .formatted(self.name()));
         }
         var complaints = new Diagnostics(self.name());
@@ -193,7 +193,7 @@ final class AgentSpeakAgent implements Agent {
             awake = false;
             if (++cycles > LIMIT) {
                 throw new IllegalStateException(
-                        "Agent (%s) found no end after %d reasoning cycles at one instant: %s. Maybe a goal calls itself for ever; (.wait) lets time pass."
+                        "Agent '%s' found no end after %d reasoning cycles at one instant: %s. Maybe a goal calls itself for ever; '.wait' lets time pass."
                                 .formatted(own.self.name(), LIMIT, Thoughts.newest(own.reasoner)));
             }
             try {
@@ -208,7 +208,7 @@ final class AgentSpeakAgent implements Agent {
             own.deeds.check();
             own.complaints.broken().ifPresent(why -> {
                 throw new IllegalStateException(
-                        "The interpreter of agent (%s) failed: %s".formatted(own.self.name(), why));
+                        "The interpreter of agent '%s' failed: %s".formatted(own.self.name(), why));
             });
         }
         thinking = false;
@@ -218,11 +218,11 @@ final class AgentSpeakAgent implements Agent {
         String rule = own.reasoner
                 .beliefs()
                 .askedRule()
-                .map(asked -> " Rule (%s) at %s asks for itself."
+                .map(asked -> " Rule '%s' at %s asks for itself."
                         .formatted(asked.getPredicateIndicator(), program.locationOf(asked)))
                 .orElse("");
         return new IllegalStateException(
-                "Agent (%s) searched without an end at: %s.%s Maybe it should begin with the case in which it ends."
+                "Agent '%s' searched without an end at: %s.%s Maybe it should begin with the case in which it ends."
                         .formatted(own.self.name(), Thoughts.newest(own.reasoner), rule));
     }
 
@@ -255,7 +255,7 @@ final class AgentSpeakAgent implements Agent {
             reasoner().getBB().add(percept);
             event(TEOperator.add, belief);
         } catch (JasonException e) {
-            throw new IllegalStateException("(%s) can't be believed.".formatted(belief), e);
+            throw new IllegalStateException("'%s' can't be believed.".formatted(belief), e);
         }
     }
 

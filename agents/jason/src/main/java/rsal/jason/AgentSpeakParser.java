@@ -79,7 +79,7 @@ final class AgentSpeakParser extends as2j {
         if (!include) {
             includes.refuse(new InvalidSettings(
                     new Location(file, line(), column()),
-                    "Directive (%s) is not read here. Only {include(\"FILE.asl\")} is.".formatted(name),
+                    "Directive '%s' is not read here. Only {include(\"FILE.asl\")} is.".formatted(name),
                     ""));
             skip();
             return;

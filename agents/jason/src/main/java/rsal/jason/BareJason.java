@@ -78,7 +78,7 @@ public final class BareJason implements BareLanguage {
             }
             for (String name : programs.keySet()) {
                 if (!system.getAgs().containsKey(name)) { // it has logged why
-                    throw new IllegalStateException("Jason could not make agent (%s).".formatted(name));
+                    throw new IllegalStateException("Jason could not make agent '%s'.".formatted(name));
                 }
             }
             agents = List.copyOf(system.getAgs().values());
@@ -91,7 +91,7 @@ public final class BareJason implements BareLanguage {
             try {
                 agent.setSource(file(program).toURI());
             } catch (URISyntaxException e) {
-                throw new IllegalStateException("Jason could not find program (%s).".formatted(program), e);
+                throw new IllegalStateException("Jason could not find program '%s'.".formatted(program), e);
             }
             return agent;
         }
@@ -106,9 +106,9 @@ public final class BareJason implements BareLanguage {
                 return count.get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
             } catch (InterruptedException e) {
                 Thread.currentThread().interrupt();
-                throw new IllegalStateException("Agent (%s) was not waited for.".formatted(agent), e);
+                throw new IllegalStateException("Agent '%s' was not waited for.".formatted(agent), e);
             } catch (ExecutionException | TimeoutException e) {
-                throw new IllegalStateException("Agent (%s) does not tell what it has counted.".formatted(agent), e);
+                throw new IllegalStateException("Agent '%s' does not report what it has counted.".formatted(agent), e);
             }
         }
 
@@ -123,7 +123,7 @@ public final class BareJason implements BareLanguage {
             try {
                 for (LocalAgArch agent : agents) {
                     if (!agent.getThread().join(PATIENCE)) {
-                        throw new IllegalStateException("Agent (%s) does not end.".formatted(agent.getAgName()));
+                        throw new IllegalStateException("Agent '%s' does not end.".formatted(agent.getAgName()));
                     }
                 }
             } catch (InterruptedException _) {

@@ -96,11 +96,11 @@ final class Deliberation extends TransitionSystem {
             String whence = literal.getSources().stream()
                     .filter(source -> !source.equals(BeliefBase.ASelf))
                     .findFirst()
-                    .map(source -> ", which (%s) asked for".formatted(Terms.unquoted(source.toString())))
+                    .map(source -> ", which '%s' asked for".formatted(Terms.unquoted(source.toString())))
                     .orElseGet(() -> literal.getSrcInfo() == null ? "" : " at " + literal.getSrcInfo());
             String words = getAg().getPL().hasCandidatePlan(goal)
-                    ? "No plan for goal (%s)%s applies now."
-                    : "There is no plan for goal (%s)%s.";
+                    ? "No plan for goal '%s'%s applies now."
+                    : "There is no plan for goal '%s'%s.";
             getLogger().warning(words.formatted(which, whence));
             if (!getAg().getPL().hasCandidatePlan(goal) && getAgArch() instanceof Architecture own) {
                 own.unhandled(
@@ -167,10 +167,10 @@ final class Deliberation extends TransitionSystem {
         String what = step == null ? "" : ": " + step.getBodyType() + Terms.written(step.getBodyTerm());
         Trigger event = failed.getTrigger();
         String words = !event.isGoal()
-                ? "A plan for (%s) has failed at %s%s%s."
+                ? "A plan for '%s' has failed at %s%s%s."
                 : event.isAddition()
-                        ? "Goal (%s) has failed at %s%s%s. There is no plan for that."
-                        : "Goal (%s) has failed, and so has the plan for that at %s%s%s.";
+                        ? "Goal '%s' has failed at %s%s%s. There is no plan for that."
+                        : "Goal '%s' has failed, and so has the plan for that at %s%s%s.";
         return words.formatted(Terms.written(event.getLiteral().copy().clearAnnots()), place, what, why(annotations));
     }
 
@@ -196,7 +196,7 @@ final class Deliberation extends TransitionSystem {
             return;
         }
         if (deadline.getArity() != 1) {
-            getLogger().warning("A deadline must be a number of milliseconds, not (%s).".formatted(deadline));
+            getLogger().warning("A deadline must be a number of milliseconds, not '%s'.".formatted(deadline));
             return;
         }
         Optional<Intention> intention = Optional.ofNullable(event.getIntention());
@@ -207,7 +207,7 @@ final class Deliberation extends TransitionSystem {
                     () -> runAtBeginOfNextCycle(() -> fail(goal, event.getIntention(), size, event)));
             intention.ifPresent(waiting -> deadlines.add(new Deadline(task, waiting, size)));
         } catch (IllegalArgumentException e) {
-            getLogger().warning("A deadline of goal (%s): %s".formatted(Terms.written(goal), e.getMessage()));
+            getLogger().warning("A deadline of goal '%s': %s".formatted(Terms.written(goal), e.getMessage()));
         }
     }
 
@@ -227,7 +227,7 @@ final class Deliberation extends TransitionSystem {
                     }
                 }.drop(this, goal, new Unifier());
             } catch (Exception e) { // all that it declares
-                getLogger().warning("Goal (%s) could not be ended: %s".formatted(goal, e.getMessage()));
+                getLogger().warning("Goal '%s' could not be ended: %s".formatted(goal, e.getMessage()));
             }
         }
     }

@@ -72,7 +72,7 @@ final class Diagnostics extends Handler {
         }
         if (cause != null && words.startsWith(IN_ACTION)) {
             inAction = cause.getMessage() == null ? cause.toString() : cause.getMessage();
-            LOG.log(Level.WARNING, () -> "Agent (%s): %s".formatted(agent, Terms.masked(words)), cause);
+            LOG.log(Level.WARNING, () -> "Agent '%s': %s".formatted(agent, Terms.masked(words)), cause);
         }
         if (TOLD_BETTER.stream().anyMatch(words::startsWith)) {
             return; // by the deliberation
@@ -82,7 +82,7 @@ final class Diagnostics extends Handler {
             return; // the agent fails with that
         }
         last = Terms.masked(words);
-        LOG.log(Level.WARNING, () -> "Agent (%s): %s".formatted(agent, last));
+        LOG.log(Level.WARNING, () -> "Agent '%s': %s".formatted(agent, last));
     }
 
     @Override

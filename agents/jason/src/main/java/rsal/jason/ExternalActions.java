@@ -88,7 +88,7 @@ final class ExternalActions {
     private static Twist2d twist(List<Term> terms) {
         var twist = Twist2d.drive(Terms.number(terms.getFirst()), Terms.number(terms.getLast()));
         if (!twist.isFinite()) {
-            throw new IllegalArgumentException("One can't drive (%s).".formatted(twist));
+            throw new IllegalArgumentException("One can't drive '%s'.".formatted(twist));
         }
         return twist;
     }
@@ -139,7 +139,7 @@ final class ExternalActions {
     private void publish(List<Term> terms) {
         String name = Terms.words(terms.getFirst());
         Topic<?> topic = Heard.topic(name)
-                .orElseThrow(() -> new IllegalArgumentException("There is no topic (%s). %s"
+                .orElseThrow(() -> new IllegalArgumentException("There is no topic '%s'. %s"
                         .formatted(
                                 name,
                                 Suggestion.among(

@@ -102,7 +102,7 @@ final class Hints {
                 .map(near -> new Problem(
                         program.locationOf(belief),
                         "Nothing here raises event '+%s'.".formatted(belief.getFunctor()),
-                        "Maybe '+%s' was meant. Agents that are told '%s' by others may ignore this."
+                        "Maybe '+%s' was meant. Agents that receive '%s' from others may ignore this."
                                 .formatted(near, belief.getFunctor())));
     }
 

@@ -173,7 +173,7 @@ final class InternalActionOverrides {
             Matcher said = DELAY.matcher(Terms.words(terms[0]).strip());
             Trigger event = Trigger.tryToGetTrigger(terms[1]);
             if (!said.matches() || event == null) {
-                throw new JasonException("(.at) takes a time as \"now +3 s\" and an event as {+!goal}, not (%s, %s)."
+                throw new JasonException("'.at' takes a time as \"now +3 s\" and an event as {+!goal}, not (%s, %s)."
                         .formatted(terms[0], terms[1]));
             }
             int before = dropped;
@@ -230,7 +230,7 @@ final class InternalActionOverrides {
 
     private Object shuffle(TransitionSystem ts, Unifier un, Term[] terms) throws JasonException {
         var shuffled = new ArrayList<>(Terms.list(terms[0])
-                .orElseThrow(() -> new JasonException("(.shuffle) takes a list, not (%s).".formatted(terms[0]))));
+                .orElseThrow(() -> new JasonException("'.shuffle' takes a list, not '%s'.".formatted(terms[0]))));
         Collections.shuffle(shuffled, Random.from(self.random()));
         return un.unifies(terms[1], ASSyntax.createList(shuffled));
     }
@@ -261,7 +261,7 @@ final class InternalActionOverrides {
             int tries = terms.length > 1 ? (int) Terms.number(terms[1]) : 1;
             if (tries < 1 || tries > MOST_TRIES) {
                 throw new JasonException(
-                        "(.random) can be tried from 1 to %d times, not (%d).".formatted(MOST_TRIES, tries));
+                        "'.random' can be tried from 1 to %d times, not '%d'.".formatted(MOST_TRIES, tries));
             }
             if (tries == 1) {
                 return un.unifies(terms[0], ASSyntax.createNumber(random.nextDouble()));

@@ -83,7 +83,7 @@ final class Library {
     /// What to do instead of using one that is not known.
     static String instead(String name) {
         return Optional.ofNullable(REFUSED.get(name))
-                .or(() -> Suggestion.closest(name, names()).map("Maybe (%s) was meant?"::formatted))
-                .orElse("docs/reference/agentspeak.md tells which can.");
+                .or(() -> Suggestion.closest(name, names()).map("Maybe '%s' was meant?"::formatted))
+                .orElse("docs/reference/agentspeak.md lists those that can.");
     }
 }

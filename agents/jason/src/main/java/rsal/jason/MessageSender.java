@@ -38,7 +38,7 @@ final class MessageSender {
                     .map(Directory.Entry::name)
                     .toList();
             throw new JasonException(
-                    "There is no agent (%s). %s".formatted(to, Suggestion.among(to, names)),
+                    "There is no agent '%s'. %s".formatted(to, Suggestion.among(to, names)),
                     new Atom("receiver_not_found"));
         }
         self.send(to, Speech.TOPIC, speech(message));
@@ -61,7 +61,7 @@ final class MessageSender {
 
     private void hear(String sender, Speech speech, TermReader reader) {
         if (AgentSpeak.TAKEN.contains(sender)) {
-            agent.complain("Agent (%s) is not listened to: in AgentSpeak, that is a source of one's own beliefs."
+            agent.complain("Agent '%s' is not listened to: in AgentSpeak, that is a source of one's own beliefs."
                     .formatted(sender));
             return;
         }
@@ -69,7 +69,7 @@ final class MessageSender {
         try {
             content = reader.read(speech.content());
         } catch (IllegalArgumentException e) {
-            agent.complain("Agent (%s) said what is no term: %s".formatted(sender, speech));
+            agent.complain("Agent '%s' said what is no term: %s".formatted(sender, speech));
             return;
         }
         var message = new Message(

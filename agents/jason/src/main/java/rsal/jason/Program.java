@@ -150,7 +150,7 @@ record Program(String path, Map<String, String> texts) {
                 at,
                 ends
                         ? "The file ends within a belief, a goal or a plan."
-                        : "(%s) can't stand here.".formatted(read.image),
+                        : "'%s' can't stand here.".formatted(read.image),
                 missing(e));
     }
 

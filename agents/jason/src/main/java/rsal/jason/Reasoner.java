@@ -97,6 +97,6 @@ final class Reasoner extends Agent {
             return InternalActionOverrides.UNBOUND; // whether there is one of that name, the review tells
         }
         throw new ClassNotFoundException(
-                "Internal action (%s) can't be used here. %s".formatted(name, Library.instead(name)));
+                "Internal action '%s' can't be used here. %s".formatted(name, Library.instead(name)));
     }
 }

@@ -135,7 +135,7 @@ final class StaticChecker {
                         topics::add,
                         () -> problems.add(
                                 program.locationOf(literal),
-                                "There is no topic (%s).".formatted(name),
+                                "There is no topic '%s'.".formatted(name),
                                 Suggestion.among(
                                         name,
                                         Topics.installed().stream()
@@ -170,7 +170,7 @@ final class StaticChecker {
                             if (!action.takes(literal.getArity())) {
                                 problems.add(
                                         program.locationOf(literal),
-                                        "Action (%s) takes %s terms, not %d."
+                                        "Action '%s' takes %s terms, not %d."
                                                 .formatted(literal.getFunctor(), action.size(), literal.getArity()),
                                         "");
                             }
@@ -181,7 +181,7 @@ final class StaticChecker {
                         },
                         () -> problems.add(
                                 program.locationOf(literal),
-                                "There is no action (%s).".formatted(literal.getFunctor()),
+                                "There is no action '%s'.".formatted(literal.getFunctor()),
                                 Suggestion.among(literal.getFunctor(), Action.names())));
     }
 
@@ -191,7 +191,7 @@ final class StaticChecker {
             if (Heard.topic(name).isEmpty()) {
                 problems.add(
                         program.locationOf(literal),
-                        "There is no topic (%s).".formatted(name),
+                        "There is no topic '%s'.".formatted(name),
                         Suggestion.among(
                                 name,
                                 Topics.installed().stream().map(Heard::name).toList()));
@@ -218,7 +218,7 @@ final class StaticChecker {
         if (!Library.isKnown(name)) {
             problems.add(
                     program.locationOf(action),
-                    "Internal action (%s) can't be used here.".formatted(name),
+                    "Internal action '%s' can't be used here.".formatted(name),
                     Library.instead(name));
         }
         if (Library.isSaying(name)) {

@@ -40,7 +40,7 @@ final class Wait extends OwnAction {
             waits.forFormula(un, formula, limit, elapsed);
         } else {
             throw new IllegalArgumentException(
-                    "(.wait) takes a number of milliseconds, an event {+e} or a formula, not (%s)."
+                    "'.wait' takes a number of milliseconds, an event {+e} or a formula, not '%s'."
                             .formatted(Terms.written(terms[0])));
         }
         return true;

@@ -390,7 +390,7 @@ class AgentSpeakAgentTest extends RobotBench {
                 -!go[reason(R), error_msg(M)] <- state(R, ": ", M).
                 """);
         advance(0);
-        assertThat(view("a").state()).startsWith("wrong: (caught) is made of 3 terms, not 1: prey, hunter, distance.");
+        assertThat(view("a").state()).startsWith("wrong: 'caught' is made of 3 terms, not 1: prey, hunter, distance.");
     }
 
     // ── Others ───────────────────────────────────────────────────────────────────────────────────────────────────
@@ -536,7 +536,7 @@ class AgentSpeakAgentTest extends RobotBench {
     void someoneWhoIsNotThereCantBeSpokenTo() {
         start("a", "!go. +!go <- .send(bob, tell, x). -!go[error(E), error_msg(M)] <- .print(E, \": \", M).");
         advance(0);
-        assertThat(view("a").state()).isEqualTo("receiver_not_found: There is no agent (bob). Known are: a.");
+        assertThat(view("a").state()).isEqualTo("receiver_not_found: There is no agent 'bob'. Known are: a.");
     }
 
     @Test
@@ -860,7 +860,7 @@ class AgentSpeakAgentTest extends RobotBench {
         start("b", "!go. +!go <- .wait(2000); .print(\"lives\").");
         advance(3);
         assertThat(view("a").status()).isEqualTo(AgentPlatform.Status.FAILED);
-        assertThat(view("a").state()).contains("found no end after 10000 reasoning cycles", "(.wait)");
+        assertThat(view("a").state()).contains("found no end after 10000 reasoning cycles", "'.wait'");
         assertThat(view("b").state()).isEqualTo("lives");
     }
 
@@ -871,11 +871,11 @@ class AgentSpeakAgentTest extends RobotBench {
         advance(1);
         assertThat(view("a").status()).isEqualTo(AgentPlatform.Status.FAILED);
         assertThat(view("a").state())
-                .contains("Agent (a) searched without an end", "Rule (p/1) at a.asl:1:1 asks for itself.");
+                .contains("Agent 'a' searched without an end", "Rule 'p/1' at a.asl:1:1 asks for itself.");
         assertThat(view("b").state()).isEqualTo("lives");
         start("c", "q(X) :- q(X).\n!go.\n+!go <- .findall(X, q(X), L); .print(L).");
         advance(1);
-        assertThat(view("c").state()).contains("searched without an end at: go", "a.asl:3", "Rule (q/1) at a.asl:1:1");
+        assertThat(view("c").state()).contains("searched without an end at: go", "a.asl:3", "Rule 'q/1' at a.asl:1:1");
     }
 
     @Test
@@ -894,7 +894,7 @@ class AgentSpeakAgentTest extends RobotBench {
                 society.look("a", Mind.View.class).orElseThrow().goals();
         assertThat(left).extracting(Mind.GoalView::name).containsExactly("wait");
         assertThat(left.getFirst().failure())
-                .isEqualTo("Goal (go) has failed, and so has the plan for that at a.asl:4: .fail.");
+                .isEqualTo("Goal 'go' has failed, and so has the plan for that at a.asl:4: .fail.");
     }
 
     @ParameterizedTest
@@ -902,12 +902,12 @@ class AgentSpeakAgentTest extends RobotBench {
             delimiter = '|',
             quoteCharacter = '`',
             value = {
-                "+!go <- !helpp(1).           | There is no plan for goal (helpp(1)) at a.asl:2.",
-                "+!go <- !!helpp(1).          | There is no plan for goal (helpp(1)) at a.asl:2.",
-                "+!go <- ?helpp(1).           | Goal (go) has failed at a.asl:2: ?helpp(1) (Failed to test 'helpp(1)'). There is no plan for that.",
-                "+!gone.                      | There is no plan for goal (go) at a.asl:1.",
-                "+!go : no.                   | No plan for goal (go) at a.asl:1 applies now.",
-                "+!go <- !x(2). +!x(N) : N>2. | No plan for goal (x(2)) at a.asl:2 applies now.",
+                "+!go <- !helpp(1).           | There is no plan for goal 'helpp(1)' at a.asl:2.",
+                "+!go <- !!helpp(1).          | There is no plan for goal 'helpp(1)' at a.asl:2.",
+                "+!go <- ?helpp(1).           | Goal 'go' has failed at a.asl:2: ?helpp(1) (Failed to test 'helpp(1)'). There is no plan for that.",
+                "+!gone.                      | There is no plan for goal 'go' at a.asl:1.",
+                "+!go : no.                   | No plan for goal 'go' at a.asl:1 applies now.",
+                "+!go <- !x(2). +!x(N) : N>2. | No plan for goal 'x(2)' at a.asl:2 applies now.",
             })
     void aGoalWithoutAPlanIsToldWithItsPlace(String plans, String words) {
         start("a", "!wait. !go.\n%s\n+!wait <- .wait(5000).".formatted(plans));
@@ -920,7 +920,7 @@ class AgentSpeakAgentTest extends RobotBench {
         start("a", "!wait.\n+!wait <- .wait(5000).");
         start("amy", "!ask.\n+!ask <- .wait(10); .send(a, achieve, dance(2)).");
         advance(1);
-        assertThat(failure("a")).isEqualTo("There is no plan for goal (dance(2)), which (amy) asked for.");
+        assertThat(failure("a")).isEqualTo("There is no plan for goal 'dance(2)', which 'amy' asked for.");
     }
 
     @Test
@@ -936,7 +936,7 @@ class AgentSpeakAgentTest extends RobotBench {
         start("a", "!wait. !go.\n+!go <- .map.get(5, key, X).\n+!wait <- .wait(5000).");
         advance(1);
         assertThat(failure("a"))
-                .startsWith("Goal (go) has failed at a.asl:2: .map.get(5,key,")
+                .startsWith("Goal 'go' has failed at a.asl:2: .map.get(5,key,")
                 .contains(" (Cannot invoke ") // as the Java machine says it
                 .endsWith(" is null). There is no plan for that.");
     }
@@ -992,7 +992,7 @@ class AgentSpeakAgentTest extends RobotBench {
         start("self", "!go. +!go <- .print(1).");
         advance(0);
         assertThat(view("self").status()).isEqualTo(AgentPlatform.Status.FAILED);
-        assertThat(view("self").state()).contains("can't be called (self)");
+        assertThat(view("self").state()).contains("can't be called 'self'");
     }
 
     @Test

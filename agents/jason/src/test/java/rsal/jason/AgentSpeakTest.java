@@ -198,38 +198,38 @@ class AgentSpeakTest {
     void allFilesThatAreMissingAreToldAtOnce() {
         refuses(
                 "{ include(\"no.asl\") }\n{ include(\"$jasonJar/x.asl\") }\n{ begin namespace(x) }\na(1).\n{ end }",
-                "a.asl:1:11: There is no file (no.asl)",
+                "a.asl:1:11: There is no file 'no.asl'",
                 "a.asl:2:11: File '$jasonJar/x.asl' can't be included: '$jasonJar' is a folder",
-                "a.asl:3:3: Directive (begin) is not read here.",
-                "a.asl:5:3: Directive (end)");
+                "a.asl:3:3: Directive 'begin' is not read here.",
+                "a.asl:5:3: Directive 'end'");
     }
 
     @Test
     void aSemicolonIsProposedWhereOneIsMissing() {
-        refuses("!go.\n+!go <- stop\n   drive(1, 0).", "a.asl:3:4: (drive) can't stand here.", "Maybe a semicolon");
+        refuses("!go.\n+!go <- stop\n   drive(1, 0).", "a.asl:3:4: 'drive' can't stand here.", "Maybe a semicolon");
     }
 
     @Test
     void mistakesAreToldWithFileAndLine() {
-        refuses("!go.\n+!go <- stop\n   .print(1).", "a.asl:3:4: (.print) can't stand here.", "full stop");
+        refuses("!go.\n+!go <- stop\n   .print(1).", "a.asl:3:4: '.print' can't stand here.", "full stop");
         refuses("!go.\n+!go <- stop", "a.asl:2:", "The file ends within");
         refuses("p(1).\n  @#$", "a.asl:2:", "This is not AgentSpeak");
         refuses("p(\"no end).", "a.asl:1:", "This is not AgentSpeak");
         refuses("p(1).\n\n X.", "a.asl:3:", "variables cannot be beliefs");
-        refuses("!go.\n+!go <- stop;\n   gto(1,2).", "a.asl:3:4: There is no action (gto).", "Maybe (goto)");
-        refuses("+!go <- goto(1).", "a.asl:1:9: Action (goto) takes 2 to 3 terms, not 1.");
-        refuses("+!go <- .prnt(1).", "a.asl:1:9: Internal action (.prnt) can't be used here.", "Maybe (.print)");
+        refuses("!go.\n+!go <- stop;\n   gto(1,2).", "a.asl:3:4: There is no action 'gto'.", "Maybe 'goto'");
+        refuses("+!go <- goto(1).", "a.asl:1:9: Action 'goto' takes 2 to 3 terms, not 1.");
+        refuses("+!go <- .prnt(1).", "a.asl:1:9: Internal action '.prnt' can't be used here.", "Maybe '.print'");
         refuses("+!go <- my.own.action(1).", "a.asl:1:", "my.own.action");
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> Texts.type("+!go <- .current_intention(I); .qqqqqqqq."))
                 .satisfies(e -> assertThat(e.getMessage().lines())
                         .containsExactly(
-                                "a.asl:1:9: Internal action (.current_intention) can't be used here.",
+                                "a.asl:1:9: Internal action '.current_intention' can't be used here.",
                                 "    Maybe .intention(Id, State, Stack, current).",
-                                "a.asl:1:32: Internal action (.qqqqqqqq) can't be used here.",
-                                "    docs/reference/agentspeak.md tells which can."));
-        refuses("+heard(poes, _, _) <- stop.", "a.asl:1:2: There is no topic (poes).", "Maybe (pose)");
-        refuses("+!go <- publish(caugt, 1).", "a.asl:1:9: There is no topic (caugt).", "Maybe (caught)");
+                                "a.asl:1:32: Internal action '.qqqqqqqq' can't be used here.",
+                                "    docs/reference/agentspeak.md lists those that can."));
+        refuses("+heard(poes, _, _) <- stop.", "a.asl:1:2: There is no topic 'poes'.", "Maybe 'pose'");
+        refuses("+!go <- publish(caugt, 1).", "a.asl:1:9: There is no topic 'caugt'.", "Maybe 'caught'");
     }
 
     @ParameterizedTest
@@ -254,9 +254,9 @@ class AgentSpeakTest {
 
     @Test
     void directivesButIncludeAreRefused() {
-        refuses("p.\n{ register_function(\"java.lang.System\") }", "a.asl:2:", "(register_function) is not read here");
-        refuses("{ begin bc(p) } +!p. { end }", "a.asl:1:", "(begin) is not read here");
-        refuses("p. { include(\"c.asl\") }", "a.asl:1:", "There is no file (c.asl)");
+        refuses("p.\n{ register_function(\"java.lang.System\") }", "a.asl:2:", "'register_function' is not read here");
+        refuses("{ begin bc(p) } +!p. { end }", "a.asl:1:", "'begin' is not read here");
+        refuses("p. { include(\"c.asl\") }", "a.asl:1:", "There is no file 'c.asl'");
     }
 
     @Test
@@ -266,7 +266,7 @@ class AgentSpeakTest {
                 .withMessageContaining("b.asl:1:");
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> Texts.type(Map.of("a.asl", "{include(\"b.asl\")}", "b.asl", "\n+!go <- gto.")))
-                .withMessageContaining("b.asl:2:9: There is no action (gto).");
+                .withMessageContaining("b.asl:2:9: There is no action 'gto'.");
     }
 
     /// Whatever is in a file, its author hears of mistakes, never of what goes on in here.

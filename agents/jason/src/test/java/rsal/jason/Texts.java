@@ -24,7 +24,7 @@ final class Texts {
         return (path, _, askedAt) -> {
             String text = texts.get(path);
             if (text == null) {
-                throw new InvalidSettings(askedAt, "There is no file (%s).".formatted(path), "");
+                throw new InvalidSettings(askedAt, "There is no file '%s'.".formatted(path), "");
             }
             return text.getBytes(StandardCharsets.UTF_8);
         };

@@ -10,9 +10,9 @@ import rsal.cli.terminal.Subcommand;
 import rsal.settings.Suggestion;
 
 /// `rsal help`
-@Command(name = "help", description = "Tell what commands there are, or what one of them takes.")
+@Command(name = "help", description = "Show all commands, or the options of one.")
 final class HelpCommand extends Subcommand {
-    @Parameters(paramLabel = "COMMAND", arity = "0..1", description = "Left out: all of them.")
+    @Parameters(paramLabel = "COMMAND", arity = "0..1", description = "Default: all of them.")
     private Optional<String> command = Optional.empty();
 
     @Override
@@ -23,7 +23,7 @@ final class HelpCommand extends Subcommand {
             String name = command.orElseThrow();
             throw new ParameterException(
                     spec.commandLine(),
-                    "There is no command (%s). %s"
+                    "There is no command '%s'. %s"
                             .formatted(
                                     name,
                                     Suggestion.among(name, all.getSubcommands().keySet())));

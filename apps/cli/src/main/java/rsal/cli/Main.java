@@ -58,7 +58,7 @@ import rsal.settings.Suggestion;
         commandListHeading = "%nCommands:%n",
         footer = {
             "",
-            "Start with 'rsal run'. 'rsal COMMAND --help' tells more.",
+            "Start with 'rsal run'. 'rsal COMMAND --help' explains a command.",
             "Exit codes: 0 success, 1 internal error, 2 usage, 3 invalid input, 4 the scenario ended in failure or"
                     + " timeout or an agent failed, 5 something cannot be reached (a port, a JDK), 130 and 143 ended by a signal."
         })
@@ -196,14 +196,14 @@ public final class Main implements Runnable {
     private static String aboutUnmatched(CommandLine command, String word) {
         CommandSpec spec = command.getCommandSpec();
         if (word.startsWith("-")) {
-            return "There is no option (%s). %s"
+            return "There is no option '%s'. %s"
                     .formatted(word, Suggestion.among(word, spec.optionsMap().keySet()));
         }
         if (!spec.subcommands().isEmpty()) {
-            return "There is no command (%s). %s"
+            return "There is no command '%s'. %s"
                     .formatted(word, Suggestion.among(word, spec.subcommands().keySet()));
         }
-        return "(%s) is more than '%s' takes.".formatted(word, spec.qualifiedName());
+        return "'%s' is more than '%s' takes.".formatted(word, spec.qualifiedName());
     }
 
     private static int tellFailure(Exception failure, CommandLine command, ParseResult typed) throws IOException {

@@ -48,8 +48,8 @@ final class NewCommand extends Subcommand {
             A navigator's `controller` names a file here, in Java (`.java`), or a controller that comes with RSAL. `rsal list controllers` tells
             which there are. `docs/how-to/own-controller.md` of RSAL explains how to write one.""";
     private static final String ABOUT_METRICS = """
-            Metrics are named by their `type` under `metrics`: a file here, in Java (`.java`), or one that comes with RSAL. Conditions
-            (`when`) and measures (`from`) ask for the quantities and signals that a metric offers. `rsal list metrics` tells which metrics
+            Metric types are named by their `type` under `metricTypes`: a file here, in Java (`.java`), or one that comes with RSAL. Conditions
+            (`when`) and metrics (`from`) ask for the quantities and signals that a metric offers. `rsal list metrics` tells which metrics
             come with RSAL. `docs/how-to/own-metric.md` of RSAL explains how to write one.""";
 
     @Parameters(paramLabel = "NAME", description = "What to call the scenario and its folder, here or by a path.")
@@ -58,21 +58,20 @@ final class NewCommand extends Subcommand {
     @Option(
             names = "--from",
             paramLabel = "SCENARIO",
-            description =
-                    "One that comes with RSAL ('rsal list') to begin with; a hunt by a hunter of yours when left out.")
+            description = "A scenario of RSAL ('rsal list') to begin with. Default: a hunt with a hunter of your own.")
     private @Nullable String from;
 
     @Option(
             names = "--mas",
             paramLabel = "KEY",
-            description = "jason for an agent in AgentSpeak; an agent in Java when left out.")
+            description = "jason for an agent in AgentSpeak. Default: an agent in Java.")
     private @Nullable String mas;
 
     @Option(
             names = "--kind",
             paramLabel = "KIND",
             defaultValue = "agent",
-            description = "What of yours it has: ${COMPLETION-CANDIDATES}; ${DEFAULT-VALUE} when left out.")
+            description = "What you will write: ${COMPLETION-CANDIDATES}. Default: ${DEFAULT-VALUE}.")
     private Own kind = Own.agent;
 
     enum Own {
@@ -104,10 +103,10 @@ final class NewCommand extends Subcommand {
     private Path folder() {
         try {
             Path folder = Path.of(name);
-            check(folder.getFileName() != null, "(%s) can't be a folder.".formatted(name));
+            check(folder.getFileName() != null, "'%s' can't be a folder.".formatted(name));
             return folder;
         } catch (InvalidPathException e) {
-            throw new ParameterException(spec.commandLine(), "(%s) can't be a folder.".formatted(name), e);
+            throw new ParameterException(spec.commandLine(), "'%s' can't be a folder.".formatted(name), e);
         }
     }
 
@@ -125,11 +124,11 @@ final class NewCommand extends Subcommand {
                 Providers.byKey(AgentHostProvider.class, AgentHostProvider::key).keySet());
         check(
                 hosts.contains(mas),
-                "There is no multi-agent system (%s). %s".formatted(mas, Suggestion.among(mas, hosts)));
+                "There is no multi-agent system '%s'. %s".formatted(mas, Suggestion.among(mas, hosts)));
         Template template = Template.inLanguage(mas)
                 .orElseThrow(() -> new ParameterException(
                         spec.commandLine(),
-                        "Multi-agent system (%s) runs the same agents as (%s). Leave --mas out here, and say it to 'rsal run'."
+                        "Multi-agent system '%s' runs the same agents as '%s'. Leave --mas out here, and say it to 'rsal run'."
                                 .formatted(mas, PLAIN)));
         check(from == null, "--mas %s begins with a scenario of its own. Leave --from %s out.".formatted(mas, from));
         return template;
@@ -183,7 +182,7 @@ final class NewCommand extends Subcommand {
                 ./test.sh
                 ```
 
-                The first runs it, with the page. The second tells what can be set, its robots, agents, ends and measures. The third runs
+                The first runs it, with the page. The second tells what can be set, its robots, agents, ends and metrics. The third runs
                 it with three seeds, and fails where one does not end in success.
 
                 | file | |
@@ -236,15 +235,15 @@ final class NewCommand extends Subcommand {
                 Files.writeString(folder.resolve(text.getKey()), text.getValue());
             }
             if (!folder.resolve(TEST).toFile().setExecutable(true, false)) {
-                throw new IOException("(%s) can't be made executable".formatted(TEST));
+                throw new IOException("'%s' can't be made executable".formatted(TEST));
             }
         } catch (FileAlreadyExistsException e) {
             throw there(folder);
         } catch (NoSuchFileException e) {
-            throw new Unreachable("There is no folder (%s) in which (%s) could be made."
+            throw new Unreachable("There is no folder '%s' in which '%s' could be made."
                     .formatted(folder.toAbsolutePath().getParent(), folder.getFileName()));
         } catch (IOException e) {
-            throw new Unreachable("(%s) can't be written: %s.".formatted(folder, e));
+            throw new Unreachable("'%s' can't be written: %s.".formatted(folder, e));
         }
     }
 

@@ -408,7 +408,7 @@ class BridgeIT {
                 CONFIGURATION + "driver ( name \"p2os\" provides [\"6670:position2d:0\"] use_tcp 1 )\n");
         Ended real = new Rsal(folder).run("bridge", "player", "real.cfg", "--port", "0");
         assertThat(real.code()).isEqualTo(3);
-        assertThat(real.err()).contains("real.cfg:30:1: (p2os) can't be served here.", "It is for real robots.");
+        assertThat(real.err()).contains("real.cfg:30:1: 'p2os' can't be served here.", "It is for real robots.");
         Files.writeString(folder.resolve("fast.cfg"), CONFIGURATION.replace("max_speed 0.4", "max_speed 400"));
         Ended fast = new Rsal(folder).run("bridge", "player", "fast.cfg", "--port", "0");
         assertThat(fast.code()).isEqualTo(3);
@@ -564,10 +564,10 @@ class BridgeIT {
     void whatIsWrongIsToldInASentence() throws Exception {
         Ended unknown = new Rsal(folder).run("bridge", "plaxer");
         assertThat(unknown.code()).isEqualTo(2);
-        assertThat(unknown.err()).contains("There is no bridge (plaxer). Maybe (player) was meant?");
+        assertThat(unknown.err()).contains("There is no bridge 'plaxer'. Maybe 'player' was meant?");
         Ended nowhere = new Rsal(folder).run("bridge", "player", "teleop", "--listen", "not an address");
         assertThat(nowhere.code()).isEqualTo(2);
-        assertThat(nowhere.err()).contains("(not an address) is no address of a machine");
+        assertThat(nowhere.err()).contains("'not an address' is no address of a machine");
         try (var taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             String port = Integer.toString(taken.getLocalPort());
             Ended inUse = new Rsal(folder).run("bridge", "player", "teleop", "--port", port);

@@ -56,7 +56,7 @@ class CommandLineIT {
               seed: 3
               stop:
                 - {when: time > 20, outcome: success}
-            measure:
+            metrics:
               - {name: collisions, from: count(collisions), better: less, bound: {max: 0}}
               - {name: firstCollision, unit: s, from: firstTime(collisions > 0)}
             configurations:
@@ -194,7 +194,7 @@ class CommandLineIT {
         Ended ended = rsal.run("validate", "lost.yaml");
         assertThat(ended.code()).isEqualTo(Exit.SUCCESS);
         assertThat(ended.out())
-                .contains("Robot (scout) has no (pose)", "a frame of its own")
+                .contains("Robot 'scout' has no 'pose'", "a frame of its own")
                 .contains("open at its edge, at (3.5, 1.5)");
         assertThat(rsal.run("validate", "guard.yaml").out()).doesNotContain("Note");
         assertThat(rsal.run("run", "lost.yaml", "--headless").err()).contains("Note: The map is open at its edge");
@@ -208,16 +208,16 @@ class CommandLineIT {
                 arguments: {places: {type: string, default: "0 -1; 900 0"}}
                 world: {map: office}
                 robots: {guard: {model: pioneer3at, pose: [0, -1, 0], devices: {laser: utm30lx, localizer: amcl, planner: wavefront, navigator: {}}}}
-                agents: {worker: {type: worker, robot: guard}, patrol: {type: patrol, args: {places: $places}}}
+                agents: {worker: {type: worker, robot: guard}, patrol: {type: patrol, parameters: {places: $places}}}
                 run: {stop: [{when: time > 1, outcome: success}]}
                 """);
         Ended ended = rsal.run("validate", "watch.yaml");
         assertThat(ended.code()).isEqualTo(Exit.SUCCESS);
         assertThat(ended.out())
-                .contains("Note: watch.yaml:3:", "(places) of agent (patrol)", "(900.00, 0.00) is outside the map");
+                .contains("Note: watch.yaml:3:", "'places' of agent 'patrol'", "(900.00, 0.00) is outside the map");
         assertThat(rsal.run("run", "watch.yaml", "--headless", "--set", "places=800 0")
                         .err())
-                .contains("Note: --set places=800 0: (places) of agent (patrol)");
+                .contains("Note: --set places=800 0: (places) of agent 'patrol'");
         assertThat(rsal.run("run", "watch.yaml", "--headless", "--set", "places=0 -1")
                         .err())
                 .doesNotContain("Note");
@@ -233,7 +233,7 @@ class CommandLineIT {
         assertThat(rsal.run("list", "maps").out()).containsPattern("office +63");
         Files.writeString(folder.resolve("mine.yaml"), "drawing: |\n  ####\n  #..#\n  ####\nresolution: 0.5\n");
         assertThat(rsal.run("show", "mine.yaml").out()).contains("4 × 3 cells", "world: {map: mine.yaml}");
-        assertThat(rsal.run("show", "urg05lx").err()).contains("Maybe (urg04lx)");
+        assertThat(rsal.run("show", "urg05lx").err()).contains("Maybe 'urg04lx'");
         assertThat(rsal.run("show", "nd").out())
                 .contains("a controller for 'navigator'", "avoidDist", "controller: {type: nd, …}")
                 .doesNotContain("minGapWidth", "weightDesiredDir");
@@ -252,7 +252,7 @@ class CommandLineIT {
     void aBenchWithoutItsDataIsNoSuccess() throws Exception {
         Ended nowhere = rsal.run("bench", "navigation", "--only", "barn.vfh", "--data", "nowhere");
         assertThat(nowhere.code()).isEqualTo(Exit.INVALID);
-        assertThat(nowhere.err()).contains("--data", "There is no folder (nowhere)");
+        assertThat(nowhere.err()).contains("--data", "There is no folder 'nowhere'");
 
         Ended empty = rsal.run("bench", "navigation", "--only", "barn.vfh", "--data", folder.toString());
         assertThat(empty.code()).isEqualTo(Exit.UNREACHABLE);
@@ -324,21 +324,21 @@ class CommandLineIT {
 
     static List<Mistake> mistakes() {
         return List.of(
-                new Mistake("wrold: {map: office}", 6, "(wrold)", "Maybe (world)"),
-                new Mistake("world: {map: offcie}", 6, "(offcie)", "office"),
+                new Mistake("wrold: {map: office}", 6, "'wrold'", "Maybe 'world'"),
+                new Mistake("world: {map: offcie}", 6, "'offcie'", "office"),
                 new Mistake("world: {map: maps/none.yaml}", 6, "none.yaml"),
-                new Mistake("  guard: {model: pioner2dx, pose: {free: true}}", 8, "(pioner2dx)", "Maybe (pioneer2dx)"),
-                new Mistake("  guard: {count: many, model: pioneer2dx}", 8, "(many)", "whole number"),
-                new Mistake("  guard: {count: 100000, model: pioneer2dx}", 8, "(100000)", "1000"),
-                new Mistake("  guard: {model: pioneer2dx, pose: [-31.475, 0, 0]}", 8, "(guard)"),
-                new Mistake("  guard: {model: pioneer2dx, devices: {laser: urg4}}", 8, "(urg4)"),
-                new Mistake("  guard: {count: $gards, model: pioneer2dx}", 8, "(gards)", "Maybe (guards)"),
-                new Mistake("agents: {a: {type: guardian}}\nworld: {map: office}", 6, "(guardian)"),
+                new Mistake("  guard: {model: pioner2dx, pose: {free: true}}", 8, "'pioner2dx'", "Maybe 'pioneer2dx'"),
+                new Mistake("  guard: {count: many, model: pioneer2dx}", 8, "'many'", "whole number"),
+                new Mistake("  guard: {count: 100000, model: pioneer2dx}", 8, "'100000'", "1000"),
+                new Mistake("  guard: {model: pioneer2dx, pose: [-31.475, 0, 0]}", 8, "'guard'"),
+                new Mistake("  guard: {model: pioneer2dx, devices: {laser: urg4}}", 8, "'urg4'"),
+                new Mistake("  guard: {count: $gards, model: pioneer2dx}", 8, "'gards'", "Maybe 'guards'"),
+                new Mistake("agents: {a: {type: guardian}}\nworld: {map: office}", 6, "'guardian'"),
                 new Mistake("    - {when: tim > 20, outcome: success}", 12, "tim"),
-                new Mistake("    - {when: time > 20, outcome: sucess}", 12, "(sucess)", "Maybe (success)"),
+                new Mistake("    - {when: time > 20, outcome: sucess}", 12, "'sucess'", "Maybe 'success'"),
                 new Mistake("  - {name: collisions, from: sum(collisions)}", 14, "sum"),
-                new Mistake("faults: [{kind: gone, robots: gard}]\nworld: {map: office}", 6, "(gard)", "Maybe (guard)"),
-                new Mistake("faults: [{kind: late, delay: -2}]\nworld: {map: office}", 6, "(faults.delay)", "not (-2)"),
+                new Mistake("faults: [{kind: gone, robots: gard}]\nworld: {map: office}", 6, "'gard'", "Maybe 'guard'"),
+                new Mistake("faults: [{kind: late, delay: -2}]\nworld: {map: office}", 6, "'faults.delay'", "not '-2'"),
                 new Mistake("world: {map: [office}", 6, "YAML"),
                 new Mistake("world: !!java.net.URL [x]", 6, "Tags"));
     }
@@ -427,7 +427,7 @@ class CommandLineIT {
                         "simulatedSeconds",
                         "wallSeconds",
                         "eventHash",
-                        "measures",
+                        "metrics",
                         "endPoses",
                         "topics",
                         "communication",
@@ -440,8 +440,8 @@ class CommandLineIT {
         assertThat(result.get("seed").longValue()).isEqualTo(7);
         assertThat(result.get("outcome").stringValue()).isEqualTo("success");
         assertThat(result.get("simulatedSeconds").doubleValue()).isBetween(5.0, 5.2);
-        assertThat(result.get("measures").get("collisions").doubleValue()).isZero();
-        assertThat(result.get("measures").get("firstCollision").isNull()).isTrue();
+        assertThat(result.get("metrics").get("collisions").doubleValue()).isZero();
+        assertThat(result.get("metrics").get("firstCollision").isNull()).isTrue();
     }
 
     private static final String TALK = """
@@ -452,8 +452,8 @@ class CommandLineIT {
               prey: {model: pioneer2dx, pose: [-12, -1, 0], devices: {laser: urg04lx, localizer: {type: amcl}, pilot: {}}}
               hunter: {model: pioneer3at, pose: [-8, -1, 0], devices: {laser: utm30lx, localizer: {type: amcl}, navigator: {}}}
             agents:
-              escape: {type: escape, robot: prey, args: {hunter: hunter}}
-              follow: {type: follow, robot: hunter, args: {prey: prey}}
+              escape: {type: escape, robot: prey, parameters: {hunter: hunter}}
+              follow: {type: follow, robot: hunter, parameters: {prey: prey}}
             communication: {range: 15, behindWalls: 5, loss: 0.5, delay: [0.02, 0.1]}
             """;
 
@@ -689,7 +689,7 @@ class CommandLineIT {
         assertThat(ours.run("tell", "behavior", "robot=robot-2", "behavior=stand")
                         .out())
                 .startsWith("'behavior' is done, confirmed in ");
-        assertThat(ours.run("tell", "behavior", "robot=nobody").err()).contains("There is no (nobody)");
+        assertThat(ours.run("tell", "behavior", "robot=nobody").err()).contains("There is no 'nobody'");
         Ended wall = ours.run("goal", "robot-1", "900", "900", "90");
         assertThat(wall.code()).isEqualTo(Exit.USAGE);
         assertThat(wall.err()).contains("is outside the map");
@@ -875,8 +875,8 @@ class CommandLineIT {
         Files.writeString(folder.resolve("sentry.asl"), "!guard.\n+!guard <- godo(1).");
         Ended mistake = rsal.run("show", "sentry.asl");
         assertThat(mistake.code()).isEqualTo(Exit.INVALID);
-        assertThat(mistake.err()).contains("sentry.asl:2:12: There is no action (godo).");
-        assertThat(rsal.run("show", "none.asl").err()).contains("There is no file (none.asl).");
+        assertThat(mistake.err()).contains("sentry.asl:2:12: There is no action 'godo'.");
+        assertThat(rsal.run("show", "none.asl").err()).contains("There is no file 'none.asl'.");
     }
 
     @Test
@@ -897,7 +897,7 @@ class CommandLineIT {
                 .contains("\"outcome\":\"limit\"");
         assertThat(rsal.run("run", "patrol", "--with", "distribution:fond", "--headless")
                         .err())
-                .contains("--with distribution:fond: Scenario (distribution) has no configuration (fond).", "(found)");
+                .contains("--with distribution:fond: Scenario 'distribution' has no configuration 'fond'.", "'found'");
     }
 
     @Test
@@ -963,7 +963,7 @@ class CommandLineIT {
         Ended told = rsal.run("run", "endless.world", "--headless", "--speed", "max", "--for", "1", "--json");
         assertThat(told.code()).as(told.err()).isZero();
         assertThat(told.out())
-                .contains("\"measures\":{\"distance.c1\":0.0,\"collisions\":0.0,\"wallCollisions\":0.0}")
+                .contains("\"metrics\":{\"distance.c1\":0.0,\"collisions\":0.0,\"wallCollisions\":0.0}")
                 .contains("\"endPoses\":{\"c1\":{\"x\":0.0,\"y\":0.0,\"theta\":0.0}}");
         Ended ends = rsal.run("run", "ends.world", "--headless", "--speed", "max", "--json");
         assertThat(ends.code()).as(ends.err()).isZero();
@@ -997,8 +997,8 @@ class CommandLineIT {
         assertThat(ended.err() + ended.out())
                 .contains(
                         "player.yaml:12:",
-                        "(min_gap_width) is not known in (robots.r.devices.navigator.controller)",
-                        "Maybe (minGapWidth) was meant?",
+                        "'min_gap_width' is not known in 'robots.r.devices.navigator.controller'",
+                        "Maybe 'minGapWidth' was meant?",
                         "player.yaml:13:",
                         "comes with each goal");
     }
@@ -1041,7 +1041,7 @@ class CommandLineIT {
         Ended checked = rsal.run("validate", "lab.cfg", "wrong.cfg");
         assertThat(checked.code()).isEqualTo(Exit.INVALID);
         assertThat(checked.out())
-                .contains("lab.cfg: valid", "wrong.cfg:2:", "There is no model (r1)", "Maybe (r0) was meant?");
+                .contains("lab.cfg: valid", "wrong.cfg:2:", "There is no model 'r1'", "Maybe 'r0' was meant?");
         Ended run = rsal.run("run", "lab.cfg", "--headless", "--speed", "max", "--for", "2", "--json");
         assertThat(run.code()).as(run.err()).isZero();
         Files.writeString(
@@ -1080,7 +1080,7 @@ class CommandLineIT {
 
         assertThat(text.code()).isZero();
         assertThat(text.out())
-                .contains("hall", "cart", "1 × differential", "LaserScanner", "wander", "(colour)", "hall.world.png");
+                .contains("hall", "cart", "1 × differential", "LaserScanner", "wander", "'colour'", "hall.world.png");
         assertThat(shown.get("things").intValue()).isEqualTo(3);
         assertThat(shown.get("robots").get(0).get("ids").get(0).stringValue()).isEqualTo("c1");
         var colors = colors(folder.resolve("drawn.png"));
@@ -1089,10 +1089,10 @@ class CommandLineIT {
         assertThat(rsal.run("show", "guard.yaml", "--image", "x.png").code()).isEqualTo(Exit.USAGE);
         Ended missing = rsal.run("show", "hull.world");
         assertThat(missing.code()).isEqualTo(Exit.INVALID);
-        assertThat(missing.err()).contains("There is no file (hull.world)", "Maybe (hall.world) was meant?");
+        assertThat(missing.err()).contains("There is no file 'hull.world'", "Maybe 'hall.world' was meant?");
         Ended notRun = rsal.run("run", "hull.world", "--headless", "--for", "1");
         assertThat(notRun.code()).isEqualTo(Exit.INVALID);
-        assertThat(notRun.err()).contains("There is no file (hull.world)", "Maybe (hall.world) was meant?");
+        assertThat(notRun.err()).contains("There is no file 'hull.world'", "Maybe 'hall.world' was meant?");
         assertThat(folder.resolve("hull.world.png")).doesNotExist();
     }
 
@@ -1115,7 +1115,7 @@ class CommandLineIT {
         assertThat(converted.err()).contains("blind.world:1:12: This bumper feels nothing");
         run[1] = "blind.world.yaml";
         assertThat(rsal.run(run).err())
-                .contains("Bumper (bumper)", "feels nothing")
+                .contains("Bumper 'bumper'", "feels nothing")
                 .doesNotContain("no robot");
     }
 
@@ -1148,7 +1148,7 @@ class CommandLineIT {
         assertThat(checked.code()).isEqualTo(Exit.INVALID);
         assertThat(checked.out())
                 .contains("yard.world.yaml: valid", "visit.yaml: valid")
-                .contains("wrong.world.yaml:4:69: (colour) is not known in (things.crate).", "Maybe (color)");
+                .contains("wrong.world.yaml:4:69: 'colour' is not known in 'things.crate'.", "Maybe 'color'");
         assertThat(run.code()).isZero();
         assertThat(JsonMapper.shared().readTree(run.out()).get("eventHash"))
                 .isEqualTo(JsonMapper.shared().readTree(again.out()).get("eventHash"));
@@ -1195,7 +1195,7 @@ class CommandLineIT {
         Ended refused = rsal.run("convert", "far.world", "--force");
         assertThat(refused.code()).isEqualTo(Exit.INVALID);
         assertThat(refused.err())
-                .contains("far.world: This can't be told in YAML: (range) must be a number from")
+                .contains("far.world: This can't be written in YAML: 'range' must be a number from")
                 .containsPattern("It would be far.world.yaml:\\d+:\\d+, which was not written: .*1500");
     }
 
@@ -1205,7 +1205,7 @@ class CommandLineIT {
         Ended converted = rsal.run("convert", "hall.world");
         assertThat(converted.code()).as(converted.err()).isZero();
         assertThat(converted.out()).contains("hall.world.yaml: 1 thing, 2 robots", "hall-1.png");
-        assertThat(converted.err()).contains("hall.world:8:", "(colour)");
+        assertThat(converted.err()).contains("hall.world:8:", "'colour'");
         assertThat(folder.resolve("hall.world.yaml")).content().contains("title: hall", "crate:", "program: wander");
 
         JsonNode stage = JsonMapper.shared()
@@ -1227,7 +1227,7 @@ class CommandLineIT {
                 """);
         Ended shown = rsal.run("show", "turret.world");
         assertThat(shown.err()).isEmpty();
-        assertThat(shown.out()).contains("actuator-2: Actuator on (actuator)", "laser: LaserScanner on (actuator-2)");
+        assertThat(shown.out()).contains("actuator-2: Actuator on 'actuator'", "laser: LaserScanner on 'actuator-2'");
         assertThat(rsal.run("convert", "turret.world").code()).isZero();
         assertThat(folder.resolve("turret.world.yaml")).content().contains("laser: {actuator: actuator-2, pose: [");
         String[] run = {"run", "turret.world", "--headless", "--for", "5", "--speed", "max", "--json"};
@@ -1254,7 +1254,7 @@ class CommandLineIT {
                 robots: {cart: {model: cart.yaml, pose: [0, -1, 0], devices: {pilot: {}}}}
                 agents: {wander: {type: wander, robot: cart}}
                 run: {stop: [{when: time >= 20, outcome: success}]}
-                measure: [{name: way, unit: m, from: distance, bound: {min: 1}}]
+                metrics: [{name: way, unit: m, from: distance, bound: {min: 1}}]
                 """);
         Ended run = rsal.run("run", "carts.yaml", "--headless", "--speed", "max");
         assertThat(run.code()).as(run.err()).isZero();

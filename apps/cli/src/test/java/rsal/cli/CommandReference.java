@@ -40,7 +40,7 @@ final class CommandReference {
         CommandSpec command = leaves(ALL)
                 .filter(leaf -> leaf.qualifiedName().equals(name))
                 .findAny()
-                .orElseThrow(() -> new IllegalArgumentException("There is no command (%s).".formatted(name)));
+                .orElseThrow(() -> new IllegalArgumentException("There is no command '%s'.".formatted(name)));
         List<ArgSpec> own = own(command);
         String text = "```\n%s\n```\n\n%s\n".formatted(synopsis(command, own), description(command));
         if (!own.isEmpty()) {
@@ -58,7 +58,7 @@ final class CommandReference {
         var table = new Markdown.Table("", "");
         leaves(ALL)
                 .forEach(command -> table.row(
-                        "[`%s`](#%s)".formatted(command.qualifiedName(), Markdown.anchor(command.qualifiedName())),
+                        "[`%s`]'#%s'".formatted(command.qualifiedName(), Markdown.anchor(command.qualifiedName())),
                         Markdown.firstSentence(description(command))));
         return table.toString();
     }

@@ -34,7 +34,7 @@ import rsal.testkit.LongTest;
 class FiguresIT {
     private static final Path SCENARIOS = Path.of("../../runs/scenarios/src/main/resources/rsal/scenarios");
     private static final Pattern FIGURES = Pattern.compile(
-            "<!-- figures: (?<sweep>[^|\n]+?) \\| (?<measures>[^\n]+?) -->\n(?<table>.*?)<!-- end -->", Pattern.DOTALL);
+            "<!-- figures: (?<sweep>[^|\n]+?) \\| (?<metrics>[^\n]+?) -->\n(?<table>.*?)<!-- end -->", Pattern.DOTALL);
     private static final Pattern SEEDS = Pattern.compile("--seeds (\\d+)-\\d+");
     private static final String NOTHING = "–";
     private static final boolean UPDATE = Boolean.getBoolean("rsal.update");
@@ -71,16 +71,16 @@ class FiguresIT {
         Matcher block = FIGURES.matcher(text(readme));
         while (block.find()) {
             String sweep = block.group("sweep");
-            List<String> measures = List.of(block.group("measures").split(", ", -1));
+            List<String> metrics = List.of(block.group("metrics").split(", ", -1));
             if (UPDATE) {
-                String table = table(sweep, measures, rows(sweep));
+                String table = table(sweep, metrics, rows(sweep));
                 block.appendReplacement(
                         written,
                         Matcher.quoteReplacement("<!-- figures: %s | %s -->\n%s<!-- end -->"
-                                .formatted(sweep, block.group("measures"), table)));
+                                .formatted(sweep, block.group("metrics"), table)));
             } else {
                 String first = SEEDS.matcher(sweep).replaceFirst("--seeds $1-$1");
-                String row = line(rows(first).getFirst(), measures);
+                String row = line(rows(first).getFirst(), metrics);
                 assertThat(block.group("table").lines())
                         .as("'rsal sweep %s'. Write them again: -Dit.test=FiguresIT -Drsal.update=true", first)
                         .contains(row);
@@ -109,31 +109,31 @@ class FiguresIT {
         return Findings.read(out).rows();
     }
 
-    private static String table(String sweep, List<String> measures, List<Row> rows) {
+    private static String table(String sweep, List<String> metrics, List<Row> rows) {
         var table = new StringBuilder("`rsal sweep %s`\n\n".formatted(sweep));
-        table.append("| seed | outcome | %s |\n".formatted(String.join(" | ", measures)));
-        table.append("|---|---|").append("---|".repeat(measures.size())).append("\n");
-        rows.forEach(row -> table.append(line(row, measures)).append("\n"));
-        String means = measures.stream().map(measure -> mean(measure, rows)).collect(Collectors.joining(" | "));
+        table.append("| seed | outcome | %s |\n".formatted(String.join(" | ", metrics)));
+        table.append("|---|---|").append("---|".repeat(metrics.size())).append("\n");
+        rows.forEach(row -> table.append(line(row, metrics)).append("\n"));
+        String means = metrics.stream().map(metric -> mean(metric, rows)).collect(Collectors.joining(" | "));
         return table.append("| mean ± half of its 95 %% interval | | %s |\n".formatted(means))
                 .toString();
     }
 
-    private static String line(Row row, List<String> measures) {
-        return measures.stream()
-                .map(measure -> value(row, measure))
+    private static String line(Row row, List<String> metrics) {
+        return metrics.stream()
+                .map(metric -> value(row, metric))
                 .map(value -> value.isEmpty() ? NOTHING : NumberText.of(value.getAsDouble()))
                 .collect(Collectors.joining(" | ", "| %d | %s | ".formatted(row.seed(), row.outcome()), " |"));
     }
 
-    private static OptionalDouble value(Row row, String measure) {
-        return row.measures().getOrDefault(measure, OptionalDouble.empty());
+    private static OptionalDouble value(Row row, String metric) {
+        return row.metrics().getOrDefault(metric, OptionalDouble.empty());
     }
 
     /// Of what was measured in all runs; else nothing.
-    private static String mean(String measure, List<Row> rows) {
+    private static String mean(String metric, List<Row> rows) {
         double[] values = rows.stream()
-                .flatMapToDouble(row -> value(row, measure).stream())
+                .flatMapToDouble(row -> value(row, metric).stream())
                 .toArray();
         if (values.length < rows.size()) {
             return NOTHING;

@@ -254,7 +254,7 @@ class LauncherIT {
         assertThat(builds.getFirst()).doesNotContain("-P");
         assertThat(builds.getLast()).contains("-Pjadex");
         assertThat(unknown.code()).isEqualTo(Exit.USAGE);
-        assertThat(unknown.err()).contains("RSAL_WITH=(jade)", "RSAL_WITH=jadex");
+        assertThat(unknown.err()).contains("RSAL_WITH='jade'", "RSAL_WITH=jadex");
     }
 
     private Ended with(String what) throws Exception {

@@ -70,7 +70,7 @@ class MapIT {
         Ended ended = rsal.run("map", "carried.log", "--no-reference", "--out", "carried");
 
         assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
-        assertThat(ended.err()).contains("The map is probably wrong: at (", "from scan (11) to (12)", "Maybe");
+        assertThat(ended.err()).contains("The map is probably wrong: at (", "from scan '11' to '12'", "Maybe");
         assertThat(ended.out()).contains("wheels, at most", "scans, at most", "no scan tells of 1 of 20 steps");
         Ended json = rsal.run("map", "carried.log", "--no-reference", "--out", "again", "--json");
         JsonNode strain = new JsonMapper().readTree(json.out()).path("strain");
@@ -109,7 +109,7 @@ class MapIT {
         Ended ended = rsal.run("map", "raw.log", "--out", "raw", "--json");
 
         assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
-        assertThat(ended.err()).contains("(raw.log) tells poses of the laser that move about", "(0.30 m)");
+        assertThat(ended.err()).contains("'raw.log' tells poses of the laser that move about", "(0.30 m)");
         JsonNode wandering =
                 new JsonMapper().readTree(ended.out()).path("logs").path(0).path("wandering");
         assertThat(wandering.path("meters").asDouble()).isBetween(0.29, 0.31);
@@ -213,14 +213,14 @@ class MapIT {
 
         assertThat(refused.code()).as(refused.err()).isEqualTo(Exit.INVALID);
         assertThat(refused.err())
-                .contains("other.log", "that of (room.log)", "contradict", "at most 1.5%", "0.7 m")
+                .contains("other.log", "that of 'room.log'", "contradict", "at most 1.5%", "0.7 m")
                 .containsPattern("at \\(6\\.\\d, [12]\\.\\d\\), where \\(other.log\\) hit what \\(room.log\\) saw free")
                 .contains("--despite-contradictions");
         assertThat(folder.resolve("both")).doesNotExist();
 
         Ended json = rsal.run("map", "room.log", "other.log", "--out", "json", "--json", "--despite-contradictions");
         assertThat(json.code()).as(json.err()).isEqualTo(Exit.SUCCESS);
-        assertThat(json.err()).contains("probably wrong: (other.log) contradicts", "at most 1.5%");
+        assertThat(json.err()).contains("probably wrong: 'other.log' contradicts", "at most 1.5%");
         JsonNode merged = new JsonMapper().readTree(json.out()).path("merged").path(0);
         assertThat(merged.path("tooMuch").asBoolean()).isTrue();
         assertThat(merged.path("against").asDouble()).isGreaterThan(0.015);
@@ -241,7 +241,7 @@ class MapIT {
 
         assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.INVALID);
         assertThat(ended.err())
-                .contains("scan.log", "Nothing tells", "that of (room.log)")
+                .contains("scan.log", "Nothing tells", "that of 'room.log'")
                 .doesNotContain("contradict");
     }
 

@@ -190,7 +190,7 @@ class NewIT {
         assertThat(rsal.run("validate", "chase", "chase:advanced", "chase:advnced")
                         .out())
                 .contains("chase: valid, 10 configurations\n", "chase:advanced: valid\n")
-                .contains("chase:advnced: Scenario (chase) has no configuration (advnced).", "Maybe (advanced)");
+                .contains("chase:advnced: Scenario 'chase' has no configuration 'advnced'.", "Maybe 'advanced'");
         assertThat(rsal.run("show", "chase:advanced").out()).contains("read from chase/chase.yaml");
         Ended run = rsal.run("run", "chase:advanced", "--headless", "--speed", "max", "--for", "1");
         assertThat(run.out()).as(run.err()).startsWith("chase:advanced, seed 42\n");

@@ -84,7 +84,7 @@ class PlayerRunIT {
                 JsonNode result = JsonMapper.shared().readTree(out.readLine());
                 assertThat(agents.waitFor()).isZero();
                 assertThat(result.get("outcome").asString()).isEqualTo("success");
-                return result.get("measures");
+                return result.get("metrics");
             }
         } finally {
             Ended.signal("INT", real);
@@ -98,8 +98,8 @@ class PlayerRunIT {
     void huntersCatchTheirPrey(String configuration, String real) throws Exception {
         int[] robots =
                 Arrays.stream(real.split(" ")).mapToInt(Integer::parseInt).toArray();
-        JsonNode measures = run("hunt-and-prey", configuration, 7, robots, List.of());
-        assertThat(measures.get("captureTime").asDouble()).isBetween(5.0, 290.0);
+        JsonNode metrics = run("hunt-and-prey", configuration, 7, robots, List.of());
+        assertThat(metrics.get("captureTime").asDouble()).isBetween(5.0, 290.0);
     }
 
     /// What it grips is a can of the other process; what counts is a simulated one.
@@ -107,13 +107,13 @@ class PlayerRunIT {
     @LongTest
     @Execution(CONCURRENT)
     void aRealCollectorBringsWhatASimulatedExplorerFinds() throws Exception {
-        JsonNode measures = run(
+        JsonNode metrics = run(
                 "find-and-collect",
                 "mixed",
                 COLLECT_SEED,
                 new int[] {1},
                 List.of("--set", "collectors=1", "--set", "cans=1"));
-        assertThat(measures.get("collected").asDouble()).isEqualTo(1);
+        assertThat(metrics.get("collected").asDouble()).isEqualTo(1);
     }
 
     /// The robots' simulation is gone with their server; a new one has them where they began.
@@ -151,9 +151,9 @@ class PlayerRunIT {
     @LongTest
     @Execution(CONCURRENT)
     void robotsOfBothWorldsSpread() throws Exception {
-        JsonNode measures = run("distribution", "mixed", 3, new int[] {0, 1, 2}, List.of());
-        assertThat(measures.get("arrived").asDouble()).isEqualTo(6);
-        assertThat(measures.get("collisions").asDouble()).isZero();
+        JsonNode metrics = run("distribution", "mixed", 3, new int[] {0, 1, 2}, List.of());
+        assertThat(metrics.get("arrived").asDouble()).isEqualTo(6);
+        assertThat(metrics.get("collisions").asDouble()).isZero();
     }
 
     /// The example: amcl, vfh and wavefront are the server's, as its file says. An emergency stop holds it on

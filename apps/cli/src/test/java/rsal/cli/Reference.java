@@ -134,7 +134,7 @@ final class Reference {
     }
 
     private static String link(String device) {
-        return "[%s](devices.md#%s)".formatted(device, Markdown.anchor(device));
+        return "[%s]'devices.md#%s'".formatted(device, Markdown.anchor(device));
     }
 
     private static String operatorCommands() {
@@ -153,7 +153,7 @@ final class Reference {
     private static String parameter(Parameter<?> parameter) {
         String unit = parameter.unit().isEmpty() ? "" : " [" + parameter.unit() + "]";
         String options = parameter.options().isEmpty() ? "" : " (" + String.join(", ", parameter.options()) + ")";
-        String optional = parameter.fallback().isPresent() ? " (optional)" : "";
+        String optional = parameter.fallback().isPresent() ? " 'optional'" : "";
         return Markdown.code(parameter.name())
                 + ": "
                 + Markdown.text(parameter.description() + unit + options + optional);

@@ -22,7 +22,7 @@ final class SchemaTable {
         String[] fileAndPointer = reference.split("#", 2);
         JsonNode group = read(fileAndPointer[0]).at(fileAndPointer[1]);
         if (!group.path("properties").isObject()) {
-            throw new IllegalArgumentException("There is no group (%s).".formatted(reference));
+            throw new IllegalArgumentException("There is no group '%s'.".formatted(reference));
         }
         List<String> required =
                 group.path("required").valueStream().map(JsonNode::asString).toList();

@@ -33,7 +33,7 @@ class SweepIT {
               guard: {count: $guards, model: pioneer2dx, pose: {free: true}, devices: {laser: urg04lx, pilot: {}}}
             agents: {wander: {type: wander, robot: guard}}
             run: {stop: [{when: time > 20, outcome: success}]}
-            measure:
+            metrics:
               - {name: way, unit: m, from: distance, better: more}
             configurations:
               long: {}

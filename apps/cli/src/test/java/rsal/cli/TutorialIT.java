@@ -65,14 +65,14 @@ class TutorialIT {
                 agents:
                   walk: {type: wall-follow, robot: one}
                 run: {stop: [{when: time > 2, outcome: success}]}
-                measure:
+                metrics:
                   - {name: way, unit: m, from: distance}
                 """ + setting);
         Ended run = rsal.run("run", "threads.yaml", "--headless", "--clock", "wall", "--json");
         assertThat(run.code()).as(run.err()).isEqualTo(Exit.SUCCESS);
         Ended simulated = rsal.run("run", "threads.yaml", "--headless");
         assertThat(simulated.code()).isEqualTo(Exit.INVALID);
-        assertThat(simulated.err() + simulated.out()).contains("(threads) can't follow simulated time");
+        assertThat(simulated.err() + simulated.out()).contains("'threads' can't follow simulated time");
     }
 
     @Test
@@ -113,7 +113,7 @@ class TutorialIT {
         Files.writeString(folder.resolve("patrol.yaml"), patrol.replace("model:", "modle:"));
         Ended ended = new Rsal(folder).run("validate", "patrol.yaml");
         assertThat(ended.code()).isEqualTo(Exit.INVALID);
-        assertThat(ended.out()).contains("(modle)", "Maybe (model)");
+        assertThat(ended.out()).contains("'modle'", "Maybe 'model'");
     }
 
     /// Types all commands; what is shown below each must be among the lines that it prints.

@@ -83,12 +83,12 @@ public final class ClientSocket extends Session.Listener.AbstractAutoDemanding i
                 case "advertise" -> request.path("channels").forEach(this::advertised);
                 case "unadvertise" -> request.path("channelIds").forEach(id -> published.remove(id.asLong(-1)));
                 default ->
-                    tell(Status.warning("This server doesn't know the request (%s)."
+                    tell(Status.warning("This server doesn't know the request '%s'."
                             .formatted(
                                     PublishedGoal.shortened(request.path("op").asString("")))));
             }
         } catch (JacksonException _) {
-            tell(Status.error("This is not JSON: (%s).".formatted(PublishedGoal.shortened(message))));
+            tell(Status.error("This is not JSON: '%s'.".formatted(PublishedGoal.shortened(message))));
         }
     }
 
@@ -97,7 +97,7 @@ public final class ClientSocket extends Session.Listener.AbstractAutoDemanding i
         int channel = wanted.path("channelId").asInt(-1);
         if (id < 0 || !client.subscribe(id, channel)) {
             tell(Status.error(
-                    "Subscription (%d) of channel (%d) can't be had: there is no such channel, or one of them is in use."
+                    "Subscription '%d' of channel '%d' can't be had: there is no such channel, or one of them is in use."
                             .formatted(id, channel)));
         }
     }
@@ -110,9 +110,9 @@ public final class ClientSocket extends Session.Listener.AbstractAutoDemanding i
             tell(Status.error("To publish needs the run's token: open the address that was printed at start."));
         } else if (!channel.path("encoding").asString("").equals("json")) {
             tell(Status.error(
-                    "What is published here is JSON; (%s) is not.".formatted(PublishedGoal.shortened(topic))));
+                    "What is published here is JSON; '%s' is not.".formatted(PublishedGoal.shortened(topic))));
         } else if (wish.isEmpty()) {
-            tell(Status.warning("(%s) means nothing here. Publish to %s."
+            tell(Status.warning("'%s' means nothing here. Publish to %s."
                     .formatted(PublishedGoal.shortened(topic), PublishedGoal.TOPICS)));
         } else if (published.size() < MOST_PUBLISHED) {
             published.put(channel.path("id").asLong(-1), wish.get());

@@ -29,7 +29,7 @@ final class FoxgloveAccess {
     /// @param told the token as the address has it
     Optional<String> refuse(@Nullable String host, @Nullable String origin, @Nullable String told) {
         if (host == null || !hosts.contains(host)) {
-            return Optional.of("This server answers only as one of %s, not as (%s).".formatted(hosts, host));
+            return Optional.of("This server answers only as one of %s, not as '%s'.".formatted(hosts, host));
         }
         if (told != null && !knows(told)) {
             return Optional.of("That is not this run's token. Open the address that was printed at start.");

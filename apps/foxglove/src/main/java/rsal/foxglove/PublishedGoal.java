@@ -62,7 +62,7 @@ record PublishedGoal(Kind kind, String robot) {
         String frame = root.path("frame_id")
                 .asString(root.path("header").path("frame_id").asString(""));
         if (!frame.isEmpty() && !frame.equals("map") && !frame.equals("/map")) {
-            throw new Unclear("Poses are wanted in the frame (map), not in (%s): choose it as the display frame."
+            throw new Unclear("Poses are wanted in the frame 'map', not in '%s': choose it as the display frame."
                     .formatted(shortened(frame)));
         }
         JsonNode pose = root;
@@ -94,11 +94,11 @@ record PublishedGoal(Kind kind, String robot) {
 
     private static double number(@Nullable JsonNode node, String what) throws Unclear {
         if (node == null || !node.isNumber()) {
-            throw new Unclear("The number (%s) is missing. Poses are like geometry_msgs/PoseStamped.".formatted(what));
+            throw new Unclear("The number '%s' is missing. Poses are like geometry_msgs/PoseStamped.".formatted(what));
         }
         double value = node.asDouble(Double.NaN); // of an integer that no double is as large as
         if (!Double.isFinite(value)) {
-            throw new Unclear("The number (%s) is too large.".formatted(what));
+            throw new Unclear("The number '%s' is too large.".formatted(what));
         }
         return value;
     }

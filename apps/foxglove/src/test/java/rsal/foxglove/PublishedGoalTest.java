@@ -57,17 +57,18 @@ class PublishedGoalTest {
 
     @ParameterizedTest
     @CsvSource(
+            quoteCharacter = '`',
             delimiter = '|',
             value = {
                 "nonsense | JSON",
-                "'' | position.x",
+                "`` | position.x",
                 "[] | position.x",
                 "{\"position\": {\"x\": 1}} | position.y",
                 "{\"position\": {\"x\": \"1\", \"y\": 2}} | position.x",
                 "{\"position\": {\"x\": 1e300, \"y\": 2}, \"orientation\": {\"z\": 0, \"w\": 1}} | farther",
                 "{\"position\": {\"x\": 1, \"y\": 2}} | orientation.w",
                 "{\"position\": {\"x\": 1, \"y\": 2}, \"orientation\": {\"z\": 0, \"w\": 0}} | no turn",
-                "{\"frame_id\": \"odom\", \"position\": {\"x\": 1, \"y\": 2}, \"orientation\": {\"z\": 0, \"w\": 1}} | (map)"
+                "{\"frame_id\": \"odom\", \"position\": {\"x\": 1, \"y\": 2}, \"orientation\": {\"z\": 0, \"w\": 1}} | 'map'"
             })
     void whatIsUnclearIsTold(String message, String why) {
         assertThatThrownBy(() -> PublishedGoal.pose(message.getBytes(StandardCharsets.UTF_8)))

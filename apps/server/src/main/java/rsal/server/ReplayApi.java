@@ -120,7 +120,7 @@ final class ReplayApi {
         String robot = String.valueOf(request.queryParam("robot"));
         return Grids.drawn(playback.at(Past.asked(request)), request)
                 .orElseThrow(() ->
-                        new Refusal(404, "Robot (%s) had drawn no map by then.".formatted(Refusal.shortened(robot))));
+                        new Refusal(404, "Robot '%s' had drawn no map by then.".formatted(Refusal.shortened(robot))));
     }
 
     private Answer.Read readings(Context request) throws IOException {
@@ -130,7 +130,7 @@ final class ReplayApi {
                 .filter(one -> one.id().equals(robot))
                 .findFirst()
                 .orElseThrow(
-                        () -> new Refusal(404, "No robot (%s) was there then.".formatted(Refusal.shortened(robot))));
+                        () -> new Refusal(404, "No robot '%s' was there then.".formatted(Refusal.shortened(robot))));
         return new Answer.Read(then.time(), view.readings());
     }
 
@@ -185,7 +185,7 @@ final class ReplayApi {
                 .filter(view -> view.agent().name().equals(name))
                 .findFirst();
         if (planned.isEmpty() && shown.isEmpty()) { // else somebody started it
-            throw new Refusal(404, "There was no agent (%s) then.".formatted(Refusal.shortened(name)));
+            throw new Refusal(404, "There was no agent '%s' then.".formatted(Refusal.shortened(name)));
         }
         var past = new AgentPast(name, time, playback.events());
         Http.answer(

@@ -218,18 +218,19 @@ class CommunicationApiTest {
         assertThat(arguments)
                 .extracting(argument -> argument.get("name").asString())
                 .startsWith("hunter", "catchDistance")
-                .contains("fear");
+                .contains("fleeDistance");
         JsonNode hunter = arguments.getFirst();
         assertThat(hunter.get("value").asString()).isEqualTo("courier");
         assertThat(hunter.get("fallback").asString()).isEmpty();
         assertThat(arguments)
-                .filteredOn(argument -> argument.get("name").asString().equals("fear"))
+                .filteredOn(argument -> argument.get("name").asString().equals("fleeDistance"))
                 .singleElement()
-                .satisfies(fear -> {
-                    assertThat(fear.get("value").asString()).isEqualTo("6");
-                    assertThat(fear.get("fallback").asString()).isEqualTo("6");
-                    assertThat(fear.get("unit").asString()).isEqualTo("m");
-                    assertThat(fear.get("description").asString()).isEqualTo("It runs from hunters nearer than this.");
+                .satisfies(distance -> {
+                    assertThat(distance.get("value").asString()).isEqualTo("6");
+                    assertThat(distance.get("fallback").asString()).isEqualTo("6");
+                    assertThat(distance.get("unit").asString()).isEqualTo("m");
+                    assertThat(distance.get("description").asString())
+                            .isEqualTo("It flees from hunters nearer than this.");
                 });
         assertThat(each(get("/api/agent?name=nav-1").get("arguments")))
                 .extracting(argument -> argument.get("name").asString())
@@ -259,7 +260,7 @@ class CommunicationApiTest {
                 new String[] {"/api/agent?name=nobody", "/api/agent", "/api/agent?name=" + "x".repeat(500)}) {
             Response response = RawHttp.get(port, path, host);
             assertThat(response.status()).isEqualTo(409);
-            assertThat(response.body()).contains("There is no agent (");
+            assertThat(response.body()).contains("There is no agent '");
         }
     }
 

@@ -412,7 +412,7 @@ class RunServerTest {
         void takeNoOddSpeed(String factor) throws IOException {
             Response response = post("speed", "{\"factor\":\"%s\"}".formatted(factor));
             assertThat(response.status()).isEqualTo(400);
-            assertThat(response.body()).contains("0.1", "1000", "max", "(" + factor + ")");
+            assertThat(response.body()).contains("0.1", "1000", "max", "'" + factor + "'");
         }
 
         @Test
@@ -507,19 +507,19 @@ class RunServerTest {
         }
 
         @ParameterizedTest
-        @CsvSource(delimiter = '|', textBlock = """
+        @CsvSource(quoteCharacter = '`', delimiter = '|', textBlock = """
                 add       | {"kind":"BOX","x":900,"y":-1,"heading":0}           | 409 | outside
-                add       | {"kind":"CAT","x":3,"y":-1,"heading":0}             | 400 | (kind) must be one of BOX, BALL
+                add       | {"kind":"CAT","x":3,"y":-1,"heading":0}             | 400 | 'kind' must be one of BOX, BALL
                 add       | {"x":3,"y":-1,"heading":0}                          | 400 | kind
-                add       | {"kind":"BALL","x":1e9,"y":-1,"heading":0}          | 400 | (x) must be a number from -1000000
-                add-robot | {"robot":"nobody","x":3,"y":-1,"heading":0}         | 409 | There is no (nobody)
+                add       | {"kind":"BALL","x":1e9,"y":-1,"heading":0}          | 400 | 'x' must be a number from -1000000
+                add-robot | {"robot":"nobody","x":3,"y":-1,"heading":0}         | 409 | There is no 'nobody'
                 add-robot | {"robot":"courier-1","x":900,"y":-1,"heading":0}    | 409 | outside
-                new-robot | {"model":"pioneer2","x":3,"y":-1,"heading":0}       | 409 | Maybe (pioneer2dx) was meant?
+                new-robot | {"model":"pioneer2","x":3,"y":-1,"heading":0}       | 409 | Maybe 'pioneer2dx' was meant?
                 new-robot | {"model":"pioneer2dx","x":900,"y":-1,"heading":0}   | 409 | outside
                 new-robot | {"x":3,"y":-1,"heading":0}                          | 400 | model
-                remove    | {"name":"nobody"}                                   | 409 | There is no (nobody)
+                remove    | {"name":"nobody"}                                   | 409 | There is no 'nobody'
                 remove    | {}                                                  | 400 | name
-                motors    | {"robot":"nobody","on":true}                        | 409 | There is no (nobody)
+                motors    | {"robot":"nobody","on":true}                        | 409 | There is no 'nobody'
                 """)
         void sayWhatCantBeAddedOrRemoved(String command, String body, int status, String why) throws Exception {
             await(server.run(), snapshot -> !snapshot.robots().isEmpty());
@@ -697,7 +697,7 @@ class RunServerTest {
             assertThat(get("/api/run").body()).contains("\"mas\":\"\"");
             Response refused = post("check", "{\"mas\":\"other\"}");
             assertThat(refused.status()).isEqualTo(422);
-            assertThat(refused.body()).contains("(other)");
+            assertThat(refused.body()).contains("'other'");
             assertThat(post("restart", "{\"mas\":\"plain\"}").body()).contains("\"mas\":\"plain\"");
             assertThat(post("restart", "{}").body()).contains("\"mas\":\"plain\"");
             assertThat(post("restart", "{\"mas\":\"\"}").body()).contains("\"mas\":\"\"");

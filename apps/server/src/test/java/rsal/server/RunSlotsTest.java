@@ -51,7 +51,7 @@ class RunSlotsTest {
             run: {seed: 11, clock: {mode: simulated, speed: max}, stop: [{when: time > 60, outcome: success}]}
             configurations:
               pair: {}
-              alone: {args: {guards: 1}}
+              alone: {arguments: {guards: 1}}
               real: {run: {clock: {mode: wall}}}
             """;
 
@@ -272,7 +272,7 @@ class RunSlotsTest {
             blocked.await();
             Response late = post("/api/run/estop", "");
             assertThat(late.status()).isEqualTo(409);
-            assertThat(late.body()).contains("Run 2 was told to stop and has not confirmed it within 1 s");
+            assertThat(late.body()).contains("Run 2 was asked to stop and has not confirmed it within 1 s");
             assertThat(isStopped(1)).isTrue();
             released.countDown();
         }

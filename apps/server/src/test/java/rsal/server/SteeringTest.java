@@ -70,7 +70,7 @@ class SteeringTest {
         await(robot -> robot.driver().equals("page-1"));
         Response other = post("drive", drive("courier-1", "page-2", 0.3));
         assertThat(other.status()).isEqualTo(409);
-        assertThat(other.body()).contains("Somebody else drives robot (courier-1)");
+        assertThat(other.body()).contains("Somebody else drives robot 'courier-1'");
         assertThat(post("release", "{\"robot\":\"courier-1\",\"driver\":\"page-1\"}")
                         .status())
                 .isEqualTo(200);
@@ -93,7 +93,7 @@ class SteeringTest {
         await(robot -> robot.behavior().equals("wander") && !robot.inCharge().isEmpty());
         Response unknown = post("behavior", "{\"robot\":\"courier-1\",\"behavior\":\"dance\"}");
         assertThat(unknown.status()).isEqualTo(409);
-        assertThat(unknown.body()).contains("There is no behavior (dance)");
+        assertThat(unknown.body()).contains("There is no behavior 'dance'");
         assertThat(post("behavior", "{\"robot\":\"courier-1\",\"behavior\":\"\"}")
                         .status())
                 .isEqualTo(200);
@@ -120,6 +120,7 @@ class SteeringTest {
 
     @ParameterizedTest
     @CsvSource(
+            quoteCharacter = '`',
             delimiter = '|',
             value = {
                 "courier-1 | me | 1e3   | 400 | from -100 to 100 [m/s]",
@@ -127,8 +128,8 @@ class SteeringTest {
                 "courier-1 | me | NaN   | 400 | not JSON",
                 "courier-1 | me | null  | 400 | vx",
                 "courier-1 | me | \"1m\" | 400 | vx",
-                "courier-1 | '' | 0.1   | 400 | (driver) must have 1 to 64 characters",
-                "courier-1 | 0123456789012345678901234567890123456789012345678901234567890123456789 | 0 | 400 | (driver) must have 1 to 64 characters",
+                "courier-1 | `` | 0.1   | 400 | 'driver' must have 1 to 64 characters",
+                "courier-1 | 0123456789012345678901234567890123456789012345678901234567890123456789 | 0 | 400 | 'driver' must have 1 to 64 characters",
                 "nobody    | me | 0.1   | 409 | nobody",
             })
     void whatMakesNoSenseIsRefusedWithASentence(String robot, String driver, String vx, int status, String words)

@@ -59,7 +59,7 @@ class SweepApiTest {
               guard: {count: $guards, model: pioneer2dx, pose: {free: true}, devices: {laser: scanner.yaml, pilot: {}}}
             agents: {wander: {type: wander, robot: guard}}
             run: {stop: [{when: time > 2, outcome: success}]}
-            measure:
+            metrics:
               - {name: way, unit: m, from: distance, better: more}
             configurations:
               long: {}
@@ -149,7 +149,7 @@ class SweepApiTest {
         assertThat(post("/check", wish).body()).isEqualTo("{\"combinations\":4,\"seeds\":3,\"runs\":12}");
 
         assertThat(post("", wish).status()).isEqualTo(200);
-        assertThat(post("", wish).body()).contains("A sweep goes on already");
+        assertThat(post("", wish).body()).contains("A sweep is running already");
         SweepInfo growing = await(sweep -> sweep.ended() > 0);
         assertThat(growing.runs()).isEqualTo(12);
         SweepInfo ended = awaitEnd();
@@ -162,12 +162,12 @@ class SweepApiTest {
         Findings findings = Findings.read(Errand.sweeps(directory).resolve("guard-1"));
         for (int i = 0; i < 4; i++) {
             SweepCombination told = ended.combinations().get(i);
-            Mean mean = findings.measurements(findings.manifest().measures().getFirst())
+            Mean mean = findings.measurements(findings.manifest().metrics().getFirst())
                     .mean(findings.design().combinations().get(i))
                     .orElseThrow();
             assertThat(told.ended()).isEqualTo(3);
-            assertThat(told.measures().get("way").mean()).isEqualTo(mean.value());
-            assertThat(told.measures().get("way").low())
+            assertThat(told.metrics().get("way").mean()).isEqualTo(mean.value());
+            assertThat(told.metrics().get("way").low())
                     .hasValue(mean.interval().orElseThrow().low());
             assertThat(told.outcomes())
                     .extracting(share -> share.outcome() + " " + share.count())
@@ -395,7 +395,7 @@ class SweepApiTest {
 
     @Test
     void sentencesAboutOptionsOfACommandAreLeftOutWhole() {
-        assertThat(SweepReader.inForm("Maybe 0.5. Set (run.clock.mode) to wall, as --clock wall does. Or a.yaml."))
+        assertThat(SweepReader.inForm("Maybe 0.5. Set 'run.clock.mode' to wall, as --clock wall does. Or a.yaml."))
                 .isEqualTo("Maybe 0.5. Or a.yaml.");
         assertThat(SweepReader.inForm("Say how long by --for SECONDS.")).isEmpty();
         assertThat(SweepReader.inForm("")).isEmpty();

@@ -103,7 +103,7 @@ public final class Pilot extends SensorCore<Decision> implements Locomotion {
         }
         if (silent.isPresent()) {
             base.command(Twist2d.STOP);
-            health(new Health.Stale("No reading of (%s).".formatted(silent.get())));
+            health(new Health.Stale("No reading of '%s'.".formatted(silent.get())));
             return;
         }
         Decision decision;
@@ -111,10 +111,10 @@ public final class Pilot extends SensorCore<Decision> implements Locomotion {
             decision = driving.decide(percept(now));
             if (!decision.twist().isFinite()) {
                 throw new IllegalStateException(
-                        "Layer (%s) wants (%s).".formatted(decision.inCharge(), decision.twist()));
+                        "Layer '%s' wants '%s'.".formatted(decision.inCharge(), decision.twist()));
             }
         } catch (RuntimeException e) {
-            LOG.log(Level.ERROR, () -> "A behavior of (%s) failed.".formatted(info().id()), e);
+            LOG.log(Level.ERROR, () -> "A behavior of '%s' failed.".formatted(info().id()), e);
             release();
             health(new Health.Lost("A behavior failed: " + e));
             return;

@@ -45,7 +45,7 @@ public final class PilotDriver implements DeviceDriver {
     public Optional<String> refusal(RobotModel model) {
         return model.drive().turnsInPlace()
                 ? Optional.empty()
-                : Optional.of("Behaviors turn robots in place, which a car (%s) can't.".formatted(model.name()));
+                : Optional.of("Behaviors turn robots in place, which a car '%s' can't.".formatted(model.name()));
     }
 
     @Override

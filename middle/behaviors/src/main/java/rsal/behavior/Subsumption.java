@@ -27,7 +27,7 @@ public final class Subsumption {
     public Subsumption layerAbove(String other, String name, Behavior behavior) {
         int below = names().indexOf(other);
         if (below < 0) {
-            throw new IllegalArgumentException("There is no layer (%s) among %s.".formatted(other, names()));
+            throw new IllegalArgumentException("There is no layer '%s' among %s.".formatted(other, names()));
         }
         insert(below + 1, name, behavior);
         return this;
@@ -61,7 +61,7 @@ public final class Subsumption {
 
     private void insert(int at, String name, Behavior behavior) {
         if (names().contains(name)) {
-            throw new IllegalArgumentException("There is a layer (%s) already.".formatted(name));
+            throw new IllegalArgumentException("There is a layer '%s' already.".formatted(name));
         }
         layers.add(at, new Layer(name, behavior));
     }

@@ -212,7 +212,7 @@ class PilotTest {
             }
             assertThat(pilot.health())
                     .isEqualTo(new Health.Stale(
-                            "No reading of (%s).".formatted(silent.info().id())));
+                            "No reading of '%s'.".formatted(silent.info().id())));
             pilot.release();
             update();
             assertThat(pilot.health().isOk()).as("back again").isTrue();
@@ -314,6 +314,6 @@ class PilotTest {
                 PIONEER.drive().turn(),
                 PIONEER.drive().odometryNoise()));
         assertThat(driver.refusal(car))
-                .hasValueSatisfying(why -> assertThat(why).contains("car (pioneer2dx)"));
+                .hasValueSatisfying(why -> assertThat(why).contains("car 'pioneer2dx'"));
     }
 }

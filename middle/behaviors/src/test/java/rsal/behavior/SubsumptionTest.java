@@ -68,6 +68,6 @@ class SubsumptionTest {
         assertThatIllegalArgumentException().isThrownBy(() -> stack.layer("go", GO));
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> stack.layerAbove("gone", "new", GO))
-                .withMessageContaining("(gone)");
+                .withMessageContaining("'gone'");
     }
 }

@@ -18,7 +18,7 @@ public record LightState(Rgb color, Signal signal, boolean lit) {
         public Signal {
             if (!period.isPositive() || !(dutyCycle >= 0 && dutyCycle <= 1)) {
                 throw new IllegalArgumentException(
-                        "A light's period (%s) must be positive and its duty cycle (%s) from 0 to 1."
+                        "A light's period '%s' must be positive and its duty cycle '%s' from 0 to 1."
                                 .formatted(period, dutyCycle));
             }
         }

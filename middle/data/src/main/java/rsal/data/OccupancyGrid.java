@@ -22,7 +22,7 @@ public record OccupancyGrid(int width, int height, double resolution, double ori
                 || !Double.isFinite(originX)
                 || !Double.isFinite(originY)) {
             throw new IllegalArgumentException(
-                    "A grid's resolution (%s) must be positive and its origin (%s, %s) finite."
+                    "A grid's resolution '%s' must be positive and its origin (%s, %s) finite."
                             .formatted(resolution, originX, originY));
         }
     }

@@ -12,7 +12,7 @@ public record Prism(Shape shape, double bottom, double top, Optional<Rgb> color)
     public Prism {
         if (!(bottom < top && Double.isFinite(top - bottom))) {
             throw new IllegalArgumentException(
-                    "A piece's bottom (%s) must be below its top (%s), both finite.".formatted(bottom, top));
+                    "A piece's bottom '%s' must be below its top '%s', both finite.".formatted(bottom, top));
         }
     }
 

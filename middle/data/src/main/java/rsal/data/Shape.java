@@ -93,7 +93,7 @@ public sealed interface Shape {
         public Disc {
             if (!(radius > 0 && Double.isFinite(radius) && Double.isFinite(center.x() + center.y()))) {
                 throw new IllegalArgumentException(
-                        "A disc's radius (%s) must be positive and finite, its center (%s, %s) finite."
+                        "A disc's radius '%s' must be positive and finite, its center (%s, %s) finite."
                                 .formatted(radius, center.x(), center.y()));
             }
         }

@@ -43,6 +43,6 @@ public abstract class DeviceCore implements Device {
     /// For drivers: what to do when a listener of this device throws.
     protected static Consumer<RuntimeException> reportFailure(DeviceInfo info) {
         return e -> LOG.log(
-                Level.ERROR, () -> "A listener of (%s) failed and is not told any more.".formatted(info.id()), e);
+                Level.ERROR, () -> "A listener of '%s' failed and is not notified any more.".formatted(info.id()), e);
     }
 }

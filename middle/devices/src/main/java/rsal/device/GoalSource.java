@@ -14,7 +14,7 @@ public final class GoalSource<F, R> implements GoalHandle<F, R> {
     private final CompletableFuture<R> result = new CompletableFuture<>();
     private final Runnable onCancel;
     private final Listeners<Stamped<F>> feedback = new Listeners<>(
-            e -> LOG.log(Level.ERROR, "A listener of a goal's feedback failed and is not told any more.", e));
+            e -> LOG.log(Level.ERROR, "A listener of a goal's feedback failed and is not notified any more.", e));
 
     /// @param onCancel asked to end the goal; it calls [#end]
     public GoalSource(Runnable onCancel) {

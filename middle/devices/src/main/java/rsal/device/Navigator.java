@@ -100,7 +100,7 @@ public interface Navigator extends Device, Locomotion {
         record Cancelled(String why) implements Result {
             /// By whoever has the goal's handle.
             public static Cancelled asked() {
-                return new Cancelled("Whoever gave the goal called it off.");
+                return new Cancelled("The agent that set the goal canceled it.");
             }
 
             /// By a goal that came later.

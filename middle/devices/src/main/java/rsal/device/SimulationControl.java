@@ -36,7 +36,7 @@ public interface SimulationControl extends Device {
 
     /// Puts a new thing into the world.
     default Placement add(Thing thing) {
-        return new Placement.Refused("(%s) can't be added: this world takes no things.".formatted(thing.name()));
+        return new Placement.Refused("'%s' can't be added: this world takes no things.".formatted(thing.name()));
     }
 
     /// As [#add], but also where something is in the way.
@@ -87,7 +87,7 @@ public interface SimulationControl extends Device {
     /// @param id unique among the entities
     /// @param like id of a robot that is there or was
     default Placement addRobot(String id, String like, Pose2d mapFromBase) {
-        return new Placement.Refused("(%s) can't be added: this world takes no robots.".formatted(id));
+        return new Placement.Refused("'%s' can't be added: this world takes no robots.".formatted(id));
     }
 
     /// Takes a robot out of the world. It lets go of what it holds, its devices are lost, and the robot system tells

@@ -84,7 +84,7 @@ final class Mistaken {
                         new Odometry(moved(odometry.odomFromBase(), miss), odometry.velocity(), odometry.stalled());
                     case PoseEstimate estimate -> estimate(estimate, miss);
                     case Erring<?> other -> other.withError(miss.range(), miss.left(), miss.angle());
-                    default -> throw new IllegalArgumentException("Nothing is measured in (%s).".formatted(value));
+                    default -> throw new IllegalArgumentException("Nothing is measured in '%s'.".formatted(value));
                 };
     }
 

@@ -37,7 +37,7 @@ public record Robot(String id, String role, RobotModel model, OptionalInt marker
     public <D extends Device> D require(Class<D> type) {
         return find(type)
                 .orElseThrow(() -> new IllegalStateException(
-                        "Robot (%s) has no %s; it has %s. Maybe its model (%s) or the scenario should name one."
+                        "Robot '%s' has no %s; it has %s. Maybe its model '%s' or the scenario should name one."
                                 .formatted(
                                         id,
                                         type.getSimpleName(),

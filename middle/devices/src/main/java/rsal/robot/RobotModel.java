@@ -94,7 +94,7 @@ public record RobotModel(
         var chain = new ArrayDeque<String>();
         for (String on = carriers.get(device); on != null; on = carriers.get(on)) {
             if (!(sensors.get(on) instanceof Part.Actuator) || chain.contains(on)) {
-                throw new IllegalArgumentException("Device (%s) can't stand on (%s).".formatted(device, on));
+                throw new IllegalArgumentException("Device '%s' can't stand on '%s'.".formatted(device, on));
             }
             chain.addFirst(on);
         }

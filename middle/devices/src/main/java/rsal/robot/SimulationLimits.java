@@ -36,7 +36,7 @@ public final class SimulationLimits {
             axis(problems, "sideways", "m", drive.sideways());
         }
         for (Part part : model.sensors().values()) {
-            String its = "Its (%s)'s ".formatted(part.name());
+            String its = "Its '%s''s ".formatted(part.name());
             switch (part) {
                 case Part.Laser laser -> {
                     positive(problems, its + "period [s]", seconds(laser.period()));
@@ -86,7 +86,7 @@ public final class SimulationLimits {
                 case Part.Light light -> positive(problems, its + "period [s]", seconds(light.period()));
                 case Part.Registered other -> positive(problems, its + "period [s]", seconds(other.period()));
                 case Part.Own own ->
-                    problems.add("Simulated robots have no computers of their own, and so no (%s). %s"
+                    problems.add("Simulated robots have no computers of their own, and so no '%s'. %s"
                             .formatted(own.name(), INSTEAD.getOrDefault(own.makes(), "Leave it out.")));
             }
         }
@@ -115,13 +115,13 @@ public final class SimulationLimits {
 
     private static void positive(List<String> problems, String what, double value) {
         if (!(value > 0 && Double.isFinite(value))) {
-            problems.add("%s must be positive and finite to be simulated, not (%s).".formatted(what, value));
+            problems.add("%s must be positive and finite to be simulated, not '%s'.".formatted(what, value));
         }
     }
 
     private static void count(List<String> problems, String what, int value) {
         if (value < 1 || value > MOST_RAYS) {
-            problems.add("%s must be from 1 to %d to be simulated, not (%d).".formatted(what, MOST_RAYS, value));
+            problems.add("%s must be from 1 to %d to be simulated, not '%d'.".formatted(what, MOST_RAYS, value));
         }
     }
 }

@@ -85,7 +85,7 @@ public final class LockstepScheduler implements Scheduler {
     public Task every(Duration period, Phase phase, Runnable task) {
         long step = period.toNanos();
         if (step <= 0) {
-            throw new IllegalArgumentException("A period must be positive, not (%s).".formatted(period));
+            throw new IllegalArgumentException("A period must be positive, not '%s'.".formatted(period));
         }
         return add(new Entry(Math.addExact(nanos, step), phase, step, task));
     }

@@ -58,7 +58,7 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
 
     /// Logs what tasks throw.
     public WallScheduler(String name, Executor workers) {
-        this(name, workers, e -> LOG.log(Level.ERROR, () -> "A task of (%s) failed.".formatted(name), e));
+        this(name, workers, e -> LOG.log(Level.ERROR, () -> "A task of '%s' failed.".formatted(name), e));
     }
 
     @Override
@@ -85,7 +85,7 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
     public Task every(Duration period, Phase phase, Runnable task) {
         long step = period.toNanos();
         if (step <= 0) {
-            throw new IllegalArgumentException("A period must be positive, not (%s).".formatted(period));
+            throw new IllegalArgumentException("A period must be positive, not '%s'.".formatted(period));
         }
         return add(new Entry(Math.addExact(nanos(), step), phase, step, task));
     }

@@ -58,7 +58,7 @@ public final class BodyReader {
             }
         }
         if (pieces.isEmpty() || pieces.size() > limits.pieces) {
-            body.problem("pieces", "(%s) must list 1 to %d pieces.".formatted(body.path("pieces"), limits.pieces), "");
+            body.problem("pieces", "'%s' must list 1 to %d pieces.".formatted(body.path("pieces"), limits.pieces), "");
             return List.of();
         }
         return pieces;
@@ -89,7 +89,7 @@ public final class BodyReader {
         try {
             return Shape.Polygon.of(Footprint.box(length, width, center));
         } catch (IllegalArgumentException _) { // too thin for numbers so far away
-            piece.problem(piece.location(), "(%s) is too thin.".formatted(piece.path("")), "");
+            piece.problem(piece.location(), "'%s' is too thin.".formatted(piece.path("")), "");
             return HARMLESS;
         }
     }
@@ -101,7 +101,7 @@ public final class BodyReader {
     private Point2d center(Section piece) {
         double[] center = piece.numbers("center", 2).orElse(new double[2]);
         if (Math.abs(center[0]) > limits.most || Math.abs(center[1]) > limits.most) {
-            piece.problem("center", "(%s) must be at most %s away.".formatted(piece.path("center"), limits.most), "");
+            piece.problem("center", "'%s' must be at most %s away.".formatted(piece.path("center"), limits.most), "");
             return new Point2d(0, 0);
         }
         return new Point2d(center[0], center[1]);
@@ -115,7 +115,7 @@ public final class BodyReader {
         try {
             return new Shape.Polygon(corners);
         } catch (IllegalArgumentException e) {
-            piece.problem("outline", "(%s): %s".formatted(piece.path("outline"), e.getMessage()), "");
+            piece.problem("outline", "'%s': %s".formatted(piece.path("outline"), e.getMessage()), "");
             return HARMLESS;
         }
     }
@@ -127,8 +127,8 @@ public final class BodyReader {
             piece.problem(
                     key,
                     items.isEmpty()
-                            ? "(%s) must list corners [x, y].".formatted(piece.path(key))
-                            : "(%s) must have at most %d corners, not %d."
+                            ? "'%s' must list corners [x, y].".formatted(piece.path(key))
+                            : "'%s' must have at most %d corners, not %d."
                                     .formatted(piece.path(key), limits.corners, items.size()),
                     "");
             return List.of();
@@ -138,7 +138,7 @@ public final class BodyReader {
                 .map(xy -> new Point2d(xy[0], xy[1]))
                 .toList();
         if (points.stream().anyMatch(c -> Math.max(Math.abs(c.x()), Math.abs(c.y())) > limits.most)) {
-            piece.problem(key, "Corners of (%s) must be at most %s away.".formatted(piece.path(key), limits.most), "");
+            piece.problem(key, "Corners of '%s' must be at most %s away.".formatted(piece.path(key), limits.most), "");
             return List.of();
         }
         return points.size() < items.size() ? List.of() : points;

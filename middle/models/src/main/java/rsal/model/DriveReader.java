@@ -28,7 +28,7 @@ final class DriveReader {
                         NumberReader.positive(drive, "wheelbase"),
                         Math.toRadians(NumberReader.checked(drive, "maxSteeringAngle", 1, 80)));
             default -> {
-                drive.problem("type", "There is no type of drive (%s).".formatted(type), Suggestion.among(type, TYPES));
+                drive.problem("type", "There is no type of drive '%s'.".formatted(type), Suggestion.among(type, TYPES));
                 yield new Steering.Differential();
             }
         };

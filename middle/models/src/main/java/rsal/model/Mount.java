@@ -32,7 +32,7 @@ record Mount(Pose2d baseFromDevice, OptionalDouble height, Optional<String> on, 
                 read(told, "pose", Optional.of(on).filter(name -> !name.isEmpty()), told.locationOf("actuator"))
                         .ifPresent(mount -> mounts.put(device, mount));
                 if (!told.has("pose")) {
-                    told.problem(told.location(), "(%s) is missing: where it stands.".formatted(told.path("pose")), "");
+                    told.problem(told.location(), "'%s' is missing: where it stands.".formatted(told.path("pose")), "");
                 }
                 told.done();
             } else {
@@ -53,7 +53,7 @@ record Mount(Pose2d baseFromDevice, OptionalDouble height, Optional<String> on, 
             if (high && !(place[3] >= 0 && place[3] <= NumberReader.MOST)) {
                 section.problem(
                         key,
-                        "(%s) must be from 0 to %s high, not (%s)."
+                        "'%s' must be from 0 to %s high, not '%s'."
                                 .formatted(section.path(key), NumberReader.MOST, place[3]),
                         "");
             }
@@ -75,8 +75,8 @@ record Mount(Pose2d baseFromDevice, OptionalDouble height, Optional<String> on, 
             on.ifPresent(last -> section.problem(
                     mount.writtenAt,
                     mounts.containsKey(last)
-                            ? "(%s) stands on what stands on (%s).".formatted(device, last)
-                            : "(%s) stands on (%s), which (mounts) does not list.".formatted(device, last),
+                            ? "'%s' stands on what stands on '%s'.".formatted(device, last)
+                            : "'%s' stands on '%s', which 'mounts' does not list.".formatted(device, last),
                     mounts.containsKey(last) ? "" : Suggestion.among(last, mounts.keySet())));
         });
     }
@@ -102,7 +102,7 @@ record Mount(Pose2d baseFromDevice, OptionalDouble height, Optional<String> on, 
                 } else {
                     problems.add(
                             mount.writtenAt,
-                            "(%s) stands on (%s), which is no actuator.".formatted(device, carrier),
+                            "'%s' stands on '%s', which is no actuator.".formatted(device, carrier),
                             "Only actuators carry devices.");
                 }
             });

@@ -36,7 +36,7 @@ final class NumberReader {
         }
         section.problem(
                 key,
-                "(%s) must be a number from %s to %s, not (%s)."
+                "'%s' must be a number from %s to %s, not '%s'."
                         .formatted(section.path(key), plain(least), plain(most), value),
                 "");
         return harmless;
@@ -54,7 +54,7 @@ final class NumberReader {
         if (section.has(key)) {
             section.problem(
                     key,
-                    "(%s) must be a whole number from %d to %d, not (%s)."
+                    "'%s' must be a whole number from %d to %d, not '%s'."
                             .formatted(section.path(key), least, most, value),
                     "");
         }
@@ -79,7 +79,7 @@ final class NumberReader {
         }
         section.problem(
                 key,
-                "(%s) must be how much backward and forward, such as [-0.5, 1.5], not [%s, %s]."
+                "'%s' must be how much backward and forward, such as [-0.5, 1.5], not [%s, %s]."
                         .formatted(section.path(key), least, most),
                 "");
         return Interval.around0(1);

@@ -83,7 +83,7 @@ final class PartReader {
         if (part.isEmpty()) {
             if (!type.isEmpty()) {
                 section.problem(
-                        "type", "There is no type of part (%s).".formatted(type), Suggestion.among(type, types()));
+                        "type", "There is no type of part '%s'.".formatted(type), Suggestion.among(type, types()));
             }
             return new Part.Bumper(name, List.of(), Duration.ofSeconds(1));
         }
@@ -150,7 +150,7 @@ final class PartReader {
             if (!(side >= 1 && side <= MAX_SAMPLES && side == Math.rint(side))) {
                 part.problem(
                         "image",
-                        "(image) must be its columns and rows, such as [80, 60], each from 1 to %d."
+                        "'image' must be its columns and rows, such as [80, 60], each from 1 to %d."
                                 .formatted(MAX_SAMPLES),
                         "");
                 break;
@@ -184,7 +184,7 @@ final class PartReader {
         double length = NumberReader.positive(part, "length");
         double width = NumberReader.positive(part, "width");
         if (flag("raised") && !part.has("liftingTime")) {
-            part.problem("raised", "(raised) is true, but it has no lift.", "Give it a (liftingTime).");
+            part.problem("raised", "'raised' is true, but it has no lift.", "Give it a 'liftingTime'.");
         }
         return new Part.Gripper(
                 name,
@@ -206,7 +206,7 @@ final class PartReader {
         var pads = new ArrayList<Part.Bumper.Pad>();
         for (double[] row : rows("bumpers", "[x, y, heading, length]", 4, 0)) {
             if (!(row[3] > 0 && row[3] <= NumberReader.MOST)) {
-                part.problem("bumpers", "A bumper's length must be positive, not (%s).".formatted(row[3]), "");
+                part.problem("bumpers", "A bumper's length must be positive, not '%s'.".formatted(row[3]), "");
             }
             pads.add(new Part.Bumper.Pad(pose(row), row[3]));
         }
@@ -218,7 +218,7 @@ final class PartReader {
         if (!joint.isEmpty() && !joint.equals("linear") && !joint.equals("rotational")) {
             part.problem(
                     "joint",
-                    "(joint) must be linear or rotational, not (%s).".formatted(joint),
+                    "'joint' must be linear or rotational, not '%s'.".formatted(joint),
                     Suggestion.among(joint, List.of("linear", "rotational")));
         }
         boolean turns = joint.equals("rotational");
@@ -238,7 +238,7 @@ final class PartReader {
 
     private double slope(boolean turns) {
         if (turns) {
-            part.problem("slope", "(slope) is for linear joints; a rotational one turns around what points up.", "");
+            part.problem("slope", "'slope' is for linear joints; a rotational one turns around what points up.", "");
         }
         return Math.toRadians(NumberReader.checked(part, "slope", -90, 90));
     }
@@ -291,7 +291,7 @@ final class PartReader {
         if (ends[0] >= least && ends[1] > ends[0] && ends[1] <= 1e6) {
             return new Interval(ends[0], ends[1]);
         }
-        part.problem(key, "(%s) must be [least, most], not [%s, %s].".formatted(key, ends[0], ends[1]), "");
+        part.problem(key, "'%s' must be [least, most], not [%s, %s].".formatted(key, ends[0], ends[1]), "");
         return new Interval(0, 1);
     }
 
@@ -311,11 +311,11 @@ final class PartReader {
         List<Value> items = listed.orElse(List.of());
         if (!part.has(key)) {
             part.problem(
-                    key, "(%s) is missing: a list of %s.".formatted(key, what), least == 0 ? "[] is for none." : "");
+                    key, "'%s' is missing: a list of %s.".formatted(key, what), least == 0 ? "[] is for none." : "");
         } else if (listed.isPresent() && (items.size() < least || items.size() > MAX_SENSORS)) {
             part.problem(
                     key,
-                    "(%s) must list %d to %d of %s, not %d.".formatted(key, least, MAX_SENSORS, what, items.size()),
+                    "'%s' must list %d to %d of %s, not %d.".formatted(key, least, MAX_SENSORS, what, items.size()),
                     "");
         }
         return items.stream()

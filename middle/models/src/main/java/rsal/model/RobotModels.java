@@ -167,7 +167,7 @@ public final class RobotModels {
             if (mount.isEmpty() && somewhere) {
                 problems.add(
                         choice.writtenAt(),
-                        "Robot model (%s) has no place for a device (%s).".formatted(name, device),
+                        "Robot model '%s' has no place for a device '%s'.".formatted(name, device),
                         Suggestion.among(device, mounts.keySet()));
                 return;
             }
@@ -191,7 +191,7 @@ public final class RobotModels {
         if (name.endsWith(".yaml") || name.endsWith(".yml")) {
             return Yaml.read(files, name, askedAt);
         }
-        throw new InvalidSettings(askedAt, "There is no %s (%s).".formatted(what, name), Suggestion.among(name, known));
+        throw new InvalidSettings(askedAt, "There is no %s '%s'.".formatted(what, name), Suggestion.among(name, known));
     }
 
     /// A part by itself, as it would be in the origin of a robot's base.

@@ -123,8 +123,8 @@ class PartReaderTest {
         assertThat(((Part.Laser) part(laser)).noise()).isEqualTo(RangeNoise.of(0.02));
         assertThat(((Part.Laser) part(laser + "relativeNoise: 0.01\nangularNoise: 90\n")).noise())
                 .isEqualTo(new RangeNoise(0.02, 0.01, Math.PI / 2));
-        assertRefused(laser + "relativeNoise: 1.5\n", "(relativeNoise) must be a number from 0.0 to 1.0");
-        assertRefused(laser + "angularNoise: -1\n", "(angularNoise) must be a number from 0.0 to 180.0");
+        assertRefused(laser + "relativeNoise: 1.5\n", "'relativeNoise' must be a number from 0.0 to 1.0");
+        assertRefused(laser + "angularNoise: -1\n", "'angularNoise' must be a number from 0.0 to 180.0");
         String sonars = """
                 type: sonars
                 sensors: [[0, 0, 0]]
@@ -145,7 +145,7 @@ class PartReaderTest {
         var other = (Part.Gripper) part(GRIPPER + "closed: true\nraised: true\nsnatches: true\n");
         assertThat(other.closed() && other.raised() && other.snatches()).isTrue();
         assertRefused(GRIPPER.replace("liftingTime: 2\n", "raised: true\n"), "it has no lift");
-        assertRefused(GRIPPER + "closed: half\n", "(closed)");
+        assertRefused(GRIPPER + "closed: half\n", "'closed'");
     }
 
     @Test
@@ -195,7 +195,7 @@ class PartReaderTest {
             if (!List.of("colors", "key", "liftingTime").contains(key)) {
                 assertRefused(good.replace(line + "\n", ""), key);
             }
-            String mend = key.equals("type") ? "(type) is missing" : "Maybe (" + key + ") was meant?";
+            String mend = key.equals("type") ? "'type' is missing" : "Maybe '" + key + "' was meant?";
             assertRefused(good.replace(line, line.replace(key + ":", key + "x:")), mend);
             assertRefused(good.replace(line, key + ": {}"), key);
         }
@@ -203,27 +203,28 @@ class PartReaderTest {
 
     @ParameterizedTest
     @CsvSource(
+            quoteCharacter = '`',
             delimiter = '|',
             value = {
-                "type: blob-finder | type: blobfinder | Maybe (blob-finder) was meant?",
+                "type: blob-finder | type: blobfinder | Maybe 'blob-finder' was meant?",
                 "image: [80, 60] | image: [80, 0] | such as [80, 60]",
                 "image: [80, 60] | image: [80.5, 60] | such as [80, 60]",
-                "fieldOfView: 60 | fieldOfView: 400 | (fieldOfView) must be a number from 0.001 to 360.0",
-                "range: 4 | range: [0, 4] | (range) must be a number",
-                "'#0000ff' | bleu | (colors) must be a color",
-                "idRange: 5 | idRange: 9 | (idRange) must be a number from 0.0 to 8.0",
-                "key: 3 | key: 3.5 | (key) must be a whole number",
-                "paddleWidth: 0.03 | paddleWidth: 0.2 | (paddleWidth)",
-                "paddleLength: 0.1 | paddleLength: 0.3 | (paddleLength)",
+                "fieldOfView: 60 | fieldOfView: 400 | 'fieldOfView' must be a number from 0.001 to 360.0",
+                "range: 4 | range: [0, 4] | 'range' must be a number",
+                "`#0000ff` | bleu | 'colors' must be a color",
+                "idRange: 5 | idRange: 9 | 'idRange' must be a number from 0.0 to 8.0",
+                "key: 3 | key: 3.5 | 'key' must be a whole number",
+                "paddleWidth: 0.03 | paddleWidth: 0.2 | 'paddleWidth'",
+                "paddleLength: 0.1 | paddleLength: 0.3 | 'paddleLength'",
                 "[0.2, 0, 0, 0.4] | [0.2, 0, 0] | a list of 4 numbers",
                 "[0.2, 0, 0, 0.4] | [0.2, 0, 0, 0] | length must be positive",
-                "joint: rotational | joint: rotationel | Maybe (rotational) was meant?",
-                "limits: [-45, 90] | limits: [90, -45] | (limits) must be [least, most]",
-                "home: 10 | home: 91 | (home) must be a number from -45.0 to 90.0",
-                "capacity: 5000 | capacity: 0 | (capacity)",
-                "idlePower: 20 | idlePower: -1 | (idlePower)",
-                "color: '#00ff00' | color: greem | (color) must be a color, \"#rrggbb\" or a name, not (greem)",
-                "dutyCycle: 0.25 | dutyCycle: 25 | (dutyCycle) must be a number from 0.0 to 1.0"
+                "joint: rotational | joint: rotationel | Maybe 'rotational' was meant?",
+                "limits: [-45, 90] | limits: [90, -45] | 'limits' must be [least, most]",
+                "home: 10 | home: 91 | 'home' must be a number from -45.0 to 90.0",
+                "capacity: 5000 | capacity: 0 | 'capacity'",
+                "idlePower: 20 | idlePower: -1 | 'idlePower'",
+                "color: '#00ff00' | color: greem | 'color' must be a color, \"#rrggbb\" or a name, not 'greem'",
+                "dutyCycle: 0.25 | dutyCycle: 25 | 'dutyCycle' must be a number from 0.0 to 1.0"
             })
     void whatMakesNoSenseIsRefused(String from, String to, String message) {
         String good = List.of(BLOBS, FIDUCIALS, GRIPPER, BUMPER, ACTUATOR, BATTERY, LIGHT).stream()
@@ -239,7 +240,7 @@ class PartReaderTest {
                 .filter(line -> line.startsWith("bumpers"))
                 .findFirst()
                 .orElseThrow();
-        assertRefused(BUMPER.replace(bumpers, ""), "(bumpers) is missing: a list of [x, y, heading, length].");
+        assertRefused(BUMPER.replace(bumpers, ""), "'bumpers' is missing: a list of [x, y, heading, length].");
     }
 
     private void assertRefused(String text, String message) {

@@ -140,8 +140,8 @@ class RobotModelsTest {
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> models.read("pioner2dx", HERE))
                 .withMessageContaining("hunt.yaml:7:12")
-                .withMessageContaining("There is no robot model (pioner2dx).")
-                .withMessageContaining("Maybe (pioneer2dx) was meant?");
+                .withMessageContaining("There is no robot model 'pioner2dx'.")
+                .withMessageContaining("Maybe 'pioneer2dx' was meant?");
     }
 
     @Test
@@ -152,9 +152,9 @@ class RobotModelsTest {
                         HERE,
                         Map.of("laser", new Choice("urg04xl", HERE), "lasor", new Choice("x", HERE))))
                 .satisfies(e -> assertThat(e.problems()).hasSize(2))
-                .withMessageContaining("Maybe (urg04lx) was meant?")
-                .withMessageContaining("Robot model (pioneer2dx) has no place for a device (lasor).")
-                .withMessageContaining("Maybe (laser) was meant?");
+                .withMessageContaining("Maybe 'urg04lx' was meant?")
+                .withMessageContaining("Robot model 'pioneer2dx' has no place for a device 'lasor'.")
+                .withMessageContaining("Maybe 'laser' was meant?");
     }
 
     @Test
@@ -359,14 +359,14 @@ class RobotModelsTest {
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', textBlock = """
-            eye: {actuator: tabel, pose: [0, 0, 0]} | (tabel), which (mounts) does not list. | Maybe (table) was meant?
-            eye: {actuator: eye, pose: [0, 0, 0]}   | (eye) stands on what stands on (eye).  | cart.yaml:10
-            eye: {actuator: table}                  | (mounts.eye.pose) is missing           | cart.yaml:10
-            eye: {pose: [0, 0, 0]}                  | (mounts.eye.actuator) is missing       | cart.yaml:10
+    @CsvSource(quoteCharacter = '`', delimiter = '|', textBlock = """
+            eye: {actuator: tabel, pose: [0, 0, 0]} | 'tabel', which 'mounts' does not list. | Maybe 'table' was meant?
+            eye: {actuator: eye, pose: [0, 0, 0]}   | 'eye' stands on what stands on 'eye'.  | cart.yaml:10
+            eye: {actuator: table}                  | 'mounts.eye.pose' is missing           | cart.yaml:10
+            eye: {pose: [0, 0, 0]}                  | 'mounts.eye.actuator' is missing       | cart.yaml:10
             eye: {actuator: table, pose: [0, 0]}    | must be a list of 3 numbers            | cart.yaml:10
             eye: {actuator: table, pose: [0, 0, 0], on: 1} | is not known                    | cart.yaml:10
-            eye: {actuator: back, pose: [0, 0, 0]}  | (back), which is no actuator           | Only actuators carry
+            eye: {actuator: back, pose: [0, 0, 0]}  | 'back', which is no actuator           | Only actuators carry
             """)
     void whatCantCarryIsRefused(String mount, String message, String more) throws IOException {
         write("eye.yaml", EYE);

@@ -22,7 +22,7 @@ public final class Arguments {
         var values = new LinkedHashMap<String, Object>();
         for (String name : given.keySet()) {
             if (parameters.stream().noneMatch(p -> p.name().equals(name))) {
-                throw new IllegalArgumentException("(%s) is not known here. %s"
+                throw new IllegalArgumentException("'%s' is not known here. %s"
                         .formatted(
                                 name,
                                 Suggestion.among(
@@ -39,7 +39,7 @@ public final class Arguments {
                         parameter.name(),
                         parameter
                                 .fallback()
-                                .orElseThrow(() -> new IllegalArgumentException("(%s) is missing: %s, %s."
+                                .orElseThrow(() -> new IllegalArgumentException("'%s' is missing: %s, %s."
                                         .formatted(parameter.name(), parameter.description(), parameter.expected()))));
             }
         }
@@ -123,7 +123,7 @@ public final class Arguments {
         Object value = values.get(name);
         if (value == null) {
             throw new IllegalStateException(
-                    "(%s) was never declared as a parameter; declared are %s.".formatted(name, values.keySet()));
+                    "'%s' was never declared as a parameter; declared are %s.".formatted(name, values.keySet()));
         }
         return value;
     }

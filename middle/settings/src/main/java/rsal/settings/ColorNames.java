@@ -38,7 +38,7 @@ public final class ColorNames {
     /// What to try instead of a text that is no color.
     public static String advice(String text) {
         return Suggestion.closest(normal(text), all())
-                .map("Maybe (%s) was meant?"::formatted)
+                .map("Maybe '%s' was meant?"::formatted)
                 .orElse("Names are those of X11, such as red, orange or gray30.");
     }
 
@@ -51,7 +51,7 @@ public final class ColorNames {
         if (color.isEmpty()) {
             section.problem(
                     read.location(),
-                    "(%s) must be a color, \"#rrggbb\" or a name, not %s."
+                    "'%s' must be a color, \"#rrggbb\" or a name, not %s."
                             .formatted(section.path(key), read.describe()),
                     advice(text));
         }
@@ -73,7 +73,7 @@ public final class ColorNames {
         var colors = new TreeMap<String, Rgb>();
         try (InputStream in = ColorNames.class.getResourceAsStream("x11-colors.txt")) {
             if (in == null) {
-                throw new IllegalStateException("Resource (x11-colors.txt) is missing.");
+                throw new IllegalStateException("Resource 'x11-colors.txt' is missing.");
             }
             var words = new StringTokenizer(new String(in.readAllBytes(), StandardCharsets.US_ASCII));
             while (words.hasMoreTokens()) {

@@ -58,20 +58,20 @@ public interface FileSource {
             } catch (IOException | InvalidPathException _) {
                 throw missing(
                         path,
-                        NearbyFiles.maybe(folder, path).orElse("It is looked for in (%s).".formatted(folder)),
+                        NearbyFiles.maybe(folder, path).orElse("It is looked for in '%s'.".formatted(folder)),
                         askedAt);
             }
             if (!Files.isRegularFile(file)) {
                 boolean folders = Files.isDirectory(file);
                 throw new InvalidSettings(
                         askedAt,
-                        "(%s) is %s.".formatted(path, folders ? "a folder, not a file" : "not a file"),
+                        "'%s' is %s.".formatted(path, folders ? "a folder, not a file" : "not a file"),
                         folders ? "Name a file in it." : "");
             }
             try (InputStream in = Files.newInputStream(file)) {
                 return bounded(in, path, most, askedAt);
             } catch (IOException e) {
-                throw new InvalidSettings(askedAt, "File (%s) can't be read: %s.".formatted(path, e.getMessage()), "");
+                throw new InvalidSettings(askedAt, "File '%s' can't be read: %s.".formatted(path, e.getMessage()), "");
             }
         });
     }
@@ -127,7 +127,7 @@ public interface FileSource {
                 return bounded(in, path, most, askedAt);
             } catch (IOException e) {
                 throw new InvalidSettings(
-                        askedAt, "Resource (%s) can't be read: %s.".formatted(path, e.getMessage()), "");
+                        askedAt, "Resource '%s' can't be read: %s.".formatted(path, e.getMessage()), "");
             }
         });
     }
@@ -157,7 +157,7 @@ public interface FileSource {
         if (in.read() >= 0) {
             throw new InvalidSettings(
                     askedAt,
-                    "File (%s) has more than %s, and no more is read.".formatted(path, size(most)),
+                    "File '%s' has more than %s, and no more is read.".formatted(path, size(most)),
                     "Maybe it is another kind of file.");
         }
         return bytes;
@@ -168,11 +168,11 @@ public interface FileSource {
     }
 
     private static InvalidSettings missing(String path, String remedy, Location askedAt) {
-        return new InvalidSettings(askedAt, "There is no file (%s).".formatted(path), remedy);
+        return new InvalidSettings(askedAt, "There is no file '%s'.".formatted(path), remedy);
     }
 
     private static InvalidSettings outside(String path, Path folder, Location askedAt) {
         return new InvalidSettings(
-                askedAt, "(%s) lies outside of (%s).".formatted(path, folder), "Put the file into that folder.");
+                askedAt, "'%s' lies outside of '%s'.".formatted(path, folder), "Put the file into that folder.");
     }
 }

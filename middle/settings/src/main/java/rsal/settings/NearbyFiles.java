@@ -33,7 +33,7 @@ final class NearbyFiles {
                                         .map(file -> String.valueOf(file.getFileName()))
                                         .sorted()
                                         .toList())
-                        .map(close -> "Maybe (%s) was meant?".formatted(close));
+                        .map(close -> "Maybe '%s' was meant?".formatted(close));
             }
         } catch (IOException | InvalidPathException _) {
             return Optional.empty();

@@ -196,14 +196,14 @@ public record Parameter<T>(
             case PLUGIN, PLUGINS -> true; // taken above
         };
         if (!right) {
-            throw new IllegalArgumentException("(%s) must be %s, not (%s).".formatted(name, expected(), value));
+            throw new IllegalArgumentException("'%s' must be %s, not '%s'.".formatted(name, expected(), value));
         }
         if (converted instanceof Number n && !(n.doubleValue() >= min && n.doubleValue() <= max)) {
-            throw new IllegalArgumentException("(%s) must be %s, not (%s).".formatted(name, expected(), value));
+            throw new IllegalArgumentException("'%s' must be %s, not '%s'.".formatted(name, expected(), value));
         }
         if (kind == Kind.TEXT && converted instanceof String s && !options.isEmpty() && !options.contains(s)) {
             throw new IllegalArgumentException(
-                    "(%s) must be %s, not (%s). %s".formatted(name, expected(), value, Suggestion.among(s, options)));
+                    "'%s' must be %s, not '%s'. %s".formatted(name, expected(), value, Suggestion.among(s, options)));
         }
         return converted;
     }
@@ -219,7 +219,7 @@ public record Parameter<T>(
                 yield known.choose(String.valueOf(values.remove("type")), values);
             }
             default ->
-                throw new IllegalArgumentException("(%s) must be %s, not (%s).".formatted(name, expected(), value));
+                throw new IllegalArgumentException("'%s' must be %s, not '%s'.".formatted(name, expected(), value));
         };
     }
 

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Pattern;
 import rsal.data.Pose2d;
 
 /// Reads one group of settings strictly: what is asked for is known, what is left over is a mistake. A value that
@@ -229,7 +230,7 @@ public final class Section {
                     .findFirst()
                     .ifPresent(item -> problem(
                             value.location(),
-                            "(%s) must be a list of %d numbers; %s is no finite one."
+                            "'%s' must be a list of %d numbers; %s is no finite one."
                                     .formatted(path(key), count, item.describe()),
                             ""));
         } else {
@@ -275,7 +276,7 @@ public final class Section {
 
     /// Notes that a value is of the wrong kind.
     public void expected(String key, String what, Value read) {
-        problem(read.location(), "(%s) must be %s, not %s.".formatted(path(key), what, read.describe()), "");
+        problem(read.location(), "'%s' must be %s, not %s.".formatted(path(key), what, read.describe()), "");
     }
 
     /// Everything known has been asked for: what is left over is a mistake.
@@ -287,7 +288,7 @@ public final class Section {
                 Location place = mapping.keys().getOrDefault(key, mapping.location());
                 problem(
                         place,
-                        "(%s) is not known%s.".formatted(key, name.isEmpty() ? " here" : " in (" + name + ")"),
+                        "'%s' is not known%s.".formatted(key, name.isEmpty() ? " here" : " in '" + name + "'"),
                         Suggestion.among(key, asked));
             }
         }
@@ -324,8 +325,7 @@ public final class Section {
     }
 
     private String path(String message, String parameter) {
-        return message.replaceFirst(
-                "\\(" + java.util.regex.Pattern.quote(parameter) + "\\)", "(" + path(parameter) + ")");
+        return message.replaceFirst("'" + Pattern.quote(parameter) + "'", "'" + path(parameter) + "'");
     }
 
     private Optional<Value> required(String key, String what) {
@@ -354,7 +354,7 @@ public final class Section {
             leftOut.clear();
             missing.clear();
             var whole = new Problem(
-                    location(), "(%s) is missing: a group with (%s).".formatted(name, String.join("), (", names)), "");
+                    location(), "'%s' is missing: a group with '%s'.".formatted(name, String.join("', '", names)), "");
             missing.put("", whole);
             problems.add(whole);
         }
@@ -362,7 +362,7 @@ public final class Section {
 
     private void noteMissing(String key, String what, String remedy) {
         if (given) {
-            var problem = new Problem(location(), "(%s) is missing: %s.".formatted(path(key), what), remedy);
+            var problem = new Problem(location(), "'%s' is missing: %s.".formatted(path(key), what), remedy);
             missing.put(key, problem);
             problems.add(problem);
         }

@@ -14,11 +14,12 @@ public final class Suggestion {
 
     private Suggestion() {}
 
-    /// "Maybe (catchDistance)?" when a known word is close to what was read, else the list of the known words, the
-    /// first of them if there are many.
+    /// "Maybe 'catchDistance' was meant?" when a known word is close to what was read; the new name of a former one;
+    /// else the list of the known words, the first of them if there are many.
     public static String among(String read, Collection<String> known) {
-        return closest(read, known)
-                .map(word -> "Maybe (%s) was meant?".formatted(word))
+        return FormerNames.replacement(read, known)
+                .map(word -> "'%s' is now called '%s'.".formatted(read, word))
+                .or(() -> closest(read, known).map("Maybe '%s' was meant?"::formatted))
                 .orElseGet(() -> known.isEmpty() ? "Nothing is known here." : "Known are: " + listed(known) + ".");
     }
 
@@ -27,9 +28,13 @@ public final class Suggestion {
         return known.size() > MOST ? "%s, and %d more".formatted(first, known.size() - MOST) : first;
     }
 
-    /// The known word that takes the fewest changes, if that is at most a third of its letters; else the only one that
-    /// begins so, which somebody may call it for short.
+    /// The known word that replaces a former name; or that takes the fewest changes, if that is at most a third of its
+    /// letters; else the only one that begins so, which somebody may call it for short.
     public static Optional<String> closest(String read, Collection<String> known) {
+        Optional<String> replacement = FormerNames.replacement(read, known);
+        if (replacement.isPresent()) {
+            return replacement;
+        }
         String lower = read.toLowerCase(Locale.ROOT);
         if (lower.length() > 100) {
             return Optional.empty();

@@ -20,7 +20,7 @@ public sealed interface Value {
     record Scalar(Location location, Object value) implements Value {
         @Override
         public String describe() {
-            return value.toString().isEmpty() ? "nothing" : "(" + shortened(value.toString()) + ")";
+            return value.toString().isEmpty() ? "nothing" : "'" + shortened(value.toString()) + "'";
         }
 
         private static String shortened(String text) {

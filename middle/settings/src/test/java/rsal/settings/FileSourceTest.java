@@ -63,7 +63,7 @@ class FileSourceTest {
     void guessesWhichFileWasMeantAmongThoseItMayRead() {
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> source.read("b.txt", 100, HERE))
-                .withMessageContaining("Maybe (a.txt) was meant?");
+                .withMessageContaining("Maybe 'a.txt' was meant?");
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> source.read("other.yaml", 100, HERE))
                 .withMessageContaining("It is looked for in");
@@ -74,8 +74,8 @@ class FileSourceTest {
         }
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> FileSource.disk().read(temp + "/secrets.txt", 100, HERE))
-                .withMessageContaining("There is no file (" + temp + "/secrets.txt)")
-                .withMessageContaining("Maybe (secret.txt) was meant?");
+                .withMessageContaining("There is no file '" + temp + "/secrets.txt'")
+                .withMessageContaining("Maybe 'secret.txt' was meant?");
     }
 
     @Test
@@ -91,7 +91,7 @@ class FileSourceTest {
         Files.write(temp.resolve("inside/large"), new byte[(1 << 20) + 1]);
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> source.read("large", 1 << 20, HERE))
-                .withMessageEndingWith("File (large) has more than 1 MiB, and no more is read.\n"
+                .withMessageEndingWith("File 'large' has more than 1 MiB, and no more is read.\n"
                         + "    Maybe it is another kind of file.");
     }
 
@@ -100,7 +100,7 @@ class FileSourceTest {
         for (FileSource each : List.of(source, FileSource.disk())) {
             assertThatExceptionOfType(InvalidSettings.class)
                     .isThrownBy(() -> each.read(".", 5, HERE))
-                    .withMessageEndingWith("(.) is a folder, not a file.\n    Name a file in it.");
+                    .withMessageEndingWith("'.' is a folder, not a file.\n    Name a file in it.");
         }
     }
 

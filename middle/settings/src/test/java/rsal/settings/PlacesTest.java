@@ -35,7 +35,7 @@ class PlacesTest {
     void whatIsNoPlaceIsRefused(String text) {
         assertThatThrownBy(() -> read(text))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("(posts) must be places as x y; x y [m], not (%s).", text);
+                .hasMessage("'posts' must be places as x y; x y [m], not '%s'.", text);
     }
 
     @Test

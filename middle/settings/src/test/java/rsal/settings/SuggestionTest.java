@@ -10,16 +10,25 @@ class SuggestionTest {
     @Test
     void guessesAWordThatIsClose() {
         assertThat(Suggestion.among("catchDistnace", List.of("catchDistance", "seed")))
-                .isEqualTo("Maybe (catchDistance) was meant?");
+                .isEqualTo("Maybe 'catchDistance' was meant?");
     }
 
     @Test
     void guessesTheOnlyWordThatBeginsSo() {
         assertThat(Suggestion.among("hunt", List.of("patrol", "hunt-and-prey")))
-                .isEqualTo("Maybe (hunt-and-prey) was meant?");
+                .isEqualTo("Maybe 'hunt-and-prey' was meant?");
         assertThat(Suggestion.among("wall", List.of("wall-follow", "wallDistance")))
                 .isEqualTo("Known are: wall-follow, wallDistance.");
         assertThat(Suggestion.among("hu", List.of("hunt-and-prey"))).isEqualTo("Known are: hunt-and-prey.");
+    }
+
+    @Test
+    void namesWhatReplacesAFormerNameWhereThatIsKnown() {
+        assertThat(Suggestion.among("reach", List.of("range", "beach"))).isEqualTo("'reach' is now called 'range'.");
+        assertThat(Suggestion.among("reach", List.of("beach"))).isEqualTo("Maybe 'beach' was meant?");
+        assertThat(Suggestion.among("span", List.of("distance"))).isEqualTo("'span' is now called 'distance'.");
+        assertThat(Suggestion.among("span", List.of("distance", "duration")))
+                .isEqualTo("'span' is now called 'duration'.");
     }
 
     @Test

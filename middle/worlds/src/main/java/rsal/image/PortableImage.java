@@ -26,7 +26,7 @@ final class PortableImage {
         BitmapReader.checkSize(width, height);
         int brightest = bits ? 1 : number();
         if (brightest < 1 || brightest > 65535) {
-            throw new Unreadable("its brightest value is (%d), not 1 to 65535".formatted(brightest));
+            throw new Unreadable("its brightest value is '%d', not 1 to 65535".formatted(brightest));
         }
         if (raw) {
             next++; // one blank ends the header

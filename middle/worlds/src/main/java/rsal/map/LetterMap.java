@@ -36,7 +36,7 @@ final class LetterMap {
             default ->
                 throw new InvalidSettings(
                         askedAt,
-                        "(drawing) has a (%s) in its line %d, column %d."
+                        "'drawing' has a '%s' in its line %d, column %d."
                                 .formatted(drawn.charAt(column), line + 1, column + 1),
                         "Draw with # (occupied), . (free) and ? (unknown).");
         };

@@ -79,12 +79,12 @@ public final class Maps {
         if (IMAGE.matcher(name).matches()) {
             throw new InvalidSettings(
                     askedAt,
-                    "(%s) is an image, which alone does not say how large its cells are.".formatted(name),
-                    "A map goes by the name of a YAML file as ROS's map_server writes it, with (image), (resolution) and (origin).");
+                    "'%s' is an image, which alone does not say how large its cells are.".formatted(name),
+                    "A map goes by the name of a YAML file as ROS's map_server writes it, with 'image', 'resolution' and 'origin'.");
         }
         throw new InvalidSettings(
                 askedAt,
-                "There is no map (%s).".formatted(name),
+                "There is no map '%s'.".formatted(name),
                 Suggestion.among(name, known) + " A map of your own goes by its YAML file's name.");
     }
 
@@ -96,7 +96,7 @@ public final class Maps {
         if (problems.isEmpty() && !(resolution >= 0.001 && resolution <= 100)) {
             section.problem(
                     "resolution",
-                    "(resolution) must be a number from 0.001 to 100 [m], not (%s).".formatted(resolution),
+                    "'resolution' must be a number from 0.001 to 100 [m], not '%s'.".formatted(resolution),
                     "");
         }
         boolean drawn = section.has("drawing");
@@ -183,7 +183,7 @@ public final class Maps {
         int found = Mode.names().indexOf(mode);
         if (found < 0) {
             section.problem(
-                    "mode", "There is no mode (%s) here.".formatted(mode), Suggestion.among(mode, Mode.names()));
+                    "mode", "There is no mode '%s' here.".formatted(mode), Suggestion.among(mode, Mode.names()));
         }
         return Mode.values()[Math.max(0, found)];
     }
@@ -191,19 +191,19 @@ public final class Maps {
     private static Optional<double[]> origin(Section section, boolean mayBeMissing) {
         if (!section.has("origin")) {
             if (!mayBeMissing) {
-                section.problem(section.location(), "(origin) is missing: [x, y, 0] of the lower left corner.", "");
+                section.problem(section.location(), "'origin' is missing: [x, y, 0] of the lower left corner.", "");
             }
             return Optional.empty();
         }
         Optional<double[]> origin = section.numbers("origin", 3);
         origin.ifPresent(corner -> {
             if (Math.abs(corner[0]) > 1e6 || Math.abs(corner[1]) > 1e6) {
-                section.problem("origin", "(origin) must be within 1000000 m.", "");
+                section.problem("origin", "'origin' must be within 1000000 m.", "");
             }
             if (corner[2] != 0) {
                 section.problem(
                         "origin",
-                        "(origin) turns the map by (%s); only maps that are not turned can be read."
+                        "'origin' turns the map by '%s'; only maps that are not turned can be read."
                                 .formatted(corner[2]),
                         "Turn the image instead and set the third value to 0.");
             }
@@ -217,7 +217,7 @@ public final class Maps {
         if (free > occupied) {
             section.problem(
                     "free_thresh",
-                    "(free_thresh) is (%s), above (occupied_thresh) (%s).".formatted(free, occupied),
+                    "'free_thresh' is '%s', above 'occupied_thresh' '%s'.".formatted(free, occupied),
                     "Maybe the two were mixed up.");
         }
         var opacity = switch (mode) {
@@ -231,7 +231,7 @@ public final class Maps {
     private static double share(Section section, String key, double fallback) {
         double share = section.number(key, fallback);
         if (!(share >= 0 && share <= 1)) {
-            section.problem(key, "(%s) must be a number from 0 to 1, not (%s).".formatted(key, share), "");
+            section.problem(key, "'%s' must be a number from 0 to 1, not '%s'.".formatted(key, share), "");
         }
         return share;
     }

@@ -20,7 +20,7 @@ final class Pgm {
         MapImage.checkSize(name, width, height);
         int white = number();
         if (white < 1 || white > 65535) {
-            throw MapImage.broken(name, "its brightest value is (%d), not 1 to 65535".formatted(white));
+            throw MapImage.broken(name, "its brightest value is '%d', not 1 to 65535".formatted(white));
         }
         next++; // one blank ends the header
         int pixelBytes = white < 256 ? 1 : 2;
@@ -32,7 +32,7 @@ final class Pgm {
             for (int column = 0; column < width; column++) {
                 int value = raw ? raw(pixelBytes) : number();
                 if (value > white) {
-                    throw MapImage.broken(name, "a pixel (%d) is brighter than white (%d)".formatted(value, white));
+                    throw MapImage.broken(name, "a pixel '%d' is brighter than white '%d'".formatted(value, white));
                 }
                 cells.set(column, row, (double) value / white);
             }

@@ -31,14 +31,14 @@ public final class Overlaps {
     /// @param other what that is: a thing or a robot named before; empty for a wall
     public record Overlap(Entity robot, Optional<Entity> other) {
         /// What to try.
-        public static final String REMEDY = "Give it another (pose), or it may be stuck there.";
+        public static final String REMEDY = "Give it another 'pose', or it may be stuck there.";
 
         /// For people: `Robot (r1) starts inside (box).`
         public String message() {
-            return "Robot (%s) starts inside %s."
+            return "Robot '%s' starts inside %s."
                     .formatted(
                             robot.name(),
-                            other.map(it -> "(%s)".formatted(it.name())).orElse("a wall"));
+                            other.map(it -> "'%s'".formatted(it.name())).orElse("a wall"));
         }
     }
 

@@ -60,7 +60,7 @@ class BitmapReaderTest {
                 "P2 0 3 255      | it has 0 × 3 pixels; 1 to 134217728 are read",
                 "P5 60000 60000 255 | it has 60000 × 60000 pixels; 1 to 134217728 are read",
                 "P2 2 2 255 0 0  | it ends early",
-                "P2 2 2 0 0 0    | its brightest value is (0), not 1 to 65535",
+                "P2 2 2 0 0 0    | its brightest value is '0', not 1 to 65535",
                 "P2 x            | a number is missing in it",
                 "P2 99999999999  | it has a number that is too large",
                 "P1 1 1 2        | a bit is neither 0 nor 1"

@@ -154,7 +154,7 @@ class MapsTest {
         write("lab.yaml", "resolution: 0.5\ndrawing: |\n  ##\n  #x\n");
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> maps.read("lab.yaml", HERE))
-                .withMessageContaining("lab.yaml:2:10: (drawing) has a (x) in its line 2, column 2.");
+                .withMessageContaining("lab.yaml:2:10: 'drawing' has a 'x' in its line 2, column 2.");
     }
 
     @Test
@@ -175,7 +175,7 @@ class MapsTest {
     void anUnknownMapIsRefusedWhereItIsNamed() {
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> maps.read("offise", HERE))
-                .withMessageContaining("hunt.yaml:3:8: There is no map (offise).");
+                .withMessageContaining("hunt.yaml:3:8: There is no map 'offise'.");
     }
 
     @Test
@@ -183,7 +183,7 @@ class MapsTest {
         for (String name : List.of("lab.pgm", "maps/lab.PNG", "lab.pgm.gz")) {
             assertThatExceptionOfType(InvalidSettings.class)
                     .isThrownBy(() -> maps.read(name, HERE))
-                    .withMessageContaining("(%s) is an image".formatted(name))
+                    .withMessageContaining("'%s' is an image".formatted(name))
                     .withMessageContaining("YAML");
         }
     }
@@ -193,7 +193,7 @@ class MapsTest {
         write("lab.yaml", LAB.replace("lab.pgm", "lob.pgm"));
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> maps.read("lab.yaml", HERE))
-                .withMessageContaining("lab.yaml:1:8: There is no file (lob.pgm).");
+                .withMessageContaining("lab.yaml:1:8: There is no file 'lob.pgm'.");
     }
 
     @Test
@@ -204,8 +204,8 @@ class MapsTest {
                 .satisfies(refused -> assertThat(refused.problems())
                         .extracting(problem -> problem.message())
                         .satisfiesExactly(
-                                resolution -> assertThat(resolution).contains("(resolution)"),
-                                origin -> assertThat(origin).contains("3 numbers; (NaN) is no finite one")));
+                                resolution -> assertThat(resolution).contains("'resolution'"),
+                                origin -> assertThat(origin).contains("3 numbers; 'NaN' is no finite one")));
         write("lab.yaml", LAB);
         write("lab.pgm", "P5\n0 0\n255\n");
         assertThatExceptionOfType(InvalidSettings.class)

@@ -142,7 +142,7 @@ public final class Yaml {
                     }
                     if (entries.putIfAbsent(key.getValue(), convert(tuple.getValueNode(), depth + 1)) != null) {
                         throw new InvalidSettings(
-                                keyPlace, "(%s) is set twice.".formatted(key.getValue()), "Keep one of the two.");
+                                keyPlace, "'%s' is set twice.".formatted(key.getValue()), "Keep one of the two.");
                     }
                     keys.put(key.getValue(), keyPlace);
                 }
@@ -172,10 +172,10 @@ public final class Yaml {
                 return number(text);
             }
         } catch (NumberFormatException _) {
-            throw new InvalidSettings(place, "(%s) is no %s that can be read here.".formatted(text, name(tag)), "");
+            throw new InvalidSettings(place, "'%s' is no %s that can be read here.".formatted(text, name(tag)), "");
         }
         throw new InvalidSettings(
-                place, "Tags (%s) are not read here.".formatted(tag.getValue()), "Leave the tag out.");
+                place, "Tags '%s' are not read here.".formatted(tag.getValue()), "Leave the tag out.");
     }
 
     private static String name(Tag tag) {
@@ -211,7 +211,7 @@ public final class Yaml {
         if (!node.getTag().equals(expected)) {
             throw new InvalidSettings(
                     place,
-                    "Tags (%s) are not read here.".formatted(node.getTag().getValue()),
+                    "Tags '%s' are not read here.".formatted(node.getTag().getValue()),
                     "Leave the tag out.");
         }
     }

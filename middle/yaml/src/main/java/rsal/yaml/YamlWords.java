@@ -52,7 +52,7 @@ final class YamlWords {
         if (beginning.matches()) {
             return beginning.group(1).contains("TAB")
                     ? "lines are indented by spaces, not by tabs"
-                    : "a text that begins with (%s) needs quotes".formatted(beginning.group(1));
+                    : "a text that begins with '%s' needs quotes".formatted(beginning.group(1));
         }
         return KNOWN.getOrDefault(
                 problem, problem.lines().findFirst().orElse("").strip());

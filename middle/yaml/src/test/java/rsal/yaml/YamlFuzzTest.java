@@ -169,12 +169,12 @@ class YamlFuzzTest {
                 .extracting(Problem::toString)
                 .satisfiesExactly(
                         wrong -> assertThat(wrong)
-                                .contains("hunt.yaml:2:8: (robots.prey.speed) must be a number, not (fast)"),
+                                .contains("hunt.yaml:2:8: 'robots.prey.speed' must be a number, not 'fast'"),
                         list -> assertThat(list)
-                                .contains("hunt.yaml:3:7: (robots.prey.pose) must be a list of 3 numbers"),
+                                .contains("hunt.yaml:3:7: 'robots.prey.pose' must be a list of 3 numbers"),
                         unknown -> assertThat(unknown)
-                                .contains("hunt.yaml:1:1: (modle) is not known")
-                                .contains("(model)"));
+                                .contains("hunt.yaml:1:1: 'modle' is not known")
+                                .contains("'model'"));
     }
 
     private static double parsed(String number) {

@@ -26,7 +26,7 @@ class YamlWordsTest {
             a: 1\\n- b           | an entry of a list (-) can't stand here, or not indented like this
             - a\\nb: 1           | a setting (name: value) can't stand here, or not indented like this
             a: }                 | a value must stand here, not '}'
-            a: %x                | a text that begins with (%) needs quotes
+            a: %x                | a text that begins with '%' needs quotes
             a:\\n\\t- b           | lines are indented by spaces, not by tabs
             a: *x                | found undefined alias x
             """)

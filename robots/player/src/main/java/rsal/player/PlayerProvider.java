@@ -30,18 +30,18 @@ public final class PlayerProvider implements RobotSystemProvider {
             "servers",
             "",
             "Where the robots are, one after the other: HOST:PORT, HOST:PORT:1 for the second robot there; servers of"
-                    + " one robot joined by +. Left out: at host and port.");
+                    + " one robot joined by +. Default: 'host' and 'port'.");
     private static final Parameter<String> HOST =
-            Parameter.text("host", "localhost", "The machine of the server, when (servers) names none.");
+            Parameter.text("host", "localhost", "The machine of the server, when 'servers' names none.");
     private static final Parameter<Integer> PORT = Parameter.integer(
             "port",
             Session.USUAL_PORT,
             1,
             Session.LAST_PORT,
             "",
-            "The server's port, when (servers) names none; several robots are on the ports from there on.");
+            "The server's port, when 'servers' names none; several robots are on the ports from there on.");
     private static final Parameter<Integer> INDEX = Parameter.integer(
-            "index", 0, 0, 9999, "", "Which robot of its server it is, from 0, when (servers) names none.");
+            "index", 0, 0, 9999, "", "Which robot of its server it is, from 0, when 'servers' names none.");
     private static final Parameter<String> DELIVERY = Parameter.choice(
             "delivery",
             words(Delivery.AUTO),
@@ -57,12 +57,12 @@ public final class PlayerProvider implements RobotSystemProvider {
     private static final Parameter<String> SIMULATION = Parameter.text(
             "simulation",
             "",
-            "Who knows where robots really are, when they are simulated: (own), the first of their servers that has a"
-                    + " simulation, or HOST:PORT of another. Left out: nobody.");
+            "Who knows where robots really are, when they are simulated: 'own', the first of their servers that has a"
+                    + " simulation, or HOST:PORT of another. Default: none.");
     private static final Parameter<String> NAMES = Parameter.text(
             "names",
             "",
-            "What that simulation calls the robots, one after the other, divided by commas. Left out: what they are"
+            "Names of the robots in that simulation, in order, separated by commas. Default: the names that they have"
                     + " called here.");
 
     @Override
@@ -98,7 +98,7 @@ public final class PlayerProvider implements RobotSystemProvider {
             for (Part part : robot.model().sensors().values()) {
                 if (!RemoteRobot.has(part)) {
                     problems.add(new Problem(
-                            robot.id(), "model", "Player has nothing like its (%s).".formatted(part.name())));
+                            robot.id(), "model", "Player has nothing like its '%s'.".formatted(part.name())));
                 }
             }
         }
@@ -141,7 +141,7 @@ public final class PlayerProvider implements RobotSystemProvider {
         List<String> names = written.isEmpty() ? ids : List.of(written.split("\\s*,\\s*", -1));
         if (names.size() != ids.size()) {
             throw new IllegalArgumentException(
-                    "As many (names) as robots are needed: %d, not %d.".formatted(ids.size(), names.size()));
+                    "As many 'names' as robots are needed: %d, not %d.".formatted(ids.size(), names.size()));
         }
         var byId = new LinkedHashMap<String, String>();
         for (int i = 0; i < ids.size(); i++) {
@@ -153,7 +153,7 @@ public final class PlayerProvider implements RobotSystemProvider {
         List<ServerAddress> there = ServerAddress.read(who);
         boolean one = there.size() == 1 && there.getFirst().servers().size() == 1;
         if (!one) {
-            throw new IllegalArgumentException("(simulation) must be (own) or HOST:PORT, not (%s).".formatted(who));
+            throw new IllegalArgumentException("'simulation' must be 'own' or HOST:PORT, not '%s'.".formatted(who));
         }
         return Optional.of(new Overseer(Optional.of(there.getFirst().servers().getFirst()), byId));
     }
@@ -167,20 +167,20 @@ public final class PlayerProvider implements RobotSystemProvider {
             int port = settings.get(PORT);
             if (port + robots.size() - 1 > Session.LAST_PORT) {
                 throw new IllegalArgumentException(
-                        "There are no (%d) ports from (%d) on.".formatted(robots.size(), port));
+                        "There are no '%d' ports from '%d' on.".formatted(robots.size(), port));
             }
             all = ServerAddress.from(settings.get(HOST), port, settings.get(INDEX), robots.size());
         }
         if (all.size() < robots.size()) {
             throw new IllegalArgumentException(
-                    "As many (servers) as robots are needed: %d, not %d.".formatted(robots.size(), all.size()));
+                    "As many 'servers' as robots are needed: %d, not %d.".formatted(robots.size(), all.size()));
         }
         var berths = new LinkedHashMap<RobotSpec, ServerAddress>();
         var taken = new HashMap<ServerAddress, String>();
         for (int i = 0; i < robots.size(); i++) {
             String other = taken.put(all.get(i), robots.get(i).id());
             if (other != null) {
-                throw new IllegalArgumentException("Robots (%s) and (%s) are both at (%s)."
+                throw new IllegalArgumentException("Robots '%s' and '%s' are both at '%s'."
                         .formatted(other, robots.get(i).id(), all.get(i)));
             }
             berths.put(robots.get(i), all.get(i));

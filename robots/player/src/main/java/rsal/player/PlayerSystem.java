@@ -98,9 +98,9 @@ final class PlayerSystem implements RobotSystem {
             truth = RemoteTruth.in(all, how.names(), scheduler);
             return truth.map(RemoteTruth::start)
                     .orElseGet(() ->
-                            CompletableFuture.failedStage(new IOException("None of the servers %s has a (simulation)."
+                            CompletableFuture.failedStage(new IOException("None of the servers %s has a 'simulation'."
                                     .formatted(all.stream()
-                                            .map(server -> "(%s)".formatted(server.name()))
+                                            .map(server -> "'%s'".formatted(server.name()))
                                             .toList()))));
         });
     }

@@ -20,7 +20,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.LockSupport;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -55,6 +55,7 @@ import rsal.system.RobotSystem.Change;
 import rsal.system.RobotSystemProvider;
 import rsal.system.RobotSystemProvider.InvalidRobots;
 import rsal.testkit.contract.RobotBench;
+import rsal.time.Task;
 import rsal.time.WallScheduler;
 
 /// Robots of servers that live on real time, as real ones do: nothing is shared but sockets.
@@ -89,12 +90,8 @@ class PlayerSystemTest {
         return stage.toCompletableFuture().orTimeout(20, TimeUnit.SECONDS).join();
     }
 
-    private void until(Callable<Boolean> isSo) {
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(20);
-        while (!on(time, isSo)) {
-            assertThat(System.nanoTime()).isLessThan(end);
-            LockSupport.parkNanos(1_000_000);
-        }
+    private void until(Supplier<Boolean> isSo) {
+        Waiting.until(time, isSo, so -> so);
     }
 
     private static RobotSpec spec(String id, String model, Map<String, String> parts) {
@@ -191,14 +188,15 @@ class PlayerSystemTest {
     }
 
     private void drive(DriveBase base, Twist2d velocity, Duration time) {
-        long end = System.nanoTime() + time.toNanos();
-        while (System.nanoTime() < end) {
-            on(this.time, () -> {
-                base.command(velocity);
-                return true;
-            });
-            LockSupport.parkNanos(50_000_000);
-        }
+        Task driving = this.time.every(Duration.ofMillis(50), () -> base.command(velocity));
+        pass(time);
+        driving.cancel();
+    }
+
+    private void pass(Duration duration) {
+        var passed = new CompletableFuture<Boolean>();
+        time.after(duration, () -> passed.complete(true));
+        await(passed);
     }
 
     private void untilItStands(Robot robot) {
@@ -250,7 +248,7 @@ class PlayerSystemTest {
         drive(robot.require(DriveBase.class), Twist2d.drive(0.4, 0), Duration.ofSeconds(1));
         untilItStands(robot);
         Pose2d stood = truth();
-        LockSupport.parkNanos(300_000_000);
+        pass(Duration.ofMillis(300));
         assertThat(truth()).isEqualTo(stood);
     }
 
@@ -415,7 +413,7 @@ class PlayerSystemTest {
                 .isInstanceOfSatisfying(
                         Placement.Refused.class,
                         refused -> assertThat(refused.why())
-                                .startsWith("The simulation at (localhost:" + port + ") is lost: "));
+                                .startsWith("The simulation at 'localhost:" + port + "' is lost: "));
         serve(port);
         untilSeenAt("r1", RobotBench.START);
     }
@@ -437,7 +435,7 @@ class PlayerSystemTest {
                         Map.of("port", port(), "simulation", "own"),
                         spec("r1", "pioneer2dx", Map.of("laser", "urg04lx", "sonar", "none"))))
                 .cause()
-                .hasMessage("None of the servers [(localhost:%d)] has a (simulation).".formatted(port()));
+                .hasMessage("None of the servers ['localhost:%d'] has a 'simulation'.".formatted(port()));
     }
 
     /// What a file of a world asks for, of the one robot.
@@ -461,7 +459,7 @@ class PlayerSystemTest {
         }
         assertThatThrownBy(() -> discover(Map.of("port", nobody), spec()))
                 .cause()
-                .hasMessage("There is no Player server at (localhost:%d): Connection refused".formatted(nobody));
+                .hasMessage("There is no Player server at 'localhost:%d': Connection refused".formatted(nobody));
     }
 
     @Test
@@ -469,7 +467,7 @@ class PlayerSystemTest {
         assertThatThrownBy(() -> discover(
                         armed(), spec("r1", "pioneer2dx", Map.of("laser", "urg04lx", "camera", "blob-camera"))))
                 .cause()
-                .hasMessageContaining("Robot (r1) has no device for its (camera): (localhost:" + port() + ") has ")
+                .hasMessageContaining("Robot 'r1' has no device for its 'camera': 'localhost:" + port() + "' has ")
                 .hasMessageContaining("position2d:0");
     }
 
@@ -482,30 +480,30 @@ class PlayerSystemTest {
     void robotsThatCantBeAreRefusedBeforeAnythingStarts() {
         assertThatExceptionOfType(InvalidRobots.class)
                 .isThrownBy(() -> create(Map.of("servers", "nonsense"), spec()))
-                .withMessageContaining("(nonsense) is no server.");
+                .withMessageContaining("'nonsense' is no server.");
         assertThatExceptionOfType(InvalidRobots.class)
                 .isThrownBy(() ->
                         create(Map.of("servers", "a:1"), spec(), spec("r2", "pioneer2dx", Map.of("laser", "urg04lx"))))
-                .withMessageContaining("As many (servers) as robots are needed: 2, not 1.");
+                .withMessageContaining("As many 'servers' as robots are needed: 2, not 1.");
         assertThatExceptionOfType(InvalidRobots.class)
                 .isThrownBy(() -> create(
                         Map.of("servers", "a:1,a:1"), spec(), spec("r2", "pioneer2dx", Map.of("laser", "urg04lx"))))
-                .withMessageContaining("Robots (r1) and (r2) are both at (a:1).");
+                .withMessageContaining("Robots 'r1' and 'r2' are both at 'a:1'.");
         assertThatExceptionOfType(InvalidRobots.class)
                 .isThrownBy(() ->
                         create(Map.of("port", 65535), spec(), spec("r2", "pioneer2dx", Map.of("laser", "urg04lx"))))
-                .withMessageContaining("There are no (2) ports from (65535) on.");
+                .withMessageContaining("There are no '2' ports from '65535' on.");
         assertThatExceptionOfType(InvalidRobots.class)
                 .isThrownBy(() -> create(Map.of("simulation", "yes"), spec()))
-                .withMessageContaining("(yes) is no server.");
+                .withMessageContaining("'yes' is no server.");
         assertThatExceptionOfType(InvalidRobots.class)
                 .isThrownBy(() -> create(Map.of("simulation", "a:1, b:1"), spec()))
-                .withMessageContaining("(simulation) must be (own) or HOST:PORT, not (a:1, b:1).");
+                .withMessageContaining("'simulation' must be 'own' or HOST:PORT, not 'a:1, b:1'.");
         assertThatExceptionOfType(InvalidRobots.class)
                 .isThrownBy(() -> create(Map.of("simulation", "own", "names", "a, b"), spec()))
-                .withMessageContaining("As many (names) as robots are needed: 1, not 2.");
+                .withMessageContaining("As many 'names' as robots are needed: 1, not 2.");
         assertThatExceptionOfType(InvalidRobots.class)
                 .isThrownBy(() -> create(Map.of(), spec("r1", "pioneer2dx", Map.of("light", "beacon"))))
-                .withMessageContaining("(beacon)");
+                .withMessageContaining("'beacon'");
     }
 }

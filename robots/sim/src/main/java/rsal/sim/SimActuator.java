@@ -99,7 +99,7 @@ final class SimActuator extends SimActuatedDevice<ActuatorState> implements Actu
     private void requireFinite(double value) {
         if (!Double.isFinite(value)) {
             throw new IllegalArgumentException(
-                    "What (%s) is told must be finite, not (%s).".formatted(info().id(), value));
+                    "A command of '%s' must be finite, not '%s'.".formatted(info().id(), value));
         }
     }
 
@@ -173,7 +173,7 @@ final class SimActuator extends SimActuatedDevice<ActuatorState> implements Actu
                 stop(new Result.Reached(position));
             } else if (stop != null && now == goal) {
                 String obstacle = stop.by.map(Body::name).orElse(World.WALL);
-                stop(new Result.Stuck(position, "(%s) is in its way.".formatted(obstacle)));
+                stop(new Result.Stuck(position, "'%s' is in its way.".formatted(obstacle)));
             }
         }
     }

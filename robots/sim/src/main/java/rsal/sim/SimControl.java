@@ -122,7 +122,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
     public Placement placeAnyway(String thing, Pose2d mapFromThing, double height) {
         if (things.find(thing).isEmpty()) {
             return new Placement.Refused(
-                    "There is no thing (%s). %s".formatted(thing, Suggestion.among(thing, things.names())));
+                    "There is no thing '%s'. %s".formatted(thing, Suggestion.among(thing, things.names())));
         }
         return place(thing, mapFromThing, (body, there) -> {
             putAnyway(body, there);
@@ -136,7 +136,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
         Optional<Body> body = entity(entity);
         if (body.isEmpty()) {
             return new Placement.Refused(
-                    "Nothing is called (%s). %s".formatted(entity, Suggestion.among(entity, entities())));
+                    "Nothing is called '%s'. %s".formatted(entity, Suggestion.among(entity, entities())));
         }
         Optional<Placement> outside = outside(mapFromEntity);
         if (outside.isPresent()) {
@@ -186,7 +186,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
 
     private Optional<Placement> outside(Pose2d pose) {
         if (!pose.isFinite()) {
-            return Optional.of(new Placement.Refused("A pose must be finite, not (%s).".formatted(pose)));
+            return Optional.of(new Placement.Refused("A pose must be finite, not '%s'.".formatted(pose)));
         }
         Extent bounds = world.bounds();
         return bounds.contains(pose.x(), pose.y())
@@ -199,7 +199,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
     }
 
     private Placement inTheWay(String entity, Pose2d pose) {
-        return new Placement.Refused("(%s) does not fit at %s: (%s) is in the way."
+        return new Placement.Refused("'%s' does not fit at %s: '%s' is in the way."
                 .formatted(
                         entity,
                         SpawnPlacement.at(pose.x(), pose.y()),
@@ -225,7 +225,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
         }
         if (thing.marker().filter(marker -> marker.id() == 0).isPresent()) {
             return new Placement.Refused(
-                    "The marker of (%s) can't have the id 0, which stands for none.".formatted(name));
+                    "The marker of '%s' can't have the id 0, which stands for none.".formatted(name));
         }
         Optional<Placement> outside = outside(thing.mapFromThing());
         if (outside.isPresent()) {
@@ -248,7 +248,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
         return name.equals(World.WALL)
                         || team.find(name).isPresent()
                         || entity(name).isPresent()
-                ? Optional.of(new Placement.Refused("Something else is called (%s); names are unique.".formatted(name)))
+                ? Optional.of(new Placement.Refused("Something else is called '%s'; names are unique.".formatted(name)))
                 : Optional.empty();
     }
 
@@ -290,7 +290,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
         Optional<RobotSpawner.Kind> kind = recruiting.kind(like);
         if (kind.isEmpty()) {
             return refusal(id)
-                    .orElseGet(() -> new Placement.Refused("There never was a robot (%s) to add one like. %s"
+                    .orElseGet(() -> new Placement.Refused("There never was a robot '%s' to add one like. %s"
                             .formatted(like, Suggestion.among(like, recruiting.known()))));
         }
         return recruit(RobotSpawner.like(kind.get(), id, mapFromBase), mapFromBase);
@@ -304,7 +304,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
         }
         return robot.mapFromBase()
                 .map(there -> recruit(RobotSpawner.Kind.of(robot), there))
-                .orElseGet(() -> new Placement.Refused("Robot (%s) has no pose.".formatted(robot.id())));
+                .orElseGet(() -> new Placement.Refused("Robot '%s' has no pose.".formatted(robot.id())));
     }
 
     /// Why no robot of an id can be added.
@@ -318,12 +318,12 @@ final class SimControl extends DeviceCore implements SimulationControl {
         }
         if (recruiting.kind(id).isPresent()) {
             return Optional.of(
-                    new Placement.Refused("A robot was called (%s) before; ids are used once.".formatted(id)));
+                    new Placement.Refused("A robot was called '%s' before; ids are used once.".formatted(id)));
         }
         return id.indexOf('/') < 0
                 ? Optional.empty()
                 : Optional.of(new Placement.Refused(
-                        "A slash sets devices off from robots; no robot can be called (%s).".formatted(id)));
+                        "A slash sets devices off from robots; no robot can be called '%s'.".formatted(id)));
     }
 
     private Placement recruit(RobotSpawner.Kind kind, Pose2d mapFromBase) {

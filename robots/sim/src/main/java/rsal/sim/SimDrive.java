@@ -46,7 +46,7 @@ final class SimDrive extends SensorCore<Odometry> implements DriveBase {
     public void command(Twist2d velocity) {
         if (!velocity.isFinite()) {
             throw new IllegalArgumentException(
-                    "A velocity must be finite, but (%s) was given (%s).".formatted(info().id(), velocity));
+                    "A velocity must be finite, but '%s' was given '%s'.".formatted(info().id(), velocity));
         }
         if (enabled) {
             command = velocity;

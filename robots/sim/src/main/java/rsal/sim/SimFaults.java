@@ -27,7 +27,7 @@ final class SimFaults implements FaultInjection {
     public Optional<String> refusal(String robot, String device, Fault fault) {
         return team.find(robot)
                 .map(broken -> refusal(broken, device, fault))
-                .orElseGet(() -> Optional.of("There is no robot (%s).".formatted(robot)));
+                .orElseGet(() -> Optional.of("There is no robot '%s'.".formatted(robot)));
     }
 
     private static Optional<String> refusal(SimRobot broken, String device, Fault fault) {
@@ -36,7 +36,7 @@ final class SimFaults implements FaultInjection {
         }
         Optional<Device> found = device(broken, device);
         if (found.isEmpty()) {
-            return Optional.of("It has no device (%s); it has %s."
+            return Optional.of("It has no device '%s'; it has %s."
                     .formatted(
                             device,
                             broken.robot().devices().stream()

@@ -115,7 +115,7 @@ final class SimGripper extends SimActuatedDevice<GripperState> implements Grippe
         }
         Pose2d there = now.thing.pose();
         if (!world.putDown(now.thing, there, Math.max(0, now.above))) {
-            return Optional.of("There is no room for (%s) at %s: (%s) is in the way."
+            return Optional.of("There is no room for '%s' at %s: '%s' is in the way."
                     .formatted(
                             now.thing.name(),
                             SpawnPlacement.at(there.x(), there.y()),

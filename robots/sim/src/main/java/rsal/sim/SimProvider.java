@@ -117,7 +117,7 @@ public final class SimProvider implements RobotSystemProvider {
                 problems.add(new Problem(
                         spec.id(),
                         "id",
-                        "Robots run into what is called (%s); one of this id could not be told from it. Maybe (%s-1)?"
+                        "The world has an object '%s', which reports could not distinguish from a robot of this id. Maybe '%s-1' is meant."
                                 .formatted(World.WALL, spec.role())));
             }
             for (String message : RobotFactory.problems(spec.model())) {

@@ -126,7 +126,7 @@ final class SpawnPlacement {
     Body body(String robot) {
         Body body = bodies.get(robot);
         if (body == null) {
-            throw new IllegalArgumentException("Robot (%s) is not on the map.".formatted(robot));
+            throw new IllegalArgumentException("Robot '%s' is not on the map.".formatted(robot));
         }
         return body;
     }
@@ -134,7 +134,7 @@ final class SpawnPlacement {
     private void addAt(RobotSpec robot, Pose2d pose) {
         Extent bounds = world.bounds();
         if (!pose.isFinite()) {
-            refuse(robot, "The start pose (%s) must be finite.".formatted(pose));
+            refuse(robot, "The start pose '%s' must be finite.".formatted(pose));
         } else if (!bounds.contains(pose.x(), pose.y())) {
             refuse(
                     robot,
@@ -188,7 +188,7 @@ final class SpawnPlacement {
 
     private String obstacle() {
         return world.obstacle()
-                .map(robot -> "robot (%s)".formatted(robot.name()))
+                .map(robot -> "robot '%s'".formatted(robot.name()))
                 .orElse("a wall");
     }
 

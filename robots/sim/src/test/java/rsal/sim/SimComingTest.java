@@ -126,7 +126,7 @@ class SimComingTest {
     void aRobotMayComeAfterOneThatIsGoneButNotAsThatOne() {
         run.simulation.removeRobot("b");
         changes.clear();
-        refuses("b", "a", THERE, "A robot was called (b) before");
+        refuses("b", "a", THERE, "A robot was called 'b' before");
         assertThat(run.simulation.addRobot("c", "b", THERE)).isEqualTo(PLACED);
         run.simulation.removeRobot("a");
         assertThat(run.simulation.addRobot("d", "a", new Pose2d(2, 3, 0))).isEqualTo(PLACED);
@@ -139,7 +139,7 @@ class SimComingTest {
         empty.system.onChange(changes::add);
         assertThat(empty.simulation.addRobot("c", "a", THERE))
                 .isEqualTo(
-                        new Placement.Refused("There never was a robot (a) to add one like. Nothing is known here."));
+                        new Placement.Refused("There never was a robot 'a' to add one like. Nothing is known here."));
         assertThat(empty.system.addRobot(SimRun.robot("c", MODEL, THERE))).isEqualTo(PLACED);
         Robot came = ((Change.Appeared) changes.getFirst()).robot();
         assertThat(came.model()).isEqualTo(MODEL);
@@ -148,23 +148,23 @@ class SimComingTest {
         assertThat(empty.truth("c")).isEqualTo(THERE);
         assertThat(empty.simulation.addRobot("d", "c", new Pose2d(7, 3, 0))).isEqualTo(PLACED);
         assertThat(empty.system.addRobot(SimRun.robot("e", MODEL, THERE)))
-                .isEqualTo(new Placement.Refused("(e) does not fit at (5.00, 3.00): (c) is in the way."));
+                .isEqualTo(new Placement.Refused("'e' does not fit at (5.00, 3.00): 'c' is in the way."));
         assertThat(empty.system.addRobot(SimRun.robot("c", MODEL, new Pose2d(2, 3, 0))))
                 .isInstanceOf(Placement.Refused.class);
         assertThat(empty.system.addRobot(SimRun.anywhere("e", MODEL)))
-                .isEqualTo(new Placement.Refused("Robot (e) has no pose."));
+                .isEqualTo(new Placement.Refused("Robot 'e' has no pose."));
     }
 
     @Test
     void saysWhyARobotCantCome() {
-        refuses("a", "b", THERE, "Something else is called (a)");
-        refuses("wall", "b", THERE, "Something else is called (wall)");
+        refuses("a", "b", THERE, "Something else is called 'a'");
+        refuses("wall", "b", THERE, "Something else is called 'wall'");
         refuses(" ", "b", THERE, "from 1 to 100 letters");
         refuses("x".repeat(101), "b", THERE, "from 1 to 100 letters");
         refuses("c/d", "b", THERE, "slash");
-        refuses("c", "z", THERE, "There never was a robot (z)");
-        refuses("c", "a", new Pose2d(2.1, 3, 0), "(a) is in the way");
-        refuses("c", "a", new Pose2d(0.1, 3, 0), "(wall) is in the way");
+        refuses("c", "z", THERE, "There never was a robot 'z'");
+        refuses("c", "a", new Pose2d(2.1, 3, 0), "'a' is in the way");
+        refuses("c", "a", new Pose2d(0.1, 3, 0), "'wall' is in the way");
         refuses(
                 "c",
                 "a",

@@ -369,7 +369,7 @@ class SimFaultsTest {
                 .get()
                 .asString()
                 .contains("base, ");
-        assertThat(faults.refusal("r9", "laser", new Fault.Dead())).contains("There is no robot (r9).");
+        assertThat(faults.refusal("r9", "laser", new Fault.Dead())).contains("There is no robot 'r9'.");
         assertThatIllegalArgumentException().isThrownBy(() -> begin(pioneer, "r1", "laser", new Fault.MotorDead(0)));
     }
 

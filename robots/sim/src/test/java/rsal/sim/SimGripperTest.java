@@ -189,7 +189,7 @@ class SimGripperTest {
                 .hasSize(1)
                 .first()
                 .isInstanceOfSatisfying(
-                        Result.Stuck.class, stuck -> assertThat(stuck.why()).contains("no room for (can)", "(wall)"));
+                        Result.Stuck.class, stuck -> assertThat(stuck.why()).contains("no room for 'can'", "'wall'"));
         assertThat(state(run).holding()).isTrue();
         run.simulation.place("r1", new Pose2d(5, 2, 0));
         List<Result> again = endings(gripper(run).open());

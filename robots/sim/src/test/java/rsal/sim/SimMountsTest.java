@@ -266,7 +266,7 @@ class SimMountsTest {
         // the corner at the upper edge of the bar touches the can, 0.7 m from the joint: asin(0.15 / 0.7) before it
         double touch = Math.PI / 2 - Math.asin(0.15 / 0.7);
         assertThat(endings).singleElement().isInstanceOf(Actuator.Result.Stuck.class);
-        assertThat(endings.getFirst().toString()).contains("(can) is in its way.");
+        assertThat(endings.getFirst().toString()).contains("'can' is in its way.");
         double position = actuator(run, "arm").latest().orElseThrow().value().position();
         assertThat(position).isBetween(touch - 0.005, touch);
         assertContacts(run, "can");
@@ -316,7 +316,7 @@ class SimMountsTest {
         List<Actuator.Result> endings = goTo(run, 2.5);
         run.advance(0.3);
         assertThat(endings).singleElement().isInstanceOf(Actuator.Result.Stuck.class);
-        assertThat(endings.getFirst().toString()).contains("(shelf) is in its way.");
+        assertThat(endings.getFirst().toString()).contains("'shelf' is in its way.");
         assertThat(actuator(run, "arm").latest().orElseThrow().value().position())
                 .as("the bar is 0.2 m high")
                 .isBetween(0.699, 0.7);

@@ -56,7 +56,7 @@ class SimProviderTest {
     void namesAPlaceBesideARobotThatStandsInTheWay() {
         assertRefused(
                 "pose",
-                "would touch robot (r1). Maybe (2.55, 1.95), the nearest place with room?",
+                "would touch robot 'r1'. Maybe (2.55, 1.95), the nearest place with room?",
                 robot("r1", Models.box(), new Pose2d(2, 1.95, 0)),
                 robot("r2", Models.box(), new Pose2d(2.25, 1.95, 0)));
     }
@@ -73,7 +73,7 @@ class SimProviderTest {
     void refusesAStartInsideAnotherRobot() {
         assertRefused(
                 "pose",
-                "would touch robot (r1)",
+                "would touch robot 'r1'",
                 robot("r1", Models.box(), new Pose2d(2, 2, 0)),
                 robot("r2", Models.box(), new Pose2d(2.3, 2, 0)));
     }
@@ -89,7 +89,7 @@ class SimProviderTest {
 
     @Test
     void refusesARobotThatIsCalledWhatWallsAreCalledInContacts() {
-        assertRefused("id", "(wall)", robot("wall", Models.box(), new Pose2d(2, 2, 0)));
+        assertRefused("id", "'wall'", robot("wall", Models.box(), new Pose2d(2, 2, 0)));
     }
 
     @Test
@@ -178,6 +178,6 @@ class SimProviderTest {
     void settingsOutOfRangeAreRefused() {
         assertThatExceptionOfType(IllegalArgumentException.class)
                 .isThrownBy(() -> SimRun.of(ROOM, Map.of("step", 0.5)))
-                .withMessageContaining("(step) must be a number from 0.01 to 0.2 [s], not (0.5)");
+                .withMessageContaining("'step' must be a number from 0.01 to 0.2 [s], not '0.5'");
     }
 }

@@ -123,7 +123,7 @@ class SimSystemTest {
                 robot("r2", Models.box(), new Pose2d(5, 2, 0)));
         assertThat(run.simulation.place("r1", new Pose2d(5.2, 2, 0)))
                 .isInstanceOfSatisfying(
-                        Placement.Refused.class, r -> assertThat(r.why()).contains("(r2) is in the way"));
+                        Placement.Refused.class, r -> assertThat(r.why()).contains("'r2' is in the way"));
         assertThat(run.simulation.place("r1", new Pose2d(5.6, 2, 0))).isEqualTo(new Placement.Placed());
     }
 

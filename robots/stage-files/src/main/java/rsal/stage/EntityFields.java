@@ -114,7 +114,7 @@ final class EntityFields {
         }
         double number = Units.number(setting.value());
         Optional<Wrong> wrong = wrong(number, kind, bounds, setting.value());
-        wrong.ifPresent(it -> problem(name, "(%s) %s".formatted(name, it.message), it.remedy));
+        wrong.ifPresent(it -> problem(name, "'%s' %s".formatted(name, it.message), it.remedy));
         return wrong.isPresent() ? fallback : number * units.scale(kind);
     }
 
@@ -136,8 +136,8 @@ final class EntityFields {
             remedy = "Maybe %s, without the minus?".formatted(Units.plain(-number));
         } else if (kind != Units.Kind.NUMBER && scaled != 0) {
             remedy = kind == Units.Kind.LENGTH
-                    ? "Lengths are in %s here; maybe (unit_length) is wrong.".formatted(units.name(kind))
-                    : "Angles are in %s here; maybe (unit_angle) is wrong.".formatted(units.name(kind));
+                    ? "Lengths are in %s here; maybe 'unit_length' is wrong.".formatted(units.name(kind))
+                    : "Angles are in %s here; maybe 'unit_angle' is wrong.".formatted(units.name(kind));
         }
         return Optional.of(new Wrong(
                 "must be %s, not %s.".formatted(range(bounds, kind, scaled < bounds.min()), read.describe()), remedy));
@@ -180,7 +180,7 @@ final class EntityFields {
         }
         problem(
                 name,
-                "(%s) must be a whole number from %d to %d, not %s.".formatted(name, least, most, describe(name)),
+                "'%s' must be a whole number from %d to %d, not %s.".formatted(name, least, most, describe(name)),
                 "");
         return OptionalInt.empty();
     }
@@ -206,7 +206,7 @@ final class EntityFields {
         if (!options.contains(word)) {
             problem(
                     name,
-                    "There is no %s (%s).".formatted(name, WorldProblems.shortened(word)),
+                    "There is no %s '%s'.".formatted(name, WorldProblems.shortened(word)),
                     Suggestion.among(word, options));
             return fallback;
         }
@@ -236,7 +236,7 @@ final class EntityFields {
         if (items.size() < parts.size()) {
             problem(
                     name,
-                    "(%s) needs %d numbers, %s, but %s."
+                    "'%s' needs %d numbers, %s, but %s."
                             .formatted(
                                     name,
                                     parts.size(),
@@ -256,7 +256,7 @@ final class EntityFields {
             if (wrong.isPresent()) {
                 findings.error(
                         items.get(i).location(),
-                        "Value %d of (%s) %s".formatted(i + 1, name, wrong.get().message),
+                        "Value %d of '%s' %s".formatted(i + 1, name, wrong.get().message),
                         wrong.get().remedy);
                 return Optional.empty();
             }
@@ -292,7 +292,7 @@ final class EntityFields {
         }
         problem(
                 name,
-                "(%s) has its least value (%s) above its greatest (%s)."
+                "'%s' has its least value '%s' above its greatest '%s'."
                         .formatted(name, Units.plain(min / units.scale(kind)), Units.plain(max / units.scale(kind))),
                 min == 0 && max < 0
                         ? "Maybe %s, without the minus?".formatted(Units.plain(-max / units.scale(kind)))
@@ -335,7 +335,7 @@ final class EntityFields {
                                 : findings.maybe(family, known(), "");
                 findings.warn(
                         setting.location(),
-                        "(%s) is not known in %s and has no effect."
+                        "'%s' is not known in %s and has no effect."
                                 .formatted(WorldProblems.shortened(setting.name()), what),
                         remedy);
             }

@@ -98,7 +98,7 @@ final class KindReader {
         if (range.min() < 0) {
             fields.problem(
                     "range",
-                    "(range) must not begin below 0, not at (%s)."
+                    "'range' must not begin below 0, not at '%s'."
                             .formatted(units.written(Units.Kind.LENGTH, range.min())),
                     "Maybe [0 %s]?".formatted(units.written(Units.Kind.LENGTH, Math.abs(range.max()))));
         }
@@ -120,9 +120,9 @@ final class KindReader {
         if (noise[0] < 0) {
             fields.problem(
                     "noise",
-                    "The first value of (noise) is a variance and must not be negative, not (%s)."
+                    "The first value of 'noise' is a variance and must not be negative, not '%s'."
                             .formatted(units.written(Units.Kind.LENGTH, noise[0])),
-                    "Maybe it was meant to be (%s)?".formatted(units.written(Units.Kind.LENGTH, -noise[0])));
+                    "Maybe it was meant to be '%s'?".formatted(units.written(Units.Kind.LENGTH, -noise[0])));
         }
         return new RangeNoise(noise[0], noise[1], noise[2]);
     }
@@ -133,8 +133,8 @@ final class KindReader {
         if (count > names.size()) {
             fields.problem(
                     "colors_count",
-                    "(colors_count) is %d, but (colors) names %d.".formatted(count, names.size()),
-                    "Maybe (colors_count %d)?".formatted(names.size()));
+                    "'colors_count' is %d, but 'colors' names %d.".formatted(count, names.size()),
+                    "Maybe 'colors_count %d'?".formatted(names.size()));
             count = names.size();
         }
         var colors = new ArrayList<StageColor>();
@@ -183,7 +183,7 @@ final class KindReader {
         if (!word.equals(no) && !word.equals(yes)) {
             fields.problem(
                     "paddle_state",
-                    "(paddle_state) has (%s) where (%s) or (%s) was expected."
+                    "'paddle_state' has '%s' where '%s' or '%s' was expected."
                             .formatted(WorldProblems.shortened(word), no, yes),
                     "Write [\"open\" \"down\"] or the like.");
         }
@@ -196,7 +196,7 @@ final class KindReader {
             fields.findings()
                     .warn(
                             fields.entity().location(),
-                            "This bumper feels nothing: it has no (bcount).",
+                            "This bumper feels nothing: it has no 'bcount'.",
                             "Write bcount N, then bpose[0] [X Y Z A], blength[0] LENGTH and so on to the last, N - 1.");
         }
         double length = fields.notNegative("blength", Units.Kind.LENGTH, 0.1);
@@ -215,7 +215,7 @@ final class KindReader {
         double[] axis = fields.tuple("axis", Form.AXIS).orElseGet(() -> new double[] {1, 0, 0});
         double norm = Math.sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
         if (!(norm > 0)) {
-            fields.problem("axis", "(axis) must not be [0 0 0].", "Write [1 0 0] for forward, [0 0 1] for up.");
+            fields.problem("axis", "'axis' must not be [0 0 0].", "Write [1 0 0] for forward, [0 0 1] for up.");
             norm = 1;
         }
         double min = fields.scaled("min_position", kind, 0);

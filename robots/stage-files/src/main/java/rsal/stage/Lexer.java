@@ -105,7 +105,7 @@ final class Lexer {
         if (open.contains(file.path())) {
             findings.error(
                     at,
-                    "(%s) includes itself: %s.".formatted(file.path(), String.join(" → ", open) + " → " + file.path()),
+                    "'%s' includes itself: %s.".formatted(file.path(), String.join(" → ", open) + " → " + file.path()),
                     "Take one of these includes out.");
             return;
         }
@@ -164,7 +164,7 @@ final class Lexer {
         /// What means nothing, taken for what was probably meant.
         private void strange(char c) {
             if (strange.add(c)) { // one each is enough in a line
-                findings.error(here(), "(%s) means nothing here.".formatted(c), maybe(c));
+                findings.error(here(), "'%s' means nothing here.".formatted(c), maybe(c));
             }
             if (text.startsWith("//", next)) {
                 skipLine();
@@ -216,7 +216,7 @@ final class Lexer {
                 int code = text.charAt(at);
                 throw findings.fatal(
                         locationOf(at),
-                        "(%s) is no text file: there is a byte %d in it.".formatted(file, code),
+                        "'%s' is no text file: there is a byte %d in it.".formatted(file, code),
                         "Maybe it is another file, or one to be saved as UTF-8.");
             }
         }
@@ -295,7 +295,7 @@ final class Lexer {
             String path = text.substring(start, next);
             findings.error(
                     at,
-                    "(%s) stands without quotes.".formatted(WorldProblems.shortened(path)),
+                    "'%s' stands without quotes.".formatted(WorldProblems.shortened(path)),
                     "Maybe \"%s\" was meant? Texts stand in \" \".".formatted(WorldProblems.shortened(path)));
             add(new Token.Literal(at, path));
         }
@@ -337,7 +337,7 @@ final class Lexer {
             missing = true;
             findings.error(
                     at,
-                    begun ? "(include) does not close the name of its file." : "(include) names no file in quotes.",
+                    begun ? "'include' does not close the name of its file." : "'include' names no file in quotes.",
                     name.isEmpty() || name.indexOf('"') >= 0
                             ? "Write include \"FILE\" on one line."
                             : "Maybe include \"%s\"?".formatted(WorldProblems.shortened(name)));
@@ -368,7 +368,7 @@ final class Lexer {
                 wrong(
                         at,
                         digits + unit,
-                        "Units are not written here; unit_length and unit_angle tell those of all numbers.");
+                        "Units are not written here; unit_length and unit_angle give those of all numbers.");
             } else {
                 String read = begun(digits);
                 double value = parse(read);
@@ -395,7 +395,7 @@ final class Lexer {
         }
 
         private void wrong(Location at, String number, String remedy) {
-            findings.error(at, "(%s) is not a number.".formatted(WorldProblems.shortened(number)), remedy);
+            findings.error(at, "'%s' is not a number.".formatted(WorldProblems.shortened(number)), remedy);
             findings.spoil(at);
             add(new Token.Literal(at, 0L));
         }

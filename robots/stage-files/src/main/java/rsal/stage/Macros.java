@@ -71,7 +71,7 @@ final class Macros {
             if (!first.location.equals(location)) {
                 findings.warn(
                         location,
-                        "(%s) is defined again, without effect: its first definition counts, at %s."
+                        "'%s' is defined again, without effect: its first definition counts, at %s."
                                 .formatted(WorldProblems.shortened(name), first.location),
                         "Give one of them another name.");
             }
@@ -87,7 +87,7 @@ final class Macros {
         if (macro.depth > MAX_DEPTH) {
             throw findings.fatal(
                     location,
-                    "(%s) builds upon more than %d macros.".formatted(WorldProblems.shortened(name), MAX_DEPTH),
+                    "'%s' builds upon more than %d macros.".formatted(WorldProblems.shortened(name), MAX_DEPTH),
                     "Leave some out.");
         }
         macros.put(name, macro);
@@ -102,11 +102,11 @@ final class Macros {
             if (inCircles.addAll(circle)) {
                 findings.error(
                         macro.body.location(),
-                        "(%s) builds upon itself%s."
+                        "'%s' builds upon itself%s."
                                 .formatted(
                                         WorldProblems.shortened(name),
                                         circle.size() == 2 ? "" : ": " + String.join(" → ", circle)),
-                        "Write define NAME BASE ( ... ), BASE being a type such as (model) or (position).");
+                        "Write define NAME BASE ( ... ), BASE being a type such as 'model' or 'position'.");
             }
             if (!circle.isEmpty()) {
                 return;
@@ -117,7 +117,7 @@ final class Macros {
                     : "It is defined at %s; put that first.".formatted(later.location);
             findings.error(
                     macro.body.location(),
-                    "(%s) is neither a type nor a macro that is defined above."
+                    "'%s' is neither a type nor a macro that is defined above."
                             .formatted(WorldProblems.shortened(base)),
                     remedy);
         });
@@ -152,7 +152,7 @@ final class Macros {
         if (depth > MAX_EXPANDED_DEPTH) {
             throw findings.fatal(
                     written.location(),
-                    "(%s) is more than %d deep in macros."
+                    "'%s' is more than %d deep in macros."
                             .formatted(WorldProblems.shortened(written.name()), MAX_EXPANDED_DEPTH),
                     "Maybe macros hold each other.");
         }
@@ -190,7 +190,7 @@ final class Macros {
             if (macro.expanding) {
                 findings.error(
                         user.location(),
-                        "(%s) is part of its own definition at %s."
+                        "'%s' is part of its own definition at %s."
                                 .formatted(WorldProblems.shortened(user.name()), macro.location),
                         "Take it out there.");
                 return new WorldfileEntity(
@@ -208,7 +208,7 @@ final class Macros {
         if (size > MAX_ENTITIES) {
             throw findings.fatal(
                     written.location(),
-                    "(%s) would make more than %d entities."
+                    "'%s' would make more than %d entities."
                             .formatted(WorldProblems.shortened(written.name()), MAX_ENTITIES),
                     "Maybe macros hold each other many times.");
         }

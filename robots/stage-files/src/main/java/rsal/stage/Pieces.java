@@ -56,7 +56,7 @@ final class Pieces {
             if (rectangles.size() > MOST_RECTANGLES) {
                 throw findings.fatal(
                         model.location(),
-                        "The image of (%s) has more than %d pieces, too many for what is turned or moves."
+                        "The image of '%s' has more than %d pieces, too many for what is turned or moves."
                                 .formatted(WorldProblems.shortened(model.macro()), MOST_RECTANGLES),
                         "Use a simpler image, or turn the image itself.");
             }
@@ -116,7 +116,7 @@ final class Pieces {
                 if (hull.isPresent()) {
                     findings.warn(
                             model.location(),
-                            "A block of (%s) has an outline that meets itself; the outline around it is taken instead."
+                            "A block of '%s' has an outline that meets itself; the outline around it is taken instead."
                                     .formatted(WorldProblems.shortened(model.macro())),
                             "Write its points in order, each once, or make two blocks of it.");
                     return hull;

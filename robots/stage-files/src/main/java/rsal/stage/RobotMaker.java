@@ -167,7 +167,7 @@ public final class RobotMaker {
             } else {
                 findings.warn(
                         device.model().location(),
-                        "A part of (%s) is left out. %s"
+                        "A part of '%s' is left out. %s"
                                 .formatted(WorldProblems.shortened(base.macro()), String.join(" ", problems)),
                         "");
             }
@@ -219,7 +219,7 @@ public final class RobotMaker {
         }
         findings.warn(
                 base.location(),
-                "(%s) gets a plain drive. %s"
+                "'%s' gets a plain drive. %s"
                         .formatted(WorldProblems.shortened(base.macro()), String.join(" ", problems)),
                 "");
         return new Drive(

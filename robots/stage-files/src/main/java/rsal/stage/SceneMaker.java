@@ -87,7 +87,7 @@ final class SceneMaker {
                     warnings);
         } catch (MapPainter.TooLarge e) {
             throw new InvalidSettings(
-                    Location.of(path), String.valueOf(e.getMessage()), "Maybe a (pose) or a (unit_length) is wrong.");
+                    Location.of(path), String.valueOf(e.getMessage()), "Maybe a 'pose' or a 'unit_length' is wrong.");
         }
     }
 
@@ -108,7 +108,7 @@ final class SceneMaker {
         if (!possible.equals(wanted)) {
             findings.warn(
                     Location.of(path),
-                    "(interval_sim) is taken for %d ms.".formatted(possible.toMillis()),
+                    "'interval_sim' is taken for %d ms.".formatted(possible.toMillis()),
                     "Steps are from %d ms to %d ms.".formatted(SHORTEST_STEP.toMillis(), LONGEST_STEP.toMillis()));
         }
         return possible;
@@ -178,15 +178,15 @@ final class SceneMaker {
         if (energy.give() > 0 && body.isEmpty()) {
             findings.warn(
                     model.location(),
-                    "(give_watts) has no effect: nothing can touch (%s)."
+                    "'give_watts' has no effect: nothing can touch '%s'."
                             .formatted(WorldProblems.shortened(model.name())),
                     "Give it a body.");
         } else if (energy.give() > 0 && energy.stored().orElse(Double.POSITIVE_INFINITY) < Double.POSITIVE_INFINITY) {
             findings.warn(
                     model.location(),
-                    "What (%s) gives does not end when its (joules) have."
+                    "What '%s' gives does not end when its 'joules' have."
                             .formatted(WorldProblems.shortened(model.macro())),
-                    "Write (joules -1), which says so.");
+                    "Write 'joules -1', which says so.");
         }
     }
 

@@ -142,7 +142,7 @@ final class StageModelReader {
         if (!unique.equals(name)) {
             findings.warn(
                     location,
-                    "There is more than one model (%s); this one is called (%s) here."
+                    "There is more than one model '%s'; this one is called '%s' here."
                             .formatted(WorldProblems.shortened(name), WorldProblems.shortened(unique)),
                     "Give each a name of its own.");
         }
@@ -182,14 +182,14 @@ final class StageModelReader {
     }
 
     private void misplaced(WorldfileEntity entity, String remedy) {
-        findings.warn(entity.location(), "(%s) has no effect here.".formatted(entity.macro()), remedy);
+        findings.warn(entity.location(), "'%s' has no effect here.".formatted(entity.macro()), remedy);
     }
 
     /// Errors where the world would not be what its author meant, a warning where nothing else is lost.
     private void unknown(WorldfileEntity entity) {
         String type = WorldProblems.shortened(entity.type());
         String macro = WorldProblems.shortened(entity.macro());
-        String what = type.equals(macro) ? "(%s) is".formatted(type) : "(%s) is made of (%s),".formatted(macro, type);
+        String what = type.equals(macro) ? "'%s' is".formatted(type) : "'%s' is made of '%s',".formatted(macro, type);
         String replacement = Types.REPLACED.get(type);
         if (replacement != null) {
             findings.error(
@@ -206,10 +206,10 @@ final class StageModelReader {
     }
 
     private void guess(WorldfileEntity entity, String type) {
-        String message = "(%s) is neither a type nor a macro".formatted(type);
+        String message = "'%s' is neither a type nor a macro".formatted(type);
         Optional<String> close = findings.guess(type, file.known());
         if (close.isPresent()) {
-            findings.error(entity.location(), message + ".", "Maybe (%s) was meant?".formatted(close.get()));
+            findings.error(entity.location(), message + ".", "Maybe '%s' was meant?".formatted(close.get()));
         } else {
             findings.warn(
                     entity.location(),

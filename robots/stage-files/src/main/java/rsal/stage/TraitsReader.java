@@ -104,7 +104,7 @@ final class TraitsReader implements KindReader.Paint {
         if (size.x() == 0 || size.y() == 0) {
             findings.warn(
                     at,
-                    "What has this (size) has no body: nothing runs into it or sees it.",
+                    "What has this 'size' has no body: nothing runs into it or sees it.",
                     "Give it a length and a width, as [%s %s %s]."
                             .formatted(
                                     units.written(Units.Kind.LENGTH, 0.4),
@@ -176,8 +176,8 @@ final class TraitsReader implements KindReader.Paint {
                 findings.warn(
                         fields.locationOf("ctrl"),
                         parts[0].equals("wander")
-                                ? "Controller (wander) is for robots that have a ranger."
-                                : "Controller (%s) is a program for Stage and can't be loaded here."
+                                ? "Controller 'wander' is for robots that have a ranger."
+                                : "Controller '%s' is a program for Stage and can't be loaded here."
                                         .formatted(WorldProblems.shortened(parts[0])),
                         kind instanceof ModelKind.Position ? instead(fields.entity()) : "");
             }
@@ -204,7 +204,7 @@ final class TraitsReader implements KindReader.Paint {
         if (fields.has("bitmap") && file.isEmpty()) {
             findings.warn(
                     fields.locationOf("bitmap"),
-                    "(bitmap) names no file and has no effect.",
+                    "'bitmap' names no file and has no effect.",
                     "Name an image, or leave it out.");
         }
         file.flatMap(name -> bitmap(name, fields.locationOf("bitmap"))).ifPresent(builder::bitmap);
@@ -237,7 +237,7 @@ final class TraitsReader implements KindReader.Paint {
     private Optional<Block> block(EntityFields fields) {
         int count = fields.whole("points", 2, MOST_CORNERS).orElse(0);
         if (!fields.has("points")) {
-            fields.problem("points", "A block must say how many (points) it has.", howMany(fields));
+            fields.problem("points", "A block must say how many 'points' it has.", howMany(fields));
         }
         points += count;
         if (points > MAX_POINTS) {
@@ -252,9 +252,9 @@ final class TraitsReader implements KindReader.Paint {
             if (!fields.has(name)) {
                 fields.problem(
                         "points",
-                        "The block has no (%s), though (points) is %d.".formatted(name, count),
+                        "The block has no '%s', though 'points' is %d.".formatted(name, count),
                         fields.has("point[%d]".formatted(i + 1))
-                                ? "Write (%s [X Y]); they are counted from 0 on, without a gap.".formatted(name)
+                                ? "Write '%s [X Y]'; they are counted from 0 on, without a gap.".formatted(name)
                                 : howMany(fields));
                 break;
             }
@@ -275,7 +275,7 @@ final class TraitsReader implements KindReader.Paint {
         }
         return given < 2
                 ? "Write points N, then point[0] [X Y] and so on to the last, N - 1."
-                : "Maybe (points %d), as there are point[0] to point[%d]?".formatted(given, given - 1);
+                : "Maybe 'points %d', as there are point[0] to point[%d]?".formatted(given, given - 1);
     }
 
     private Optional<Bitmap> bitmap(String name, Location at) {
@@ -301,11 +301,11 @@ final class TraitsReader implements KindReader.Paint {
                         at, "The world's images have more than %d pixels.".formatted(MAX_PIXELS), "Use smaller ones.");
             }
             if (bitmap.solid().isEmpty()) {
-                findings.warn(at, "Image (%s) has no dark pixel, so nothing of it is solid.".formatted(path), "");
+                findings.warn(at, "Image '%s' has no dark pixel, so nothing of it is solid.".formatted(path), "");
             }
             return Optional.of(bitmap);
         } catch (BitmapReader.Unreadable e) {
-            findings.error(at, "Image (%s) can't be read: %s.".formatted(path, e.why()), e.remedy());
+            findings.error(at, "Image '%s' can't be read: %s.".formatted(path, e.why()), e.remedy());
             return Optional.empty();
         }
     }
@@ -328,7 +328,7 @@ final class TraitsReader implements KindReader.Paint {
         if (color.isEmpty()) {
             findings.warn(
                     at,
-                    "There is no color (%s).".formatted(WorldProblems.shortened(name)),
+                    "There is no color '%s'.".formatted(WorldProblems.shortened(name)),
                     findings.maybe(name, StageColor.names(), "Stage would take red."));
         }
         return color;

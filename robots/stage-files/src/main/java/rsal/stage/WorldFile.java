@@ -138,7 +138,7 @@ public record WorldFile(WorldfileEntity root, Set<String> known, boolean complet
             } else {
                 findings.error(
                         word.location(),
-                        "(%s) has no value.".formatted(WorldProblems.shortened(word.text())),
+                        "'%s' has no value.".formatted(WorldProblems.shortened(word.text())),
                         after instanceof Token.Word value && onLine(after, word) ? meant(word, value) : "");
                 skipLine(word);
             }
@@ -149,7 +149,7 @@ public record WorldFile(WorldfileEntity root, Set<String> known, boolean complet
             String name = "%s[%s]".formatted(word.text(), index);
             findings.error(
                     word.location(),
-                    "A blank stands between (%s) and its index.".formatted(WorldProblems.shortened(word.text())),
+                    "A blank stands between '%s' and its index.".formatted(WorldProblems.shortened(word.text())),
                     "Maybe %s was meant?".formatted(WorldProblems.shortened(name)));
             Token opening = tokens.get(next++);
             settings.put(name, new Setting(name, word.location(), tuple(word, opening)));
@@ -163,14 +163,14 @@ public record WorldFile(WorldfileEntity root, Set<String> known, boolean complet
                 return "Models are written as %s ( ... ).".formatted(WorldProblems.shortened(name.text()));
             }
             if (Suggestion.closest(name.text(), List.of("define")).isPresent() && third instanceof Token.Word) {
-                return "Maybe (define) was meant?";
+                return "Maybe 'define' was meant?";
             }
             return Units.flag(word).orElseGet(() -> {
                 if (isInfinite(word)) {
                     return FINITE;
                 }
                 return third instanceof Token.Literal || (third != null && Token.isBracket(third, '['))
-                        ? "Write one before (%s).".formatted(WorldProblems.shortened(word))
+                        ? "Write one before '%s'.".formatted(WorldProblems.shortened(word))
                         : "Maybe \"%s\" was meant? Texts stand in \" \".".formatted(word);
             });
         }
@@ -189,7 +189,7 @@ public record WorldFile(WorldfileEntity root, Set<String> known, boolean complet
             if (values.size() > 1) {
                 findings.error(
                         name.location(),
-                        "(%s) has %d values.".formatted(WorldProblems.shortened(name.text()), values.size()),
+                        "'%s' has %d values.".formatted(WorldProblems.shortened(name.text()), values.size()),
                         "Several stand in [ ]: %s [%s]."
                                 .formatted(name.text(), WorldProblems.shortened(String.join(" ", values))));
                 findings.spoil(name.location());
@@ -202,8 +202,8 @@ public record WorldFile(WorldfileEntity root, Set<String> known, boolean complet
                     && Suggestion.closest(name.text(), List.of("include")).isPresent()) {
                 findings.error(
                         name.location(),
-                        "(%s) is not known in a world.".formatted(WorldProblems.shortened(name.text())),
-                        "Maybe (include) was meant?");
+                        "'%s' is not known in a world.".formatted(WorldProblems.shortened(name.text())),
+                        "Maybe 'include' was meant?");
                 incomplete = true;
             }
         }
@@ -213,7 +213,7 @@ public record WorldFile(WorldfileEntity root, Set<String> known, boolean complet
             if (depth > Macros.MAX_DEPTH) {
                 throw findings.fatal(
                         location,
-                        "(%s) is more than %d deep in others."
+                        "'%s' is more than %d deep in others."
                                 .formatted(WorldProblems.shortened(name), Macros.MAX_DEPTH),
                         "Maybe a ) is missing.");
             }
@@ -225,7 +225,7 @@ public record WorldFile(WorldfileEntity root, Set<String> known, boolean complet
                 if (token instanceof Token.Word word && word.text().equals("define")) {
                     findings.error(
                             token.location(),
-                            "(define) can't stand inside of (%s).".formatted(WorldProblems.shortened(name)),
+                            "'define' can't stand inside of '%s'.".formatted(WorldProblems.shortened(name)),
                             "Maybe a ) is missing above; else put the definition first.");
                     next++;
                     define(word);
@@ -244,10 +244,10 @@ public record WorldFile(WorldfileEntity root, Set<String> known, boolean complet
                 if (closed) {
                     findings.error(
                             opening.location(),
-                            "The ( of (%s) is not closed.".formatted(WorldProblems.shortened(name)),
+                            "The ( of '%s' is not closed.".formatted(WorldProblems.shortened(name)),
                             atMargin == null
                                     ? "Close it with )."
-                                    : "Close it with ), maybe before (%s) at %s."
+                                    : "Close it with ), maybe before '%s' at %s."
                                             .formatted(WorldProblems.shortened(atMargin.text()), atMargin.location()));
                 }
             } else {
@@ -265,7 +265,7 @@ public record WorldFile(WorldfileEntity root, Set<String> known, boolean complet
             if (!whole) {
                 findings.error(
                         define.location(),
-                        "(define) is incomplete.",
+                        "'define' is incomplete.",
                         "Write define NAME BASE ( ... ), BASE being a type or a macro that is defined above.");
                 skipLine(define);
                 return;
@@ -292,7 +292,7 @@ public record WorldFile(WorldfileEntity root, Set<String> known, boolean complet
             } else if (next < tokens.size() && tokens.get(next) instanceof Token.Word word && onLine(word, opening)) {
                 findings.error(
                         word.location(),
-                        "(%s) can't stand in a tuple.".formatted(WorldProblems.shortened(word.text())),
+                        "'%s' can't stand in a tuple.".formatted(WorldProblems.shortened(word.text())),
                         isInfinite(word.text())
                                 ? FINITE
                                 : "Maybe \"%s\" was meant, or a ] is missing before it.".formatted(word.text()));
@@ -343,7 +343,7 @@ public record WorldFile(WorldfileEntity root, Set<String> known, boolean complet
         }
 
         private static String quoted(Token token) {
-            return token instanceof Token.Literal ? token.text() : "(" + WorldProblems.shortened(token.text()) + ")";
+            return token instanceof Token.Literal ? token.text() : "'" + WorldProblems.shortened(token.text()) + "'";
         }
     }
 }

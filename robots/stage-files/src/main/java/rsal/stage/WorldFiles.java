@@ -119,7 +119,7 @@ public final class WorldFiles {
 
     private static String guess(String path, Collection<String> known, String otherwise) {
         return Suggestion.closest(lastName(path), known)
-                .map(file -> "Maybe (%s) was meant?".formatted(file))
+                .map(file -> "Maybe '%s' was meant?".formatted(file))
                 .orElse(otherwise);
     }
 

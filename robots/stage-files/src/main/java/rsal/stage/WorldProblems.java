@@ -81,7 +81,7 @@ public final class WorldProblems {
     /// A guess as a sentence.
     public String maybe(String read, Collection<String> known, String otherwise) {
         return guess(read, known)
-                .map(word -> "Maybe (%s) was meant?".formatted(word))
+                .map(word -> "Maybe '%s' was meant?".formatted(word))
                 .orElse(otherwise);
     }
 

@@ -37,7 +37,7 @@ class ConversionTest {
                     ? written.yaml().getBytes(StandardCharsets.UTF_8)
                     : written.images().get(path);
             if (bytes == null) {
-                throw new InvalidSettings(askedAt, "There is no file (%s).".formatted(path), "");
+                throw new InvalidSettings(askedAt, "There is no file '%s'.".formatted(path), "");
             }
             return bytes;
         };

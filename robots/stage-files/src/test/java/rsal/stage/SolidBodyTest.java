@@ -175,7 +175,7 @@ class SolidBodyTest {
         var worlds = Worlds.of("model ( bitmap \"plan.pgm\" )").andImage("plan.pgm", "...");
         assertThat(worlds.model().traits().body().isEmpty()).isTrue();
         assertThat(worlds.warnings())
-                .containsExactly("test.world:1:9: Image (plan.pgm) has no dark pixel, so nothing of it is solid.");
+                .containsExactly("test.world:1:9: Image 'plan.pgm' has no dark pixel, so nothing of it is solid.");
     }
 
     private static SolidBody body(String text) {

@@ -70,9 +70,9 @@ class StageFormatTest {
         assertThat(warnings(scene))
                 .satisfiesExactly(
                         wall -> assertThat(wall)
-                                .startsWith("test.world:4:1: Robot (in-wall) starts inside a wall.\n    Give"),
-                        box -> assertThat(box).startsWith("test.world:5:1: Robot (in-box) starts inside (box)."),
-                        robot -> assertThat(robot).startsWith("test.world:9:1: Robot (second) starts inside (first)."));
+                                .startsWith("test.world:4:1: Robot 'in-wall' starts inside a wall.\n    Give"),
+                        box -> assertThat(box).startsWith("test.world:5:1: Robot 'in-box' starts inside 'box'."),
+                        robot -> assertThat(robot).startsWith("test.world:9:1: Robot 'second' starts inside 'first'."));
     }
 
     /// Too large to be told in rectangles.
@@ -109,7 +109,7 @@ class StageFormatTest {
     void stepsThatCanNotBeAreChangedWithAWarning() {
         Scene scene = scene("interval_sim 1");
         assertThat(scene.step()).contains(Duration.ofMillis(10));
-        assertThat(warnings(scene)).singleElement().asString().contains("(interval_sim)", "10 ms");
+        assertThat(warnings(scene)).singleElement().asString().contains("'interval_sim'", "10 ms");
     }
 
     @Test
@@ -386,11 +386,11 @@ class StageFormatTest {
         assertThat(warnings(scene).getFirst())
                 .asString()
                 .startsWith("test.world:1:")
-                .contains("(joules)");
+                .contains("'joules'");
         assertThat(warnings(scene).getLast())
                 .asString()
                 .startsWith("test.world:2:")
-                .contains("(give_watts)");
+                .contains("'give_watts'");
     }
 
     @Test

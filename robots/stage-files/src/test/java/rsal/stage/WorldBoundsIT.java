@@ -11,11 +11,11 @@ import org.junit.jupiter.api.Test;
 class WorldBoundsIT {
     @Test
     void deepNesting() {
-        refused("model ( ".repeat(100_000), "(model) is more than 64 deep in others.");
-        refused("model ( ".repeat(5000) + ") ".repeat(5000), "(model) is more than 64 deep in others.");
-        refused("define a ".repeat(100_000), "(define) is incomplete.");
+        refused("model ( ".repeat(100_000), "'model' is more than 64 deep in others.");
+        refused("model ( ".repeat(5000) + ") ".repeat(5000), "'model' is more than 64 deep in others.");
+        refused("define a ".repeat(100_000), "'define' is incomplete.");
         refused("( ".repeat(100_000), "Here a name was expected, not (().");
-        refused("a [ ".repeat(100_000), "(a) can't stand in a tuple.");
+        refused("a [ ".repeat(100_000), "'a' can't stand in a tuple.");
     }
 
     @Test
@@ -24,7 +24,7 @@ class WorldBoundsIT {
         for (int i = 1; i < 1000; i++) {
             text.append("define a%d a%d ( mass %d )\n".formatted(i, i - 1, i));
         }
-        refused(text.toString(), "(a65) builds upon more than 64 macros.");
+        refused(text.toString(), "'a65' builds upon more than 64 macros.");
     }
 
     @Test

@@ -135,7 +135,7 @@ class WorldFileTest {
                 """);
         assertThat(worlds.model().traits().mass()).isEqualTo(1);
         assertThat(worlds.warnings())
-                .containsExactly("test.world:2:8: (a) is defined again, without effect: its first definition counts,"
+                .containsExactly("test.world:2:8: 'a' is defined again, without effect: its first definition counts,"
                         + " at test.world:1:8.\n    Give one of them another name.");
     }
 
@@ -167,8 +167,8 @@ class WorldFileTest {
         var worlds = Worlds.of("include \"a.inc\"\n\na ( nonsense 2 )").and("a.inc", "\ndefine a model ( rubbish 1 )");
         assertThat(worlds.warnings())
                 .containsExactly(
-                        "a.inc:2:18: (rubbish) is not known in a model and has no effect.",
-                        "test.world:3:5: (nonsense) is not known in a model and has no effect.");
+                        "a.inc:2:18: 'rubbish' is not known in a model and has no effect.",
+                        "test.world:3:5: 'nonsense' is not known in a model and has no effect.");
         assertThat(worlds.model().location()).isEqualTo(new Location("test.world", 3, 1));
     }
 

@@ -75,8 +75,8 @@ class WorldFilesTest {
         write("worlds/robots/cart.inc", "");
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> StageWorld.read(world, WorldFiles.onDisk(List.of())))
-                .withMessage(world + ":1:1: There is no file (" + temp.resolve("worlds/robots/crat.inc")
-                        + ").\n    Maybe (cart.inc) was meant?");
+                .withMessage(world + ":1:1: There is no file '" + temp.resolve("worlds/robots/crat.inc")
+                        + "'.\n    Maybe 'cart.inc' was meant?");
     }
 
     @Test
@@ -85,7 +85,7 @@ class WorldFilesTest {
         String slip = temp.resolve("worlds/b.world").toString();
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> StageWorld.read(slip, WorldFiles.onDisk(List.of())))
-                .withMessage(slip + ": There is no file (" + slip + ").\n    Maybe (a.world) was meant?");
+                .withMessage(slip + ": There is no file '" + slip + "'.\n    Maybe 'a.world' was meant?");
     }
 
     @Test
@@ -97,10 +97,10 @@ class WorldFilesTest {
                         .extracting(
                                 problem -> problem.location().line() + " " + problem.message() + " " + problem.remedy())
                         .containsExactly(
-                                "1 (%s) is a folder, not a file. Name a file in it."
+                                "1 '%s' is a folder, not a file. Name a file in it."
                                         .formatted(temp.resolve("worlds/robots")),
-                                "2 (%s) is a folder, not a file. Name a file in it.".formatted(temp.resolve("worlds")),
-                                "3 (%s) is a folder, not a file. Name a file in it."
+                                "2 '%s' is a folder, not a file. Name a file in it.".formatted(temp.resolve("worlds")),
+                                "3 '%s' is a folder, not a file. Name a file in it."
                                         .formatted(temp.resolve("worlds"))));
     }
 
@@ -109,13 +109,13 @@ class WorldFilesTest {
         write("worlds/a.world", "#".repeat(Lexer.MAX_BYTES + 1));
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> StageWorld.read(world, WorldFiles.onDisk(List.of())))
-                .withMessage(world + ": File (" + world + ") has more than 16 MiB, and no more is read.\n"
+                .withMessage(world + ": File '" + world + "' has more than 16 MiB, and no more is read.\n"
                         + "    Maybe it is another kind of file.");
         write("worlds/b.world", "include \"a.world\"");
         String including = temp.resolve("worlds/b.world").toString();
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> StageWorld.read(including, WorldFiles.onDisk(List.of())))
-                .withMessage(including + ":1:1: File (" + world + ") has more than 16 MiB, and no more is read.\n"
+                .withMessage(including + ":1:1: File '" + world + "' has more than 16 MiB, and no more is read.\n"
                         + "    Maybe it is another kind of file.");
     }
 
@@ -125,7 +125,7 @@ class WorldFilesTest {
         write("shared/wheel.inc", "define wheel model ( mass 4 )");
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> StageWorld.read("a.world", WorldFiles.in(FileSource.folder(temp.resolve("worlds")))))
-                .withMessageStartingWith("a.world:1:1: (../shared/wheel.inc) lies outside of");
+                .withMessageStartingWith("a.world:1:1: '../shared/wheel.inc' lies outside of");
     }
 
     private double mass(List<String> searchPath) {

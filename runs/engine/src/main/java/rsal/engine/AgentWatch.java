@@ -55,7 +55,7 @@ final class AgentWatch {
 
     private RunBroken broken(String agent) {
         return new RunBroken(
-                "Agent (%s) has not returned for %d s; it is in %s. Nothing in an agent may block: maybe use its scheduler, or a CompletionStage."
+                "Agent '%s' has not returned for %d s; it is in %s. Nothing in an agent may block: maybe use its scheduler, or a CompletionStage."
                         .formatted(agent, patience, place(turns.thread(agent))));
     }
 

@@ -45,6 +45,6 @@ record FinalState(
 
     private static Answer known(Map<String, Answer> all, String name) {
         return Optional.ofNullable(all.get(name))
-                .orElseGet(() -> new Answer.Refused("The run is over, and had no (%s).".formatted(name)));
+                .orElseGet(() -> new Answer.Refused("The run is over, and had no '%s'.".formatted(name)));
     }
 }

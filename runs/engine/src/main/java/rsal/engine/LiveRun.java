@@ -6,7 +6,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import rsal.device.Subscription;
-import rsal.engine.report.Metrics;
+import rsal.engine.report.Performance;
 import rsal.engine.report.RunEvent;
 import rsal.engine.report.RunResult;
 import rsal.engine.report.SentGoal;
@@ -84,7 +84,7 @@ public final class LiveRun implements AutoCloseable {
     /// @throws IllegalArgumentException when it is not positive
     public void speed(double factor) {
         if (!(factor > 0)) {
-            throw new IllegalArgumentException("A speed must be positive, not (%s).".formatted(factor));
+            throw new IllegalArgumentException("A speed must be positive, not '%s'.".formatted(factor));
         }
         if (loop.isSimulated()) {
             loop.speed(factor);
@@ -149,9 +149,9 @@ public final class LiveRun implements AutoCloseable {
     }
 
     /// What the run has counted so far; also when it has ended. Never waits for the run.
-    public Metrics metrics() {
+    public Performance performance() {
         snapshot(); // asks for a newer one
-        return loop.metrics();
+        return loop.performance();
     }
 
     /// Has the run remember what was said all the time, in 16 MB; and, once it ends, what its [#inspector]

@@ -60,9 +60,9 @@ public final class OperatorCommands {
 
     /// In the order in which people read them.
     public static final List<OperatorCommand> ALL = List.of(
-            control("pause", "Lets time stand still. A run in real time goes on.", LiveRun::pause),
+            control("pause", "Pauses simulated time. A run in real time can't be paused.", LiveRun::pause),
             control("resume", "Lets time go on.", LiveRun::resume),
-            control("step", "Goes on for one step while the run is paused.", LiveRun::step),
+            control("step", "Runs one step while the run is paused.", LiveRun::step),
             command(
                     "speed",
                     "Sets how fast simulated time goes.",
@@ -78,7 +78,7 @@ public final class OperatorCommands {
                     (run, given) -> run.operator().goTo(given.get(ROBOT), pose(given))),
             command(
                     "behavior",
-                    "Has a robot do something until it is told something else.",
+                    "Has a robot do something until its next command.",
                     List.of(ROBOT, BEHAVIOR),
                     Answer.Done.class,
                     (run, given) -> run.operator().behave(given.get(ROBOT), given.get(BEHAVIOR))),
@@ -106,7 +106,7 @@ public final class OperatorCommands {
                     (run, _) -> run.operator().estop()),
             command(
                     "rearm",
-                    "Switches the motors on after an emergency stop, but for robots that were switched off alone.",
+                    "Switches the motors on after an emergency stop, except of robots that were switched off one by one.",
                     List.of(),
                     Answer.Armed.class,
                     (run, _) -> run.operator().rearm()),
@@ -121,13 +121,13 @@ public final class OperatorCommands {
                             : run.operator().stop(given.get(ROBOT))),
             command(
                     "place",
-                    "Puts a robot, or a thing, elsewhere in the simulated world. Its localizer is told.",
+                    "Moves a robot, or a thing, in the simulated world. Its localizer gets the new pose.",
                     List.of(ENTITY, X, Y, HEADING),
                     Answer.Done.class,
                     (run, given) -> run.operator().place(given.get(ENTITY), pose(given))),
             command(
                     "believe",
-                    "Tells a robot's localizer where the robot is. The robot itself stays where it is.",
+                    "Sets the pose that a robot's localizer believes. The robot itself does not move.",
                     List.of(ROBOT, X, Y, HEADING),
                     Answer.Done.class,
                     (run, given) -> run.operator().believe(given.get(ROBOT), pose(given))),
@@ -243,7 +243,7 @@ public final class OperatorCommands {
         String name = given.get(DRIVER);
         if (name.isBlank() || name.length() > LONGEST_NAME) {
             throw new IllegalArgumentException(
-                    "(driver) must have 1 to %d characters, not %d.".formatted(LONGEST_NAME, name.length()));
+                    "'driver' must have 1 to %d characters, not %d.".formatted(LONGEST_NAME, name.length()));
         }
         return name;
     }

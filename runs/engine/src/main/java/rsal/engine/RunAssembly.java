@@ -293,7 +293,7 @@ final class RunAssembly implements AutoCloseable {
     Answer inside(String agent, long now) {
         return agents.inside(agent, now)
                 .<Answer>map(Answer.Seen::new)
-                .orElseGet(() -> new Answer.Refused("There is no agent (%s).".formatted(agent)));
+                .orElseGet(() -> new Answer.Refused("There is no agent '%s'.".formatted(agent)));
     }
 
     /// @param now in real time [ns]
@@ -328,13 +328,13 @@ final class RunAssembly implements AutoCloseable {
     Answer addAgent(String like, String robot) {
         Optional<PlannedAgent> example = agents.planned(like);
         if (example.isEmpty()) {
-            return new Answer.Refused("There is no agent (%s).".formatted(like));
+            return new Answer.Refused("There is no agent '%s'.".formatted(like));
         }
         if (example.get().robot().isPresent() == robot.isEmpty()) {
             return new Answer.Refused(
                     robot.isEmpty()
-                            ? "Agent (%s) has a robot, and another one like it needs one.".formatted(like)
-                            : "Agent (%s) has no robot, and neither has another one like it.".formatted(like));
+                            ? "Agent '%s' has a robot, and another one like it needs one.".formatted(like)
+                            : "Agent '%s' has no robot, and neither has another one like it.".formatted(like));
         }
         if (!robot.isEmpty() && !team.has(robot)) {
             return world.unknown(robot);
@@ -375,7 +375,7 @@ final class RunAssembly implements AutoCloseable {
     Answer startAgent(String name) {
         return agents.planned(name)
                 .map(agent -> agents.start(agent, "started again", new Answer.Done()))
-                .orElseGet(() -> new Answer.Refused("There is no agent (%s).".formatted(name)));
+                .orElseGet(() -> new Answer.Refused("There is no agent '%s'.".formatted(name)));
     }
 
     Answer stopAgent(String name) {

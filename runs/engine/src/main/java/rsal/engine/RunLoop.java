@@ -36,7 +36,7 @@ import rsal.engine.event.Viewers;
 import rsal.engine.metric.MetricsObserver;
 import rsal.engine.operator.SentGoals;
 import rsal.engine.report.Answer;
-import rsal.engine.report.Metrics;
+import rsal.engine.report.Performance;
 import rsal.engine.report.RunBroken;
 import rsal.engine.report.RunObserver;
 import rsal.engine.report.RunResult;
@@ -171,8 +171,8 @@ final class RunLoop {
     }
 
     /// What it has counted so far. Any thread may ask.
-    Metrics metrics() {
-        return new Metrics(
+    Performance performance() {
+        return new Performance(
                 snapshots.newest().time(),
                 stepTimes.soFar(),
                 byPhase(phaseTimes::of),

@@ -84,14 +84,14 @@ final class RunReporter {
     static RunResult result(
             RunPlan plan,
             String outcome,
-            MetricsObserver metrics,
+            MetricsObserver observer,
             double wallSeconds,
             EventLog eventLog,
             @Nullable RunAssembly assembly) {
-        var measures = new LinkedHashMap<String, OptionalDouble>();
+        var metrics = new LinkedHashMap<String, OptionalDouble>();
         var outOfBounds = new ArrayList<String>();
-        for (MetricsObserver.Finding finding : metrics.findings()) {
-            measures.put(finding.name(), finding.value());
+        for (MetricsObserver.Finding finding : observer.findings()) {
+            metrics.put(finding.name(), finding.value());
             if (!finding.inBounds()) {
                 outOfBounds.add(finding.name());
             }
@@ -101,10 +101,10 @@ final class RunReporter {
                 plan.configuration(),
                 plan.seed(),
                 outcome,
-                metrics.time(),
+                observer.time(),
                 wallSeconds,
                 eventLog.finish(),
-                measures,
+                metrics,
                 outOfBounds,
                 assembly == null ? Map.of() : assembly.poses(),
                 assembly == null ? Map.of() : assembly.failedAgents(),

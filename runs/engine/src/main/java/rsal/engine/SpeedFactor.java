@@ -25,7 +25,7 @@ public final class SpeedFactor {
             // refused below, with the right words
         }
         throw new IllegalArgumentException(
-                "A speed is a number from %s to %s, or max; not (%s).".formatted(LEAST, (int) GREATEST, typed));
+                "A speed is a number from %s to %s, or max; not '%s'.".formatted(LEAST, (int) GREATEST, typed));
     }
 
     /// As one would type it.

@@ -114,11 +114,11 @@ class AgentsByHandTest {
     @Test
     void whoCantBeMadeIsRefused() throws Exception {
         assertThat(answer(run.operator().addAgent("zoe", "")))
-                .isEqualTo(new Answer.Refused("There is no agent (zoe)."));
+                .isEqualTo(new Answer.Refused("There is no agent 'zoe'."));
         assertThat(answer(run.operator().addAgent("amy", "")))
-                .isEqualTo(new Answer.Refused("Agent (amy) has a robot, and another one like it needs one."));
+                .isEqualTo(new Answer.Refused("Agent 'amy' has a robot, and another one like it needs one."));
         assertThat(answer(run.operator().addAgent("base", "west")))
-                .isEqualTo(new Answer.Refused("Agent (base) has no robot, and neither has another one like it."));
+                .isEqualTo(new Answer.Refused("Agent 'base' has no robot, and neither has another one like it."));
         assertThat(answer(run.operator().addAgent("amy", "north"))).isInstanceOf(Answer.Refused.class);
         assertThat(byHand()).isEmpty();
     }
@@ -138,12 +138,12 @@ class AgentsByHandTest {
     @Test
     void whatCantBeStartedSaysWhy() throws Exception {
         assertThat(whyNot("wonder", "east", Map.of()))
-                .startsWith("There is no type (wonder) of agents. Maybe (wander)");
-        assertThat(whyNot("wander", "north", Map.of())).contains("(north)");
-        assertThat(whyNot("wander", "", Map.of())).isEqualTo("Agents (wander) need a robot that they act for.");
-        assertThat(whyNot("wander", "east", Map.of("hurry", "1"))).contains("(hurry) is not known here");
-        assertThat(whyNot("follow", "east", Map.of("period", "soon"))).contains("(period) must be");
-        assertThat(whyNot("witness", "", Map.of("of", "nobody"))).contains("(of) must be", "not (nobody)");
+                .startsWith("There is no type 'wonder' of agents. Maybe 'wander'");
+        assertThat(whyNot("wander", "north", Map.of())).contains("'north'");
+        assertThat(whyNot("wander", "", Map.of())).isEqualTo("Agents 'wander' need a robot that they act for.");
+        assertThat(whyNot("wander", "east", Map.of("hurry", "1"))).contains("'hurry' is not known here");
+        assertThat(whyNot("follow", "east", Map.of("period", "soon"))).contains("'period' must be");
+        assertThat(whyNot("witness", "", Map.of("of", "nobody"))).contains("'of' must be", "not 'nobody'");
         assertThat(byHand()).isEmpty();
     }
 
@@ -153,14 +153,14 @@ class AgentsByHandTest {
 
     @Test
     void oneThatWasStoppedStartsAgain() throws Exception {
-        assertThat(answer(run.operator().startAgent("amy"))).isEqualTo(new Answer.Refused("Agent (amy) runs already."));
+        assertThat(answer(run.operator().startAgent("amy"))).isEqualTo(new Answer.Refused("Agent 'amy' runs already."));
         assertThat(answer(run.operator().stopAgent("amy"))).isEqualTo(new Answer.Done());
         assertThat(status("amy")).isEqualTo(AgentPlatform.Status.ENDED);
         assertThat(answer(run.operator().stopAgent("amy")))
-                .isEqualTo(new Answer.Refused("Agent (amy) does not run. Maybe start it again."));
+                .isEqualTo(new Answer.Refused("Agent 'amy' does not run. Maybe start it again."));
         assertThat(answer(run.operator().startAgent("amy"))).isEqualTo(new Answer.Done());
         assertThat(status("amy")).isEqualTo(AgentPlatform.Status.RUNNING);
-        assertThat(answer(run.operator().startAgent("zoe"))).isEqualTo(new Answer.Refused("There is no agent (zoe)."));
+        assertThat(answer(run.operator().startAgent("zoe"))).isEqualTo(new Answer.Refused("There is no agent 'zoe'."));
         assertThat(byHand()).containsExactly("amy stopped", "amy started again");
     }
 
@@ -200,7 +200,7 @@ class AgentsByHandTest {
     @Test
     void whatIsNoMessageIsRefused() throws Exception {
         assertThat(answer(run.operator().say("zoe", "text", Map.of("words", "hi"))))
-                .isEqualTo(new Answer.Refused("There is no agent (zoe)."));
+                .isEqualTo(new Answer.Refused("There is no agent 'zoe'."));
         assertThat(answer(run.operator().say("amy", "nothing", Map.of()))).isInstanceOf(Answer.Refused.class);
         assertThat(answer(run.operator().say("amy", "victim-helped", Map.of("victim", "one"))))
                 .isInstanceOf(Answer.Refused.class);

@@ -207,8 +207,8 @@ class ComingTest {
                 .extracting(RunEvent::text)
                 .startsWith("added at (-8.00, -1.00, 0°)")
                 .doesNotContain("is there");
-        refuses(run.operator().newRobot("pioneer3at", new Pose2d(-4, -1, 0)), "(pioneer3at-2) is in the way");
-        refuses(run.operator().newRobot("pioneer", THERE), "There is no robot model (pioneer).");
+        refuses(run.operator().newRobot("pioneer3at", new Pose2d(-4, -1, 0)), "'pioneer3at-2' is in the way");
+        refuses(run.operator().newRobot("pioneer", THERE), "There is no robot model 'pioneer'.");
     }
 
     /// Its agent has a navigator, but wants nothing of people's orders.
@@ -218,7 +218,7 @@ class ComingTest {
         String navigating = Runs.TWO_WANDERERS
                 .replace("error: 0.2}}", "error: 0}, navigator: {}}")
                 .replace(
-                        "{type: quitter, robot: prey, args: {caughtAfter: $caughtAfter, by: hunter-1, distance: 30}}",
+                        "{type: quitter, robot: prey, parameters: {caughtAfter: $caughtAfter, by: hunter-1, distance: 30}}",
                         "{type: chatter, robot: prey}")
                 .replace("time >= 20", "time >= 90");
         run = LiveRun.start(Runs.plan(folder, navigating, RunOptions.NONE.withSpeed(20)));
@@ -234,19 +234,19 @@ class ComingTest {
     @Test
     void saysWhyNot() {
         refuses(run.operator().add(PlacedThing.BOX, new Pose2d(-1000, 0, 0)), "outside");
-        refuses(run.operator().add(PlacedThing.BOX, new Pose2d(-31.4, -7.7, 0)), "(wall) is in the way");
+        refuses(run.operator().add(PlacedThing.BOX, new Pose2d(-31.4, -7.7, 0)), "'wall' is in the way");
         refuses(
                 run.operator().addRobot("nobody", THERE),
-                "There is no (nobody); there are the robots [prey, hunter-1]");
-        refuses(run.operator().addRobot("prey", new Pose2d(-31.4, -7.7, 0)), "(wall) is in the way");
-        refuses(run.operator().remove("nobody"), "There is no (nobody)");
-        refuses(run.operator().place("nobody", THERE), "There is no (nobody)");
-        refuses(run.operator().believe("nobody", THERE), "There is no (nobody)");
+                "There is no 'nobody'; there are the robots [prey, hunter-1]");
+        refuses(run.operator().addRobot("prey", new Pose2d(-31.4, -7.7, 0)), "'wall' is in the way");
+        refuses(run.operator().remove("nobody"), "There is no 'nobody'");
+        refuses(run.operator().place("nobody", THERE), "There is no 'nobody'");
+        refuses(run.operator().believe("nobody", THERE), "There is no 'nobody'");
         refuses(run.operator().believe("prey", new Pose2d(-1000, 0, 0)), "outside");
         answer(run.operator().add(PlacedThing.BOX, THERE));
-        refuses(run.operator().place("box-1", new Pose2d(-31.4, -7.7, 0)), "(wall) is in the way");
-        refuses(run.operator().add(PlacedThing.BALL, THERE), "(box-1) is in the way");
-        refuses(run.operator().addRobot("prey", THERE), "(box-1) is in the way");
+        refuses(run.operator().place("box-1", new Pose2d(-31.4, -7.7, 0)), "'wall' is in the way");
+        refuses(run.operator().add(PlacedThing.BALL, THERE), "'box-1' is in the way");
+        refuses(run.operator().addRobot("prey", THERE), "'box-1' is in the way");
     }
 
     private static void refuses(CompletionStage<Answer> order, String why) {

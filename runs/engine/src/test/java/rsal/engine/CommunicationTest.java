@@ -44,9 +44,9 @@ class CommunicationTest {
               clock: {speed: max}
               stop:
                 - {when: time >= 30, outcome: timeout}
-            measure:
-              - {name: said, from: count(messages)}
-              - {name: heard, from: count(heardMessages)}
+            metrics:
+              - {name: said, from: count(sentMessages)}
+              - {name: heard, from: count(receivedMessages)}
               - {name: lost, from: count(lostMessages)}
             """;
 
@@ -104,17 +104,17 @@ class CommunicationTest {
                 .orElseThrow();
     }
 
-    private static double measure(RunResult result, String name) {
-        return result.measures().get(name).orElseThrow();
+    private static double metric(RunResult result, String name) {
+        return result.metrics().get(name).orElseThrow();
     }
 
     @Test
     void withoutLimitsAllIsHeardAndNothingIsRecorded() {
         RunResult result = Runs.result(plan(""));
         assertThat(result.communication()).isEmpty();
-        assertThat(measure(result, "said")).isCloseTo(900, within(3.0));
-        assertThat(measure(result, "heard")).isCloseTo(1800, within(6.0));
-        assertThat(measure(result, "lost")).isZero();
+        assertThat(metric(result, "said")).isCloseTo(900, within(3.0));
+        assertThat(metric(result, "heard")).isCloseTo(1800, within(6.0));
+        assertThat(metric(result, "lost")).isZero();
     }
 
     @Test
@@ -125,7 +125,7 @@ class CommunicationTest {
                 .allSatisfy(one -> assertThat(one.heard()).isBetween(298L, 300L))
                 .allSatisfy(one -> assertThat(one.lost()).isZero())
                 .allSatisfy(one -> assertThat(one.topic()).isEqualTo("text"));
-        assertThat(measure(result, "heard")).isEqualTo(measure(Runs.result(plan("")), "heard"));
+        assertThat(metric(result, "heard")).isEqualTo(metric(Runs.result(plan("")), "heard"));
         assertThat(result.eventHash()).isNotEqualTo(Runs.result(plan("")).eventHash());
     }
 
@@ -233,13 +233,13 @@ class CommunicationTest {
                 communication: {loss: 0.2}
                 faults: [{kind: lost, share: 0.5}, {kind: doubled, share: 0.5, delay: 0.05}]
                 """));
-        assertThat(measure(result, "heard") + measure(result, "lost")).isCloseTo(1800, within(10.0));
+        assertThat(metric(result, "heard") + metric(result, "lost")).isCloseTo(1800, within(10.0));
         double share = 0.8 * 0.5;
-        assertThat(measure(result, "heard")).isCloseTo(1800 * share, within(4 * Math.sqrt(1800 * share * (1 - share))));
+        assertThat(metric(result, "heard")).isCloseTo(1800 * share, within(4 * Math.sqrt(1800 * share * (1 - share))));
         assertThat(result.communication().stream().mapToLong(Reception::heard).sum())
-                .isEqualTo((long) measure(result, "heard"));
+                .isEqualTo((long) metric(result, "heard"));
         assertThat(result.communication().stream().mapToLong(Reception::lost).sum())
-                .isEqualTo((long) measure(result, "lost"));
+                .isEqualTo((long) metric(result, "lost"));
     }
 
     @Test
@@ -294,7 +294,7 @@ class CommunicationTest {
                     .extracting(one -> one.sender() + " to " + one.listener() + (one.lost() > 0 ? ", lost" : ""))
                     .containsExactly("amy to bob, lost", "bob to amy, lost", "amy to base", "base to amy");
             assertThat(run.inspector().inside("zoe").toCompletableFuture().get(10, TimeUnit.SECONDS))
-                    .isEqualTo(new Answer.Refused("There is no agent (zoe)."));
+                    .isEqualTo(new Answer.Refused("There is no agent 'zoe'."));
         }
     }
 
@@ -310,7 +310,7 @@ class CommunicationTest {
         TopicTraffic text = result.topics().getFirst();
         assertThat(text.lost()).containsExactly(entry(LossReason.FAULT, text.said()));
         assertThat(text.heard()).isEqualTo(text.said());
-        assertThat((long) measure(result, "lost")).isEqualTo(text.said());
+        assertThat((long) metric(result, "lost")).isEqualTo(text.said());
     }
 
     @Test

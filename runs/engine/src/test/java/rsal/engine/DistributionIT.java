@@ -22,8 +22,8 @@ class DistributionIT {
 
     /// @param ends where the robots were at the end, by id
     private record Dispersal(RunResult result, List<RunEvent> events, Map<String, Point2d> ends) {
-        double measure(String name) {
-            return result.measures().get(name).getAsDouble();
+        double metric(String name) {
+            return result.metrics().get(name).getAsDouble();
         }
 
         List<String> gone() {
@@ -58,8 +58,8 @@ class DistributionIT {
     void allRobotsArriveWithoutACollision(String configuration, long seed) {
         Dispersal dispersal = disperse(configuration, seed);
         assertThat(dispersal.result.outcome()).isEqualTo("success");
-        assertThat(dispersal.measure("arrived")).isEqualTo(ROBOTS);
-        assertThat(dispersal.measure("collisions")).isZero();
+        assertThat(dispersal.metric("arrived")).isEqualTo(ROBOTS);
+        assertThat(dispersal.metric("collisions")).isZero();
         assertFarFromEachOther(dispersal, 4);
     }
 
@@ -68,7 +68,7 @@ class DistributionIT {
         Dispersal dispersal = disperse("faulty", seed);
         assertThat(dispersal.result.outcome()).isEqualTo("success");
         assertThat(dispersal.gone()).hasSize(1);
-        assertThat(dispersal.measure("arrived")).isGreaterThanOrEqualTo(ROBOTS - 1);
+        assertThat(dispersal.metric("arrived")).isGreaterThanOrEqualTo(ROBOTS - 1);
         assertFarFromEachOther(dispersal, 4);
     }
 

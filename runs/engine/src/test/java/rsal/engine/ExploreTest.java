@@ -51,7 +51,7 @@ class ExploreTest {
               stop:
                 - {when: exploring(scout) == 0 and explored >= 0.95, outcome: success}
                 - {when: time > 200, outcome: timeout}
-            measure:
+            metrics:
               - {name: explored, from: explored, better: more, bound: {min: 0.95}}
               - {name: mapped, unit: s, from: firstTime(exploring(scout) == 0), better: less}
             """;
@@ -76,8 +76,8 @@ class ExploreTest {
         try (var run = LiveRun.start(Runs.plan(folder, ROOM, RunOptions.NONE))) {
             RunResult result = Runs.result(run);
             assertThat(result.outcome()).isEqualTo("success");
-            assertThat(result.measures().get("explored").orElseThrow()).isBetween(0.95, 1.0);
-            assertThat(result.measures().get("mapped").orElseThrow()).isPositive();
+            assertThat(result.metrics().get("explored").orElseThrow()).isBetween(0.95, 1.0);
+            assertThat(result.metrics().get("mapped").orElseThrow()).isPositive();
             assertThat(run.events(0))
                     .anyMatch(event ->
                             event.kind().equals("mapped") && event.subject().equals("scout"));
@@ -87,13 +87,13 @@ class ExploreTest {
     @Test
     void aMapThatLiesNobodyKnowsHowHasNoErrorAndNoShare() {
         String anywhere = TWO_EXPLORERS.replaceAll("\\s+pose: .*", "") + """
-                measure:
+                metrics:
                   - {name: error, from: p50(poseError), per: robot}
                   - {name: explored, from: explored}
                 """;
         try (var run = LiveRun.start(Runs.plan(folder, anywhere, RunOptions.NONE))) {
             RunResult result = Runs.result(run);
-            assertThat(result.measures())
+            assertThat(result.metrics())
                     .hasSize(3)
                     .allSatisfy((name, value) -> assertThat(value).as(name).isEmpty());
         }

@@ -49,7 +49,7 @@ class FaultsTest {
               clock: {speed: max}
               stop:
                 - {when: time >= 10, outcome: timeout}
-            measure:
+            metrics:
               - {name: error, unit: m, from: p50(poseError(prey))}
               - {name: faults, from: count(faults)}
               - {name: lost, from: count(lostMessages)}
@@ -71,8 +71,8 @@ class FaultsTest {
     }
 
     private record Ended(RunResult result, List<RunEvent> events, Snapshot last) {
-        double measure(String name) {
-            return result.measures().get(name).orElseThrow();
+        double metric(String name) {
+            return result.metrics().get(name).orElseThrow();
         }
 
         List<String> faults() {
@@ -133,7 +133,7 @@ class FaultsTest {
                 .filteredOn(event -> event.kind().equals("health"))
                 .extracting(RunEvent::subject, RunEvent::text)
                 .containsExactly(tuple("prey/laser", "is stale: No reading for 300 ms."), tuple("prey/laser", "works"));
-        assertThat(run.measure("faults")).isEqualTo(1);
+        assertThat(run.metric("faults")).isEqualTo(1);
     }
 
     @Test
@@ -199,7 +199,7 @@ class FaultsTest {
         String longer = SCENARIO.replace("time >= 10", "time >= 400")
                 + "faults: [{kind: frozen, robots: all, devices: base, every: 6, for: [1, 3]}]\n";
         Ended run = run(Runs.plan(folder, longer, options));
-        assertThat(run.measure("faults")).isCloseTo(3 * 400 / 8.0, within(4 * Math.sqrt(3 * 400 / 8.0)));
+        assertThat(run.metric("faults")).isCloseTo(3 * 400 / 8.0, within(4 * Math.sqrt(3 * 400 / 8.0)));
         var lengths = run.faults().stream()
                 .filter(words -> words.contains(" for "))
                 .map(words -> Double.parseDouble(words.replaceAll(".* for (.*) s", "$1")))
@@ -237,7 +237,7 @@ class FaultsTest {
     void aRobotThatIsGoneIsNotShownAndItsAgentIsSilent() {
         Ended run = run(plan("{kind: gone, robots: hunter-1, at: 4}"));
         assertThat(run.result.outcome()).isEqualTo("timeout");
-        assertThat(run.measure("gone")).isCloseTo(4, within(0.11));
+        assertThat(run.metric("gone")).isCloseTo(4, within(0.11));
         RobotView gone = run.robot("hunter-1");
         assertThat(gone.gone()).isTrue();
         assertThat(gone.goneFor().orElseThrow()).isBetween(run.since(4.2), run.since(3.8));
@@ -255,7 +255,7 @@ class FaultsTest {
                 .isEmpty();
         assertThat(run.shown("chat-2", "heard")).isBetween(38, 40);
         assertThat(run.shown("chat-1", "heard")).isBetween(38, 40);
-        assertThat(run.measure("lost")).isCloseTo(60, within(2.0)); // what the other says from then on
+        assertThat(run.metric("lost")).isCloseTo(60, within(2.0)); // what the other says from then on
     }
 
     @Test
@@ -274,7 +274,7 @@ class FaultsTest {
     void anOperatorCanNotReachIt() {
         var plan = plan(RunOptions.NONE.withSpeed(1), "{kind: gone, robots: hunter-1}");
         try (var run = LiveRun.start(plan)) {
-            var gone = new Answer.Refused("Robot (hunter-1) is gone.");
+            var gone = new Answer.Refused("Robot 'hunter-1' is gone.");
             var there = new Pose2d(-8, -1, 0);
             assertThat(run.operator()
                             .place("hunter-1", there)
@@ -297,7 +297,7 @@ class FaultsTest {
                             .place("hunter-1", new Pose2d(-6, -1, 0))
                             .toCompletableFuture()
                             .join())
-                    .isEqualTo(new Answer.Refused("Robot (hunter-1) is gone."));
+                    .isEqualTo(new Answer.Refused("Robot 'hunter-1' is gone."));
         }
     }
 
@@ -334,7 +334,7 @@ class FaultsTest {
             assertThat(run.events(0))
                     .filteredOn(event -> event.kind().equals("fault"))
                     .extracting(RunEvent::text)
-                    .containsExactly("not dead: There is no robot (prey).");
+                    .containsExactly("not dead: There is no robot 'prey'.");
         }
     }
 
@@ -382,9 +382,9 @@ class FaultsTest {
 
     @Test
     void aBiasedLocalizerIsWrongByThatMuch() {
-        assertThat(run(plan()).measure("error")).isCloseTo(0, within(1e-6));
+        assertThat(run(plan()).metric("error")).isCloseTo(0, within(1e-6));
         Ended run = run(plan("{kind: biased, robots: prey, devices: localizer, range: 0.4, angle: 5}"));
-        assertThat(run.measure("error")).isCloseTo(0.4, within(1e-3));
+        assertThat(run.metric("error")).isCloseTo(0.4, within(1e-3));
         assertThat(run.faults()).containsExactly("0 ms prey/localizer biased by 0.40 m and 5.0°");
     }
 
@@ -399,9 +399,9 @@ class FaultsTest {
 
     @Test
     void withoutMotorsItStands() {
-        double way = run(plan()).measure("way");
-        assertThat(run(plan("{kind: motorDead, robots: prey}")).measure("way")).isZero();
-        assertThat(run(plan("{kind: motorDead, robots: prey, power: 0.5}")).measure("way"))
+        double way = run(plan()).metric("way");
+        assertThat(run(plan("{kind: motorDead, robots: prey}")).metric("way")).isZero();
+        assertThat(run(plan("{kind: motorDead, robots: prey, power: 0.5}")).metric("way"))
                 .isCloseTo(way / 2, within(0.1 * way));
     }
 
@@ -409,8 +409,8 @@ class FaultsTest {
     void slippingDeceivesTheLocalizerNotTheWorld() {
         Ended well = run(plan());
         Ended slipping = run(plan("{kind: slip, robots: prey, way: 0.5}"));
-        assertThat(slipping.measure("way")).isEqualTo(well.measure("way"));
-        assertThat(slipping.measure("error")).isGreaterThan(0.1);
+        assertThat(slipping.metric("way")).isEqualTo(well.metric("way"));
+        assertThat(slipping.metric("error")).isGreaterThan(0.1);
     }
 
     @Test
@@ -418,8 +418,8 @@ class FaultsTest {
         String text = SCENARIO.replace("time >= 10", "time >= 300")
                 + "faults: [{kind: lost, topics: text, to: hunter-2, share: 0.25}]\n";
         Ended run = run(Runs.plan(folder, text, RunOptions.NONE));
-        assertThat(run.measure("lost")).isCloseTo(750, within(4 * Math.sqrt(3000 * 0.25 * 0.75)));
-        assertThat(run.shown("chat-2", "heard") + run.measure("lost"))
+        assertThat(run.metric("lost")).isCloseTo(750, within(4 * Math.sqrt(3000 * 0.25 * 0.75)));
+        assertThat(run.shown("chat-2", "heard") + run.metric("lost"))
                 .isCloseTo(run.shown("chat-1", "heard"), within(1.0));
     }
 
@@ -437,17 +437,17 @@ class FaultsTest {
         Ended run = run(plan("{kind: late, delay: 2.05}", "{kind: gone, robots: hunter-1, at: 4}"));
         assertThat(run.shown("chat-1", "heard")).isBetween(17, 20);
         assertThat(run.shown("chat-2", "heard")).isBetween(37, 40);
-        assertThat(run.measure("lost")).isCloseTo(80, within(2.0)); // said between 2 s and 10 s
+        assertThat(run.metric("lost")).isCloseTo(80, within(2.0)); // said between 2 s and 10 s
     }
 
     @Test
     void whatComesAgainIsLostWhenNoneOfItIsHeard() {
         String late = "{kind: late, delay: 2.05}";
         String gone = "{kind: gone, robots: hunter-1, at: 4}";
-        assertThat(run(plan("{kind: doubled, delay: 0.5}", late, gone)).measure("lost"))
+        assertThat(run(plan("{kind: doubled, delay: 0.5}", late, gone)).metric("lost"))
                 .isCloseTo(80, within(2.0)); // said between 2 s and 10 s
         assertThat(run(plan("{kind: doubled, delay: 3}", "{kind: late, delay: 1.05}", gone.replace("}", ", for: 1}")))
-                        .measure("lost"))
+                        .metric("lost"))
                 .isCloseTo(10, within(1.0)); // said between 4 s and 5 s: all others come before it goes or after
     }
 

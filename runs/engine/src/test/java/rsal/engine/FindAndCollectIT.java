@@ -66,7 +66,7 @@ class FindAndCollectIT {
               stop:
                 - {when: allCollected(can), outcome: success, after: 5}
                 - {when: time > 400, outcome: timeout}
-            measure:
+            metrics:
               - {name: wallCollisions, from: count(wallCollisions)}
               - {name: collisions, from: count(collisions)}
               - {name: gone, from: count(gone(collector))}
@@ -84,8 +84,8 @@ class FindAndCollectIT {
 
     /// @param cans where they lie at the end
     private record Collection(RunPlan plan, RunResult result, List<RunEvent> events, List<Standing> cans) {
-        double measure(String name) {
-            return result.measures().get(name).getAsDouble();
+        double metric(String name) {
+            return result.metrics().get(name).getAsDouble();
         }
 
         /// What agents said that they had collected.
@@ -138,7 +138,7 @@ class FindAndCollectIT {
                     .as("%s at %s, seed %d", can.name(), place, seed)
                     .isTrue();
         }
-        assertThat(collection.measure("wallCollisions")).as("seed %d", seed).isZero();
+        assertThat(collection.metric("wallCollisions")).as("seed %d", seed).isZero();
     }
 
     @Trials(
@@ -157,7 +157,7 @@ class FindAndCollectIT {
     void everyCanLiesInADepotAtTheEnd(String configuration, long seed) {
         Collection all = collect(configuration, seed);
         assertTidy(all);
-        assertThat(all.measure("collisions")).isZero();
+        assertThat(all.metric("collisions")).isZero();
         assertThat(all.said()).isEqualTo(all.cans.size());
     }
 
@@ -165,7 +165,7 @@ class FindAndCollectIT {
     void agentsInAgentSpeakCollectAllEachSeedTheSameWay(long seed) {
         Collection all = collect("jason", seed);
         assertTidy(all);
-        assertThat(all.measure("collisions")).isZero();
+        assertThat(all.metric("collisions")).isZero();
         assertThat(all.result.failed()).isEmpty();
         assertThat(all.said()).isEqualTo(all.cans.size());
         assertThat(all.events)
@@ -184,7 +184,7 @@ class FindAndCollectIT {
                 folder.resolve("scenario.yaml"), TWO_CANS + "faults: [%s]\n".formatted(String.join(", ", faults)));
         Collection all = collect(Scenario.load(file.toString()), "default", seed, Map.of());
         assertTidy(all);
-        assertThat(all.measure("collisions")).isZero();
+        assertThat(all.metric("collisions")).isZero();
         assertThat(all.result.failed()).isEmpty();
         return all;
     }
@@ -201,7 +201,7 @@ class FindAndCollectIT {
     @Trials({"1", "2", "3"})
     void theOtherFetchesWhatOneInAgentSpeakWasAwardedThatStops(long seed) throws IOException {
         Collection all = collectTwo(seed, "{kind: gone, robots: collector-1, at: 9}");
-        assertThat(all.measure("gone")).isOne();
+        assertThat(all.metric("gone")).isOne();
         RunEvent gone = all.events.stream()
                 .filter(event -> event.text().startsWith("gone"))
                 .findFirst()
@@ -227,7 +227,7 @@ class FindAndCollectIT {
         Collection all = collect("advanced", seed);
         assertTidy(all);
         for (int collector = 1; collector <= 4; collector++) {
-            double least = all.measure("leastCharge.collector-" + collector);
+            double least = all.metric("leastCharge.collector-" + collector);
             assertThat(least).as("collector-%d, seed %d", collector, seed).isGreaterThan(0.05);
         }
         assertThat(all.events)
@@ -240,7 +240,7 @@ class FindAndCollectIT {
     void theOthersCollectAllAlsoWhatOneWasOnItsWayToThatStops(long seed) {
         Collection all = collect("faulty", seed);
         assertTidy(all);
-        assertThat(all.measure("gone")).isOne();
+        assertThat(all.metric("gone")).isOne();
         RunEvent gone = all.events.stream()
                 .filter(event -> event.text().startsWith("gone"))
                 .findFirst()
@@ -254,15 +254,15 @@ class FindAndCollectIT {
                 .extracting(RunEvent::text)
                 .anyMatch(text -> text.matches("collect-\\d, accept-proposal: .*"))
                 .noneMatch(text -> text.startsWith(silent + ", accept-proposal: "));
-        assertThat(all.measure("collisions")).isZero();
+        assertThat(all.metric("collisions")).isZero();
     }
 
     @Trials({"office, 1", "four-rooms, 1", "four-rooms, 2", "four-rooms, 3", "office, 2"})
     void foragersBringAllByThemselvesAndKeepTheirBatteriesCharged(String configuration, long seed) {
         Collection all = collect(ALONE, configuration, seed, Map.of());
         assertTidy(all);
-        assertThat(all.measure("collisions")).isZero();
-        all.result.measures().forEach((name, value) -> {
+        assertThat(all.metric("collisions")).isZero();
+        all.result.metrics().forEach((name, value) -> {
             if (name.startsWith("leastCharge.")) {
                 assertThat(value.getAsDouble()).as("%s, seed %d", name, seed).isGreaterThan(0.2);
             }
@@ -276,17 +276,17 @@ class FindAndCollectIT {
     void foragersBringAllWhenOneStopsAndOneSeesNothingForAWhile(long seed) {
         Collection all = collect(ALONE, "faulty", seed, Map.of());
         assertTidy(all);
-        assertThat(all.measure("collisions")).isZero();
-        assertThat(all.measure("gone")).isOne();
+        assertThat(all.metric("collisions")).isZero();
+        assertThat(all.metric("gone")).isOne();
     }
 
     @Trials({"1", "2", "3"})
     @LongTest
     void thoseWhoBidAreDoneAQuarterSoonerThanThoseWhoAreAsked(long seed) {
         Collection bidding = collect("watched", seed);
-        Collection asked = collect("watched", seed, Map.of("allotment", "first"));
+        Collection asked = collect("watched", seed, Map.of("allocation", "first"));
         assertTidy(bidding);
         assertTidy(asked);
-        assertThat(bidding.measure("collectTime")).isLessThan(0.75 * asked.measure("collectTime"));
+        assertThat(bidding.metric("collectTime")).isLessThan(0.75 * asked.metric("collectTime"));
     }
 }

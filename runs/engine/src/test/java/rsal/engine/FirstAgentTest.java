@@ -87,8 +87,8 @@ class FirstAgentTest {
                   witnessed:
                     agents:
                       logbook: {type: Logbook.java}
-                      first: {type: witness, args: {of: guard, x: -8, y: -1.2}}
-                      second: {type: witness, args: {of: guard, x: 0, y: -1.2}}
+                      first: {type: witness, parameters: {of: guard, x: -8, y: -1.2}}
+                      second: {type: witness, parameters: {of: guard, x: 0, y: -1.2}}
                 """;
     }
 

@@ -64,8 +64,8 @@ class HuntAndPreyIT {
     @Trials({"1", "2", "3", "4", "5", "6", "7", "8", "9", "10"})
     void huntersKnowWhereTheyAreAndTouchNoWall(long seed) {
         RunResult result = hunt("virtual", seed).result;
-        assertThat(result.measures().get("wallCollisions").getAsDouble()).isZero();
-        result.measures().forEach((name, value) -> {
+        assertThat(result.metrics().get("wallCollisions").getAsDouble()).isZero();
+        result.metrics().forEach((name, value) -> {
             if (name.startsWith("localizationError.")) {
                 assertThat(value.getAsDouble()).as(name).isLessThanOrEqualTo(0.30);
             }
@@ -77,9 +77,9 @@ class HuntAndPreyIT {
         Hunt hunt = hunt("jason", seed);
         assertThat(hunt.result.outcome()).isEqualTo("success");
         assertThat(hunt.result.failed()).isEmpty();
-        assertThat(hunt.result.measures().get("captureDistance").getAsDouble())
+        assertThat(hunt.result.metrics().get("captureDistance").getAsDouble())
                 .isLessThan(1.7); // prey and hunter mistake where they are
-        assertThat(hunt.result.measures().get("wallCollisions").getAsDouble()).isZero();
+        assertThat(hunt.result.metrics().get("wallCollisions").getAsDouble()).isZero();
         assertThat(hunt("jason", seed, 2).result.eventHash())
                 .as("seed %d again, on more threads", seed)
                 .isEqualTo(hunt.result.eventHash());
@@ -208,7 +208,7 @@ class HuntAndPreyIT {
     void fourHuntersThatBidCatchThreeCleverPrey(long seed) {
         Hunt hunt = hunt("advanced", seed);
         assertThat(hunt.result.outcome()).isEqualTo("success");
-        assertThat(hunt.result.measures().get("collisions").getAsDouble()).isZero();
+        assertThat(hunt.result.metrics().get("collisions").getAsDouble()).isZero();
         assertThat(hunt.events)
                 .filteredOn(event -> event.kind().equals("caught"))
                 .extracting(RunEvent::subject)
@@ -223,8 +223,8 @@ class HuntAndPreyIT {
     void preyThatTellNobodyWhereTheyAreAreSeenAndCaught(long seed) {
         Hunt hunt = hunt("unseen", seed);
         assertThat(hunt.result.outcome()).isEqualTo("success");
-        assertThat(hunt.result.measures().get("collisions").getAsDouble()).isZero();
-        assertThat(hunt.result.measures().get("captureDistance").getAsDouble()).isLessThan(2);
+        assertThat(hunt.result.metrics().get("collisions").getAsDouble()).isZero();
+        assertThat(hunt.result.metrics().get("captureDistance").getAsDouble()).isLessThan(2);
         assertThat(hunt.events).extracting(RunEvent::text).anyMatch(text -> text.startsWith("going to look around at"));
     }
 }

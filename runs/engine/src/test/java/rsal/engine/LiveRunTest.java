@@ -26,7 +26,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Pose2d;
 import rsal.engine.report.Answer;
 import rsal.engine.report.DeviceView;
-import rsal.engine.report.Metrics;
+import rsal.engine.report.Performance;
 import rsal.engine.report.RobotView;
 import rsal.engine.report.RunBroken;
 import rsal.engine.report.RunEvent;
@@ -111,18 +111,18 @@ class LiveRunTest {
     void countsWhatItHasDone() {
         try (var run = LiveRun.start(plan())) {
             RunResult result = Runs.result(run);
-            Metrics metrics = run.metrics();
-            assertThat(metrics.time()).isEqualTo(run.snapshot().time()).isPositive();
-            assertThat(metrics.steps().count())
-                    .isEqualTo(metrics.time().dividedBy(run.plan().step()));
-            assertThat(metrics.steps().sum()).isPositive();
-            assertThat(metrics.phases()).containsOnlyKeys(Phase.values());
-            assertThat(metrics.phases().get(Phase.WORLD)).isPositive();
-            assertThat(metrics.phases().get(Phase.OBSERVE)).isPositive();
-            Duration inPhases = metrics.phases().values().stream().reduce(Duration.ZERO, Duration::plus);
-            assertThat(inPhases).isLessThanOrEqualTo(metrics.steps().sum());
-            assertThat(metrics.topics()).isEqualTo(result.topics());
-            assertThat(metrics.events())
+            Performance performance = run.performance();
+            assertThat(performance.time()).isEqualTo(run.snapshot().time()).isPositive();
+            assertThat(performance.steps().count())
+                    .isEqualTo(performance.time().dividedBy(run.plan().step()));
+            assertThat(performance.steps().sum()).isPositive();
+            assertThat(performance.phases()).containsOnlyKeys(Phase.values());
+            assertThat(performance.phases().get(Phase.WORLD)).isPositive();
+            assertThat(performance.phases().get(Phase.OBSERVE)).isPositive();
+            Duration inPhases = performance.phases().values().stream().reduce(Duration.ZERO, Duration::plus);
+            assertThat(inPhases).isLessThanOrEqualTo(performance.steps().sum());
+            assertThat(performance.topics()).isEqualTo(result.topics());
+            assertThat(performance.events())
                     .isEqualTo(run.events(0).stream()
                             .collect(Collectors.groupingBy(RunEvent::kind, Collectors.counting())));
         }
@@ -131,9 +131,9 @@ class LiveRunTest {
     @Test
     void tellsWhatItHasCountedWhileItGoesOn() {
         try (var run = LiveRun.start(plan())) {
-            Metrics before = Metrics.NONE;
+            Performance before = Performance.NONE;
             while (!run.result().toCompletableFuture().isDone()) {
-                Metrics now = run.metrics();
+                Performance now = run.performance();
                 assertThat(now.time()).isGreaterThanOrEqualTo(before.time());
                 assertThat(now.steps().count())
                         .isGreaterThanOrEqualTo(before.steps().count());
@@ -192,7 +192,7 @@ class LiveRunTest {
         RunResult timeout = Runs.result(plan());
         assertThat(timeout.outcome()).isEqualTo("timeout");
         assertThat(timeout.simulatedSeconds()).isEqualTo(20);
-        assertThat(timeout.measures().get("captureTime")).isEqualTo(OptionalDouble.empty());
+        assertThat(timeout.metrics().get("captureTime")).isEqualTo(OptionalDouble.empty());
         RunResult success = Runs.result(caught());
         assertThat(success.outcome()).isEqualTo("success");
         assertThat(success.simulatedSeconds()).isCloseTo(3, within(0.11));
@@ -208,12 +208,12 @@ class LiveRunTest {
     @Test
     void measuresAgainstTheTruth() {
         RunResult result = Runs.result(caught());
-        assertThat(result.measures().keySet())
+        assertThat(result.metrics().keySet())
                 .containsExactly("captureTime", "captureDistance", "error.prey", "error.hunter-1", "way");
-        assertThat(result.measures().get("error.prey").getAsDouble()).isCloseTo(0.2, within(0.1));
-        assertThat(result.measures().get("error.hunter-1")).isEqualTo(OptionalDouble.empty()); // has no localizer
-        assertThat(result.measures().get("way").getAsDouble()).isBetween(0.3, 0.9);
-        assertThat(result.measures().get("captureDistance").getAsDouble()).isGreaterThan(1);
+        assertThat(result.metrics().get("error.prey").getAsDouble()).isCloseTo(0.2, within(0.1));
+        assertThat(result.metrics().get("error.hunter-1")).isEqualTo(OptionalDouble.empty()); // has no localizer
+        assertThat(result.metrics().get("way").getAsDouble()).isBetween(0.3, 0.9);
+        assertThat(result.metrics().get("captureDistance").getAsDouble()).isGreaterThan(1);
         assertThat(result.outOfBounds()).containsExactly("error.prey");
     }
 
@@ -273,7 +273,7 @@ class LiveRunTest {
                             Answer.Refused.class, r -> assertThat(r.why()).contains("hunter-1"));
             assertThat(run.events(0)).extracting(RunEvent::kind).contains("operator");
             run.stop();
-            assertThat(Runs.result(run).measures().get("way").getAsDouble()).isLessThan(2); // the jump does not count
+            assertThat(Runs.result(run).metrics().get("way").getAsDouble()).isLessThan(2); // the jump does not count
         }
     }
 
@@ -480,8 +480,8 @@ class LiveRunTest {
             assertThat(run.events(0))
                     .filteredOn(event -> event.kind().equals("fault"))
                     .extracting(event -> event.subject() + " " + event.text())
-                    .containsExactly("squat has failed: Topic (text) carries rsal.agent.message.Text since"
-                            + " (platform) used it first, not java.lang.String. Maybe give yours another name.");
+                    .containsExactly("squat has failed: Topic 'text' carries rsal.agent.message.Text since"
+                            + " 'platform' used it first, not java.lang.String. Maybe give yours another name.");
         }
     }
 
@@ -489,10 +489,10 @@ class LiveRunTest {
     void aDeviceThatFailsBreaksTheRunAndIsNamed() {
         assertThatThrownBy(() -> Runs.result(broken("{}")))
                 .isInstanceOf(RunBroken.class)
-                .hasMessage("Device (hunter-1/broken) failed: smoke comes out");
+                .hasMessage("Device 'hunter-1/broken' failed: smoke comes out");
         assertThatThrownBy(() -> Runs.result(broken("{atOnce: true}")))
                 .isInstanceOf(RunBroken.class)
-                .hasMessage("Device (hunter-1/broken) failed: no batteries included");
+                .hasMessage("Device 'hunter-1/broken' failed: no batteries included");
     }
 
     @Test
@@ -502,7 +502,7 @@ class LiveRunTest {
                 .replace("run:\n  seed", "mas: {use: wallclock}\nrun:\n  seed");
         assertThatThrownBy(() -> Runs.result(Runs.plan(folder, text, RunOptions.NONE)))
                 .isInstanceOf(RunBroken.class)
-                .hasMessage("Multi-agent system (wallclock) failed: No test starts it.");
+                .hasMessage("Multi-agent system 'wallclock' failed: No test starts it.");
     }
 
     @Test
@@ -569,7 +569,7 @@ class LiveRunTest {
                         folder,
                         text.replace("pose: {free: true}", "pose: {free: true}\n    devices: {broken: {}}"),
                         RunOptions.NONE)))
-                .hasMessage("Device (hunter-1/broken) failed: smoke comes out");
+                .hasMessage("Device 'hunter-1/broken' failed: smoke comes out");
     }
 
     @Test

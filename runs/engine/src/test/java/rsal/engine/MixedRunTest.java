@@ -42,14 +42,14 @@ class MixedRunTest {
                   - {name: real, pose: [-8, -1, 0], mrs: {use: reality, host: lab}}
                   - {name: virtual, pose: [-4, -1, 0]}
             agents:
-              run: {type: quitter, robot: prey, args: {caughtAfter: 4, by: real, distance: 30, speed: 0}}
+              run: {type: quitter, robot: prey, parameters: {caughtAfter: 4, by: real, distance: 30, speed: 0}}
               chase: {type: wanderer, robot: hunter}
             mrs: {odometryNoise: 0}
             run:
               seed: 7
               clock: {speed: max}
               stop: [{when: time >= 5, outcome: success}]
-            measure:
+            metrics:
               - {name: caughtAt, from: max(captureDistance)}
               - {name: error, from: max(poseError), per: robot}
               - {name: way, from: distance, per: robot}
@@ -100,12 +100,12 @@ class MixedRunTest {
     void theTruthIsMeasuredWhereThereIsOneElseWhatRobotsBelieve() {
         try (var run = LiveRun.start(plan(MIXED))) {
             RunResult result = Runs.result(run);
-            assertThat(result.measures().get("error.virtual").orElseThrow()).isCloseTo(0.25, within(0.01));
-            assertThat(result.measures().get("error.real")).isEmpty();
-            assertThat(result.measures().get("way.virtual").orElseThrow()).isGreaterThan(1);
-            assertThat(result.measures().get("way.real")).isEmpty();
+            assertThat(result.metrics().get("error.virtual").orElseThrow()).isCloseTo(0.25, within(0.01));
+            assertThat(result.metrics().get("error.real")).isEmpty();
+            assertThat(result.metrics().get("way.virtual").orElseThrow()).isGreaterThan(1);
+            assertThat(result.metrics().get("way.real")).isEmpty();
             Pose2d believed = view(run, "real").estimate().orElseThrow().value().mapFromBase();
-            assertThat(result.measures().get("caughtAt").orElseThrow())
+            assertThat(result.metrics().get("caughtAt").orElseThrow())
                     .as("a second before")
                     .isCloseTo(believed.distanceTo(new Pose2d(-12, -1, 0)), within(0.4));
         }
@@ -128,7 +128,7 @@ class MixedRunTest {
             assertThat(real.standIn()).isPresent();
             assertThat(real.silence().orElseThrow()).isLessThan(Duration.ofMillis(200));
             assertThat(view(run, "virtual").real()).isEmpty();
-            assertThat(result.measures().get("way.real")).isEmpty();
+            assertThat(result.metrics().get("way.real")).isEmpty();
             assertThat(Runs.result(plan(stands)).eventHash()).isEqualTo(result.eventHash());
         }
     }
@@ -138,8 +138,8 @@ class MixedRunTest {
         String watched = MIXED.replace("host: lab", "host: watched");
         try (var run = LiveRun.start(plan(watched))) {
             RunResult result = Runs.result(run);
-            assertThat(result.measures().get("error.real").orElseThrow()).isCloseTo(0.25, within(0.01));
-            assertThat(result.measures().get("way.real").orElseThrow()).isGreaterThan(1);
+            assertThat(result.metrics().get("error.real").orElseThrow()).isCloseTo(0.25, within(0.01));
+            assertThat(result.metrics().get("way.real").orElseThrow()).isGreaterThan(1);
             assertThat(view(run, "real").truth()).isPresent();
             assertThat(view(run, "real").real()).isPresent();
         }
@@ -153,23 +153,23 @@ class MixedRunTest {
             }
             assertThat(answer(run.operator().remove("real")))
                     .isEqualTo(
-                            new Answer.Refused("Robot (real) is real: it can't be taken out of the simulated world."));
+                            new Answer.Refused("Robot 'real' is real: it can't be taken out of the simulated world."));
         }
     }
 
     @Test
     void nobodyCountsCollisionsOfRealRobots() {
         String counting = MIXED.replace(
-                "measure:",
-                "measure:\n  - {name: touches, from: count(collisions)}\n"
+                "metrics:",
+                "metrics:\n  - {name: touches, from: count(collisions)}\n"
                         + "  - {name: walls, from: count(wallCollisions)}");
-        assertThat(Runs.result(plan(counting)).measures().get("touches")).isPresent();
+        assertThat(Runs.result(plan(counting)).metrics().get("touches")).isPresent();
         String real = counting.replace("host: lab", "host: watched")
                 .replace("mrs: {odometryNoise: 0}", "mrs: {use: reality, host: watched}");
         RunResult result = Runs.result(plan(real));
-        assertThat(result.measures().get("way.real").orElseThrow()).isGreaterThan(1);
-        assertThat(result.measures().get("touches")).isEmpty();
-        assertThat(result.measures().get("walls")).isEmpty();
+        assertThat(result.metrics().get("way.real").orElseThrow()).isGreaterThan(1);
+        assertThat(result.metrics().get("touches")).isEmpty();
+        assertThat(result.metrics().get("walls")).isEmpty();
     }
 
     @Test
@@ -179,9 +179,9 @@ class MixedRunTest {
             assertThat(answer(run.operator().place("real", there))).isEqualTo(new Answer.Done());
             assertThat(answer(run.operator().remove("real")))
                     .isEqualTo(
-                            new Answer.Refused("Robot (real) is real: it can't be taken out of the simulated world."));
+                            new Answer.Refused("Robot 'real' is real: it can't be taken out of the simulated world."));
             assertThat(answer(run.operator().addRobot("real", there)))
-                    .isEqualTo(new Answer.Refused("Robot (real) is real: no other like it can be added."));
+                    .isEqualTo(new Answer.Refused("Robot 'real' is real: no other like it can be added."));
             assertThat(answer(run.operator().addRobot("virtual", there))).isEqualTo(new Answer.Added("hunter-1"));
         }
     }
@@ -205,10 +205,10 @@ class MixedRunTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
-            nowhere | Robot system (reality) of real failed: Nobody is there.
-            away    | Robot system (reality) of real failed: Nobody answers.
-            empty   | Robot system (reality) of real has no robot (real); it has [].
-            silent  | Robot system (reality) of real failed: No answer within PT10S.
+            nowhere | Robot system 'reality' of real failed: Nobody is there.
+            away    | Robot system 'reality' of real failed: Nobody answers.
+            empty   | Robot system 'reality' of real has no robot 'real'; it has [].
+            silent  | Robot system 'reality' of real failed: No answer within PT10S.
             """)
     void aSystemThatFailsIsNamedWithItsRobotsEvenIfTheRunWouldHaveEndedMeanwhile(String host, String words) {
         assertThat(broken(MIXED.replace("host: lab", "host: " + host))).hasMessage(words);
@@ -219,14 +219,14 @@ class MixedRunTest {
         String stuck = MIXED.replace("host: lab", "host: stuck")
                 .replace("virtual, pose: [-4, -1, 0]", "virtual, pose: [-4, -1, 0], mrs: {use: reality, host: %s}");
         RunBroken atTheEnd = broken(stuck.formatted("stuck, port: 7000"));
-        assertThat(atTheEnd).hasMessage("Robot system (reality) of virtual failed: Nobody lets go.");
+        assertThat(atTheEnd).hasMessage("Robot system 'reality' of virtual failed: Nobody lets go.");
         assertThat(atTheEnd.getSuppressed())
                 .extracting(Throwable::getMessage)
-                .containsExactly("Robot system (reality) of real failed: Nobody lets go.");
+                .containsExactly("Robot system 'reality' of real failed: Nobody lets go.");
         RunBroken atTheStart = broken(stuck.formatted("nowhere"));
-        assertThat(atTheStart).hasMessage("Robot system (reality) of virtual failed: Nobody is there.");
+        assertThat(atTheStart).hasMessage("Robot system 'reality' of virtual failed: Nobody is there.");
         assertThat(atTheStart.getSuppressed())
                 .extracting(Throwable::getMessage)
-                .containsExactly("Robot system (reality) of real failed: Nobody lets go.");
+                .containsExactly("Robot system 'reality' of real failed: Nobody lets go.");
     }
 }

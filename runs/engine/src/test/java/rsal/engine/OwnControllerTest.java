@@ -40,7 +40,7 @@ class OwnControllerTest {
               stop:
                 - {when: allArrived(r), outcome: success}
                 - {when: time >= 60, outcome: timeout}
-            measure:
+            metrics:
               - {name: duration, from: count(time)}
               - {name: wallCollisions, from: count(wallCollisions)}
             """;
@@ -111,7 +111,7 @@ class OwnControllerTest {
         try (var run = LiveRun.start(plan)) {
             RunResult result = run.result().toCompletableFuture().get();
             assertThat(result.outcome()).isEqualTo("success");
-            return result.measures().get("duration").orElseThrow();
+            return result.metrics().get("duration").orElseThrow();
         }
     }
 
@@ -164,21 +164,21 @@ class OwnControllerTest {
         refuses(
                 SCENARIO.replace("speed: 0.1", "sped: 0.1"),
                 "scenario.yaml:12:",
-                "(sped) is not known",
-                "Maybe (speed)");
+                "'sped' is not known",
+                "Maybe 'speed'");
         refuses(
                 SCENARIO.replace("speed: 0.1", "speed: 7"),
-                "(robots.r.devices.navigator.controller.speed)",
+                "'robots.r.devices.navigator.controller.speed'",
                 "from 0.01 to 1");
         refuses(SCENARIO.replace("Crawler.java", "Crowler.java"), "scenario.yaml:12:38: ", "Crowler.java");
         refuses(
                 SCENARIO.replace("{type: Crawler.java, speed: 0.1}", "vhf"),
                 "scenario.yaml:12:31: There is no controller 'vhf'.",
-                "Maybe (vfh)");
+                "Maybe 'vfh'");
         refuses(
                 SCENARIO.replace("{type: Crawler.java, speed: 0.1}", "{type: vfh, weightDesiredDir: 1}"),
                 "'vfh' can't work with these values.",
-                "Raise (weightDesiredDir)");
+                "Raise 'weightDesiredDir'");
         refuses(
                 SCENARIO.replace("controller: {type: Crawler.java, speed: 0.1}", "local: nd"),
                 "'controller: {type: vfh}'");

@@ -31,14 +31,14 @@ class OwnMetricTest {
               near: {model: pioneer2dx, pose: [0, -1, 0]}
               far: {model: pioneer2dx, pose: [3, -1, 0]}
             agents: {teller: {type: Teller.java}}
-            metrics:
-              - {type: Looks.java, args: {scale: $scale, of: near}}
+            metricTypes:
+              - {type: Looks.java, parameters: {scale: $scale, of: near}}
             run:
               clock: {speed: max}
               stop:
                 - {when: looks >= 6, outcome: success}
                 - {when: time >= 20, outcome: timeout}
-            measure:
+            metrics:
               - {name: looks, from: count(looks)}
               - {name: first, from: firstTime(looks > 0)}
               - {name: gap, from: max(gap), per: robot}
@@ -131,8 +131,8 @@ class OwnMetricTest {
         }
     }
 
-    private static double value(RunResult result, String measure) {
-        return result.measures().getOrDefault(measure, OptionalDouble.empty()).orElseThrow();
+    private static double value(RunResult result, String metric) {
+        return result.metrics().getOrDefault(metric, OptionalDouble.empty()).orElseThrow();
     }
 
     private void refuses(String text, String... words) {
@@ -145,7 +145,7 @@ class OwnMetricTest {
     void measuresAndConditionsAskForWhatTheyOffer() throws Exception {
         RunResult result = run(plan(SCENARIO));
         assertThat(result.outcome()).isEqualTo("success");
-        assertThat(result.measures())
+        assertThat(result.metrics())
                 .containsEntry("looks", OptionalDouble.of(6))
                 .containsEntry("gap.near", OptionalDouble.of(0))
                 .containsEntry("gap.far", OptionalDouble.of(3))
@@ -172,12 +172,14 @@ class OwnMetricTest {
     @Test
     void theirMistakesAreTheScenarios() throws IOException {
         refuses(SCENARIO.replace("Looks.java", "Loks.java"), "scenario.yaml:12:12: ", "Loks.java");
-        refuses(SCENARIO.replace("Looks.java", "loks"), "scenario.yaml:12:12: There is no metric (loks).");
-        refuses(SCENARIO.replace("scale: $scale", "scal: 3"), "(scal) is not known", "Maybe (scale)");
-        refuses(SCENARIO.replace("of: near", "of: neer"), "(metrics.args.of)", "neer");
-        refuses(SCENARIO.replace("looks >= 6", "loks >= 6"), "(loks) is not a condition or quantity", "Maybe (looks)");
-        refuses(SCENARIO.replace("max(gap)", "max(gab)"), "(gab) is not a signal or quantity", "Maybe (gap)");
-        refuses(SCENARIO.replace("metrics:\n", "metrics:\n  - {type: Looks.java}\n"), "Metric 'looks' is named twice.");
+        refuses(SCENARIO.replace("Looks.java", "loks"), "scenario.yaml:12:12: There is no metric 'loks'.");
+        refuses(SCENARIO.replace("scale: $scale", "scal: 3"), "'scal' is not known", "Maybe 'scale'");
+        refuses(SCENARIO.replace("of: near", "of: neer"), "'metricTypes.parameters.of'", "neer");
+        refuses(SCENARIO.replace("looks >= 6", "loks >= 6"), "'loks' is not a condition or quantity", "Maybe 'looks'");
+        refuses(SCENARIO.replace("max(gap)", "max(gab)"), "'gab' is not a signal or quantity", "Maybe 'gap'");
+        refuses(
+                SCENARIO.replace("metricTypes:\n", "metricTypes:\n  - {type: Looks.java}\n"),
+                "Metric 'looks' is named twice.");
         refuses(
                 SCENARIO.replace("Looks.java", "Teller.java"),
                 "Class 'Teller' is no metric.",

@@ -33,7 +33,7 @@ class OwnRecoveryTest {
                 devices:
                   laser: urg04lx
                   localizer: {type: odometry}
-                  navigator: {patience: 20, recoveries: [{type: StepAside.java, time: 3}, {type: wait, after: 5, time: 2}, backUp]}
+                  navigator: {timeout: 20, recoveries: [{type: StepAside.java, time: 3}, {type: wait, after: 5, duration: 2}, backUp]}
             things:
               front: {pose: [2, -1.3, 0], body: {length: 0.1, width: 1.3, height: 1}, obstacle: true}
               back: {pose: [-1, -1.3, 0], body: {length: 0.1, width: 1.3, height: 1}, obstacle: true}
@@ -46,7 +46,7 @@ class OwnRecoveryTest {
               stop:
                 - {when: allArrived(r), outcome: success}
                 - {when: time >= 120, outcome: timeout}
-            measure:
+            metrics:
               - {name: wallCollisions, from: count(wallCollisions)}
             """;
     private static final String DRIVER = """
@@ -92,11 +92,11 @@ class OwnRecoveryTest {
                         "recoveries",
                         List.of(
                                 Map.of("type", "stepAside", "time", 3.0),
-                                Map.of("type", "wait", "after", 5.0, "times", 1L, "time", 2.0),
+                                Map.of("type", "wait", "after", 5.0, "times", 1L, "duration", 2.0),
                                 "backUp"));
         try (var run = LiveRun.start(plan)) {
             RunResult result = Runs.result(run);
-            assertThat(result.measures().get("wallCollisions")).hasValue(0);
+            assertThat(result.metrics().get("wallCollisions")).hasValue(0);
             assertThat(run.events(0).stream().map(RunEvent::text))
                     .anyMatch(text -> text.contains("tried 'stepAside' once, 'wait' once, 'backUp' "));
         }
@@ -110,12 +110,12 @@ class OwnRecoveryTest {
 
     @Test
     void tellsEachMistakeWithItsPlace() {
-        refuses("[wait, bakUp]", "scenario.yaml:12:", "There is no recovery 'bakUp'.", "Maybe (backUp)");
-        refuses("[{type: wait, time: 0}]", "(robots.r.devices.navigator.recoveries.time)", "from 0.1 to 600");
-        refuses("[{type: wait, tme: 3}]", "(tme) is not known", "Maybe (time)");
-        refuses("[3]", "(robots.r.devices.navigator.recoveries) must be a text");
+        refuses("[wait, bakUp]", "scenario.yaml:12:", "There is no recovery 'bakUp'.", "Maybe 'backUp'");
+        refuses("[{type: wait, duration: 0}]", "'robots.r.devices.navigator.recoveries.duration'", "from 0.1 to 600");
+        refuses("[{type: wait, duraton: 3}]", "'duraton' is not known", "Maybe 'duration'");
+        refuses("[3]", "'robots.r.devices.navigator.recoveries' must be a text");
         refuses("[Driver.java]", "Class 'Driver' is no recovery.");
-        refuses("{time: 3}", "(robots.r.devices.navigator.recoveries.type)");
+        refuses("{time: 3}", "'robots.r.devices.navigator.recoveries.type'");
     }
 
     @Test

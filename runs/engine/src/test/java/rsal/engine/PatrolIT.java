@@ -23,8 +23,8 @@ class PatrolIT {
     private static final Scenario PATROL = Scenario.load("patrol");
 
     private record Watch(RunResult result, List<RunEvent> events) {
-        double measure(String name) {
-            return result.measures().get(name).getAsDouble();
+        double metric(String name) {
+            return result.metrics().get(name).getAsDouble();
         }
 
         /// Those who were at a place after some time.
@@ -70,9 +70,9 @@ class PatrolIT {
     @Trials({"1", "2", "3"})
     void noPlaceIsLeftAloneForLong(long seed) {
         Watch watch = watch("virtual", seed, 400);
-        assertThat(watch.measure("collisions")).isZero();
-        assertThat(watch.measure("meanIdleTime")).isLessThan(110);
-        assertThat(watch.measure("worstIdleTime")).isLessThan(360);
+        assertThat(watch.metric("collisions")).isZero();
+        assertThat(watch.metric("meanIdleness")).isLessThan(110);
+        assertThat(watch.metric("worstIdleness")).isLessThan(360);
         assertThat(watch.guards(0)).hasSize(4);
     }
 
@@ -81,7 +81,7 @@ class PatrolIT {
         Watch watch = watch("faulty", seed, 700);
         assertThat(watch.guards(0)).hasSize(4);
         assertThat(watch.guards(220)).hasSize(3);
-        assertThat(watch.measure("worstIdleTime")).isLessThan(600);
+        assertThat(watch.metric("worstIdleness")).isLessThan(600);
         RunEvent gone = watch.events.stream()
                 .filter(event -> event.text().startsWith("gone"))
                 .findFirst()
@@ -97,22 +97,22 @@ class PatrolIT {
     @Trials({"1", "2", "3"})
     void guardsWhoseBatteriesRunLowAreChargedAndGoOn(long seed) {
         Watch watch = watch("recharging", seed, 900);
-        assertThat(watch.measure("collisions")).isZero();
+        assertThat(watch.metric("collisions")).isZero();
         for (int guard = 1; guard <= 4; guard++) {
-            assertThat(watch.measure("leastCharge.guard-" + guard)).isBetween(0.05, 0.3);
+            assertThat(watch.metric("leastCharge.guard-" + guard)).isBetween(0.05, 0.3);
         }
         assertThat(watch.guards(600)).hasSize(4);
-        assertThat(watch.measure("worstIdleTime")).isLessThan(500);
+        assertThat(watch.metric("worstIdleness")).isLessThan(500);
     }
 
     @Trials({"1", "2", "3"})
     void anIntruderIsMetWhileOthersWatchAndPatrolsGoOn(long seed) {
         Watch watch = watch("intruder", seed, 600);
-        assertThat(watch.measure("collisions")).isZero();
-        assertThat(watch.measure("captureTime")).isLessThan(300);
-        assertThat(watch.measure("captureDistance")).isLessThan(2);
-        assertThat(watch.measure("worstIdleTime")).isLessThan(450);
-        assertThat(watch.guards((long) watch.measure("captureTime") + 60)).hasSize(4);
+        assertThat(watch.metric("collisions")).isZero();
+        assertThat(watch.metric("captureTime")).isLessThan(300);
+        assertThat(watch.metric("captureDistance")).isLessThan(2);
+        assertThat(watch.metric("worstIdleness")).isLessThan(450);
+        assertThat(watch.guards((long) watch.metric("captureTime") + 60)).hasSize(4);
         assertThat(watch.events)
                 .extracting(RunEvent::text)
                 .anyMatch(text -> text.matches("worker-\\d, accept-proposal: meet intruder 1 .*"))
@@ -123,8 +123,8 @@ class PatrolIT {
     @LongTest
     void guardsSpreadEveryFourMinutesAndWatchInBetween(long seed) {
         Watch watch = watch("distributed", seed, 720);
-        assertThat(watch.measure("collisions")).isZero();
-        assertThat(watch.measure("worstIdleTime")).isLessThan(400);
+        assertThat(watch.metric("collisions")).isZero();
+        assertThat(watch.metric("worstIdleness")).isLessThan(400);
         for (long from = 0; from < 720; from += 240) {
             assertThat(watch.spread(from, from + 120))
                     .as("seed %d, from %d s", seed, from)

@@ -26,8 +26,8 @@ class RescueIT {
     private static final Pattern JOB = Pattern.compile("help(?:ing)? victim (\\d+)");
 
     private record Rescue(RunResult result, List<RunEvent> events) {
-        double measure(String name) {
-            return result.measures().get(name).getAsDouble();
+        double metric(String name) {
+            return result.metrics().get(name).getAsDouble();
         }
 
         List<RunEvent> of(String kind) {
@@ -65,10 +65,10 @@ class RescueIT {
     void allVictimsAreFoundAndHelped(long seed) {
         Rescue rescue = run("virtual", seed);
         assertThat(rescue.result.outcome()).isEqualTo("success");
-        assertThat(rescue.measure("found")).isEqualTo(6);
-        assertThat(rescue.measure("reached")).isEqualTo(6);
-        assertThat(rescue.measure("reachedTime")).isBetween(rescue.measure("foundTime"), 400.0);
-        assertThat(rescue.measure("collisions")).isZero();
+        assertThat(rescue.metric("found")).isEqualTo(6);
+        assertThat(rescue.metric("reached")).isEqualTo(6);
+        assertThat(rescue.metric("reachedTime")).isBetween(rescue.metric("foundTime"), 400.0);
+        assertThat(rescue.metric("collisions")).isZero();
         assertThat(rescue.of("reached")).allMatch(event -> event.text().startsWith("has helper-"));
     }
 
@@ -85,14 +85,14 @@ class RescueIT {
         assertThat(doings.values())
                 .anySatisfy(
                         doing -> assertThat(doing).containsSubsequence("helping", "exploring", "helping", "exploring"));
-        assertThat(rescue.measure("collisions")).isZero();
+        assertThat(rescue.metric("collisions")).isZero();
     }
 
     @Trials({"1", "2"})
     void othersTakeOverWhenSomeAreGoneAndMessagesAreLost(long seed) {
         Rescue rescue = run("faulty", seed);
         assertThat(rescue.result.outcome()).isEqualTo("success");
-        assertThat(rescue.measure("reached")).isEqualTo(6);
+        assertThat(rescue.metric("reached")).isEqualTo(6);
         RunEvent fault = rescue.of("fault").stream()
                 .filter(event -> event.subject().startsWith("helper-"))
                 .findFirst()

@@ -228,11 +228,11 @@ class RobotCommandsTest {
     void onlyOneDrivesARobot() {
         done(run.operator().drive("idle", "me", Twist2d.STOP));
         assertThat(refusal(run.operator().drive("idle", "you", Twist2d.drive(0.2, 0))))
-                .isEqualTo("Somebody else drives robot (idle) by keys.");
+                .isEqualTo("Somebody else drives robot 'idle' by keys.");
         done(run.operator().release("idle", "you"));
         assertThat(robot(now(), "idle").driver()).isEqualTo("me");
-        assertThat(refusal(run.operator().goTo("idle", new Pose2d(3, 0, 0)))).contains("(idle) is driven by keys");
-        assertThat(refusal(run.operator().behave("idle", "wander"))).contains("(idle) is driven by keys");
+        assertThat(refusal(run.operator().goTo("idle", new Pose2d(3, 0, 0)))).contains("'idle' is driven by keys");
+        assertThat(refusal(run.operator().behave("idle", "wander"))).contains("'idle' is driven by keys");
         done(run.operator().release("idle", "me"));
         done(run.operator().drive("idle", "you", Twist2d.STOP));
     }
@@ -354,17 +354,17 @@ class RobotCommandsTest {
     @Test
     void whatARobotCantDoIsRefusedWithTheReason() {
         assertThat(refusal(run.operator().goTo("blind", new Pose2d(3, 0, 0))))
-                .isEqualTo("Robot (blind) can't be sent anywhere."
+                .isEqualTo("Robot 'blind' can't be sent anywhere."
                         + " It has no sensor that measures ranges, so it would drive blindly.");
         assertThat(refusal(run.operator().behave("blind", "wander"))).contains("drive blindly");
-        assertThat(refusal(run.operator().goTo("car", new Pose2d(3, 0, 0)))).contains("which a car (cart) can't");
+        assertThat(refusal(run.operator().goTo("car", new Pose2d(3, 0, 0)))).contains("which a car 'cart' can't");
         assertThat(refusal(run.operator().behave("idle", "dance")))
-                .isEqualTo("There is no behavior (dance); there are [stand, wander, wall-follow].");
+                .isEqualTo("There is no behavior 'dance'; there are [stand, wander, wall-follow].");
         assertThat(refusal(run.operator().goTo("idle", new Pose2d(0, 0, 0))))
                 .isEqualTo("There is a wall at (0.00, 0.00).");
         assertThat(refusal(run.operator().goTo("idle", new Pose2d(300, 0, 0))))
                 .isEqualTo("(300.00, 0.00) is outside the map.");
-        assertThat(refusal(run.operator().drive("nobody", "me", Twist2d.STOP))).contains("There is no (nobody)");
+        assertThat(refusal(run.operator().drive("nobody", "me", Twist2d.STOP))).contains("There is no 'nobody'");
         assertThat(refusal(run.operator().drive("idle", "me", Twist2d.drive(Double.NaN, 0))))
                 .contains("finite");
         done(run.operator().drive("blind", "me", Twist2d.drive(0.1, 0)));

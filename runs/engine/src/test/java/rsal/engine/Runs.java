@@ -35,7 +35,7 @@ public final class Runs {
                 model: pioneer3at
                 pose: {free: true}
             agents:
-              run: {type: quitter, robot: prey, args: {caughtAfter: $caughtAfter, by: hunter-1, distance: 30}}
+              run: {type: quitter, robot: prey, parameters: {caughtAfter: $caughtAfter, by: hunter-1, distance: 30}}
               chase: {type: wanderer, robot: hunter}
             run:
               seed: 7
@@ -43,7 +43,7 @@ public final class Runs {
               stop:
                 - {when: allCaught(prey), outcome: success}
                 - {when: time >= 20, outcome: timeout}
-            measure:
+            metrics:
               - {name: captureTime, from: firstTime(allCaught(prey)), unit: s}
               - {name: captureDistance, from: max(captureDistance)}
               - {name: error, from: p95(poseError), per: robot, bound: {max: 0.1}}

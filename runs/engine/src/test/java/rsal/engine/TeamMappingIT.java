@@ -25,7 +25,7 @@ class TeamMappingIT {
                   laser: urg04lx
                   localizer: {type: slam}
                   navigator: {}
-                  explorer: {waits: true, view: 3}
+                  explorer: {mapOnly: true, maxRange: 3}
                   planner: {type: explored}
             agents:
               worker: {type: worker, robot: robot}
@@ -35,7 +35,7 @@ class TeamMappingIT {
               stop:
                 - {when: exploring(robot) == 0 and explored >= 0.97, outcome: success}
                 - {when: time > 400, outcome: timeout}
-            measure:
+            metrics:
               - {name: explored, from: explored}
               - {name: collisions, from: count(collisions)}
             """;
@@ -51,7 +51,7 @@ class TeamMappingIT {
     private void assertMapped(String scenario, long seed) {
         RunResult result = Runs.result(Runs.plan(folder, scenario, RunOptions.NONE.withSeed(seed)));
         assertThat(result.outcome()).as("seed %d: %s", seed, result).isEqualTo("success");
-        assertThat(result.measures().get("collisions").getAsDouble())
+        assertThat(result.metrics().get("collisions").getAsDouble())
                 .as("seed %d", seed)
                 .isZero();
     }

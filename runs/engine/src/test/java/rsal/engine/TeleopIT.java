@@ -34,8 +34,8 @@ class TeleopIT {
             assertThat(arrived.await(60, TimeUnit.SECONDS)).isTrue();
             run.stop();
             RunResult result = Runs.result(run);
-            assertThat(result.measures().get("arrived").getAsDouble()).isEqualTo(3);
-            assertThat(result.measures().get("collisions").getAsDouble()).isZero();
+            assertThat(result.metrics().get("arrived").getAsDouble()).isEqualTo(3);
+            assertThat(result.metrics().get("collisions").getAsDouble()).isZero();
             assertThat(run.goals()).extracting(SentGoal::status).containsOnly(SentGoal.Status.SUCCEEDED);
         }
     }
@@ -60,8 +60,8 @@ class TeleopIT {
             run.speed(Double.POSITIVE_INFINITY);
             RunResult result = Runs.result(run);
             String as = "seed %d".formatted(seed);
-            assertThat(result.measures().get("arrived").getAsDouble()).as(as).isEqualTo(3);
-            assertThat(result.measures().get("collisions").getAsDouble()).as(as).isZero();
+            assertThat(result.metrics().get("arrived").getAsDouble()).as(as).isEqualTo(3);
+            assertThat(result.metrics().get("collisions").getAsDouble()).as(as).isZero();
             assertThat(run.goals())
                     .extracting(goal -> goal.status().word())
                     .containsExactly("canceled", "succeeded", "succeeded", "succeeded");

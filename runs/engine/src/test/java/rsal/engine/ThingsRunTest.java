@@ -27,7 +27,7 @@ class ThingsRunTest {
               stop:
                 - {when: allCollected(can), outcome: success}
                 - {when: time >= 60, outcome: timeout}
-            measure:
+            metrics:
               - {name: collected, from: count(collected(can))}
               - {name: two, from: firstTime(collected(can) >= 2)}
             """;
@@ -43,7 +43,7 @@ class ThingsRunTest {
     void whatLiesInADepotCounts() {
         RunResult result = Runs.result(plan(TIDY));
         assertThat(result.outcome()).isEqualTo("timeout");
-        assertThat(result.measures().get("collected")).hasValue(2);
+        assertThat(result.metrics().get("collected")).hasValue(2);
         RunResult wide = Runs.result(plan(TIDY.replace("radius: 1}", "radius: 5}")));
         assertThat(wide.outcome()).isEqualTo("success");
         assertThat(wide.simulatedSeconds()).isLessThan(1);
@@ -55,7 +55,7 @@ class ThingsRunTest {
         double second = plan.things().getFirst().each().get(1).comes().toMillis() / 1000.0;
         assertThat(second).isBetween(0.5, 55.0);
         RunResult result = Runs.result(plan);
-        assertThat(result.measures().get("two").orElseThrow()).isBetween(second, second + 0.2);
+        assertThat(result.metrics().get("two").orElseThrow()).isBetween(second, second + 0.2);
     }
 
     @Test

@@ -22,7 +22,7 @@ class UntrustedProgramTest {
             title: An agent that leaves a file where it was read
             world: {map: office}
             robots: {r1: {model: pioneer2dx, pose: [0, -1, 0], devices: {}}}
-            agents: {touch: {type: Touch.java, args: {times: 3, name: somebody, loud: true}}}
+            agents: {touch: {type: Touch.java, parameters: {times: 3, name: somebody, loud: true}}}
             run: {stop: [{when: time > 1, outcome: success}]}
             """;
     private static final String PROGRAM = """

@@ -46,7 +46,7 @@ class WatchdogTest {
                     .isInstanceOf(CompletionException.class)
                     .cause()
                     .isInstanceOf(RunBroken.class)
-                    .hasMessageContainingAll("Agent (chase) has not returned for 2 s", "Endless");
+                    .hasMessageContainingAll("Agent 'chase' has not returned for 2 s", "Endless");
         } finally {
             Endless.RELEASE.release();
         }

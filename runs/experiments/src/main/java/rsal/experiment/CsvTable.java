@@ -7,9 +7,9 @@ import java.util.stream.Collectors;
 import rsal.scenario.text.CsvLine;
 import rsal.settings.Parameter;
 
-/// Rows as CSV: the same columns in all of them. Arguments and measures
+/// Rows as CSV: the same columns in all of them. Arguments and metrics
 /// may have the same names, so each says which it is.
-record CsvTable(List<String> arguments, List<String> measures) {
+record CsvTable(List<String> arguments, List<String> metrics) {
     static CsvTable of(Sweep sweep) {
         return new CsvTable(
                 sweep.scenario().arguments().stream().map(Parameter::name).toList(), sweep.valueNames());
@@ -19,7 +19,7 @@ record CsvTable(List<String> arguments, List<String> measures) {
         var names = new ArrayList<>(List.of("run", "combination", "configuration"));
         arguments.forEach(name -> names.add("argument." + name));
         names.addAll(List.of("seed", "outcome", "reason", "simulatedSeconds", "wallSeconds", "eventHash"));
-        measures.forEach(name -> names.add("measure." + name));
+        metrics.forEach(name -> names.add("metric." + name));
         names.addAll(List.of("outOfBounds", "failedAgents"));
         return CsvLine.of(names.stream());
     }
@@ -35,7 +35,7 @@ record CsvTable(List<String> arguments, List<String> measures) {
                 number(row.simulatedSeconds()),
                 number(row.wallSeconds()),
                 row.eventHash()));
-        measures.forEach(name -> cells.add(number(row.measures().getOrDefault(name, OptionalDouble.empty()))));
+        metrics.forEach(name -> cells.add(number(row.metrics().getOrDefault(name, OptionalDouble.empty()))));
         cells.add(String.join("; ", row.outOfBounds()));
         cells.add(row.failedAgents().entrySet().stream()
                 .map(agent -> agent.getKey() + ": " + agent.getValue())

@@ -41,7 +41,7 @@ public record Factor(String argument, List<String> levels) {
                 .findFirst()
                 .orElseThrow(() -> new InvalidSettings(
                         at,
-                        "The scenario has no argument (%s).".formatted(argument),
+                        "The scenario has no argument '%s'.".formatted(argument),
                         Suggestion.among(
                                 argument, known.stream().map(Parameter::name).toList())));
         var levels = new ArrayList<String>();
@@ -52,7 +52,7 @@ public record Factor(String argument, List<String> levels) {
         for (String level : levels) {
             try {
                 if (!seen.add(parameter.parse(level))) {
-                    throw new InvalidSettings(at, "Level (%s) is there twice.".formatted(level), "");
+                    throw new InvalidSettings(at, "Level '%s' is there twice.".formatted(level), "");
                 }
             } catch (IllegalArgumentException e) {
                 throw new InvalidSettings(at, String.valueOf(e.getMessage()), "");
@@ -79,18 +79,18 @@ public record Factor(String argument, List<String> levels) {
             to = new BigDecimal(range.group(2));
             step = range.group(3) == null ? BigDecimal.ONE : new BigDecimal(range.group(3));
         } catch (NumberFormatException _) {
-            throw new InvalidSettings(at, "(%s) is no range of numbers, like 1:10:3.".formatted(typed), "");
+            throw new InvalidSettings(at, "'%s' is no range of numbers, like 1:10:3.".formatted(typed), "");
         }
         if (step.signum() == 0 || to.compareTo(from) * step.signum() < 0) {
             throw new InvalidSettings(
                     at,
-                    "Range (%s) never gets from %s to %s by steps of %s.".formatted(typed, from, to, step),
+                    "Range '%s' never gets from %s to %s by steps of %s.".formatted(typed, from, to, step),
                     "It is FROM:TO:STEP, like 1:10:3.");
         }
         var levels = new ArrayList<String>();
         for (BigDecimal level = from; level.compareTo(to) * step.signum() <= 0; level = level.add(step)) {
             if (levels.size() == MOST_LEVELS) {
-                throw new InvalidSettings(at, "Range (%s) has more than %d levels.".formatted(typed, MOST_LEVELS), "");
+                throw new InvalidSettings(at, "Range '%s' has more than %d levels.".formatted(typed, MOST_LEVELS), "");
             }
             levels.add(level.signum() == 0 ? "0" : level.stripTrailingZeros().toPlainString());
         }

@@ -13,7 +13,7 @@ import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
-import rsal.experiment.Manifest.Measure;
+import rsal.experiment.Manifest.MetricExpression;
 import rsal.experiment.statistics.Effect;
 import rsal.experiment.statistics.Effect.Pair;
 import rsal.settings.InvalidSettings;
@@ -54,22 +54,22 @@ public record Findings(Manifest manifest, List<Row> rows) {
         return combinations.stream().map(this::label).toList();
     }
 
-    /// What was measured in a run; of a measure that each robot has, the mean over its robots, as those of
+    /// What was measured in a run; of a metric that each robot has, the mean over its robots, as those of
     /// one run are not independent of each other. Empty where there was nothing to measure.
-    public OptionalDouble value(Row row, Measure measure) {
-        if (!measure.perRobot()) {
-            return row.measures().getOrDefault(measure.name(), OptionalDouble.empty());
+    public OptionalDouble value(Row row, MetricExpression metric) {
+        if (!metric.perRobot()) {
+            return row.metrics().getOrDefault(metric.name(), OptionalDouble.empty());
         }
-        return row.measures().entrySet().stream()
-                .filter(value -> value.getKey().startsWith(measure.name() + "."))
+        return row.metrics().entrySet().stream()
+                .filter(value -> value.getKey().startsWith(metric.name() + "."))
                 .filter(value -> value.getValue().isPresent())
                 .mapToDouble(value -> value.getValue().getAsDouble())
                 .average();
     }
 
     /// What was measured in all runs, as it can be averaged and compared.
-    public Measurements measurements(Measure measure) {
-        return Measurements.of(this, measure);
+    public MetricTable measurements(MetricExpression metric) {
+        return MetricTable.of(this, metric);
     }
 
     /// What a report compares: other levels of each of [Design#compared].
@@ -79,8 +79,8 @@ public record Findings(Manifest manifest, List<Row> rows) {
                 .toList();
     }
 
-    /// What a change does to a measure: over all combinations of what is varied besides, by seed.
-    public Effect effect(Change change, Measurements measurements) {
+    /// What a change does to a metric: over all combinations of what is varied besides, by seed.
+    public Effect effect(Change change, MetricTable measurements) {
         return Effect.of(blocks(change, measurements::of, _ -> true));
     }
 
@@ -90,8 +90,8 @@ public record Findings(Manifest manifest, List<Row> rows) {
         return Effect.of(blocks(change, row -> OptionalDouble.of(row.outcome().equals(outcome) ? 100 : 0), _ -> true));
     }
 
-    /// What it does to a measure where another factor has some level.
-    public Effect effectWhere(Change change, Factor other, String level, Measurements measurements) {
+    /// What it does to a metric where another factor has some level.
+    public Effect effectWhere(Change change, Factor other, String level, MetricTable measurements) {
         return Effect.of(blocks(change, measurements::of, with(other, level)));
     }
 
@@ -124,7 +124,7 @@ public record Findings(Manifest manifest, List<Row> rows) {
 
     /// How much more a change does after the other one: the difference of two differences, by seed. D. Montgomery,
     /// Design and Analysis of Experiments, 8th edition, section 5.1.
-    public Effect effect(Interaction interaction, Measurements measurements) {
+    public Effect effect(Interaction interaction, MetricTable measurements) {
         Factor other = interaction.where().factor();
         List<List<Pair>> before = blocks(
                 interaction.change(),

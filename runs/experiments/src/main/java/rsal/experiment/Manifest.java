@@ -10,8 +10,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import rsal.scenario.RunPlan.Measured;
-import rsal.scenario.condition.Measure.FirstTime;
+import rsal.scenario.RunPlan.MetricDefinition;
+import rsal.scenario.condition.MetricExpression.FirstTime;
 import rsal.scenario.text.Folders;
 
 /// What an experiment is and how it was made, beside its rows. Part of what users build on: names stay, more
@@ -26,7 +26,7 @@ public record Manifest(
         Subject subject,
         String title,
         List<Argument> arguments,
-        List<Measure> measures,
+        List<MetricExpression> metrics,
         List<Session> sessions,
         String scenarioText) {
     static final int FORMAT = 1;
@@ -111,7 +111,7 @@ public record Manifest(
     /// @param perRobot whether each robot has a value of its own, called `<name>.<robot>`
     /// @param better `less`, `more` or `neither`
     /// @param kind [#VALUE] or [#EVENT_TIME]; empty in a file that is older than these, where all are values
-    public record Measure(String name, String unit, boolean perRobot, String better, Optional<String> kind) {
+    public record MetricExpression(String name, String unit, boolean perRobot, String better, Optional<String> kind) {
         /// Something that there may be nothing of in a run.
         public static final String VALUE = "value";
 
@@ -122,8 +122,8 @@ public record Manifest(
             return kind.equals(Optional.of(EVENT_TIME));
         }
 
-        static Measure of(Measured measured) {
-            return new Measure(
+        static MetricExpression of(MetricDefinition measured) {
+            return new MetricExpression(
                     measured.name(),
                     measured.unit(),
                     measured.perRobot(),
@@ -168,7 +168,7 @@ public record Manifest(
         requireNonNull(title);
         requireNonNull(scenarioText);
         arguments = List.copyOf(arguments);
-        measures = List.copyOf(measures);
+        metrics = List.copyOf(metrics);
         sessions = List.copyOf(sessions);
     }
 
@@ -180,7 +180,7 @@ public record Manifest(
                 sweep.scenario().arguments().stream()
                         .map(p -> new Argument(p.name(), p.unit(), p.description()))
                         .toList(),
-                sweep.measures().stream().map(Measure::of).toList(),
+                sweep.metrics().stream().map(MetricExpression::of).toList(),
                 List.of(session),
                 sweep.scenario().text());
     }
@@ -188,6 +188,6 @@ public record Manifest(
     Manifest with(Session session) {
         var more = new ArrayList<>(sessions);
         more.add(session);
-        return new Manifest(format, subject, title, arguments, measures, more, scenarioText);
+        return new Manifest(format, subject, title, arguments, metrics, more, scenarioText);
     }
 }

@@ -20,8 +20,8 @@ import rsal.scenario.text.Folders;
 /// @param simulatedSeconds empty when it broke
 /// @param wallSeconds how long it took; empty when it broke
 /// @param eventHash equal for equal runs; empty when it broke
-/// @param measures by name; empty where there was nothing to measure
-/// @param outOfBounds names of the measures that are not within the bounds the scenario gives
+/// @param metrics by name; empty where there was nothing to measure
+/// @param outOfBounds names of the metrics that are not within the bounds the scenario gives
 /// @param failedAgents what went wrong with agents that ended by a mistake of their own, by name
 public record Row(
         int run,
@@ -34,7 +34,7 @@ public record Row(
         OptionalDouble simulatedSeconds,
         OptionalDouble wallSeconds,
         String eventHash,
-        Map<String, OptionalDouble> measures,
+        Map<String, OptionalDouble> metrics,
         List<String> outOfBounds,
         Map<String, String> failedAgents) {
     /// The outcome of a run that could not go on, or not begin.
@@ -45,7 +45,7 @@ public record Row(
         arguments = Collections.unmodifiableMap(new LinkedHashMap<>(arguments));
         requireNonNull(outcome);
         reason = Folders.without(reason);
-        measures = Collections.unmodifiableMap(new LinkedHashMap<>(measures));
+        metrics = Collections.unmodifiableMap(new LinkedHashMap<>(metrics));
         outOfBounds = List.copyOf(outOfBounds);
         failedAgents = Collections.unmodifiableMap(new LinkedHashMap<>(failedAgents));
     }
@@ -62,7 +62,7 @@ public record Row(
                 OptionalDouble.of(result.simulatedSeconds()),
                 OptionalDouble.of(result.wallSeconds()),
                 result.eventHash(),
-                result.measures(),
+                result.metrics(),
                 result.outOfBounds(),
                 failed(result));
     }

@@ -23,7 +23,7 @@ public record SeedRange(long first, long last) {
         if (between < 0) {
             long count = whole(typed);
             if (count < 1) {
-                throw new IllegalArgumentException("(%s) is less than one seed.".formatted(typed.strip()));
+                throw new IllegalArgumentException("'%s' is less than one seed.".formatted(typed.strip()));
             }
             return new SeedRange(1, count);
         }
@@ -35,7 +35,7 @@ public record SeedRange(long first, long last) {
             return Long.parseLong(typed.strip());
         } catch (NumberFormatException _) {
             throw new IllegalArgumentException(
-                    "(%s) is not a whole number, like 42. Maybe 20 seeds were meant (20), or those from 101 to 120 (101-120)?"
+                    "'%s' is not a whole number, like 42. Maybe 20 seeds were meant (20), or those from 101 to 120 (101-120)?"
                             .formatted(typed.strip()));
         }
     }

@@ -17,7 +17,7 @@ import java.util.Set;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.Clock;
-import rsal.scenario.RunPlan.Measured;
+import rsal.scenario.RunPlan.MetricDefinition;
 import rsal.scenario.Scenario;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
@@ -33,8 +33,8 @@ public final class Sweep {
     private final List<Trial> trials;
     private final List<Problem> notes;
     private final Map<Integer, Map<String, Object>> arguments = new LinkedHashMap<>(); // by combination
-    private final Map<String, Measured> measures = new LinkedHashMap<>(); // by name
-    private final Set<String> values = new LinkedHashSet<>(); // what those of measures are called
+    private final Map<String, MetricDefinition> metrics = new LinkedHashMap<>(); // by name
+    private final Set<String> values = new LinkedHashSet<>(); // what those of metrics are called
 
     private Sweep(Scenario scenario, Design design) {
         this.scenario = scenario;
@@ -48,8 +48,8 @@ public final class Sweep {
                 found.addAll(plan.scene().warnings());
                 found.addAll(plan.notes());
                 arguments.put(combination.number(), plan.arguments());
-                plan.measures().forEach(measured -> {
-                    measures.putIfAbsent(measured.name(), measured);
+                plan.metrics().forEach(measured -> {
+                    metrics.putIfAbsent(measured.name(), measured);
                     values.addAll(measured.names(plan.robots()));
                 });
             } catch (InvalidSettings e) {
@@ -86,7 +86,7 @@ public final class Sweep {
                 throw new InvalidSettings(
                         Location.of("--set %s=%s"
                                 .formatted(factor.argument(), design.settings().get(factor.argument()))),
-                        "Argument (%s) is varied, too.".formatted(factor.argument()),
+                        "Argument '%s' is varied, too.".formatted(factor.argument()),
                         "Say either --set or --vary of it.");
             }
         }
@@ -96,13 +96,13 @@ public final class Sweep {
         var seen = new HashSet<String>();
         for (String name : names) {
             if (!seen.add(name)) {
-                throw new InvalidSettings(Location.of(option), "(%s) is there twice.".formatted(name), "");
+                throw new InvalidSettings(Location.of(option), "'%s' is there twice.".formatted(name), "");
             }
         }
     }
 
     private void check(RunPlan plan, Set<Problem> mistakes) {
-        String name = "Configuration (%s)".formatted(plan.configuration());
+        String name = "Configuration '%s'".formatted(plan.configuration());
         if (plan.clock() == Clock.WALL) {
             mistakes.add(new Problem(
                     scenario.location(),
@@ -157,11 +157,11 @@ public final class Sweep {
     }
 
     /// What is measured in any of its runs, in the scenario's order.
-    public List<Measured> measures() {
-        return List.copyOf(measures.values());
+    public List<MetricDefinition> metrics() {
+        return List.copyOf(metrics.values());
     }
 
-    /// What the values of measures are called in any of its runs.
+    /// What the values of metrics are called in any of its runs.
     List<String> valueNames() {
         return List.copyOf(values);
     }

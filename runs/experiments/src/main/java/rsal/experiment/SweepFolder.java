@@ -148,7 +148,7 @@ public final class SweepFolder implements AutoCloseable {
     /// @throws UncheckedIOException when it can't be written; then nothing more should be
     synchronized void append(Row row) {
         if (known.containsKey(row.run())) {
-            throw new IllegalStateException("Run (%d) has a row already.".formatted(row.run()));
+            throw new IllegalStateException("Run '%d' has a row already.".formatted(row.run()));
         }
         try {
             write(rows, line(row));
@@ -223,7 +223,7 @@ public final class SweepFolder implements AutoCloseable {
             if (manifest.format() != Manifest.FORMAT) {
                 throw new InvalidSettings(
                         at(file),
-                        "It is of format (%d); this RSAL reads format %d."
+                        "It is of format '%d'; this RSAL reads format %d."
                                 .formatted(manifest.format(), Manifest.FORMAT),
                         "");
             }
@@ -250,7 +250,7 @@ public final class SweepFolder implements AutoCloseable {
                 if (!runs.add(row.run())) {
                     throw new InvalidSettings(
                             new Location(file.toString(), number, 1),
-                            "Run (%d) is there twice.".formatted(row.run()),
+                            "Run '%d' is there twice.".formatted(row.run()),
                             "");
                 }
                 rows.add(row);

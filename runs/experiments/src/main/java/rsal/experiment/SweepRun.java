@@ -94,12 +94,12 @@ public final class SweepRun implements AutoCloseable {
         if (!closed && !again.eventHash().equals(quickest.eventHash())) {
             throw new InvalidSettings(
                     Location.of("--resume"),
-                    "Run (%d) comes out otherwise now: its event hash was %s and is %s."
+                    "Run '%d' comes out otherwise now: its event hash was %s and is %s."
                             .formatted(
                                     quickest.run(),
                                     shortened(quickest.eventHash()),
                                     again.isBroken() ? again.reason() : shortened(again.eventHash())),
-                    "Something it is made of has changed since: an agent, a map, RSAL itself. Begin anew in another folder.");
+                    "Something that it uses has changed since: an agent, a map, or RSAL itself. Start a new sweep in another folder.");
         }
     }
 

@@ -32,16 +32,16 @@ class FactorTest {
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', textBlock = """
-            hunter  | 1,2     | Maybe (hunters) was meant?
+    @CsvSource(quoteCharacter = '`', delimiter = '|', textBlock = """
+            hunter  | 1,2     | Maybe 'hunters' was meant?
             xyz     | 1       | Known are: hunters, speed, servers.
-            hunters | 1,99    | (hunters) must be a whole number from 1 to 20, not (99).
-            hunters | 1,,2    | not ()
+            hunters | 1,99    | 'hunters' must be a whole number from 1 to 20, not '99'.
+            hunters | 1,,2    | not ''
             hunters | 1:2:0   | never gets
             hunters | 3:1     | never gets
-            hunters | 1:2:0.5 | not (1.5)
-            hunters | 2,1:3   | Level (2) is there twice.
-            speed   | 1,1.0   | Level (1.0) is there twice.
+            hunters | 1:2:0.5 | not '1.5'
+            hunters | 2,1:3   | Level '2' is there twice.
+            speed   | 1,1.0   | Level '1.0' is there twice.
             speed   | 0:2:1e-9 | has more than
             speed   | 1.2.3:2 | no range
             """)

@@ -28,7 +28,7 @@ final class Guards {
             run:
               stop:
                 - {when: time > 3, outcome: success}
-            measure:
+            metrics:
               - {name: guards, unit: m, from: distance}
               - {name: way, unit: m, from: distance, per: robot, better: more}
               - {name: firstCollision, unit: s, from: firstTime(collisions > 0)}

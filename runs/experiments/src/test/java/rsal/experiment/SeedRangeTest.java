@@ -23,15 +23,15 @@ class SeedRangeTest {
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', textBlock = """
-            0                                          | (0) is less than one seed
-            -5                                         | (-5) is less than one seed
-            many                                       | (many) is not a whole number, like 42. Maybe 20 seeds were meant (20)
+    @CsvSource(quoteCharacter = '`', delimiter = '|', textBlock = """
+            0                                          | '0' is less than one seed
+            -5                                         | '-5' is less than one seed
+            many                                       | 'many' is not a whole number, like 42. Maybe 20 seeds were meant (20)
             1..5                                       | or those from 101 to 120 (101-120)
             1000001                                    | at most 1000000
             5-4                                        | must go up
-            1-x                                        | (x) is not a whole number
-            1:2:3                                      | (2:3) is not a whole number
+            1-x                                        | 'x' is not a whole number
+            1:2:3                                      | '2:3' is not a whole number
             1-1000001                                  | at most 1000000
             -9223372036854775808-9223372036854775807   | at most 1000000
             """)

@@ -65,13 +65,13 @@ class SweepRunTest {
         List<String> lines = Files.readAllLines(out.resolve(SweepFolder.TABLE));
         assertThat(lines.getFirst())
                 .isEqualTo("run,combination,configuration,argument.guards,argument.places,seed,outcome,reason,"
-                        + "simulatedSeconds,wallSeconds,eventHash,measure.guards,measure.way.guard-1,"
-                        + "measure.firstCollision,measure.way.guard-2,outOfBounds,failedAgents");
+                        + "simulatedSeconds,wallSeconds,eventHash,metric.guards,metric.way.guard-1,"
+                        + "metric.firstCollision,metric.way.guard-2,outOfBounds,failedAgents");
         assertThat(lines).hasSize(9);
         assertThat(lines.get(2)).startsWith("2,2,long,2,anywhere,1,success,,3.1,");
         Row row = SweepFolder.rows(out).get(1);
-        assertThat(row.measures().get("guards").orElseThrow()).isPositive();
-        assertThat(row.measures()).containsEntry("firstCollision", OptionalDouble.empty());
+        assertThat(row.metrics().get("guards").orElseThrow()).isPositive();
+        assertThat(row.metrics()).containsEntry("firstCollision", OptionalDouble.empty());
         assertThat(row.arguments()).containsEntry("guards", 2);
     }
 
@@ -327,7 +327,7 @@ class SweepRunTest {
                         row.simulatedSeconds(),
                         OptionalDouble.empty(),
                         row.eventHash(),
-                        row.measures(),
+                        row.metrics(),
                         row.outOfBounds(),
                         row.failedAgents()))
                 .toList();

@@ -40,7 +40,7 @@ class SweepTest {
                 new Design(List.of("long", "shrt"), List.of(), Map.of("guards", "9"), List.of(1L), Optional.empty());
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> Sweep.of(Guards.in(folder), design))
-                .withMessageContainingAll("--set guards=9", "from 1 to 4", "(shrt)", "Maybe (short)");
+                .withMessageContainingAll("--set guards=9", "from 1 to 4", "'shrt'", "Maybe 'short'");
     }
 
     @Test
@@ -48,7 +48,7 @@ class SweepTest {
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(
                         () -> Sweep.of(Guards.in(folder), Guards.with(List.of("real", "endless"), Optional.empty())))
-                .withMessageContainingAll("(real) runs in real time", "(endless) has no end of its own", "--for");
+                .withMessageContainingAll("'real' runs in real time", "'endless' has no end of its own", "--for");
         assertThat(Sweep.of(Guards.in(folder), Guards.with(List.of("endless"), Optional.of(Duration.ofSeconds(1))))
                         .trials())
                 .hasSize(1);
@@ -64,10 +64,10 @@ class SweepTest {
                 Optional.empty());
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> Sweep.of(Guards.in(folder), both))
-                .withMessageContaining("(guards) is varied, too");
+                .withMessageContaining("'guards' is varied, too");
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> Sweep.of(Guards.in(folder), Guards.with(List.of("long", "long"), Optional.empty())))
-                .withMessageContaining("(long) is there twice");
+                .withMessageContaining("'long' is there twice");
     }
 
     @Test

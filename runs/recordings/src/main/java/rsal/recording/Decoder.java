@@ -274,7 +274,7 @@ final class Decoder {
     private Teammate mate(MessageFields fields) {
         String id = fields.text("id");
         if (UNFIT.matcher(id).find()) { // it becomes the name of files
-            throw new IllegalArgumentException("No robot is called (%s).".formatted(id));
+            throw new IllegalArgumentException("No robot is called '%s'.".formatted(id));
         }
         Optional<Teammate> same = planned.stream()
                 .filter(mate -> mate.spec().id().equals(id))

@@ -72,14 +72,14 @@ final class Differences {
         values.put("odometry", words(robot.odometry().map(Stamped::value).map(value -> value.odomFromBase())));
         values.put("estimated pose", words(robot.estimate().map(Stamped::value).map(value -> value.mapFromBase())));
         values.put("goal", words(robot.goal()));
-        values.put("in charge", "(" + robot.inCharge() + ")");
+        values.put("in charge", "'" + robot.inCharge() + "'");
         return values;
     }
 
     private static Map<String, String> told(AgentView agent) {
         var values = new LinkedHashMap<String, String>();
         values.put("status", agent.view().status().name());
-        values.put("state", "(" + agent.view().state() + ")");
+        values.put("state", "'" + agent.view().state() + "'");
         values.put("beliefs", agent.view().beliefs().toString());
         return values;
     }

@@ -16,7 +16,7 @@ import rsal.scenario.RunPlan;
 /// How a recorded run ended, as metadata of its file.
 final class RecordedOutcome {
     static final String NAME = "rsal.result";
-    static final String MEASURE = "measure.";
+    static final String MEASURE = "metric.";
     private static final String FAILED = "failed."; // and an agent's name
     private static final String END_POSE = "endPose."; // and a robot's name: x y theta
     private static final String UNHANDLED = "unhandledGoals.";
@@ -31,7 +31,7 @@ final class RecordedOutcome {
         if (!entries.containsKey("outcome")) {
             return Optional.empty();
         }
-        var measures = new LinkedHashMap<String, OptionalDouble>();
+        var metrics = new LinkedHashMap<String, OptionalDouble>();
         var poses = new LinkedHashMap<String, Pose2d>();
         var failed = new LinkedHashMap<String, String>();
         var unhandled = new LinkedHashMap<String, List<String>>();
@@ -47,7 +47,7 @@ final class RecordedOutcome {
             }
             if (name.startsWith(MEASURE)) {
                 double number = number(value);
-                measures.put(
+                metrics.put(
                         name.substring(MEASURE.length()),
                         Double.isNaN(number) ? OptionalDouble.empty() : OptionalDouble.of(number));
             }
@@ -60,7 +60,7 @@ final class RecordedOutcome {
                 number(entries.getOrDefault("simulatedSeconds", "")),
                 number(entries.getOrDefault("wallSeconds", "")),
                 entries.getOrDefault("eventHash", ""),
-                measures,
+                metrics,
                 Stream.of(entries.getOrDefault("outOfBounds", "").split(" ", -1))
                         .filter(name -> !name.isEmpty())
                         .toList(),
@@ -100,7 +100,7 @@ final class RecordedOutcome {
             entries.put("simulatedSeconds", Double.toString(ended.simulatedSeconds()));
             entries.put("wallSeconds", Double.toString(ended.wallSeconds()));
             entries.put("eventHash", ended.eventHash());
-            ended.measures()
+            ended.metrics()
                     .forEach((name, value) ->
                             entries.put(MEASURE + name, value.isPresent() ? Double.toString(value.getAsDouble()) : ""));
             entries.put("outOfBounds", String.join(" ", ended.outOfBounds()));

@@ -61,7 +61,7 @@ public final class Recording implements Closeable {
         return run;
     }
 
-    /// How the run ended, by name: `outcome`, `simulatedSeconds`, `eventHash`, `measure.<name>`; empty when that
+    /// How the run ended, by name: `outcome`, `simulatedSeconds`, `eventHash`, `metric.<name>`; empty when that
     /// was not recorded.
     public Map<String, String> result() {
         return file.metadata(RecordedOutcome.NAME);

@@ -64,7 +64,7 @@ class PlaybackTest {
                         .allMatch(event -> event.said().isPresent());
                 assertThat(playback.result()).hasValueSatisfying(result -> {
                     assertThat(result.eventHash()).isEqualTo(seen.result.eventHash());
-                    assertThat(result.measures()).isEqualTo(seen.result.measures());
+                    assertThat(result.metrics()).isEqualTo(seen.result.metrics());
                     assertThat(result.outOfBounds()).isEqualTo(seen.result.outOfBounds());
                 });
                 assertThat(seen.snapshots)

@@ -53,14 +53,14 @@ final class AgentReader {
         for (String role : section.names()) {
             Section agent = section.section(role);
             if (!PlanReader.isName(role)) {
-                agent.problem(agent.location(), "(%s) can't be the name of an agent.".formatted(role), "");
+                agent.problem(agent.location(), "'%s' can't be the name of an agent.".formatted(role), "");
             }
             List<PlannedAgent> each = agents(role, agent);
             for (PlannedAgent planned : each) {
                 if (!names.add(planned.name())) {
                     agent.problem(
                             agent.location(),
-                            "There are two agents (%s).".formatted(planned.name()),
+                            "There are two agents '%s'.".formatted(planned.name()),
                             "Rename one of them.");
                 }
                 checkName(planned.name(), agents, agent.location());
@@ -83,12 +83,12 @@ final class AgentReader {
         for (String name : section.names()) {
             Section agent = section.section(name);
             Optional<AgentType> type = type(agent, other.files());
-            Section args = agent.section("args");
+            Section args = agent.section(Format.PARAMETERS);
             agent.done();
             if (own.stream().anyMatch(one -> one.name().equals(name))) {
                 problems.add(
                         other.at(),
-                        "There is an agent (%s) here and in scenario (%s).".formatted(name, other.name()),
+                        "There is an agent '%s' here and in scenario '%s'.".formatted(name, other.name()),
                         "Rename the one here.");
             }
             checkName(name, own, other.at());
@@ -128,7 +128,7 @@ final class AgentReader {
     private List<PlannedAgent> agents(String name, Section section) {
         Optional<AgentType> type = type(section, files);
         Optional<Role> role = robotRole(section);
-        Section args = section.section("args");
+        Section args = section.section(Format.PARAMETERS);
         if (type.isEmpty()) {
             return List.of();
         }
@@ -177,14 +177,14 @@ final class AgentReader {
         if (language.isEmpty()) {
             problems.add(
                     at,
-                    "Multi-agent system (%s) can't run (%s)."
+                    "Multi-agent system '%s' can't run '%s'."
                             .formatted(mas.provider().key(), file),
                     "Maybe mas: {use: %s}.".formatted(hosts.getFirst()));
             return Optional.empty();
         }
         if (language.get().runsCode() && !files.isTrusted()) {
             files.read(file, Yaml.MAX_CHARACTERS, at); // it must be there
-            return Optional.of(UntrustedType.of(file, agent.section("args")));
+            return Optional.of(UntrustedType.of(file, agent.section(Format.PARAMETERS)));
         }
         try {
             return Optional.of(language.get().read(file, files, at));
@@ -230,7 +230,7 @@ final class AgentReader {
                         .anyMatch(language -> language.takenNames().contains(agent)))
                 .ifPresent(host -> problems.add(
                         at,
-                        "No agent can be called (%s) on multi-agent system (%s): its language has another use for that name."
+                        "No agent can be called '%s' on multi-agent system '%s': its language has another use for that name."
                                 .formatted(agent, host.key()),
                         "Rename it."));
     }
@@ -250,7 +250,7 @@ final class AgentReader {
         if (role.isEmpty() && !name.isEmpty() && !robots.open()) {
             section.problem(
                     "robot",
-                    "No robots have the role (%s).".formatted(name),
+                    "No robots have the role '%s'.".formatted(name),
                     Suggestion.among(
                             name, robots.roles().stream().map(Role::name).toList()));
         }
@@ -272,12 +272,12 @@ final class AgentReader {
         if (role.get().complete() && !missing.isEmpty()) {
             section.problem(
                     "robot",
-                    "%s needs a robot with %s, which robots of role (%s) don't have."
+                    "%s needs a robot with %s, which robots of role '%s' don't have."
                             .formatted(
                                     needs.whose(missing),
                                     DeviceReader.words(missing),
                                     role.get().name()),
-                    "Add it to (robots.%s.devices).".formatted(role.get().name()));
+                    "Add it to 'robots.%s.devices'.".formatted(role.get().name()));
         }
     }
 }

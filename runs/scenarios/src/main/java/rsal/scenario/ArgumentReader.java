@@ -26,7 +26,7 @@ final class ArgumentReader {
             if (!Format.NAME.matcher(name).matches()) {
                 arguments.problem(
                         arguments.mapping().keys().getOrDefault(name, arguments.location()),
-                        "(%s) can't be the name of an argument.".formatted(name),
+                        "'%s' can't be the name of an argument.".formatted(name),
                         "Use letters and digits, at most 40.");
             }
             declared.add(declared(name, arguments.section(name)));
@@ -71,7 +71,7 @@ final class ArgumentReader {
         if (given.isEmpty()) {
             section.problem(
                     section.location(),
-                    "(%s) is missing: the value when none is given.".formatted(section.path("default")),
+                    "'%s' is missing: the value when none is given.".formatted(section.path("default")),
                     "");
             return Optional.empty();
         }
@@ -121,7 +121,7 @@ final class ArgumentReader {
             var names = declared.stream().map(Parameter::name).toList();
             var parameter = declared.stream().filter(p -> p.name().equals(name)).findFirst();
             if (parameter.isEmpty()) {
-                problems.add(at, "The scenario has no argument (%s).".formatted(name), Suggestion.among(name, names));
+                problems.add(at, "The scenario has no argument '%s'.".formatted(name), Suggestion.among(name, names));
                 return;
             }
             try {
@@ -151,14 +151,14 @@ final class ArgumentReader {
                 if (!names.contains(reference.group(1))) {
                     problems.add(
                             scalar.location(),
-                            "There is no argument (%s).".formatted(reference.group(1)),
+                            "There is no argument '%s'.".formatted(reference.group(1)),
                             Suggestion.among(reference.group(1), names));
                 }
                 problems.settle(scalar.location());
             } else if (reference.reset().results().anyMatch(found -> names.contains(found.group(1)))) {
                 problems.add(
                         scalar.location(),
-                        "An argument stands for a whole value, never inside other text (%s).".formatted(text),
+                        "An argument stands for a whole value, never inside other text '%s'.".formatted(text),
                         "");
             }
             return scalar;

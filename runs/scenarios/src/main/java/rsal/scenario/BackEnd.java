@@ -32,7 +32,7 @@ record BackEnd<P>(P provider, Arguments settings) {
         if (!kind.known.containsKey(key) && kind.apart.containsKey(key)) {
             section.problem(
                     "use",
-                    "The %s (%s) is not part of this installation.".formatted(kind.what, key),
+                    "The %s '%s' is not part of this installation.".formatted(kind.what, key),
                     kind.apart.getOrDefault(key, ""));
             return Optional.empty();
         }
@@ -43,9 +43,9 @@ record BackEnd<P>(P provider, Arguments settings) {
         if (clock == Clock.SIMULATED && !kind.followsTime.test(provider.get())) {
             section.problem(
                     "use",
-                    "The %s (%s)%s can't follow simulated time, which (run.clock.mode) asks for."
+                    "The %s '%s'%s can't follow simulated time, which 'run.clock.mode' asks for."
                             .formatted(kind.what, key, whose),
-                    "Set (run.clock.mode) to wall, as --clock wall does, or use another %s.".formatted(kind.what));
+                    "Set 'run.clock.mode' to wall, as --clock wall does, or use another %s.".formatted(kind.what));
         }
         return section.arguments(kind.parameters.apply(provider.get()))
                 .map(settings -> new BackEnd<>(provider.get(), settings));

@@ -23,7 +23,7 @@ final class CommunicationReader {
         if (behindWalls > range) {
             section.problem(
                     "behindWalls",
-                    "(%s) must be at most (range), %s m, not (%s)."
+                    "'%s' must be at most 'range', %s m, not '%s'."
                             .formatted(section.path("behindWalls"), range, behindWalls),
                     "Maybe the other way round?");
         }

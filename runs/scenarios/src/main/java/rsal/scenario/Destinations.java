@@ -69,8 +69,8 @@ final class Destinations {
             for (Parameter<?> parameter : one.type().parameters()) {
                 if (parameter.kind() == Parameter.Kind.PLACES) {
                     add(new Given(
-                            "(%s) of agent (%s)".formatted(parameter.name(), role),
-                            written("agents", role, "args", parameter.name()),
+                            "'%s' of agent '%s'".formatted(parameter.name(), role),
+                            written("agents", role, Format.PARAMETERS, parameter.name()),
                             robots.isEmpty() ? all : robots,
                             one.arguments().get(parameter.ofPlaces().orElseThrow()),
                             ARRIVED));
@@ -86,7 +86,7 @@ final class Destinations {
     private void depot(PlannedThings things, Set<String> all) {
         things.depot()
                 .ifPresent(depot -> add(new Given(
-                        "The depot of things (%s)".formatted(things.name()),
+                        "The depot of things '%s'".formatted(things.name()),
                         written("things", things.name(), "depot"),
                         all,
                         depot.mapFromMiddles(),
@@ -95,7 +95,7 @@ final class Destinations {
 
     private void things(PlannedThings things, Set<String> all) {
         Location at = written("things", things.name(), "pose");
-        String what = "(pose) of things (%s)".formatted(things.name());
+        String what = "'pose' of things '%s'".formatted(things.name());
         List<Point2d> places = places(things.each());
         if (things.reach().isPresent()) {
             Reach reach = things.reach().get();
@@ -220,8 +220,8 @@ final class Destinations {
     private Optional<Location> argument(String name, Value.Mapping overlay) {
         return plan.options().arguments().containsKey(name)
                 ? Optional.of(plan.options().locationOf(name))
-                : find(overlay, "args", name)
-                        .or(() -> find(plan.scenario().settings(), "arguments", name, "default"))
+                : find(overlay, Format.ARGUMENTS, name)
+                        .or(() -> find(plan.scenario().settings(), Format.ARGUMENTS, name, "default"))
                         .map(Value::location);
     }
 

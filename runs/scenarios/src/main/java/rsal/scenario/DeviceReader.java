@@ -99,7 +99,7 @@ final class DeviceReader {
             var known = new ArrayList<>(catalog.parts());
             known.addAll(catalog.drivers().keySet());
             devices.problem(
-                    name, "There is no part or device driver (%s).".formatted(word), Suggestion.among(word, known));
+                    name, "There is no part or device driver '%s'.".formatted(word), Suggestion.among(word, known));
         }
         return driver;
     }
@@ -115,7 +115,7 @@ final class DeviceReader {
             driver.advice(option).filter(_ -> !known).ifPresent(advice -> {
                 options.has(option);
                 Location place = options.mapping().keys().getOrDefault(option, options.location());
-                options.problem(place, "(%s) is not known in (%s).".formatted(option, devices.path(name)), advice);
+                options.problem(place, "'%s' is not known in '%s'.".formatted(option, devices.path(name)), advice);
             });
         }
         return options.arguments(driver.parameters());
@@ -140,19 +140,19 @@ final class DeviceReader {
         if (!missing.isEmpty()) {
             devices.problem(
                     name,
-                    "Device driver (%s) needs %s, which the robot does not have before (%s)."
+                    "Device driver '%s' needs %s, which the robot does not have before '%s'."
                             .formatted(driver.key(), words(missing), name),
-                    "Add it to (devices), above (%s).".formatted(name));
+                    "Add it to 'devices', above '%s'.".formatted(name));
         }
         return missing.isEmpty();
     }
 
     private static void refuse(Section devices, String name, DeviceDriver driver, String why) {
-        devices.problem(name, "Device driver (%s) can't work on this robot.".formatted(driver.key()), why);
+        devices.problem(name, "Device driver '%s' can't work on this robot.".formatted(driver.key()), why);
     }
 
     private static void misset(Section devices, String name, DeviceDriver driver, String why) {
-        devices.problem(name, "Device driver (%s) can't work with these options.".formatted(driver.key()), why);
+        devices.problem(name, "Device driver '%s' can't work with these options.".formatted(driver.key()), why);
     }
 
     static List<Class<? extends Device>> missing(

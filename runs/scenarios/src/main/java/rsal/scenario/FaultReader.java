@@ -101,8 +101,8 @@ final class FaultReader {
                     if (refusal.isPresent()) {
                         section.problem(
                                 "kind",
-                                "(%s) can't be (%s): %s".formatted(target.name(), draft.fault.kind(), refusal.get()),
-                                "Name others in (robots) or (devices), or leave this fault out.");
+                                "'%s' can't be '%s': %s".formatted(target.name(), draft.fault.kind(), refusal.get()),
+                                "Name others in 'robots' or 'devices', or leave this fault out.");
                         break;
                     }
                 }
@@ -177,7 +177,7 @@ final class FaultReader {
             if (values.values().stream().allMatch(value -> value.equals(0.0))) {
                 section.problem(
                         section.location(),
-                        "A (%s) sensor needs an error, (range) or (angle).".formatted(kind.word()),
+                        "A '%s' sensor needs an error, 'range' or 'angle'.".formatted(kind.word()),
                         kind.parameters().getFirst().description());
             }
         }
@@ -225,7 +225,7 @@ final class FaultReader {
                     .forEach(known::add);
             section.problem(
                     word.at,
-                    "(%s) must be a role of robots, the id of one, a pattern (r*) or all, not (%s)."
+                    "'%s' must be a role of robots, the id of one, a pattern (r*) or all, not '%s'."
                             .formatted(section.path("robots"), word.text),
                     Suggestion.among(word.text, known));
         }
@@ -278,7 +278,7 @@ final class FaultReader {
                     .forEach(each -> devices(each).forEach(named -> known.add(named.device)));
             section.problem(
                     device.at,
-                    "Robots called (%s) have no sensor (%s).".formatted(robot.text, device.text),
+                    "Robots called '%s' have no sensor '%s'.".formatted(robot.text, device.text),
                     Suggestion.among(device.text, known));
         }
     }
@@ -290,7 +290,7 @@ final class FaultReader {
             if (why.isPresent()) {
                 section.problem(
                         device.at,
-                        "Device (%s/%s) can't be %s like this."
+                        "Device '%s/%s' can't be %s like this."
                                 .formatted(each.robot.spec().id(), each.device, kind.word()),
                         why.get());
                 return;
@@ -362,7 +362,7 @@ final class FaultReader {
                         .collect(Collectors.toCollection(LinkedHashSet::new));
                 section.problem(
                         word.at,
-                        "(%s) must be an agent, a robot that has one, the role of either, a pattern (f*) or all, not (%s)."
+                        "'%s' must be an agent, a robot that has one, the role of either, a pattern (f*) or all, not '%s'."
                                 .formatted(section.path(key), word.text),
                         Suggestion.among(word.text, known));
             }
@@ -386,8 +386,8 @@ final class FaultReader {
         if (!section.has(key)) {
             section.problem(
                     section.location(),
-                    "(%s) is missing: a name or a list of names.".formatted(section.path(key)),
-                    "Maybe (%s: all)?".formatted(key));
+                    "'%s' is missing: a name or a list of names.".formatted(section.path(key)),
+                    "Maybe '%s: all'?".formatted(key));
         }
         return words(section, key);
     }

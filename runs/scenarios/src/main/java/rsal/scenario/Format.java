@@ -18,12 +18,17 @@ import rsal.settings.Value;
 final class Format {
     static final int VERSION = 1;
 
-    /// What robots, agents, arguments, configurations and measures can be called.
+    /// What robots, agents, arguments, configurations and metrics can be called.
     static final Pattern NAME = Pattern.compile("[A-Za-z][A-Za-z0-9_-]{0,39}");
 
     static final int MAX_ROBOTS = 1000;
     static final int MAX_AGENTS = 2000;
     static final int MAX_ITEMS = 100;
+
+    /// Values for arguments of a scenario.
+    static final String ARGUMENTS = "arguments";
+    /// Values for parameters of an agent, a device or a metric.
+    static final String PARAMETERS = "parameters";
 
     static final String DEFAULT_CONFIGURATION = "default";
     static final String DEFAULT_MRS = "sim";
@@ -36,7 +41,7 @@ final class Format {
                     + " --mas jadex --clock wall (docs/how-to/jadex.md).");
 
     static final Parameter<String> TOUCH = Parameter.choice(
-            "touch",
+            "onCollision",
             Touch.STALL.word(),
             Touch.words(),
             "Whether robots that drive into something stop or slide along it; otherwise as the file of the world has it.");
@@ -53,7 +58,7 @@ final class Format {
     static final Parameter<Boolean> PROXY = Parameter.flag(
             "proxy",
             false,
-            "Whether stand-ins of real robots are in the simulated world, where simulated ones see them.");
+            "Whether real robots have proxies in the simulated world, where simulated robots see them.");
     static final Parameter<Boolean> OVERLAY = Parameter.flag(
             "overlay", false, "Whether lasers and sonars of real robots see what is in the simulated world, too.");
     static final Parameter<Double> CLEARANCE = Parameter.number(
@@ -64,7 +69,7 @@ final class Format {
                     0,
                     100,
                     "m",
-                    "How far ways that connect free places keep from walls; as (clearance) without it.")
+                    "How far ways that connect free places keep from walls; as 'clearance' without it.")
             .required();
     static final Parameter<Boolean> FREE = Parameter.flag("free", true, "Somewhere free, chosen by the seed.");
     static final Parameter<Boolean> OBSTACLE = Parameter.flag("obstacle", true, "Whether robots run into them.");
@@ -83,11 +88,11 @@ final class Format {
     static final Parameter<Double> DEPOT_RADIUS =
             Parameter.number("radius", 1, 0.1, 100, "m", "How far from its middle a depot reaches.");
     static final Parameter<Double> PLACE_RADIUS =
-            Parameter.number("radius", 1, 0.01, 1e6, "m", "How far from (at) a place reaches.");
+            Parameter.number("radius", 1, 0.01, 1e6, "m", "How far from 'at' a place reaches.");
     static final Parameter<Double> WITHIN = Parameter.number(
             "within", 1, 0.1, 100, "m", "How far from a thing's middle a robot's may be, with no wall between.");
     static final Parameter<Double> STAYS =
-            Parameter.number("stays", 0, 0, 3600, "s", "For how long a robot must be there on end.");
+            Parameter.number("duration", 0, 0, 3600, "s", "For how long a robot must be there on end.");
 
     /// Stands for all robots where a role could stand.
     static final String ALL = "all";
@@ -117,7 +122,7 @@ final class Format {
                     "How the run ends when the condition holds.")
             .required();
     static final Parameter<Double> AFTER =
-            Parameter.number("after", 0, 0, 3600, "s", "How long the run still goes on once its outcome is decided.");
+            Parameter.number("after", 0, 0, 3600, "s", "How long the run continues after its outcome is decided.");
     static final Parameter<String> BETTER = Parameter.choice(
             "better", "neither", words(RunPlan.Better.values(), RunPlan.Better::word), "Which values are better.");
     static final Parameter<String> PER = Parameter.choice(
@@ -130,7 +135,7 @@ final class Format {
                     "kind", "", words(FaultKind.values(), FaultKind::word), "What goes wrong.")
             .required();
     static final Parameter<Double> AT =
-            Parameter.number("at", 0, 0, 1e6, "s", "When it begins; with (every), the time before which it does not.");
+            Parameter.number("at", 0, 0, 1e6, "s", "When it begins; with 'every', the time before which it does not.");
     static final Parameter<Double> EVERY = Parameter.number(
                     "every", 1, 1, 1e6, "s", "Mean time until it begins at random, and again after each end.")
             .required();
@@ -148,7 +153,7 @@ final class Format {
                     "range", 15, 0, 1e6, "m", "How far robots hear each other; any way without it.")
             .required();
     static final Parameter<Double> BEHIND_WALLS = Parameter.number(
-                    "behindWalls", 5, 0, 1e6, "m", "How far through walls of the map; as far as (range) without it.")
+                    "behindWalls", 5, 0, 1e6, "m", "How far through walls of the map; as far as 'range' without it.")
             .required();
     static final Parameter<Double> LOSS = Parameter.number(
             "loss", 0, 0, 1, "", "How likely it is that a message gets lost, for each agent that should hear it.");
@@ -165,7 +170,7 @@ final class Format {
         if (items.size() > MAX_ITEMS) {
             section.problem(
                     key,
-                    "(%s) has %d entries; at most %d can be.".formatted(section.path(key), items.size(), MAX_ITEMS),
+                    "'%s' has %d entries; at most %d can be.".formatted(section.path(key), items.size(), MAX_ITEMS),
                     "");
         }
         var groups = new ArrayList<Section>();
@@ -191,7 +196,7 @@ final class Format {
                     && !(both.get()[0] >= least && both.get()[0] <= both.get()[1] && both.get()[1] <= seconds.max())) {
                 section.problem(
                         pair.location(),
-                        "(%s) must be [least, most], each %s.".formatted(section.path(key), seconds.expected()),
+                        "'%s' must be [least, most], each %s.".formatted(section.path(key), seconds.expected()),
                         "");
             }
             return both.map(b -> Span.of(b[0], b[1]));

@@ -10,14 +10,14 @@ import java.util.regex.Pattern;
 import rsal.metric.QuantityType;
 import rsal.scenario.RobotReader.Role;
 import rsal.scenario.RunPlan.Better;
-import rsal.scenario.RunPlan.Measured;
+import rsal.scenario.RunPlan.MetricDefinition;
 import rsal.scenario.RunPlan.Outcome;
 import rsal.scenario.RunPlan.Stop;
 import rsal.scenario.condition.Condition;
 import rsal.scenario.condition.Grammar;
 import rsal.scenario.condition.Grammar.Names;
 import rsal.scenario.condition.InvalidExpression;
-import rsal.scenario.condition.Measure;
+import rsal.scenario.condition.MetricExpression;
 import rsal.scenario.condition.MetricWords;
 import rsal.scenario.condition.Quantity;
 import rsal.scenario.condition.RunQuantities;
@@ -30,8 +30,8 @@ final class GoalReader {
     private static final Pattern BETWEEN_NAMES = Pattern.compile("[^\\w-]+");
 
     /// What is measured of a world that nobody wrote a scenario for.
-    static final List<Measured> OF_WORLDS = List.of(
-            measured("distance", "m", new Measure.Distance(Optional.empty()), true),
+    static final List<MetricDefinition> OF_WORLDS = List.of(
+            measured("distance", "m", new MetricExpression.Distance(Optional.empty()), true),
             measured("collisions", "", count(RunQuantities.COLLISIONS), false),
             measured("wallCollisions", "", count(RunQuantities.WALL_COLLISIONS), false));
 
@@ -39,26 +39,26 @@ final class GoalReader {
     private final List<String> depots;
     private final List<String> reaches;
     private final List<String> places;
-    private final MetricWords metrics;
+    private final MetricWords words;
     private final Problems problems;
 
     GoalReader(
-            RobotNames robots, List<PlannedThings> things, List<Place> places, MetricWords metrics, Problems problems) {
+            RobotNames robots, List<PlannedThings> things, List<Place> places, MetricWords words, Problems problems) {
         this.robots = robots;
         this.depots = names(things, group -> group.depot().isPresent());
         this.reaches = names(things, group -> group.reach().isPresent());
         this.places = places.stream().map(Place::name).toList();
-        this.metrics = metrics;
+        this.words = words;
         this.problems = problems;
     }
 
-    private static Measured measured(String name, String unit, Measure from, boolean perRobot) {
-        return new Measured(
+    private static MetricDefinition measured(String name, String unit, MetricExpression from, boolean perRobot) {
+        return new MetricDefinition(
                 name, unit, from, perRobot, Better.NEITHER, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
     }
 
-    private static Measure count(QuantityType type) {
-        return new Measure.Count(Quantity.of(type));
+    private static MetricExpression count(QuantityType type) {
+        return new MetricExpression.Count(Quantity.of(type));
     }
 
     private static List<String> names(List<PlannedThings> things, Predicate<PlannedThings> which) {
@@ -79,32 +79,32 @@ final class GoalReader {
         return stops;
     }
 
-    List<Measured> measures(Section root) {
-        var measures = new ArrayList<Measured>();
-        for (Section measure : Format.groups(root, "measure")) {
-            String name = measure.text("name");
+    List<MetricDefinition> metrics(Section root) {
+        var metrics = new ArrayList<MetricDefinition>();
+        for (Section metric : Format.groups(root, "metrics")) {
+            String name = metric.text("name");
             if (!name.isEmpty() && !Format.NAME.matcher(name).matches()) {
-                measure.problem("name", "(%s) can't be the name of a measure.".formatted(name), "");
+                metric.problem("name", "'%s' can't be the name of a metric.".formatted(name), "");
             }
-            if (measures.stream().anyMatch(other -> other.name().equals(name))) {
-                measure.problem("name", "There are two measures (%s).".formatted(name), "Rename one of them.");
+            if (metrics.stream().anyMatch(other -> other.name().equals(name))) {
+                metric.problem("name", "There are two metrics '%s'.".formatted(name), "Rename one of them.");
             }
-            String unit = measure.text("unit", "");
-            Optional<Measure> from = expression(measure, "from", Grammar::measure);
-            boolean perRobot = "robot".equals(measure.value(Format.PER).orElse(""));
+            String unit = metric.text("unit", "");
+            Optional<MetricExpression> from = expression(metric, "from", Grammar::metric);
+            boolean perRobot = "robot".equals(metric.value(Format.PER).orElse(""));
             if (perRobot && from.isPresent() && !from.get().canBePerRobot()) {
-                measure.problem("per", "A measure of the whole run has no value per robot.", "Leave (per) out.");
+                metric.problem("per", "A metric of the whole run has no value per robot.", "Leave 'per' out.");
             }
             Better better = Format.of(
-                    Better.values(), Better::word, measure.value(Format.BETTER).orElse(""));
-            Section bound = measure.section("bound");
+                    Better.values(), Better::word, metric.value(Format.BETTER).orElse(""));
+            Section bound = metric.section("bound");
             double min = bound.number("min", Double.NEGATIVE_INFINITY);
             double max = bound.number("max", Double.POSITIVE_INFINITY);
             bound.done();
-            measure.done();
-            from.ifPresent(f -> measures.add(new Measured(name, unit, f, perRobot, better, min, max)));
+            metric.done();
+            from.ifPresent(f -> metrics.add(new MetricDefinition(name, unit, f, perRobot, better, min, max)));
         }
-        return measures;
+        return metrics;
     }
 
     /// That an expression may name; any that it does when nobody knows which there are.
@@ -112,7 +112,7 @@ final class GoalReader {
         List<String> roles = robots.open()
                 ? List.of(BETWEEN_NAMES.split(expression))
                 : robots.roles().stream().map(Role::name).toList();
-        return new Names(roles, depots, reaches, places, metrics);
+        return new Names(roles, depots, reaches, places, words);
     }
 
     private <T> Optional<T> expression(Section section, String key, BiFunction<String, Names, T> parse) {
@@ -126,7 +126,7 @@ final class GoalReader {
             Location at = section.locationOf(key);
             problems.add(
                     new Location(at.file(), at.line(), at.column() + e.position()),
-                    "(%s) in (%s), character %d: %s"
+                    "'%s' in '%s', character %d: %s"
                             .formatted(
                                     section.path(key),
                                     text.length() <= 80 ? text : text.substring(0, 77) + "...",

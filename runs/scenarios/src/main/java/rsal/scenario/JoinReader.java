@@ -42,7 +42,7 @@ final class JoinReader {
         var group = new Section(KEY, asGroup.get(), problems);
         String reference = group.text("scenario");
         Location at = group.locationOf("scenario");
-        Section args = group.section("args");
+        Section args = group.section(Format.ARGUMENTS);
         Section robots = group.section("robots");
         group.done();
         if (reference.isEmpty()) {
@@ -77,7 +77,7 @@ final class JoinReader {
             }
             problems.add(
                     at,
-                    "There is no scenario (%s).".formatted(name),
+                    "There is no scenario '%s'.".formatted(name),
                     Suggestion.among(name, Scenario.builtInNames())
                             + " One of your own goes by its file's name, and lies in this one's folder.");
         } catch (InvalidSettings e) {
@@ -94,7 +94,7 @@ final class JoinReader {
         if (found.isEmpty()) {
             problems.add(
                     at,
-                    "Scenario (%s) has no configuration (%s).".formatted(other.name(), name),
+                    "Scenario '%s' has no configuration '%s'.".formatted(other.name(), name),
                     Suggestion.among(name, all.stream().map(Configuration::name).toList()));
         }
         return found;
@@ -109,7 +109,7 @@ final class JoinReader {
         if (agents.isEmpty()) {
             problems.add(
                     at,
-                    "Scenario (%s) has no agents without a robot, and nothing else of it comes along.".formatted(name),
+                    "Scenario '%s' has no agents without a robot, and nothing else of it comes along.".formatted(name),
                     "Add its agents here, for robots of this scenario.");
             return Optional.empty();
         }
@@ -121,7 +121,7 @@ final class JoinReader {
                 new Problems()); // they are read again, with their arguments
         agents.keySet()
                 .forEach(agent ->
-                        placed.put(agent, Joined.placed(all.section(agent).section("args"))));
+                        placed.put(agent, Joined.placed(all.section(agent).section(Format.PARAMETERS))));
         var stands = new LinkedHashMap<String, String>();
         var saidAt = new LinkedHashMap<String, Location>();
         for (String role : robots.names()) {
@@ -173,7 +173,7 @@ final class JoinReader {
                 .forEach(parameter -> parameter.fallback().ifPresent(value -> values.put(parameter.name(), value)));
         var section =
                 new Section("configurations." + configuration.name(), other.overlay(configuration.name()), problems);
-        values.putAll(ArgumentReader.overridden(other.arguments(), section.section("args")));
+        values.putAll(ArgumentReader.overridden(other.arguments(), section.section(Format.ARGUMENTS)));
         values.putAll(ArgumentReader.overridden(other.arguments(), args));
         return values;
     }

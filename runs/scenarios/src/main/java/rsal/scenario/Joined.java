@@ -51,12 +51,12 @@ record Joined(
             if (roles.isPresent() && !roles.get().contains(own)) {
                 problems.add(
                         place,
-                        "Scenario (%s) has no robots of role (%s).".formatted(name, own),
+                        "Scenario '%s' has no robots of role '%s'.".formatted(name, own),
                         Suggestion.among(own, roles.get()));
             }
             if (robots.role(here).isEmpty() && !robots.open()) {
                 problems.add(
-                        place, "No robots have the role (%s).".formatted(here), Suggestion.among(here, names(robots)));
+                        place, "No robots have the role '%s'.".formatted(here), Suggestion.among(here, names(robots)));
             }
         });
     }
@@ -88,7 +88,7 @@ record Joined(
         if (!robots.mayLackSome() && !isMisspelt) {
             problems.add(
                     at,
-                    "Nobody says which robots here are (%s) of scenario (%s).".formatted(role, name),
+                    "Nobody says which robots here are '%s' of scenario '%s'.".formatted(role, name),
                     known.isEmpty()
                             ? "There are no robots here."
                             : "Write in a scenario file (with: {scenario: %s, robots: {%s: ROLE}}); roles here are: %s."
@@ -113,11 +113,11 @@ record Joined(
             if (areTheirs) {
                 problems.add(
                         at,
-                        "(%s) of agent (%s) are places of map (%s), on which scenario (%s) is; the one here is (%s)."
+                        "'%s' of agent '%s' are places of map '%s', on which scenario '%s' is; the one here is '%s'."
                                 .formatted(parameter.name(), agent, map, name, mapHere),
                         argument.isEmpty()
                                 ? "Another scenario or configuration may have none."
-                                : "Add (args: {%s: \"x y; x y\"}) to (with), places here, or none, (\"\")."
+                                : "Add 'arguments: {%s: \"x y; x y\"}' to 'with', places here, or none, (\"\")."
                                         .formatted(argument));
             }
         }

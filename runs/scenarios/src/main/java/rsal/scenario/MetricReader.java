@@ -25,7 +25,7 @@ import rsal.settings.Section;
 /// Reads the metrics of a scenario: those that are installed, with what the scenario sets of them, and those in
 /// files of its author's own.
 final class MetricReader {
-    static final String KEY = "metrics";
+    static final String KEY = "metricTypes";
 
     private static final PluginKind KIND = PluginKind.of("metric", MetricType.class, List.of());
 
@@ -65,18 +65,18 @@ final class MetricReader {
             Optional<MetricType> read = type(section);
             if (read.isEmpty()) {
                 isIncomplete = true;
-                section.has("args"); // nobody knows what can be set
+                section.has(Format.PARAMETERS); // nobody knows what can be set
             }
             read.ifPresent(type -> {
                 if (!named.add(type.key())) {
                     section.problem("type", "Metric '%s' is named twice.".formatted(type.key()), "Leave one out.");
                 }
                 if (PluginReader.isNotRun(type)) {
-                    section.has("args");
+                    section.has(Format.PARAMETERS);
                     metrics.add(new PlannedMetric(type, Arguments.defaults(List.of())));
                     return;
                 }
-                Section args = section.section("args");
+                Section args = section.section(Format.PARAMETERS);
                 args.arguments(type.parameters()).ifPresent(arguments -> {
                     robots.check(args, type.parameters(), arguments);
                     metrics.add(new PlannedMetric(type, arguments));

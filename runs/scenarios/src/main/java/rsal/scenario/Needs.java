@@ -17,17 +17,17 @@ record Needs(AgentType type, Optional<Arguments> arguments) {
         return arguments.map(type::needs).orElseGet(type::needs);
     }
 
-    /// In messages: `Agent (follow) with (sees: markers)`, with the arguments but for which it would need less of
+    /// In messages: `Agent (follow) with (sees: fiducials)`, with the arguments but for which it would need less of
     /// what is missing.
     String whose(List<Class<? extends Device>> missing) {
         String why = arguments.stream()
                 .filter(_ -> !type.needs().containsAll(missing))
                 .flatMap(given -> type.parameters().stream()
                         .filter(parameter -> matters(parameter, given, missing))
-                        .map(parameter -> " with (%s: %s)"
+                        .map(parameter -> " with '%s: %s'"
                                 .formatted(parameter.name(), given.asMap().get(parameter.name()))))
                 .collect(Collectors.joining(" and"));
-        return "Agent (%s)%s".formatted(type.key(), why);
+        return "Agent '%s'%s".formatted(type.key(), why);
     }
 
     private boolean matters(Parameter<?> parameter, Arguments given, List<Class<? extends Device>> missing) {

@@ -31,7 +31,7 @@ final class Notes {
                         .flatMap(made -> made
                                 .driver()
                                 .noteWithoutStart()
-                                .map(note -> "Robot (%s) has no (pose), and (%s) is not told where it starts. %s"
+                                .map(note -> "Robot '%s' has no 'pose', and '%s' does not know where it starts. %s"
                                         .formatted(robot.spec().id(), made.name(), note))
                                 .stream())
                         .forEach(notes::add);
@@ -49,7 +49,7 @@ final class Notes {
                             place.y())));
         }
         if (plan.clock() == RunPlan.Clock.WALL && plan.speed() != 1) {
-            notes.add("A run in real time goes at speed 1, whatever (speed) says. Maybe (clock: {mode: simulated}).");
+            notes.add("A run in real time goes at speed 1, whatever 'speed' says. Maybe 'clock: {mode: simulated}'.");
         }
         Location at = plan.scenario().location();
         return Stream.of(

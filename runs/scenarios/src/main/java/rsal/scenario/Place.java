@@ -2,7 +2,7 @@ package rsal.scenario;
 
 import rsal.data.Point2d;
 
-/// A part of the floor that has a name, for conditions and measures.
+/// A part of the floor that has a name, for conditions and metrics.
 public record Place(String name, Area area) {
     /// Where it is, in the frame `map`.
     public sealed interface Area {

@@ -15,7 +15,7 @@ final class PlaceReader {
         for (String name : places.names()) {
             Section place = places.section(name);
             if (!PlanReader.isName(name)) {
-                place.problem(place.location(), "(%s) can't be the name of a place.".formatted(name), "");
+                place.problem(place.location(), "'%s' can't be the name of a place.".formatted(name), "");
             }
             area(name, place).ifPresent(area -> all.add(new Place(name, area)));
             place.done();
@@ -30,8 +30,8 @@ final class PlaceReader {
             place.problem(
                     place.location(),
                     place.has("at")
-                            ? "Place (%s) has both (at) and (within).".formatted(name)
-                            : "Place (%s) needs (at) or (within).".formatted(name),
+                            ? "Place '%s' has both 'at' and 'within'.".formatted(name)
+                            : "Place '%s' needs 'at' or 'within'.".formatted(name),
                     "Write {at: [x, y], radius: 1}, or {within: [least x, least y, greatest x, greatest y]}.");
             return Optional.empty();
         }
@@ -48,7 +48,7 @@ final class PlaceReader {
             return Optional.empty();
         }
         if (!(edges[0] < edges[2] && edges[1] < edges[3])) {
-            section.problem("within", "(within) must be [least x, least y, greatest x, greatest y].", "");
+            section.problem("within", "'within' must be [least x, least y, greatest x, greatest y].", "");
             return Optional.empty();
         }
         return Optional.of(new Place.Rectangle(new Point2d(edges[0], edges[1]), new Point2d(edges[2], edges[3])));

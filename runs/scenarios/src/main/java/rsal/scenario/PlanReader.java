@@ -85,9 +85,9 @@ final class PlanReader {
     /// What a run is judged by.
     private record Judgment(
             List<Place> places,
-            List<PlannedMetric> metrics,
+            List<PlannedMetric> metricTypes,
             List<RunPlan.Stop> stops,
-            List<RunPlan.Measured> measures) {}
+            List<RunPlan.MetricDefinition> metrics) {}
 
     /// @throws InvalidSettings with all mistakes
     RunPlan read() {
@@ -145,8 +145,8 @@ final class PlanReader {
                 step(found.mrs().get(), team.robots()),
                 judgment.stops(),
                 settings.toleratesFailedAgents(),
-                judgment.metrics(),
-                judgment.measures());
+                judgment.metricTypes(),
+                judgment.metrics());
     }
 
     /// All settings of a configuration, with the values of arguments and what the options say.
@@ -221,14 +221,14 @@ final class PlanReader {
     private Judgment judgment(Section root, Section run, Surroundings found) {
         List<Place> places = PlaceReader.read(root.section("places"));
         var metricReader = new MetricReader(catalog, scenario.files(), found.names(), problems);
-        List<PlannedMetric> metrics = metricReader.read(root);
-        var goals = new GoalReader(found.names(), found.things(), places, metricReader.words(metrics), problems);
+        List<PlannedMetric> metricTypes = metricReader.read(root);
+        var goals = new GoalReader(found.names(), found.things(), places, metricReader.words(metricTypes), problems);
         List<RunPlan.Stop> stops = new ArrayList<>(goals.stops(run));
         if (scenario.isWorld()) {
             found.scene().flatMap(Scene::end).map(PlanReader::after).ifPresent(stops::add);
         }
-        List<RunPlan.Measured> measures = scenario.isWorld() ? GoalReader.OF_WORLDS : goals.measures(root);
-        return new Judgment(places, metrics, stops, measures);
+        List<RunPlan.MetricDefinition> metrics = scenario.isWorld() ? GoalReader.OF_WORLDS : goals.metrics(root);
+        return new Judgment(places, metricTypes, stops, metrics);
     }
 
     private String configuration() {
@@ -238,7 +238,7 @@ final class PlanReader {
         if (!known.contains(asked)) {
             throw new InvalidSettings(
                     Location.of(scenario.name() + ":" + asked),
-                    "Scenario (%s) has no configuration (%s).".formatted(scenario.name(), asked),
+                    "Scenario '%s' has no configuration '%s'.".formatted(scenario.name(), asked),
                     Suggestion.among(asked, known));
         }
         return asked;
@@ -249,8 +249,8 @@ final class PlanReader {
                 .filter(speed -> !(speed > 0))
                 .forEach(speed -> problems.add(
                         Location.of("--speed " + speed),
-                        "A speed must be positive, not (%s).".formatted(speed),
-                        "Maybe (max)?"));
+                        "A speed must be positive, not '%s'.".formatted(speed),
+                        "Maybe 'max'?"));
         options.limit()
                 .filter(limit -> !limit.isPositive())
                 .ifPresent(limit ->
@@ -259,12 +259,12 @@ final class PlanReader {
 
     /// What says what the whole scenario is can't differ between its configurations.
     private void checkOverlay(Value.Mapping overlay) {
-        for (String key : List.of("rsal", "scenario", "description", "arguments", "configurations")) {
+        for (String key : List.of("rsal", "scenario", "description", "configurations")) {
             if (overlay.find(key).isPresent()) {
                 problems.add(
                         overlay.keys().getOrDefault(key, overlay.location()),
-                        "(%s) can't be changed by a configuration.".formatted(key),
-                        key.equals("arguments") ? "Maybe (args), which sets the values of arguments." : "");
+                        "'%s' can't be changed by a configuration.".formatted(key),
+                        "");
             }
         }
     }
@@ -297,7 +297,7 @@ final class PlanReader {
         List<Parameter<?>> declared = scenario.arguments();
         declared.forEach(parameter -> parameter.fallback().ifPresent(value -> values.put(parameter.name(), value)));
         var section = new Section("configurations." + configuration, overlay, problems);
-        values.putAll(ArgumentReader.overridden(declared, section.section("args")));
+        values.putAll(ArgumentReader.overridden(declared, section.section(Format.ARGUMENTS)));
         values.putAll(ArgumentReader.typed(declared, options, problems));
         return values;
     }

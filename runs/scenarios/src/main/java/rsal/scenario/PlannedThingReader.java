@@ -72,13 +72,13 @@ final class PlannedThingReader {
         if (!PlanReader.isName(name) || !known.add(name) || names.stream().anyMatch(one -> isTaken(one, name))) {
             section.problem(
                     section.location(),
-                    "(%s) can't be the name of things: robots or something in the world are called so.".formatted(name),
+                    "'%s' can't be the name of things: robots or something in the world are called so.".formatted(name),
                     "Rename them.");
         }
         Start start = Start.read(section, names.size(), "things");
         if (!section.has("pose")) {
             section.problem(
-                    section.location(), "(%s) is missing.".formatted(section.path("pose")), "Maybe {free: true}.");
+                    section.location(), "'%s' is missing.".formatted(section.path("pose")), "Maybe {free: true}.");
         }
         Solid body = BODIES.read(section.section("body"));
         Rgb color = section.has("color") ? BodyReader.color(section, "color") : GRAY;
@@ -128,7 +128,7 @@ final class PlannedThingReader {
             if (pose.isEmpty()) {
                 section.problem(
                         "pose",
-                        "There is no free place for thing (%s).".formatted(name),
+                        "There is no free place for thing '%s'.".formatted(name),
                         "Maybe the clearance or the depot is too large, or the map too small for so many things.");
                 return List.of();
             }
@@ -146,8 +146,8 @@ final class PlannedThingReader {
             depot.problem(
                     depot.location(),
                     around
-                            ? "(%s) has both (around) and (at).".formatted(section.path("depot"))
-                            : "(%s) needs (around) or (at).".formatted(section.path("depot")),
+                            ? "'%s' has both 'around' and 'at'.".formatted(section.path("depot"))
+                            : "'%s' needs 'around' or 'at'.".formatted(section.path("depot")),
                     "Write {around: ROLE}, where robots of the role are at first, or {at: [[x, y]]}.");
         }
         List<Point2d> middles = around ? starts(depot) : places(depot);
@@ -170,7 +170,7 @@ final class PlannedThingReader {
     private void noRole(Section section, String key, String name) {
         section.problem(
                 key,
-                "No robots have the role (%s).".formatted(name),
+                "No robots have the role '%s'.".formatted(name),
                 Suggestion.among(name, robots.roles().stream().map(Role::name).toList()));
     }
 
@@ -196,7 +196,7 @@ final class PlannedThingReader {
                 .toList();
         if (role.get().complete() && starts.size() < role.get().robots().size()) {
             depot.problem(
-                    "around", "Robots of role (%s) don't say where they start.".formatted(name), "Give them a (pose).");
+                    "around", "Robots of role '%s' don't say where they start.".formatted(name), "Give them a 'pose'.");
         }
         return starts;
     }

@@ -50,7 +50,7 @@ final class ReadFiles implements FileSource {
                 byte[] bytes = known.get(path);
                 if (bytes == null || bytes.length > most) {
                     throw new InvalidSettings(
-                            askedAt, "There is no file (%s) among those that were recorded.".formatted(path), "");
+                            askedAt, "There is no file '%s' among those that were recorded.".formatted(path), "");
                 }
                 return bytes.clone();
             }

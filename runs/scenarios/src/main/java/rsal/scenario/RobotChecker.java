@@ -56,8 +56,8 @@ final class RobotChecker {
         if (other != null) {
             problems.add(
                     at,
-                    "(%s) and (%s) wear the same marker (%d).".formatted(other, name, marker),
-                    "Give (fiducial) of one group another number, so that its ids don't meet the other's.");
+                    "'%s' and '%s' wear the same marker '%d'.".formatted(other, name, marker),
+                    "Give 'fiducial' of one group another number, so that its ids don't meet the other's.");
         }
     }
 
@@ -82,7 +82,7 @@ final class RobotChecker {
                 for (InvalidRobots.Problem problem : e.problems()) {
                     problems.add(
                             placeOf(problem.robot(), problem.setting()),
-                            "Robot (%s): %s".formatted(problem.robot(), problem.message()),
+                            "Robot '%s': %s".formatted(problem.robot(), problem.message()),
                             "");
                 }
             }
@@ -90,8 +90,8 @@ final class RobotChecker {
         if (!things.isEmpty() && simulated.isEmpty() && !refused) {
             problems.add(
                     thingsAt,
-                    "%s simulates no world that (things) could be put into.".formatted(mrs.name()),
-                    "Leave (things) out, or use robot system (sim).");
+                    "%s simulates no world that 'things' could be put into.".formatted(mrs.name()),
+                    "Leave 'things' out, or use robot system 'sim'.");
         }
         if (!refused) {
             checkMixed(robots, simulated);
@@ -100,9 +100,9 @@ final class RobotChecker {
             String robot = other.own(robots).getFirst().id();
             problems.add(
                     placeOf(robot, SystemReader.KEY),
-                    "Robot (%s) would be in another simulated world than those of %s; a run has one."
+                    "Robot '%s' would be in another simulated world than those of %s; a run has one."
                             .formatted(robot, simulated.getFirst().words()),
-                    "Give all simulated robots the same (mrs).");
+                    "Give all simulated robots the same 'mrs'.");
         });
     }
 
@@ -114,12 +114,12 @@ final class RobotChecker {
             Location at = placeOf(id, Format.PROXY.name());
             if (robot.proxy() && simulated.contains(robot.mrs())) {
                 problems.add(
-                        at, "Robot (%s) is simulated itself and has no stand-in.".formatted(id), "Leave (proxy) out.");
+                        at, "Robot '%s' is simulated itself and has no proxy.".formatted(id), "Leave 'proxy' out.");
             } else if (robot.proxy() && simulated.isEmpty()) {
                 problems.add(
                         at,
-                        "There is no simulated world for a stand-in of robot (%s).".formatted(id),
-                        "Leave (proxy) out, or let the scenario use robot system (sim).");
+                        "There is no simulated world for a proxy of robot '%s'.".formatted(id),
+                        "Leave 'proxy' out, or let the scenario use robot system 'sim'.");
             }
         }
     }
@@ -132,17 +132,17 @@ final class RobotChecker {
         Location at = placeOf(id, Format.OVERLAY.name());
         if (simulated.contains(robot.mrs())) {
             problems.add(
-                    at, "Robot (%s) is simulated itself and sees its world.".formatted(id), "Leave (overlay) out.");
+                    at, "Robot '%s' is simulated itself and sees its world.".formatted(id), "Leave 'overlay' out.");
         } else if (simulated.isEmpty()) {
             problems.add(
                     at,
-                    "There is no simulated world that robot (%s) could see.".formatted(id),
-                    "Leave (overlay) out, or let the scenario use robot system (sim).");
+                    "There is no simulated world that robot '%s' could see.".formatted(id),
+                    "Leave 'overlay' out, or let the scenario use robot system 'sim'.");
         } else if (!DeviceSelector.has(robot.spec().model(), RangeSensor.class)) {
             problems.add(
                     at,
-                    "Robot (%s) has no laser and no sonars by which it could see what is simulated.".formatted(id),
-                    "Add one to its (devices), or leave (overlay) out.");
+                    "Robot '%s' has no laser and no sonars by which it could see what is simulated.".formatted(id),
+                    "Add one to its 'devices', or leave 'overlay' out.");
         }
     }
 

@@ -47,7 +47,7 @@ record RobotNames(List<Role> roles, boolean open) {
                     .forEach(known::add);
             section.problem(
                     parameter.name(),
-                    "(%s) must be %s, not (%s).".formatted(section.path(parameter.name()), parameter.expected(), name),
+                    "'%s' must be %s, not '%s'.".formatted(section.path(parameter.name()), parameter.expected(), name),
                     Suggestion.among(name, known));
         }
     }

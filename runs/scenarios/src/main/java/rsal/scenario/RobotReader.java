@@ -134,7 +134,7 @@ final class RobotReader {
             robots.problem(
                     robots.location(),
                     "There are no robots.",
-                    "Add a group (robots) with at least one role, or take a world that has some.");
+                    "Add a group 'robots' with at least one role, or take a world that has some.");
         }
         boolean tooMany = checkNumber(robots, drafts, others);
         others.forEach(other -> other.mapFromBase().ifPresent(taken::add));
@@ -175,7 +175,7 @@ final class RobotReader {
             if (names.contains(draft.name) || draft.ids.stream().anyMatch(names::contains)) {
                 robots.problem(
                         draft.section.location(),
-                        "The world has robots called (%s), too.".formatted(draft.name),
+                        "The world has robots called '%s', too.".formatted(draft.name),
                         "Rename the role.");
             }
         }
@@ -200,7 +200,7 @@ final class RobotReader {
 
     private List<Draft> drafts(String name, Section section, String color) {
         if (!PlanReader.isName(name)) {
-            section.problem(section.location(), "(%s) can't be the role of robots.".formatted(name), "");
+            section.problem(section.location(), "'%s' can't be the role of robots.".formatted(name), "");
         }
         return section.has(MEMBERS)
                 ? members(name, section, color)
@@ -232,22 +232,22 @@ final class RobotReader {
         if (section.has(COUNT)) {
             section.problem(
                     COUNT,
-                    "(%s) can't be said where robots are named one by one.".formatted(section.path(COUNT)),
-                    "Leave it out: there are as many as (members).");
+                    "'%s' can't be said where robots are named one by one.".formatted(section.path(COUNT)),
+                    "Leave it out: there are as many as 'members'.");
         }
         Value.Mapping common = section.mapping().without(MEMBERS).without(COUNT);
         if (common.find("pose").filter(RobotReader::isListOfPoses).isPresent()) {
             section.problem(
                     "pose",
-                    "(%s) can't be a list of poses where robots are named one by one.".formatted(section.path("pose")),
-                    "Write (pose) into (members).");
+                    "'%s' can't be a list of poses where robots are named one by one.".formatted(section.path("pose")),
+                    "Write 'pose' into 'members'.");
             common = common.without("pose");
         }
         var drafts = new ArrayList<Draft>();
         for (Section member : Format.groups(section, MEMBERS)) {
             String id = member.text("name", name + "-" + (drafts.size() + 1));
             if (!PlanReader.isName(id)) {
-                member.problem("name", "(%s) can't be the name of a robot.".formatted(id), "");
+                member.problem("name", "'%s' can't be the name of a robot.".formatted(id), "");
             }
             Value.Mapping own = common.merge(member.mapping().without("name"));
             var settings = new Value.Mapping(member.location(), own.entries(), own.keys());
@@ -255,7 +255,7 @@ final class RobotReader {
             drafts.add(draft(name, new Section(section.path(MEMBERS), settings, problems), List.of(id), color, number));
         }
         if (drafts.isEmpty()) {
-            section.problem(MEMBERS, "(%s) has none.".formatted(section.path(MEMBERS)), "Maybe (count: 1)?");
+            section.problem(MEMBERS, "'%s' has none.".formatted(section.path(MEMBERS)), "Maybe 'count: 1'?");
         }
         return drafts;
     }
@@ -269,7 +269,7 @@ final class RobotReader {
     /// @param number of the first of them in their role, from 0
     private Draft draft(String name, Section section, List<String> ids, String usual, int number) {
         int before = problems.all().size();
-        Optional<Mrs> mrs = systems.of(section, "robot%s (%s)".formatted(ids.size() > 1 ? "s" : "", words(ids)));
+        Optional<Mrs> mrs = systems.of(section, "robot%s '%s'".formatted(ids.size() > 1 ? "s" : "", words(ids)));
         Equipment equipment = devices.read(section);
         Start start = isLeftOpen(section) ? Start.OPEN : Start.read(section, ids.size(), "robots");
         String color = section.find("color")
@@ -312,7 +312,7 @@ final class RobotReader {
                 if (mapFromBase.isEmpty()) {
                     draft.section.problem(
                             "pose",
-                            "There is no free place for robot (%s).".formatted(id),
+                            "There is no free place for robot '%s'.".formatted(id),
                             "Maybe the clearance is too large, or the map too small for so many robots.");
                     complete = false;
                 }

@@ -15,7 +15,7 @@ import rsal.data.Pose2d;
 import rsal.robot.DeviceDriver;
 import rsal.robot.RobotSpec;
 import rsal.scenario.condition.Condition;
-import rsal.scenario.condition.Measure;
+import rsal.scenario.condition.MetricExpression;
 import rsal.scenario.fault.PlannedFault;
 import rsal.scenario.installed.Catalog;
 import rsal.scenario.installed.PluginReader;
@@ -38,7 +38,7 @@ import rsal.system.RobotSystemProvider;
 /// @param scene where it takes place
 /// @param mrs where robots come from that name no other robot system
 /// @param things that are put into the world
-/// @param places parts of the floor that conditions and measures name
+/// @param places parts of the floor that conditions and metrics name
 /// @param agents in the order in which they start
 /// @param with the scenario and its configuration that joins it (`distribution:found`): its agents without a
 ///         robot are among the agents; empty when none does
@@ -48,7 +48,7 @@ import rsal.system.RobotSystemProvider;
 /// @param step of simulated time; between two steps a run can be looked at, paused and told things
 /// @param stops the first that holds ends the run
 /// @param toleratesFailedAgents whether a run in which an agent failed may be a success all the same
-/// @param metrics of which stops and measures can name quantities and signals
+/// @param metricTypes whose quantities and signals stop conditions and metrics can name
 public record RunPlan(
         Scenario scenario,
         String configuration,
@@ -71,8 +71,8 @@ public record RunPlan(
         Duration step,
         List<Stop> stops,
         boolean toleratesFailedAgents,
-        List<PlannedMetric> metrics,
-        List<Measured> measures) {
+        List<PlannedMetric> metricTypes,
+        List<MetricDefinition> metrics) {
     public RunPlan {
         arguments = Collections.unmodifiableMap(new LinkedHashMap<>(arguments));
         robots = List.copyOf(robots);
@@ -81,8 +81,8 @@ public record RunPlan(
         agents = List.copyOf(agents);
         faults = List.copyOf(faults);
         stops = List.copyOf(stops);
+        metricTypes = List.copyOf(metricTypes);
         metrics = List.copyOf(metrics);
-        measures = List.copyOf(measures);
     }
 
     /// What is right in it, but may not be what people think, each only once. Looks at the map, which takes a while
@@ -99,7 +99,7 @@ public record RunPlan(
                                 .map(PlannedAgent::type)
                                 .filter(UntrustedType.class::isInstance)
                                 .map(AgentType::key),
-                        metrics.stream()
+                        metricTypes.stream()
                                 .map(PlannedMetric::type)
                                 .filter(PluginReader::isNotRun)
                                 .map(Plugin::key),
@@ -159,8 +159,8 @@ public record RunPlan(
                 step,
                 List.of(),
                 toleratesFailedAgents,
-                metrics,
-                measures);
+                metricTypes,
+                metrics);
     }
 
     /// Plans a robot that somebody adds to the scenario's robot system while the run goes on: without agents, but with
@@ -182,7 +182,7 @@ public record RunPlan(
     public record Mrs(RobotSystemProvider provider, Arguments settings, long seed) {
         /// As people know it: `Robot system (sim)`.
         public String name() {
-            return "Robot system (%s)".formatted(provider.key());
+            return "Robot system '%s'".formatted(provider.key());
         }
 
         /// With its settings, as far as they are not the usual ones: `player, host=lab`.
@@ -332,8 +332,8 @@ public record RunPlan(
     /// @param perRobot whether each robot has a value of its own, called `<name>.<robot>`
     /// @param min the least value that is still right; −∞ when there is none
     /// @param max the greatest value that is still right; +∞ when there is none
-    public record Measured(
-            String name, String unit, Measure from, boolean perRobot, Better better, double min, double max) {
+    public record MetricDefinition(
+            String name, String unit, MetricExpression from, boolean perRobot, Better better, double min, double max) {
         /// What the value of one robot is called.
         public String nameOf(String robot) {
             return name + "." + robot;
@@ -352,7 +352,7 @@ public record RunPlan(
         }
     }
 
-    /// Which values of a measure are the better ones.
+    /// Which values of a metric are the better ones.
     public enum Better {
         LESS("less"),
         MORE("more"),

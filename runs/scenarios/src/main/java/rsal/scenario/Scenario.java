@@ -49,7 +49,7 @@ public final class Scenario {
         if (section.has("rsal") && version != Format.VERSION) {
             section.problem(
                     "rsal",
-                    "(rsal) is the version of the format: %d, not (%s)."
+                    "'rsal' is the version of the format: %d, not '%s'."
                             .formatted(Format.VERSION, section.number("rsal")),
                     "");
         }
@@ -131,7 +131,7 @@ public final class Scenario {
         if (!looksLikeFile(nameOrFile)) {
             throw new InvalidSettings(
                     Location.of(nameOrFile),
-                    "There is no scenario (%s).".formatted(nameOrFile),
+                    "There is no scenario '%s'.".formatted(nameOrFile),
                     Suggestion.among(nameOrFile, BUILT_IN)
                             + " A scenario of your own goes by its file, or the folder of that.");
         }
@@ -141,7 +141,7 @@ public final class Scenario {
     private static InvalidSettings noText(Location world) {
         return new InvalidSettings(
                 world,
-                "(%s) is a world, not a scenario, whose text could be another.".formatted(world.file()),
+                "'%s' is a world, not a scenario, whose text could be another.".formatted(world.file()),
                 "Maybe write a scenario that takes place there (world: {file: …}).");
     }
 
@@ -234,7 +234,7 @@ public final class Scenario {
         var seeds = new Seeds((Long) Format.SEED.fallback().orElseThrow());
         Scene scene = Catalog.installed()
                 .formatOf(path)
-                .orElseThrow(() -> new IllegalArgumentException("(%s) is no world.".formatted(path)))
+                .orElseThrow(() -> new IllegalArgumentException("'%s' is no world.".formatted(path)))
                 .read(path, FileSource.disk(), seeds.of("world"));
         return scene.isEmpty()
                 ? scene.serving(
@@ -276,7 +276,7 @@ public final class Scenario {
                 .findFirst()
                 .orElseThrow(() -> new InvalidSettings(
                         Location.of(folder.toString()),
-                        "There is no scenario in this folder: no (%s).".formatted(String.join(") and no (", names)),
+                        "There is no scenario in this folder: no '%s'.".formatted(String.join("' and no '", names)),
                         "Maybe name its file, FOLDER/FILE.yaml."));
     }
 
@@ -428,7 +428,7 @@ public final class Scenario {
         Value.Mapping over = overlay(configuration);
         return RobotReader.under(settings, over)
                 .without("configurations")
-                .merge(over.without("args").without("title"));
+                .merge(over.without(Format.ARGUMENTS).without("title"));
     }
 
     Value.Mapping settings() {
@@ -459,7 +459,7 @@ public final class Scenario {
         for (String name : section.names()) {
             Section one = section.section(name);
             if (!Format.NAME.matcher(name).matches()) {
-                one.problem(one.location(), "(%s) can't be the name of a configuration.".formatted(name), "");
+                one.problem(one.location(), "'%s' can't be the name of a configuration.".formatted(name), "");
             }
             configurations.add(new Configuration(name, one.text("title", "")));
         }

@@ -58,7 +58,9 @@ public final class ScenarioSchema {
                                 "title", described(text(), "A line for people."),
                                 "description", described(text(), "Some sentences for people."),
                                 "arguments",
-                                        described(named(argument()), "What whoever starts the scenario may choose.")),
+                                        described(
+                                                named(argument()),
+                                                "Arguments that can be set when the scenario is started.")),
                         with(
                                 body(false),
                                 fields(
@@ -112,15 +114,16 @@ public final class ScenarioSchema {
 
     private Map<String, Object> configuration() {
         var more = fields(
-                "title", described(text(), "A line for people."),
-                "args",
-                        described(
-                                fields(
-                                        "type",
-                                        "object",
-                                        "additionalProperties",
-                                        fields("type", List.of("string", "number", "boolean"))),
-                                "Values for arguments."));
+                "title",
+                described(text(), "A line for people."),
+                Format.ARGUMENTS,
+                described(
+                        fields(
+                                "type",
+                                "object",
+                                "additionalProperties",
+                                fields("type", List.of("string", "number", "boolean"))),
+                        "Values for the scenario's arguments."));
         return group(with(more, body(true)), List.of());
     }
 
@@ -139,7 +142,7 @@ public final class ScenarioSchema {
                 "things",
                 described(named(thing(partial)), "What is put into the simulated world besides robots."),
                 "places",
-                described(named(place()), "Parts of the floor that conditions and measures name."),
+                described(named(place()), "Parts of the floor that conditions and metrics name."),
                 "agents",
                 described(named(agent(partial)), "Who decides."),
                 JoinReader.KEY,
@@ -150,9 +153,9 @@ public final class ScenarioSchema {
                                 partial,
                                 Format.DEFAULT_MAS,
                                 parameters(catalog.hosts(), AgentHostProvider::parameters)),
-                        "Multi-agent system; (%s) when left out.".formatted(Format.DEFAULT_MAS)),
+                        "Multi-agent system. Default: '%s'.".formatted(Format.DEFAULT_MAS)),
                 "mrs",
-                described(systems(partial), "Robot system; (%s) when left out.".formatted(Format.DEFAULT_MRS)),
+                described(systems(partial), "Robot system. Default: '%s'.".formatted(Format.DEFAULT_MRS)),
                 "communication",
                 communication(),
                 "faults",
@@ -160,9 +163,10 @@ public final class ScenarioSchema {
                 "run",
                 described(run(), "Seed, clock, and when it ends."),
                 MetricReader.KEY,
-                described(list(metric()), "Metrics in files of one's own, and what is set of others."),
-                "measure",
-                described(list(measure()), "What comes out."));
+                described(
+                        list(metricType()), "Types of metrics in files of your own, and parameters of installed ones."),
+                "metrics",
+                described(list(metric()), "What is computed of each run."));
     }
 
     private Map<String, Object> systems(boolean partial) {
@@ -177,26 +181,28 @@ public final class ScenarioSchema {
                         text(),
                         group(
                                 fields(
-                                        "scenario", described(text(), "SCENARIO or SCENARIO:CONFIGURATION."),
-                                        "args", described(args, "Values for its arguments."),
+                                        "scenario",
+                                        described(text(), "SCENARIO or SCENARIO:CONFIGURATION."),
+                                        Format.ARGUMENTS,
+                                        described(args, "Values for its arguments."),
                                         "robots",
-                                                described(
-                                                        named(text()),
-                                                        "Which role here stands for one of its own; may be left out"
-                                                                + " where there is one role.")),
+                                        described(
+                                                named(text()),
+                                                "Which role here stands for one of its own; may be left out"
+                                                        + " where there is one role.")),
                                 List.of("scenario")))),
                 "A scenario that joins this one: its agents without a robot come along.");
     }
 
     private Map<String, Object> world(boolean partial) {
         var touch = parameter(Format.TOUCH);
-        var either = fields("map", map(), "file", file(), "touch", touch);
+        var either = fields("map", map(), "file", file(), "onCollision", touch);
         if (partial) {
             return group(either, List.of());
         }
         return oneOf(List.of(
-                group(fields("map", map(), "touch", touch), List.of("map")),
-                group(fields("file", file(), "touch", touch), List.of("file"))));
+                group(fields("map", map(), "onCollision", touch), List.of("map")),
+                group(fields("file", file(), "onCollision", touch), List.of("file"))));
     }
 
     private Map<String, Object> file() {
@@ -309,7 +315,7 @@ public final class ScenarioSchema {
                                                 fields(
                                                         "by", described(text(), "Role of the robots, or all."),
                                                         "within", parameter(Format.WITHIN),
-                                                        "stays", parameter(Format.STAYS)),
+                                                        "duration", parameter(Format.STAYS)),
                                                 partial ? List.of() : List.of("by")),
                                         "Which robots are to get to each.")),
                 partial ? List.of() : List.of("pose", "body"));
@@ -394,8 +400,9 @@ public final class ScenarioSchema {
         var robot = fields(
                 "robot", described(text(), "Role of the robots that have one each."),
                 "yields", parameter(Format.YIELDS));
-        var anything =
-                group(with(fields("type", text()), with(robot, fields("args", fields("type", "object")))), List.of());
+        var anything = group(
+                with(fields("type", text()), with(robot, fields(Format.PARAMETERS, fields("type", "object")))),
+                List.of());
         if (partial) {
             return anything;
         }
@@ -415,7 +422,8 @@ public final class ScenarioSchema {
     /// An agent whose arguments only its own file tells.
     private static Map<String, Object> anyAgent(Map<String, Object> type, Map<String, Object> robot) {
         return group(
-                with(fields("type", type), with(robot, fields("args", fields("type", "object")))), List.of("type"));
+                with(fields("type", type), with(robot, fields(Format.PARAMETERS, fields("type", "object")))),
+                List.of("type"));
     }
 
     private static Map<String, Object> agent(String key, AgentType type, Map<String, Object> robot) {
@@ -426,9 +434,9 @@ public final class ScenarioSchema {
                                 with(
                                         robot,
                                         fields(
-                                                "args",
+                                                Format.PARAMETERS,
                                                 group(parameters(type.parameters()), required(type.parameters()))))),
-                        required(type.parameters()).isEmpty() ? List.of("type") : List.of("type", "args")),
+                        required(type.parameters()).isEmpty() ? List.of("type") : List.of("type", Format.PARAMETERS)),
                 type.description());
     }
 
@@ -529,15 +537,17 @@ public final class ScenarioSchema {
                 description(seconds) + " A list is the least and the most.");
     }
 
-    private static Map<String, Object> metric() {
+    private static Map<String, Object> metricType() {
         return group(
                 fields(
-                        "type", described(text(), "A metric by its name, or a file: Spacing.java."),
-                        "args", described(fields("type", "object"), "Values for its parameters.")),
+                        "type",
+                        described(text(), "A metric by its name, or a file: Spacing.java."),
+                        Format.PARAMETERS,
+                        described(fields("type", "object"), "Values for its parameters.")),
                 List.of("type"));
     }
 
-    private static Map<String, Object> measure() {
+    private static Map<String, Object> metric() {
         return group(
                 fields(
                         "name", fields("type", "string", "pattern", "^" + Format.NAME.pattern() + "$"),

@@ -50,7 +50,7 @@ record Start(List<Pose2d> fixed, Optional<Free> free) {
         if (!Boolean.TRUE.equals(pose.value(Format.FREE).orElse(true)) || !pose.has("free")) {
             pose.problem(
                     pose.location(),
-                    "(%s) must be [x, y, degrees], a list of those, or {free: true}.".formatted(section.path("pose")),
+                    "'%s' must be [x, y, degrees], a list of those, or {free: true}.".formatted(section.path("pose")),
                     "");
         }
         double clearance = (Double) pose.value(Format.CLEARANCE).orElse(0.4);
@@ -58,7 +58,7 @@ record Start(List<Pose2d> fixed, Optional<Free> free) {
                 pose.has("passage") ? (Double) pose.value(Format.PASSAGE).orElse(clearance) : clearance;
         if (passage > clearance) {
             pose.problem(
-                    "passage", "(passage) must not be more than (clearance), which is %s.".formatted(clearance), "");
+                    "passage", "'passage' must not be more than 'clearance', which is %s.".formatted(clearance), "");
         }
         Optional<Place.Rectangle> within = PlaceReader.rectangle(pose);
         pose.done();
@@ -84,7 +84,7 @@ record Start(List<Pose2d> fixed, Optional<Free> free) {
         if (written.size() < count) {
             section.problem(
                     "pose",
-                    "(%s) has %d for %d %s.".formatted(section.path("pose"), written.size(), count, what),
+                    "'%s' has %d for %d %s.".formatted(section.path("pose"), written.size(), count, what),
                     "Write a list of poses, or {free: true}.");
         }
         return poses.size() < count ? List.of() : poses.subList(0, count);

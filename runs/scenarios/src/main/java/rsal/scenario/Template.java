@@ -46,7 +46,7 @@ public final class Template {
         if (!Scenario.isBuiltIn(scenario)) {
             throw new InvalidSettings(
                     Location.of(scenario),
-                    "There is no scenario (%s) to begin with.".formatted(scenario),
+                    "There is no scenario '%s' to begin with.".formatted(scenario),
                     Suggestion.among(scenario, Scenario.builtInNames()));
         }
         return read("/rsal/scenarios/" + scenario + "/").watched();
@@ -111,13 +111,13 @@ public final class Template {
         if (!Format.NAME.matcher(name).matches()) {
             throw new InvalidSettings(
                     Location.of(name),
-                    "A scenario can't be called (%s).".formatted(name),
+                    "A scenario can't be called '%s'.".formatted(name),
                     "A name begins with a letter and has up to 40 letters, digits, - and _.");
         }
         if (Scenario.isBuiltIn(name)) { // whose name would not lead to its folder
             throw new InvalidSettings(
                     Location.of(name),
-                    "A scenario that comes with RSAL is called (%s).".formatted(name),
+                    "A scenario that comes with RSAL is called '%s'.".formatted(name),
                     "Choose another name.");
         }
         var own = new LinkedHashMap<String, String>();

@@ -57,7 +57,7 @@ final class WorldReader {
             world.done();
             problems.add(
                     world.location(),
-                    map ? "(world) has both a (map) and a (file)." : "(world.map) is missing, or (world.file).",
+                    map ? "'world' has both a 'map' and a 'file'." : "'world.map' is missing, or 'world.file'.",
                     "Write {map: office}, or {file: hall.world.yaml}.");
             return new World("", Optional.empty());
         }
@@ -91,7 +91,7 @@ final class WorldReader {
         SceneFormat format = catalog.formatOf(path)
                 .orElseThrow(() -> new InvalidSettings(
                         at,
-                        "(%s) is not a kind of world that is known here.".formatted(path),
+                        "'%s' is not a kind of world that is known here.".formatted(path),
                         path.endsWith(".yaml")
                                 ? "Maybe it is a map: write {map: %s}. A world's name ends with .world.yaml."
                                         .formatted(path)
@@ -141,7 +141,7 @@ final class WorldReader {
                 Catalog.find("device driver", catalog.drivers(), wanted.driver(), service.location(), problems);
         Optional<String> refusal = driver.flatMap(own -> own.refusal(spec.model()));
         refusal.ifPresent(why -> problems.add(
-                service.location(), "(%s) can't work on robot (%s).".formatted(service.driver(), spec.id()), why));
+                service.location(), "'%s' can't work on robot '%s'.".formatted(service.driver(), spec.id()), why));
         var section = new Section(wanted.name(), wanted.settings(), problems);
         return driver.filter(_ -> refusal.isEmpty())
                 .flatMap(own -> section.arguments(own.parameters())

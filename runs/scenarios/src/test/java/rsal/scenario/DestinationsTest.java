@@ -40,11 +40,11 @@ class DestinationsTest {
             THINGS
             agents:
               worker: {type: worker, robot: guard}
-              patrol: {type: patrol, args: {places: $places}}
-              ceiling: {type: ceiling, args: {things: can, places: "4 1"}}
+              patrol: {type: patrol, parameters: {places: $places}}
+              ceiling: {type: overhead-camera, parameters: {things: can, places: "4 1"}}
             configurations:
               near: {}
-              far: {args: {places: "12 2"}}
+              far: {arguments: {places: "12 2"}}
             """;
 
     @TempDir
@@ -85,7 +85,7 @@ class DestinationsTest {
         assertThat(notes("1 1; 4 1", NO_CANS)).singleElement().satisfies(note -> {
             assertThat(note.location().line()).isEqualTo(4);
             assertThat(note.message())
-                    .contains("(places) of agent (patrol)", "1 of 2", "Place (4.00, 1.00) is in a wall, or", "Maybe");
+                    .contains("'places' of agent 'patrol'", "1 of 2", "Place (4.00, 1.00) is in a wall, or", "Maybe");
         });
     }
 
@@ -145,14 +145,14 @@ class DestinationsTest {
                 .singleElement()
                 .satisfies(note -> {
                     assertThat(note.location().line()).isEqualTo(12);
-                    assertThat(note.message()).contains("(pose) of things (can)", "(12.00, 3.00) cannot be reached");
+                    assertThat(note.message()).contains("'pose' of things 'can'", "(12.00, 3.00) cannot be reached");
                 });
         assertThat(notes("", cans("pose: [2, 3, 0], grippable: true, depot: {at: [[12, 2]]}")))
                 .singleElement()
-                .satisfies(note -> assertThat(note.message()).contains("depot of things (can)"));
+                .satisfies(note -> assertThat(note.message()).contains("depot of things 'can'"));
         assertThat(notes("", cans("pose: [12, 3, 0], reach: {by: guard}")))
                 .singleElement()
-                .satisfies(note -> assertThat(note.message()).contains("(pose) of things (can)"));
+                .satisfies(note -> assertThat(note.message()).contains("'pose' of things 'can'"));
         assertThat(notes("", cans("pose: [12, 3, 0]"))).as("nobody goes there").isEmpty();
     }
 

@@ -24,7 +24,7 @@ class NeedsTest {
                 pose: [0, -1, 0]
                 devices: {laser: urg04lx, localizer: amcl, planner: wavefront, navigator: {}%s}
             agents:
-              one: {type: %s, robot: cart, args: {%s}}
+              one: {type: %s, robot: cart, parameters: {%s}}
             """;
 
     private static RunPlan plan(String agent, @Nullable String arguments, @Nullable String devices) {
@@ -37,27 +37,27 @@ class NeedsTest {
             delimiter = '|',
             nullValues = "none",
             value = {
-                "follow | with (sees: markers) | prey: cart, sees: markers | , pilot: {}, places: {} | a"
+                "follow | with 'sees: fiducials' | prey: cart, sees: fiducials | , pilot: {}, places: {} | a"
                         + " FiducialFinder",
-                "follow | with (sees: markers) | prey: cart, sees: markers | , fiducials: fiducials180, places: {} | a"
+                "follow | with 'sees: fiducials' | prey: cart, sees: fiducials | , fiducials: fiducials180, places: {} | a"
                         + " Pilot",
-                "follow | with (sees: markers) | prey: cart, sees: markers | none | a FiducialFinder and a Pilot and a"
+                "follow | with 'sees: fiducials' | prey: cart, sees: fiducials | none | a FiducialFinder and a Pilot and a"
                         + " PlaceFinder",
-                "escape | with (sees: markers) | sees: markers | , pilot: {} | a FiducialFinder",
-                "evade | with (sees: markers) | sees: markers | , pilot: {} | a FiducialFinder",
-                "evade | with (sees: markers) | sees: markers | none | a Pilot and a FiducialFinder",
-                "explore | with (roam: lookouts) | roam: lookouts | , pilot: {}, camera: blob-camera | a PlaceFinder",
-                "worker | with (intruder: #d55e00) | intruder: '#d55e00' | none | a BlobFinder",
+                "escape | with 'sees: fiducials' | sees: fiducials | , pilot: {} | a FiducialFinder",
+                "evade | with 'sees: fiducials' | sees: fiducials | , pilot: {} | a FiducialFinder",
+                "evade | with 'sees: fiducials' | sees: fiducials | none | a Pilot and a FiducialFinder",
+                "explore | with 'roam: viewpoints' | roam: viewpoints | , pilot: {}, camera: blob-camera | a PlaceFinder",
+                "worker | with 'intruder: #d55e00' | intruder: '#d55e00' | none | a BlobFinder",
                 "escape | none | sees: reports | none | a Pilot"
             })
     void whatIsMissingIsToldWithTheArgumentThatNeedsIt(
             String agent, @Nullable String which, String arguments, @Nullable String devices, String missing) {
         assertThatThrownBy(() -> plan(agent, arguments, devices == null ? "" : devices))
                 .hasMessageContaining("needs.yaml:12:")
-                .hasMessageContaining("Agent (%s) %sneeds a robot with %s, which"
+                .hasMessageContaining("Agent '%s' %sneeds a robot with %s, which"
                         .formatted(agent, which == null ? "" : which + " ", missing))
-                .hasMessageContaining("which robots of role (cart) don't have.")
-                .hasMessageContaining("Add it to (robots.cart.devices).");
+                .hasMessageContaining("which robots of role 'cart' don't have.")
+                .hasMessageContaining("Add it to 'robots.cart.devices'.");
     }
 
     @ParameterizedTest
@@ -65,9 +65,9 @@ class NeedsTest {
             delimiter = '|',
             nullValues = "none",
             value = {
-                "follow | prey: cart, sees: markers | , pilot: {}, places: {}, fiducials: fiducials180",
+                "follow | prey: cart, sees: fiducials | , pilot: {}, places: {}, fiducials: fiducials180",
                 "follow | prey: cart | none",
-                "escape | sees: markers | , pilot: {}, fiducials: fiducials180",
+                "escape | sees: fiducials | , pilot: {}, fiducials: fiducials180",
                 "escape | none | , pilot: {}",
                 "worker | none | none"
             })
@@ -82,8 +82,8 @@ class NeedsTest {
         Scenario scenario = Scenario.read(
                 "needs.yaml", SCENARIO.formatted(", pilot: {}", "escape", "sees: $sees"), FileSource.disk());
         assertThat(scenario.plan(RunOptions.NONE).agents()).hasSize(1);
-        var markers = RunOptions.NONE.withArguments(Map.of("sees", "markers"));
-        assertThatThrownBy(() -> scenario.plan(markers)).hasMessageContaining("with (sees: markers) needs");
+        var markers = RunOptions.NONE.withArguments(Map.of("sees", "fiducials"));
+        assertThatThrownBy(() -> scenario.plan(markers)).hasMessageContaining("with 'sees: fiducials' needs");
     }
 
     /// Each would take it from the other, and both would get nowhere.

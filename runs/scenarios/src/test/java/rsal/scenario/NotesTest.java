@@ -53,8 +53,8 @@ class NotesTest {
                 () -> Scenario.load(world).check(),
                 () -> Scenario.load(world).plan(RunOptions.NONE))) {
             assertThatExceptionOfType(InvalidSettings.class).isThrownBy(read).satisfies(e -> {
-                assertThat(e.problems()).singleElement().asString().contains("(wals)");
-                assertThat(e.warnings()).singleElement().asString().contains("(dance)");
+                assertThat(e.problems()).singleElement().asString().contains("'wals'");
+                assertThat(e.warnings()).singleElement().asString().contains("'dance'");
             });
         }
     }
@@ -68,8 +68,8 @@ class NotesTest {
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> Scenario.load(file.toString()).plan(RunOptions.NONE))
                 .satisfies(e -> {
-                    assertThat(e.problems()).extracting(Problem::message).anyMatch(m -> m.contains("(stp)"));
-                    assertThat(e.warnings()).singleElement().asString().contains("(dance)");
+                    assertThat(e.problems()).extracting(Problem::message).anyMatch(m -> m.contains("'stp'"));
+                    assertThat(e.warnings()).singleElement().asString().contains("'dance'");
                 });
     }
 

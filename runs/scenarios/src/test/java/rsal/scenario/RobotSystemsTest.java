@@ -244,7 +244,7 @@ class RobotSystemsTest {
     @Test
     void simulatedTimeRefusesRobotsThatCantFollowIt() {
         assertThat(mistakes(MIXED.replace("use: reality", "use: clockwork")))
-                .contains("The robot system (clockwork) of robot (real3at) can't follow simulated time,")
+                .contains("The robot system 'clockwork' of robot 'real3at' can't follow simulated time,")
                 .contains("mixed.yaml:13:");
         assertThat(mistakes(MIXED.replace("use: reality", "use: clockwork") + "run: {clock: {mode: wall}}\n"))
                 .isEmpty();
@@ -255,7 +255,7 @@ class RobotSystemsTest {
         String agent = MIXED.replace("type: wanderer", "type: wander");
         String pilot = "devices: {pilot: {}}";
         assertThat(mistakes(agent.replace("name: virtual1", "name: virtual1, " + pilot)))
-                .contains("needs a robot with a Pilot, which robots of role (hunter) don't have.");
+                .contains("needs a robot with a Pilot, which robots of role 'hunter' don't have.");
         assertThat(mistakes(agent.replace("pose: {free: true}", "pose: {free: true}\n    " + pilot)))
                 .isEmpty();
     }
@@ -263,7 +263,7 @@ class RobotSystemsTest {
     @Test
     void aRunHasOneSimulatedWorld() {
         assertThat(mistakes(MIXED.replace("{name: virtual1}", "{name: virtual1, mrs: {sensorNoise: 0}}")))
-                .contains("Robot (virtual1) would be in another simulated world than those of sim; a run has one.");
+                .contains("Robot 'virtual1' would be in another simulated world than those of sim; a run has one.");
     }
 
     @Test
@@ -271,7 +271,7 @@ class RobotSystemsTest {
         String broken = MIXED + "faults:\n  - {kind: gone, robots: %s, at: 5}\n";
         assertThat(mistakes(broken.formatted("prey"))).isEmpty();
         assertThat(mistakes(broken.formatted("real3at")))
-                .contains("Robot system (reality) can't break robots on purpose.");
+                .contains("Robot system 'reality' can't break robots on purpose.");
     }
 
     @Test
@@ -283,9 +283,9 @@ class RobotSystemsTest {
                 .containsExactly("real3at");
         assertThat(mistakes(mixed.replace("name: virtual1", "name: virtual1, proxy: true")))
                 .contains("mixed.yaml:14:")
-                .contains("Robot (virtual1) is simulated itself and has no stand-in.");
+                .contains("Robot 'virtual1' is simulated itself and has no proxy.");
         assertThat(mistakes(mixed + "mrs: {use: reality}\n"))
-                .contains("There is no simulated world for a stand-in of robot (real3at).");
+                .contains("There is no simulated world for a proxy of robot 'real3at'.");
     }
 
     @Test
@@ -297,9 +297,9 @@ class RobotSystemsTest {
                 .containsExactly("real3at");
         assertThat(mistakes(mixed.replace("name: virtual1", "name: virtual1, overlay: true")))
                 .contains("mixed.yaml:14:")
-                .contains("Robot (virtual1) is simulated itself and sees its world.");
+                .contains("Robot 'virtual1' is simulated itself and sees its world.");
         assertThat(mistakes(mixed + "mrs: {use: reality}\n"))
-                .contains("There is no simulated world that robot (real3at) could see.");
+                .contains("There is no simulated world that robot 'real3at' could see.");
         write("blind.yaml", """
                 title: Blind
                 body: {length: 0.3, width: 0.2}
@@ -311,20 +311,20 @@ class RobotSystemsTest {
                   odometryNoise: {distancePerMeter: 0, headingPerMeter: 0, headingPerDegree: 0}
                 """);
         assertThat(mistakes(mixed.replace("devices: {laser: urg04lx}", "model: blind.yaml")))
-                .contains("Robot (real3at) has no laser and no sonars by which it could see what is simulated.");
+                .contains("Robot 'real3at' has no laser and no sonars by which it could see what is simulated.");
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', textBlock = """
+    @CsvSource(quoteCharacter = '`', delimiter = '|', textBlock = """
             name: virtual1}  | name: real3at}               | Two robots have the same name
-            name: virtual1}  | name: operator}              | (operator) can't be the name of a robot.
-            name: virtual1}  | name: virtual1, mirs: {}}    | (mirs) is not known in (robots.hunter.members).
-            name: virtual1}  | name: virtual1, mrs: {use: simm}} | There is no robot system (simm).
-            name: virtual1}  | name: virtual1, mrs: {host: b}} | (host) is not known in (robots.hunter.members.mrs).
+            name: virtual1}  | name: operator}              | 'operator' can't be the name of a robot.
+            name: virtual1}  | name: virtual1, mirs: {}}    | 'mirs' is not known in 'robots.hunter.members'.
+            name: virtual1}  | name: virtual1, mrs: {use: simm}} | There is no robot system 'simm'.
+            name: virtual1}  | name: virtual1, mrs: {host: b}} | 'host' is not known in 'robots.hunter.members.mrs'.
             name: virtual1}  | name: virtual1, pose: otto}  | must be [x, y, degrees], a list of those, or {free: true}
-            fiducial: 11     | fiducal: 11                  | (fiducal) is not known
-            fiducial: 11     | count: 3                     | (robots.hunter.count) can't be said where robots are named
-            pose: {free: true} | pose: [[1, 2, 0], [3, 4, 0]] | (robots.hunter.pose) can't be a list of poses where
+            fiducial: 11     | fiducal: 11                  | 'fiducal' is not known
+            fiducial: 11     | count: 3                     | 'robots.hunter.count' can't be said where robots are named
+            pose: {free: true} | pose: [[1, 2, 0], [3, 4, 0]] | 'robots.hunter.pose' can't be a list of poses where
             """)
     void mistakesAreToldOnceAndWhereTheyAre(String right, String wrong, String words) {
         assertThat(MIXED).contains(right);

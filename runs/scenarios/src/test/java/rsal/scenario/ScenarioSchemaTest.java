@@ -81,7 +81,7 @@ class ScenarioSchemaTest {
             "needs a RangeSensor",
             "needs a Navigator",
             "needs a localizer of type",
-            "Robot (prey)",
+            "Robot 'prey'",
             "has 1 for 2 robots",
             "no free place",
             "least x, least y",
@@ -95,19 +95,19 @@ class ScenarioSchemaTest {
             "is not a signal",
             "no value per robot",
             "from 1 to 4", // an argument's value against its declaration
-            "(hunter) is not known",
+            "'hunter' is not known",
             "can't be the role",
             "can't be the name of an agent",
             "There are two agents",
-            "(hunters) must be",
+            "'hunters' must be",
             "the id of one, a pattern",
             "a pattern (r*)",
             "have no sensor",
-            "not (hunter-3)",
+            "not 'hunter-3'",
             "can't be biased like this",
             "needs an error",
             "[least, most]",
-            "must be at most (range)",
+            "must be at most 'range'",
             "must be an agent",
             "can't work with these options", // one against others
             "can't work with these values");
@@ -148,8 +148,8 @@ class ScenarioSchemaTest {
                 List.of("mrs: {use: sim, step: 0.05}", "mrs: {step: 0.05}"),
                 List.of(", outcome: success, after: 2", ", outcome: failure"),
                 List.of("per: robot, unit: m, better: less, bound: {max: 0.3}", "bound: {min: 0}"),
-                List.of("    args: {hunters: 3}\n", "    measure: []\n"),
-                List.of("args: {speed: 0.2}", "args: {}"),
+                List.of("    arguments: {hunters: 3}\n", "    metrics: []\n"),
+                List.of("parameters: {speed: 0.2}", "parameters: {}"),
                 rightFault("kind: dead, robots: all, devices: all, at: 30, for: 20"),
                 rightFault(
                         "kind: frozen, robots: [prey, hunter-1], devices: [laser, SonarArray], every: 60, for: [1, 5]"),
@@ -182,7 +182,7 @@ class ScenarioSchemaTest {
         org.assertj.core.api.Assertions.assertThatThrownBy(
                         () -> Scenario.read("empty.yaml", "rsal: 1", FileSource.folder(Path.of("."))))
                 .isInstanceOf(InvalidSettings.class)
-                .hasMessageContainingAll("(scenario)", "(world.map)", "no robots");
+                .hasMessageContainingAll("'scenario'", "'world.map'", "no robots");
     }
 
     private static List<Error> errors(Value.Mapping settings) {

@@ -50,7 +50,7 @@ class ScenarioTest {
                 pose: {free: true, clearance: 0.5}
                 color: "#123456"
             agents:
-              run: {type: wanderer, robot: prey, args: {speed: 0.2}}
+              run: {type: wanderer, robot: prey, parameters: {speed: 0.2}}
               chase: {type: wanderer, robot: hunter}
               watch: {type: breaker}
             mas: {use: plain}
@@ -61,12 +61,12 @@ class ScenarioTest {
               stop:
                 - {when: allCaught(prey), outcome: success, after: 2}
                 - {when: time > 30, outcome: timeout}
-            measure:
+            metrics:
               - {name: error, from: p95(poseError), per: robot, unit: m, better: less, bound: {max: 0.3}}
             configurations:
               first: {title: As it is}
               second:
-                args: {hunters: 3}
+                arguments: {hunters: 3}
                 robots: {prey: {pose: [-8, -1, 0]}}
                 mrs: {step: 0.1}
             """;
@@ -105,7 +105,7 @@ class ScenarioTest {
                 .containsExactly(OptionalInt.empty(), OptionalInt.of(21), OptionalInt.of(22));
         assertThat(mistakes(marked.replace("fiducial: 21", "fiducial: -1"))).contains("robots.hunter.fiducial");
         String twice = marked.replace("    model: pioneer2dx\n", "    model: pioneer2dx\n    fiducial: 22\n");
-        assertThat(mistakes(twice)).contains("(prey) and (hunter-2) wear the same marker (22).");
+        assertThat(mistakes(twice)).contains("'prey' and 'hunter-2' wear the same marker '22'.");
     }
 
     @Test
@@ -217,201 +217,217 @@ class ScenarioTest {
                 List.of(
                         "configurations:",
                         "configuratons:",
-                        "(configuratons) is not known here",
-                        "Maybe (configurations)"),
-                List.of("arguments:", "argumnts:", "good.yaml:4:1: (argumnts) is not known here", "Maybe (arguments)"),
+                        "'configuratons' is not known here",
+                        "Maybe 'configurations'"),
+                List.of("arguments:", "argumnts:", "good.yaml:4:1: 'argumnts' is not known here", "Maybe 'arguments'"),
                 List.of(
                         "first: {title: As it is}",
                         "first: {configurations: {}}",
-                        "(configurations) can't be changed by a configuration"),
-                List.of("title: A good", "titel: A good", "good.yaml:3:1: (titel) is not known here", "Maybe (title)"),
-                List.of("rsal: 1", "rsal: 2", "good.yaml:1:7", "(rsal) is the version of the format: 1"),
-                List.of("scenario: good\n", "", "(scenario) is missing"),
-                List.of("map: office", "map: ofice", "good.yaml:9:14", "There is no map (ofice)", "Maybe (office)"),
-                List.of("map: office", "map: lab/floor.yaml", "There is no file (lab/floor.yaml)"),
+                        "'configurations' can't be changed by a configuration"),
+                List.of("title: A good", "titel: A good", "good.yaml:3:1: 'titel' is not known here", "Maybe 'title'"),
+                List.of("rsal: 1", "rsal: 2", "good.yaml:1:7", "'rsal' is the version of the format: 1"),
+                List.of("scenario: good\n", "", "'scenario' is missing"),
+                List.of("map: office", "map: ofice", "good.yaml:9:14", "There is no map 'ofice'", "Maybe 'office'"),
+                List.of("map: office", "map: lab/floor.yaml", "There is no file 'lab/floor.yaml'"),
                 List.of("map: office", "map: ../floor.yaml", "lies outside"),
-                List.of("pioneer2dx", "pioneer2d", "There is no robot model (pioneer2d)", "Maybe (pioneer2dx)"),
-                List.of("urg04lx", "urg4lx", "good.yaml:14:22", "There is no part", "Maybe (urg04lx)"),
-                List.of("laser: urg04lx, ", "", "(truthful) needs a LaserScanner", "above (localizer)"),
+                List.of("pioneer2dx", "pioneer2d", "There is no robot model 'pioneer2d'", "Maybe 'pioneer2dx'"),
+                List.of("urg04lx", "urg4lx", "good.yaml:14:22", "There is no part", "Maybe 'urg04lx'"),
+                List.of("laser: urg04lx, ", "", "'truthful' needs a LaserScanner", "above 'localizer'"),
                 List.of(
                         "laser: urg04lx, localizer: {type: truthful, error: 0.1}",
                         "laser: none, sonar: none, localizer: amcl",
                         "good.yaml:14:52",
-                        "(amcl) needs a RangeSensor",
-                        "above (localizer)"),
+                        "'amcl' needs a RangeSensor",
+                        "above 'localizer'"),
                 List.of(
                         "laser: urg04lx, localizer: {type: truthful, error: 0.1}",
                         "laser: none, localizer: slam",
                         "good.yaml:14:39",
-                        "(slam) needs a LaserScanner",
-                        "above (localizer)"),
+                        "'slam' needs a LaserScanner",
+                        "above 'localizer'"),
                 List.of(
                         "{type: truthful, error: 0.1}",
                         "{type: slam, maxRange: -1}",
-                        "(robots.prey.devices.localizer.maxRange) must be a number from 0.5 to 200"),
+                        "'robots.prey.devices.localizer.maxRange' must be a number from 0.5 to 200"),
                 List.of(
                         "localizer: {type: truthful, error: 0.1}",
                         "localizer: amcl, navigator: {}, explorer: {}",
-                        "(explorer) can't work on this robot",
-                        "It needs a localizer of type (slam) and a navigator of type (navigator), not (amcl)"),
+                        "'explorer' can't work on this robot",
+                        "It needs a localizer of type 'slam' and a navigator of type 'navigator', not 'amcl'"),
                 List.of(
                         "localizer: {type: truthful, error: 0.1}",
                         "localizer: amcl, navigator: {controller: {type: vfh, weightPreviousDir: 3}}",
                         "good.yaml:14:72: 'vfh' can't work with these values.",
-                        "(5.0) must weigh more than going straight on (2.0) and keeping the choice (3.0)"),
+                        "'5.0' must weigh more than going straight on '2.0' and keeping the choice '3.0'"),
                 List.of(
                         "localizer: {type: truthful, error: 0.1}",
                         "localizer: slam, explorer: {}",
-                        "(explorer) needs a Navigator"),
-                List.of("type: truthful", "type: truthfull", "no device driver (truthfull)", "Maybe (truthful)"),
+                        "'explorer' needs a Navigator"),
+                List.of("type: truthful", "type: truthfull", "no device driver 'truthfull'", "Maybe 'truthful'"),
                 List.of(
                         "error: 0.1",
                         "error: 11",
-                        "(robots.prey.devices.localizer.error) must be a number from 0 to 10"),
-                List.of("error: 0.1", "eror: 0.1", "(eror) is not known", "Maybe (error)"),
+                        "'robots.prey.devices.localizer.error' must be a number from 0 to 10"),
+                List.of("error: 0.1", "eror: 0.1", "'eror' is not known", "Maybe 'error'"),
                 List.of("[$start, -1.0, 180]", "[-12, -1]", "good.yaml:13:11", "a list of 3 numbers, not a list of 2"),
                 List.of("[$start, -1.0, 180]", "somewhere", "must be [x, y, degrees]"),
-                List.of("[$start, -1.0, 180]", "[-31.45, -1, 0]", "Robot (prey)", "good.yaml:13:11"),
-                List.of("[$start, -1.0, 180]", "[900, -1, 0]", "Robot (prey)", "outside the map"),
+                List.of("[$start, -1.0, 180]", "[-31.45, -1, 0]", "Robot 'prey'", "good.yaml:13:11"),
+                List.of("[$start, -1.0, 180]", "[900, -1, 0]", "Robot 'prey'", "outside the map"),
                 List.of("{free: true, clearance: 0.5}", "[-8, -1, 0]", "has 1 for 2 robots"),
                 List.of("{free: true, clearance: 0.5}", "{clearance: 0.5}", "{free: true}"),
-                List.of("clearance: 0.5", "clearance: 90", "There is no free place for robot (hunter-1)"),
+                List.of("clearance: 0.5", "clearance: 90", "There is no free place for robot 'hunter-1'"),
                 List.of("clearance: 0.5", "within: [4, 4, 1, 1]", "[least x, least y, greatest x, greatest y]"),
-                List.of("$start", "$star", "There is no argument (star)", "Maybe (start)"),
+                List.of("$start", "$star", "There is no argument 'star'", "Maybe 'start'"),
                 List.of("A good scenario", "A $way scenario", "never inside other text"),
-                List.of("count: $hunters", "count: 5000", "must be a whole number from 1 to 1000, not (5000)"),
+                List.of("count: $hunters", "count: 5000", "must be a whole number from 1 to 1000, not '5000'"),
                 List.of("count: $hunters", "count: 2.5", "must be a whole number"),
                 List.of(
                         "\"#123456\"",
                         "\"#12345\"",
-                        "(robots.hunter.color) must be a color, \"#rrggbb\" or a name, not (#12345)"),
+                        "'robots.hunter.color' must be a color, \"#rrggbb\" or a name, not '#12345'"),
                 List.of(
                         "type: wanderer, robot: prey",
                         "type: wanderrer, robot: prey",
-                        "no type of agent (wanderrer)",
-                        "Maybe (wanderer)"),
+                        "no type of agent 'wanderrer'",
+                        "Maybe 'wanderer'"),
                 List.of(
                         "type: wanderer, robot: prey",
                         "type: zebra, robot: prey",
-                        "no type of agent (zebra)",
+                        "no type of agent 'zebra'",
                         "Known are:",
                         "A class of your own needs a line in META-INF/services/rsal.agent.AgentType."),
-                List.of("robot: hunter", "robot: huntr", "No robots have the role (huntr)", "Maybe (hunter)"),
+                List.of("robot: hunter", "robot: huntr", "No robots have the role 'huntr'", "Maybe 'hunter'"),
                 List.of(
                         "chase: {type: wanderer, robot: hunter}",
                         "chase: {type: wanderer}",
                         "needs a robot with a DriveBase"),
-                List.of("speed: 0.2", "speed: fast", "(agents.run.args.speed) must be a number from 0 to 1 [m/s]"),
+                List.of(
+                        "speed: 0.2",
+                        "speed: fast",
+                        "'agents.run.parameters.speed' must be a number from 0 to 1 [m/s]"),
                 mistakenRobots(
                         "huntr",
-                        "(agents.watch.args.robot)",
-                        "the id of one or all, not (huntr)",
-                        "Maybe (hunter) was"),
-                mistakenRobots("hunter-3", "Maybe (hunter-1) was meant?"),
+                        "'agents.watch.parameters.robot'",
+                        "the id of one or all, not 'huntr'",
+                        "Maybe 'hunter' was"),
+                mistakenRobots("hunter-3", "Maybe 'hunter-1' was meant?"),
                 mistakenRobots("me", "Known are: prey, hunter."),
-                mistakenRobots("\"\"", "not ()"),
-                mistakenRobots("$way", "not (slow)"),
-                List.of("use: plain", "use: plan", "no multi-agent system (plan)", "Maybe (plain)"),
+                mistakenRobots("\"\"", "not ''"),
+                mistakenRobots("$way", "not 'slow'"),
+                List.of("use: plain", "use: plan", "no multi-agent system 'plan'", "Maybe 'plain'"),
                 List.of("use: plain", "use: wallclock", "can't follow simulated time", "run.clock.mode"),
-                List.of("use: plain", "use: jade", "system (jade) can't follow simulated time", "--clock wall"),
-                List.of("use: sim", "use: simm", "no robot system (simm)", "Maybe (sim)"),
-                List.of("step: 0.05", "step: 5", "(mrs.step) must be"),
-                List.of("seed: 11", "seed: eleven", "(run.seed) must be a whole number, not (eleven)"),
-                List.of("speed: 2}", "speed: 0}", "(run.clock.speed) must be a number from 0.01"),
+                List.of("use: plain", "use: jade", "system 'jade' can't follow simulated time", "--clock wall"),
+                List.of("use: sim", "use: simm", "no robot system 'simm'", "Maybe 'sim'"),
+                List.of("step: 0.05", "step: 5", "'mrs.step' must be"),
+                List.of("seed: 11", "seed: eleven", "'run.seed' must be a whole number, not 'eleven'"),
+                List.of("speed: 2}", "speed: 0}", "'run.clock.speed' must be a number from 0.01"),
                 List.of("mode: simulated", "mode: real", "one of simulated, wall"),
                 List.of(
                         "allCaught(prey)",
                         "allCaught(pray)",
                         "good.yaml:30:24",
-                        "No robots have the role (pray)",
-                        "Maybe (prey)"),
+                        "No robots have the role 'pray'",
+                        "Maybe 'prey'"),
                 List.of("time > 30", "time >> 30", "good.yaml:31:20", "character 7"),
                 List.of("outcome: timeout", "outcome: late", "one of success, failure, timeout"),
-                List.of(", outcome: timeout", "", "(run.stop.outcome) is missing"),
-                List.of("p95(poseError)", "p95(poseErr)", "(poseErr) is not a signal", "Maybe (poseError)"),
+                List.of(", outcome: timeout", "", "'run.stop.outcome' is missing"),
+                List.of("p95(poseError)", "p95(poseErr)", "'poseErr' is not a signal", "Maybe 'poseError'"),
                 List.of("from: p95(poseError)", "from: count(collisions)", "no value per robot"),
                 List.of("better: less", "better: smaller", "one of less, more, neither"),
                 List.of("bound: {max: 0.3}", "bound: 0.3", "must be a group of settings"),
-                List.of("args: {hunters: 3}", "args: {hunters: 9}", "(hunters) must be a whole number from 1 to 4"),
-                List.of("args: {hunters: 3}", "args: {hunter: 3}", "(hunter) is not known", "Maybe (hunters)"),
-                List.of("type: integer, default: 2", "type: integer, default: 9", "(hunters) must be"),
+                List.of(
+                        "arguments: {hunters: 3}",
+                        "arguments: {hunters: 9}",
+                        "'hunters' must be a whole number from 1 to 4"),
+                List.of(
+                        "arguments: {hunters: 3}",
+                        "arguments: {hunter: 3}",
+                        "'hunter' is not known",
+                        "Maybe 'hunters'"),
+                List.of("type: integer, default: 2", "type: integer, default: 9", "'hunters' must be"),
                 List.of(
                         "type: integer, default: 2",
                         "type: whole, default: 2",
                         "one of integer, number, string, boolean"),
-                List.of("type: integer, default: 2,", "type: integer,", "(arguments.hunters.default) is missing"),
-                List.of("  prey:\n", "  all:\n", "(all) can't be the role of robots"),
+                List.of("type: integer, default: 2,", "type: integer,", "'arguments.hunters.default' is missing"),
+                List.of("  prey:\n", "  all:\n", "'all' can't be the role of robots"),
                 List.of("first: {title: As it is}", "first: [1]", "must be a group of settings"),
                 List.of(
                         "first: {title: As it is}",
                         "first: {arguments: {hunters: {default: 3}}}",
-                        "good.yaml:35:11: (arguments) can't be changed by a configuration",
-                        "args"),
-                List.of("first: {title: As it is}", "first: {scenario: better}", "(scenario) can't be changed"),
-                List.of("  run: {type", "  all: {type", "(all) can't be the name of an agent"),
-                List.of("  watch:", "  operator:", "(operator) can't be the name of an agent"),
-                List.of("  watch:", "  chase-2:", "good.yaml:23:12: There are two agents (chase-2)"),
-                mistakenFault("at: 60", "(faults.kind) is missing"),
+                        "good.yaml:35:32: 'hunters' must be a whole number from 1 to 4"),
+                List.of(
+                        "first: {title: As it is}",
+                        "first: {args: {hunters: 3}}",
+                        "good.yaml:35:11: 'args' is not known",
+                        "'args' is now called 'arguments'"),
+                List.of("parameters: {speed: 0.2}", "args: {speed: 0.2}", "'args' is now called 'parameters'"),
+                List.of("metrics:\n", "measure:\n", "'measure' is now called 'metrics'"),
+                List.of("first: {title: As it is}", "first: {scenario: better}", "'scenario' can't be changed"),
+                List.of("  run: {type", "  all: {type", "'all' can't be the name of an agent"),
+                List.of("  watch:", "  operator:", "'operator' can't be the name of an agent"),
+                List.of("  watch:", "  chase-2:", "good.yaml:23:12: There are two agents 'chase-2'"),
+                mistakenFault("at: 60", "'faults.kind' is missing"),
                 mistakenFault(
                         "kind: deaf, robots: prey, devices: laser",
-                        "good.yaml:26:17: (faults.kind) must be one of dead, frozen",
-                        "not (deaf). Maybe (dead)"),
-                mistakenFault("kind: dead, devices: laser", "(faults.robots) is missing", "Maybe (robots: all)?"),
-                mistakenFault("kind: dead, robots: prey", "(faults.devices) is missing"),
+                        "good.yaml:26:17: 'faults.kind' must be one of dead, frozen",
+                        "not 'deaf'. Maybe 'dead'"),
+                mistakenFault("kind: dead, devices: laser", "'faults.robots' is missing", "Maybe 'robots: all'?"),
+                mistakenFault("kind: dead, robots: prey", "'faults.devices' is missing"),
                 mistakenFault(
                         "kind: gone, robots: pry",
-                        "good.yaml:26:31: (faults.robots) must be a role of robots, the id of one",
-                        "not (pry)",
-                        "Maybe (prey)"),
-                mistakenFault("kind: gone, robots: [prey, hunter-3]", "not (hunter-3)", "Maybe (hunter-1)"),
-                mistakenFault("kind: gone, robots: \"x*\"", "a pattern (r*) or all, not (x*)"),
+                        "good.yaml:26:31: 'faults.robots' must be a role of robots, the id of one",
+                        "not 'pry'",
+                        "Maybe 'prey'"),
+                mistakenFault("kind: gone, robots: [prey, hunter-3]", "not 'hunter-3'", "Maybe 'hunter-1'"),
+                mistakenFault("kind: gone, robots: \"x*\"", "a pattern (r*) or all, not 'x*'"),
                 mistakenFault("kind: gone, robots: [[prey]]", "must be a name or a list of names, not a list of 1"),
                 mistakenFault(
                         "kind: dead, robots: prey, devices: lasr",
-                        "good.yaml:26:46: Robots called (prey) have no sensor (lasr)",
-                        "Maybe (laser)"),
+                        "good.yaml:26:46: Robots called 'prey' have no sensor 'lasr'",
+                        "Maybe 'laser'"),
                 mistakenFault(
                         "kind: dead, robots: [prey, hunter], devices: Localizer",
-                        "Robots called (hunter) have no sensor (Localizer)",
+                        "Robots called 'hunter' have no sensor 'Localizer'",
                         "Known are: base, laser, sonar."),
-                mistakenFault("kind: dead, robots: all, devices: camera", "called (all) have no sensor (camera)"),
+                mistakenFault("kind: dead, robots: all, devices: camera", "called 'all' have no sensor 'camera'"),
                 mistakenFault(
                         "kind: biased, robots: prey, devices: laser, angle: 5",
-                        "good.yaml:26:48: Device (prey/laser) can't be biased like this.",
+                        "good.yaml:26:48: Device 'prey/laser' can't be biased like this.",
                         "measures ranges only"),
                 mistakenFault(
                         "kind: biased, robots: prey, devices: laser",
-                        "A (biased) sensor needs an error, (range) or (angle)"),
+                        "A 'biased' sensor needs an error, 'range' or 'angle'"),
                 mistakenFault(
-                        "kind: noisy, robots: prey, devices: laser, range: -1", "(faults.range) must be a number"),
+                        "kind: noisy, robots: prey, devices: laser, range: -1", "'faults.range' must be a number"),
                 mistakenFault(
-                        "kind: gone, robots: prey, at: -5", "good.yaml:26:41: (faults.at) must be a number from 0"),
-                mistakenFault("kind: gone, robots: prey, for: 0", "(faults.for) must be a number from 0.01"),
-                mistakenFault("kind: gone, robots: prey, for: [5, 1]", "(faults.for) must be [least, most]"),
+                        "kind: gone, robots: prey, at: -5", "good.yaml:26:41: 'faults.at' must be a number from 0"),
+                mistakenFault("kind: gone, robots: prey, for: 0", "'faults.for' must be a number from 0.01"),
+                mistakenFault("kind: gone, robots: prey, for: [5, 1]", "'faults.for' must be [least, most]"),
                 mistakenFault("kind: gone, robots: prey, for: [5]", "a list of 2 numbers"),
-                mistakenFault("kind: gone, robots: prey, every: 0", "(faults.every) must be a number from 1"),
-                mistakenFault("kind: gone, robots: prey, pick: 0", "(faults.pick) must be a whole number from 1"),
-                mistakenFault("kind: gone, robots: prey, devices: laser", "(devices) is not known in (faults)"),
-                mistakenFault("kind: lost, robots: prey", "(robots) is not known in (faults)"),
-                mistakenFault("kind: lost, share: 2", "(faults.share) must be a number from 0 to 1, not (2)"),
-                mistakenFault("kind: lost, delay: 2", "(delay) is not known"),
-                mistakenFault("kind: late, delay: -1", "(faults.delay) must be a number from 0 to 600"),
+                mistakenFault("kind: gone, robots: prey, every: 0", "'faults.every' must be a number from 1"),
+                mistakenFault("kind: gone, robots: prey, pick: 0", "'faults.pick' must be a whole number from 1"),
+                mistakenFault("kind: gone, robots: prey, devices: laser", "'devices' is not known in 'faults'"),
+                mistakenFault("kind: lost, robots: prey", "'robots' is not known in 'faults'"),
+                mistakenFault("kind: lost, share: 2", "'faults.share' must be a number from 0 to 1, not '2'"),
+                mistakenFault("kind: lost, delay: 2", "'delay' is not known"),
+                mistakenFault("kind: late, delay: -1", "'faults.delay' must be a number from 0 to 600"),
                 mistakenFault(
                         "kind: lost, from: chas",
-                        "good.yaml:26:29: (faults.from) must be an agent, a robot that has one",
-                        "not (chas)",
-                        "Maybe (chase)"),
-                mistakenCommunication("rnge: 5", "good.yaml:26:17: (rnge) is not known in (communication)", "(range)"),
-                mistakenCommunication("range: -1", "good.yaml:26:24: (communication.range) must be a number from 0"),
-                mistakenCommunication("range: far", "(communication.range) must be a number", "not (far)"),
-                mistakenCommunication("loss: 5", "(communication.loss) must be a number from 0 to 1, not (5)"),
-                mistakenCommunication("delay: [0.2, 0.1]", "(communication.delay) must be [least, most]"),
-                mistakenCommunication("delay: [0.2]", "(communication.delay) must be a list of 2 numbers"),
-                mistakenCommunication("delay: soon", "(communication.delay) must be a number from 0 to 600"),
-                mistakenCommunication("bandwidth: 0", "(communication.bandwidth) must be a number from 0.01"),
+                        "good.yaml:26:29: 'faults.from' must be an agent, a robot that has one",
+                        "not 'chas'",
+                        "Maybe 'chase'"),
+                mistakenCommunication("rnge: 5", "good.yaml:26:17: 'rnge' is not known in 'communication'", "'range'"),
+                mistakenCommunication("range: -1", "good.yaml:26:24: 'communication.range' must be a number from 0"),
+                mistakenCommunication("range: far", "'communication.range' must be a number", "not 'far'"),
+                mistakenCommunication("loss: 5", "'communication.loss' must be a number from 0 to 1, not '5'"),
+                mistakenCommunication("delay: [0.2, 0.1]", "'communication.delay' must be [least, most]"),
+                mistakenCommunication("delay: [0.2]", "'communication.delay' must be a list of 2 numbers"),
+                mistakenCommunication("delay: soon", "'communication.delay' must be a number from 0 to 600"),
+                mistakenCommunication("bandwidth: 0", "'communication.bandwidth' must be a number from 0.01"),
                 mistakenCommunication(
                         "range: 5, behindWalls: 15",
-                        "good.yaml:26:40: (communication.behindWalls) must be at most (range), 5.0 m, not (15.0)",
+                        "good.yaml:26:40: 'communication.behindWalls' must be at most 'range', 5.0 m, not '15.0'",
                         "the other way round"),
                 List.of("run:\n  seed", "communication: none\nrun:\n  seed", "must be a group of settings"));
     }
@@ -433,8 +449,8 @@ class ScenarioTest {
         return Stream.concat(
                         Stream.of(
                                 "watch: {type: breaker}",
-                                "watch: {type: view, args: {robot: %s}}".formatted(name),
-                                "good.yaml:23:37",
+                                "watch: {type: view, parameters: {robot: %s}}".formatted(name),
+                                "good.yaml:23:43",
                                 "must be a role of robots"),
                         Stream.of(message))
                 .toList();
@@ -452,8 +468,8 @@ class ScenarioTest {
     void thoseThatCountRobotsThatAreGoneCountAllThatMayGo() {
         for (String name : List.of("rescue", "find-and-collect", "foraging")) {
             RunPlan plan = Scenario.load(name).plan(RunOptions.NONE.withConfiguration("faulty"));
-            var counted = plan.measures().stream()
-                    .map(measure -> measure.from().toString())
+            var counted = plan.metrics().stream()
+                    .map(metric -> metric.from().toString())
                     .toList();
             var mayGo = plan.robots().stream()
                     .map(RunPlan.PlannedRobot::spec)
@@ -496,7 +512,7 @@ class ScenarioTest {
               thief: {model: pioneer2dx, pose: {free: true}}
             agents:
               run: {type: wanderer, robot: guard}
-            with: {scenario: "distribution:found", args: {interval: $often}, robots: {robot: guard}}
+            with: {scenario: "distribution:found", arguments: {interval: $often}, robots: {robot: guard}}
             configurations:
               first: {}
               without: {with: {robots: {robot: thief}}}
@@ -513,7 +529,7 @@ class ScenarioTest {
                 .containsEntry("robots", "guard")
                 .containsEntry("places", "")
                 .containsEntry("pingInterval", 5.0)
-                .containsEntry("dispersionInterval", 90.0);
+                .containsEntry("allocationInterval", 90.0);
         assertThat(plan.robots()).hasSize(3);
         assertThat(plan.stops()).isEmpty();
         RunPlan other = plan(TWO_ROLES, RunOptions.NONE.withConfiguration("without"));
@@ -526,12 +542,12 @@ class ScenarioTest {
                 .replace("scenario: watch", "scenario: own")
                 .replace(
                         "  run: {type: wanderer, robot: guard}",
-                        "  spread: {type: dispersion, args: {robots: thief, places: 1 2}}")
+                        "  spread: {type: deployment, parameters: {robots: thief, places: 1 2}}")
                 .replaceAll("with: .*\n", "");
         String host = TWO_ROLES.replaceAll("with: \\{scenario.*", "with: own.yaml:without");
         write("own.yaml", own.replaceAll("without: .*", "without: {with: own.yaml}"));
         assertThat(mistakes(host.replaceAll("first: .*\n.*without: .*", "first: {}")))
-                .contains("good.yaml:11:7: Nobody says which robots here are (thief) of scenario (own:without).");
+                .contains("good.yaml:11:7: Nobody says which robots here are 'thief' of scenario 'own:without'.");
         String one = host.replaceAll("  thief: .*\n", "").replaceAll("first: .*\n.*without: .*", "first: {}");
         assertThat(plan(one, RunOptions.NONE)
                         .agents()
@@ -546,7 +562,7 @@ class ScenarioTest {
                 .extracting(RunPlan.PlannedAgent::name)
                 .containsExactly("run-1", "run-2", "dispersion");
         assertThatThrownBy(() -> plan(one, RunOptions.NONE.withJoined("dispersion")))
-                .hasMessageContaining("--with dispersion: There is no scenario (dispersion).");
+                .hasMessageContaining("--with dispersion: There is no scenario 'dispersion'.");
     }
 
     private void write(String file, String text) {
@@ -558,51 +574,51 @@ class ScenarioTest {
     }
 
     static Stream<List<String>> wrongJoins() {
-        String with = "with: {scenario: \"distribution:found\", args: {interval: $often}, robots: {robot: guard}}";
+        String with = "with: {scenario: \"distribution:found\", arguments: {interval: $often}, robots: {robot: guard}}";
         return Stream.of(
                 List.of(
                         with,
                         "with: distribtion",
-                        "good.yaml:11:7: There is no scenario (distribtion).",
-                        "(distribution)"),
+                        "good.yaml:11:7: There is no scenario 'distribtion'.",
+                        "'distribution'"),
                 List.of(
                         with,
                         "with: \"distribution:fond\"",
-                        "good.yaml:11:7: Scenario (distribution) has no configuration (fond).",
-                        "(found)"),
-                List.of(with, "with: there.yaml", "good.yaml:11:7: There is no file (there.yaml)."),
-                List.of(with, "with: [distribution]", "good.yaml:11:7: (with) must be a scenario, or a group with one"),
-                List.of(with, "with: {args: {interval: 3}}", "good.yaml:11:7: (with.scenario) is missing"),
+                        "good.yaml:11:7: Scenario 'distribution' has no configuration 'fond'.",
+                        "'found'"),
+                List.of(with, "with: there.yaml", "good.yaml:11:7: There is no file 'there.yaml'."),
+                List.of(with, "with: [distribution]", "good.yaml:11:7: 'with' must be a scenario, or a group with one"),
+                List.of(with, "with: {arguments: {interval: 3}}", "good.yaml:11:7: 'with.scenario' is missing"),
                 List.of(
                         with,
                         "with: \"distribution:found\"",
-                        "good.yaml:11:7: Nobody says which robots here are (robot)",
+                        "good.yaml:11:7: Nobody says which robots here are 'robot'",
                         "roles here are: guard, thief"),
-                List.of("often}", "oftn}", "good.yaml:11:57: There is no argument (oftn).", "(often)"),
+                List.of("often}", "oftn}", "good.yaml:11:62: There is no argument 'oftn'.", "'often'"),
                 List.of(
                         "interval:",
                         "intervall:",
-                        "good.yaml:11:47: (intervall) is not known in (with.args)",
-                        "(interval)"),
-                List.of("{interval: $often}", "{interval: -1}", "good.yaml:11:", "(interval) must be"),
+                        "good.yaml:11:52: 'intervall' is not known in 'with.arguments'",
+                        "'interval'"),
+                List.of("{interval: $often}", "{interval: -1}", "good.yaml:11:", "'interval' must be"),
                 List.of(
                         "robot: guard}}",
                         "robot: gard}}",
-                        "good.yaml:11:82: No robots have the role (gard).",
-                        "(guard)"),
+                        "good.yaml:11:87: No robots have the role 'gard'.",
+                        "'guard'"),
                 List.of(
                         "robot: guard}}",
                         "robt: guard}}",
-                        "good.yaml:11:81: Scenario (distribution:found) has no robots of role (robt).",
-                        "(robot)"),
+                        "good.yaml:11:86: Scenario 'distribution:found' has no robots of role 'robt'.",
+                        "'robot'"),
                 List.of(
                         "run: {type: wanderer, robot: guard}",
                         "dispersion: {type: breaker}",
-                        "good.yaml:11:18: There is an agent (dispersion) here and in scenario (distribution:found)."),
+                        "good.yaml:11:18: There is an agent 'dispersion' here and in scenario 'distribution:found'."),
                 List.of(
                         with,
                         "with: teleop",
-                        "good.yaml:11:7: Scenario (teleop:virtual) has no agents without a robot"));
+                        "good.yaml:11:7: Scenario 'teleop:virtual' has no agents without a robot"));
     }
 
     @Test
@@ -611,9 +627,9 @@ class ScenarioTest {
         assertThat(mistakes(cave)).isEmpty(); // they are found
         assertThat(mistakes(cave.replace("distribution:found", "distribution")))
                 .contains(
-                        "good.yaml:11:18: (places) of agent (dispersion) are places of map (office), on which scenario"
-                                + " (distribution:virtual) is; the one here is (cave).",
-                        "args: {places:");
+                        "good.yaml:11:18: 'places' of agent 'dispersion' are places of map 'office', on which scenario"
+                                + " 'distribution:virtual' is; the one here is 'cave'.",
+                        "arguments: {places:");
         assertThat(mistakes(cave.replace("distribution:found", "distribution")
                         .replace("$often", "$often, places: 1 2; 3 4")))
                 .isEmpty();
@@ -639,8 +655,8 @@ class ScenarioTest {
             })
     void oneMistakeInAFaultMakesNoOtherOfWhatIsRight(String fault) {
         assertThat(mistakes(GOOD.replace("run:\n  seed", "faults: [{%s}]\nrun:\n  seed".formatted(fault))))
-                .doesNotContain("(devices) is", "(robots) is", "(topics) is", "(from) is", "(to) is", "(delay) is")
-                .containsAnyOf("(rnage)", "(20)", "(far)");
+                .doesNotContain("'devices' is", "'robots' is", "'topics' is", "'from' is", "'to' is", "'delay' is")
+                .containsAnyOf("'rnage'", "'20'", "'far'");
     }
 
     @Test
@@ -650,18 +666,18 @@ class ScenarioTest {
                 .replace("pose: {free: true, clearance: 0.5}", "pose: [[-8, -1, 0], [-6, -1, 0], [-4, -1, 0]]")
                 .replace("    mrs: {step: 0.1}\n", "")
                 .replace(
-                        "measure:\n  - {name: error, from: p95(poseError), per: robot, unit: m, better: less, bound: {max: 0.3}}\n",
+                        "metrics:\n  - {name: error, from: p95(poseError), per: robot, unit: m, better: less, bound: {max: 0.3}}\n",
                         "");
         assertThat(mistakes(fake)).isEmpty();
         assertThat(mistakes(fake + "faults: [{kind: lost, share: 0.5}]\n")).isEmpty();
         assertThat(mistakes(fake + "faults: [{kind: dead, robots: prey, devices: laser}]\n"))
-                .contains("(prey/laser) can't be (dead): Robot system (fake) can't break robots on purpose.");
+                .contains("'prey/laser' can't be 'dead': Robot system 'fake' can't break robots on purpose.");
     }
 
     @Test
     void anAgentLeftAloneMustFindTheRobotsItLooksFor() {
         String hunt = GOOD.replace("watch: {type: breaker}", "watch: {type: follow, robot: hunter}");
-        String mistake = "(agents.watch.args.prey) must be a role of robots or the id of one, not (prey)";
+        String mistake = "'agents.watch.parameters.prey' must be a role of robots or the id of one, not 'prey'";
         assertThat(mistakes(hunt)).doesNotContain(mistake);
         assertThat(mistakes(hunt.replace("prey", "rabbit"))).contains("good.yaml:23:10", mistake);
     }
@@ -669,8 +685,8 @@ class ScenarioTest {
     @Test
     void robotsThatCanNotBeReadAreNotMissed() {
         String text = GOOD.replace("pioneer3at", "pioneer9at")
-                .replace("watch: {type: breaker}", "watch: {type: view, args: {robot: hunter-1}}");
-        assertThat(mistakes(text)).contains("(pioneer9at)").doesNotContain("(hunter-1)");
+                .replace("watch: {type: breaker}", "watch: {type: view, parameters: {robot: hunter-1}}");
+        assertThat(mistakes(text)).contains("'pioneer9at'").doesNotContain("'hunter-1'");
     }
 
     @Test
@@ -682,11 +698,11 @@ class ScenarioTest {
                 .replace("time > 30", "time >> 30");
         assertThat(mistakes(text))
                 .contains(
-                        "(titel)",
-                        "(arguments.hunters.min)",
-                        "Robot (prey)",
-                        "(agents.run.args.speed)",
-                        "(run.stop.when)");
+                        "'titel'",
+                        "'arguments.hunters.min'",
+                        "Robot 'prey'",
+                        "'agents.run.parameters.speed'",
+                        "'run.stop.when'");
     }
 
     @Test
@@ -706,9 +722,9 @@ class ScenarioTest {
         String mistaken = GOOD.replace("robot: hunter}", "robot: huntr}");
         assertThatThrownBy(() ->
                         scenario(mistaken).plan(RunOptions.NONE.withArguments(Map.of("start", "900", "hunters", "3"))))
-                .hasMessageContaining("good.yaml:13:11: Robot (prey)")
+                .hasMessageContaining("good.yaml:13:11: Robot 'prey'")
                 .hasMessageContaining("It comes of --set start=900.")
-                .hasMessageContaining("(huntr)")
+                .hasMessageContaining("'huntr'")
                 .message()
                 .containsOnlyOnce("--set");
         assertThatThrownBy(() -> scenario(GOOD).plan(RunOptions.NONE.withArguments(Map.of("hunters", "many"))))
@@ -719,12 +735,12 @@ class ScenarioTest {
     void mistakesOfOptionsAreToldToo() {
         Scenario scenario = scenario(GOOD);
         assertThatThrownBy(() -> scenario.plan(RunOptions.NONE.withConfiguration("secnd")))
-                .hasMessageContaining("no configuration (secnd)")
-                .hasMessageContaining("Maybe (second)");
+                .hasMessageContaining("no configuration 'secnd'")
+                .hasMessageContaining("Maybe 'second'");
         assertThatThrownBy(() -> scenario.plan(RunOptions.NONE.withArguments(Map.of("hunters", "many", "huntrs", "1"))))
-                .hasMessageContaining("--set hunters=many: (hunters) must be a whole number from 1 to 4")
-                .hasMessageContaining("--set huntrs=1: The scenario has no argument (huntrs).")
-                .hasMessageContaining("Maybe (hunters)");
+                .hasMessageContaining("--set hunters=many: 'hunters' must be a whole number from 1 to 4")
+                .hasMessageContaining("--set huntrs=1: The scenario has no argument 'huntrs'.")
+                .hasMessageContaining("Maybe 'hunters'");
         assertThatThrownBy(() -> scenario.plan(RunOptions.NONE.withSpeed(0).withLimit(Duration.ZERO)))
                 .hasMessageContaining("--speed 0.0: A speed must be positive")
                 .hasMessageContaining("--for 0: A time limit must be positive");
@@ -740,7 +756,7 @@ class ScenarioTest {
                 OptionalDouble.empty());
         assertThatThrownBy(() -> scenario.plan(mas)).hasMessageContaining("--mas jasn: There is no multi-agent system");
         assertThatThrownBy(() -> scenario.plan(RunOptions.NONE.inRealTimeOn("jadex")))
-                .hasMessageContaining("--mas jadex: The multi-agent system (jadex) is not part of this installation.");
+                .hasMessageContaining("--mas jadex: The multi-agent system 'jadex' is not part of this installation.");
     }
 
     @Test
@@ -766,7 +782,7 @@ class ScenarioTest {
 
     @Test
     void guessesTheScenario() {
-        assertThatThrownBy(() -> Scenario.load("hunt-and-pray")).hasMessageContaining("Maybe (hunt-and-prey)");
+        assertThatThrownBy(() -> Scenario.load("hunt-and-pray")).hasMessageContaining("Maybe 'hunt-and-prey'");
     }
 
     @Test
@@ -783,7 +799,7 @@ class ScenarioTest {
         Path own = Files.createDirectory(folder.resolve("renamed"));
         Files.writeString(own.resolve("chase.yaml"), GOOD);
         assertThatThrownBy(() -> Scenario.load(own.toString()))
-                .hasMessageContaining("no (scenario.yaml) and no (renamed.yaml)");
+                .hasMessageContaining("no 'scenario.yaml' and no 'renamed.yaml'");
     }
 
     @Test
@@ -813,8 +829,8 @@ class ScenarioTest {
                 """);
         String text = GOOD.replace("model: pioneer3at", "model: car.yaml\n    devices: {pilot: {}}");
         assertThat(mistakes(text))
-                .contains("good.yaml:18:22: Device driver (pilot) can't work on this robot.")
-                .contains("which a car (car.yaml) can't");
+                .contains("good.yaml:18:22: Device driver 'pilot' can't work on this robot.")
+                .contains("which a car 'car.yaml' can't");
     }
 
     @Test

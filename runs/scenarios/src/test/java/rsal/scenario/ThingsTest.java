@@ -41,7 +41,7 @@ class ThingsTest {
             run:
               stop:
                 - {when: allCollected(can), outcome: success}
-            measure:
+            metrics:
               - {name: n, from: count(collected(can))}
             """;
 
@@ -103,20 +103,20 @@ class ThingsTest {
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', textBlock = """
-            around: cart,            | around: carts,            | 17 | No robots have the role (carts).
-            around: cart,            |                           | 17 | (things.can.depot) needs (around) or (at).
-            around: cart,            | around: cart, at: [[1, 2]],| 17 | (things.can.depot) has both (around) and (at).
-            mat: {pose: [-21, 2, 0], | mat: {                    | 18 | (things.mat.pose) is missing.
-            mat: {pose               | cart-2: {pose             | 18 | (cart-2) can't be the name of things
-            clearance: 0.5           | clearance: 50             | 11 | There is no free place for thing (can-1).
-            every: 20                | evry: 20                  | 16 | (evry) is not known in (things.can).
-            allCollected(can)        | allCollected(cen)         | 21 | No things that have a depot are called (cen).
-            allCollected(can)        | allCollected(mat)         | 21 | No things that have a depot are called (mat).
-            allCollected(can)        | allReached(can)           | 21 | No things that have a reach are called (can).
-            every: 20                | reach: {by: carts}        | 16 | No robots have the role (carts).
-            every: 20                | reach: {within: 2}        | 16 | (things.can.reach.by) is missing
-            clearance: 0.5           | clearance: 0.5, passage: 1| 11 | (passage) must not be more than (clearance), which is 0.5.
+    @CsvSource(quoteCharacter = '`', delimiter = '|', textBlock = """
+            around: cart,            | around: carts,            | 17 | No robots have the role 'carts'.
+            around: cart,            |                           | 17 | 'things.can.depot' needs 'around' or 'at'.
+            around: cart,            | around: cart, at: [[1, 2]],| 17 | 'things.can.depot' has both 'around' and 'at'.
+            mat: {pose: [-21, 2, 0], | mat: {                    | 18 | 'things.mat.pose' is missing.
+            mat: {pose               | cart-2: {pose             | 18 | 'cart-2' can't be the name of things
+            clearance: 0.5           | clearance: 50             | 11 | There is no free place for thing 'can-1'.
+            every: 20                | evry: 20                  | 16 | 'evry' is not known in 'things.can'.
+            allCollected(can)        | allCollected(cen)         | 21 | No things that have a depot are called 'cen'.
+            allCollected(can)        | allCollected(mat)         | 21 | No things that have a depot are called 'mat'.
+            allCollected(can)        | allReached(can)           | 21 | No things that have a reach are called 'can'.
+            every: 20                | reach: {by: carts}        | 16 | No robots have the role 'carts'.
+            every: 20                | reach: {within: 2}        | 16 | 'things.can.reach.by' is missing
+            clearance: 0.5           | clearance: 0.5, passage: 1| 11 | 'passage' must not be more than 'clearance', which is 0.5.
             """)
     void mistakesSayWhereAndWhat(String right, String wrong, int line, String message) {
         String text = SCENARIO.replace(right, wrong == null ? "" : wrong);

@@ -66,11 +66,11 @@ class WorldScenarioTest {
     @Test
     void robotsSlideWhereTheScenarioSaysSo() throws IOException {
         assertThat(planned(SCENARIO).scene().touch()).isEqualTo(Touch.STALL);
-        String sliding = SCENARIO.replace("{file: hall.world}", "{file: hall.world, touch: slide}");
+        String sliding = SCENARIO.replace("{file: hall.world}", "{file: hall.world, onCollision: slide}");
         assertThat(planned(sliding).scene().touch()).isEqualTo(Touch.SLIDE);
         assertThatThrownBy(() -> planned(sliding.replace("slide", "slip")))
                 .hasMessageContaining("visit.yaml:3:")
-                .hasMessageContaining("world.touch")
+                .hasMessageContaining("world.onCollision")
                 .hasMessageContaining("slide");
     }
 
@@ -94,7 +94,7 @@ class WorldScenarioTest {
                 scenario: visit
                 world: {file: hall.world}
                 agents:
-                  follow: {type: follow, robot: cart, args: {prey: blind}}
+                  follow: {type: follow, robot: cart, parameters: {prey: blind}}
                 faults: [{kind: dead, robots: cart, devices: localizer}]
                 """);
         assertThat(plan.faults().getFirst().targets())
@@ -143,16 +143,16 @@ class WorldScenarioTest {
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', textBlock = """
-            {file: hall.world}              | {}                               | (world.map) is missing, or (world.file)
-            {file: hall.world}              | {file: hall.world, map: office}  | both a (map) and a (file)
-            {file: hall.world}              | {file: hal.world}                | There is no file (hal.world)
+    @CsvSource(quoteCharacter = '`', delimiter = '|', textBlock = """
+            {file: hall.world}              | {}                               | 'world.map' is missing, or 'world.file'
+            {file: hall.world}              | {file: hall.world, map: office}  | both a 'map' and a 'file'
+            {file: hall.world}              | {file: hal.world}                | There is no file 'hal.world'
             {file: hall.world}              | {file: ../hall.world}            | lies outside
-            {file: hall.world}              | {file: hall.wrld}                | Maybe (.world)
+            {file: hall.world}              | {file: hall.wrld}                | Maybe '.world'
             {file: hall.world}              | {file: hall.yaml}                | name ends with .world.yaml
-            {file: hall.world}              | {flie: hall.world}               | Maybe (file)
-            guest: {                        | cart: {                          | The world has robots called (cart), too
-            robot: cart                     | robot: crat                      | Maybe (cart)
+            {file: hall.world}              | {flie: hall.world}               | Maybe 'file'
+            guest: {                        | cart: {                          | The world has robots called 'cart', too
+            robot: cart                     | robot: crat                      | Maybe 'cart'
             robot: cart                     | robot: position                  | needs a robot with a Pilot
             {type: wander, robot: cart}     | {type: nav, robot: position}     | needs a robot with a Navigator
             """)
@@ -215,7 +215,7 @@ class WorldScenarioTest {
                         run:
                           stop:
                             - {when: allCaught(cart), outcome: success}
-                        measure:
+                        metrics:
                           - {name: way, unit: m, from: distance(cart)}
                         """))
                 .isInstanceOfSatisfying(
@@ -247,7 +247,7 @@ class WorldScenarioTest {
                                 .extracting(Object::toString)
                                 .singleElement()
                                 .asString()
-                                .contains("visit.yaml:10:9: Robot (guest-2): At its start pose"));
+                                .contains("visit.yaml:10:9: Robot 'guest-2': At its start pose"));
     }
 
     @Test
@@ -286,10 +286,11 @@ class WorldScenarioTest {
 
     @ParameterizedTest
     @CsvSource(
+            quoteCharacter = '`',
             delimiter = '|',
             value = {
-                "max_speed 0.3 | max_speed 300 | hall.cfg:4: | (navigator.maxSpeed) must be a number from 0.05 to 3 [m/s]",
-                "900 | \"many\" | hall.cfg:5: | (localizer.maxParticles) must be a whole number"
+                "max_speed 0.3 | max_speed 300 | hall.cfg:4: | 'navigator.maxSpeed' must be a number from 0.05 to 3 [m/s]",
+                "900 | \"many\" | hall.cfg:5: | 'localizer.maxParticles' must be a whole number"
             })
     void whatItSetsIsChecked(String right, String wrong, String at, String message) {
         assertThatThrownBy(() -> served(SERVED.replace(right, wrong)))

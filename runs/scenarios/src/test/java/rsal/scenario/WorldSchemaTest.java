@@ -49,7 +49,7 @@ class WorldSchemaTest {
                                 if (path.equals("a.pgm")) {
                                     return "P2 2 1 255 0 255".getBytes(StandardCharsets.UTF_8);
                                 }
-                                throw new InvalidSettings(askedAt, "There is no file (%s).".formatted(path), "");
+                                throw new InvalidSettings(askedAt, "There is no file '%s'.".formatted(path), "");
                             },
                             1);
             return true;
@@ -68,7 +68,7 @@ class WorldSchemaTest {
     @ValueSource(
             strings = {
                 "",
-                "title: a\ndescription: b\nstep: 0.05\nend: 3\ntouch: slide\narea: [0, 0, 1, 1]",
+                "title: a\ndescription: b\nstep: 0.05\nend: 3\nonCollision: slide\narea: [0, 0, 1, 1]",
                 "walls: [{line: [[0, 0], [1, 0]], thickness: 0, bottom: -1, height: 2, color: '#ff0000', obstacle: false}]",
                 "walls: [{radius: 1, center: [1, 2]}, {outline: [[0, 0], [1, 0], [0, 1]], pose: [1, 2, 3], thickness: 0.1}]",
                 "walls: [{image: a.pgm, resolution: [0.1, 0.2], origin: [1, 2, 0], fenced: true}, {image: a.pgm, size: [1, 2]}]",
@@ -100,7 +100,7 @@ class WorldSchemaTest {
             strings = {
                 "wals: []",
                 "step: 1",
-                "touch: slip",
+                "onCollision: slip",
                 "area: [0, 0, 1]",
                 "walls: {}",
                 "walls: [{}]",

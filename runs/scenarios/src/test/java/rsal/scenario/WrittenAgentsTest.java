@@ -23,7 +23,7 @@ class WrittenAgentsTest {
             robots:
               r: {model: pioneer2dx, pose: [-3, 2, 0], devices: {laser: urg04lx}}
             agents:
-              own: {type: own.asl, robot: r, args: {speed: $pace}}
+              own: {type: own.asl, robot: r, parameters: {speed: $pace}}
             mas: {use: jason}
             run: {stop: [{when: time > 5, outcome: success}]}
             """;
@@ -63,26 +63,26 @@ class WrittenAgentsTest {
     void aHostThatDoesNotKnowTheirLanguageIsRefused() {
         refuses(
                 SCENARIO.replace("use: jason", "use: plain"),
-                "scenario.yaml:10:15: Multi-agent system (plain) can't run (own.asl).",
+                "scenario.yaml:10:15: Multi-agent system 'plain' can't run 'own.asl'.",
                 "Maybe mas: {use: jason}.");
     }
 
     @Test
     void theirMistakesAreTheScenarios() throws IOException {
-        refuses(SCENARIO.replace("own.asl", "none.asl"), "scenario.yaml:10:15: There is no file (none.asl).");
-        refuses(SCENARIO.replace("own.asl", "../own.asl"), "scenario.yaml:10:15: (../own.asl) lies outside");
-        refuses(SCENARIO.replace("speed:", "sped:"), "scenario.yaml:10:41: (sped) is not known", "Maybe (speed)");
-        refuses(SCENARIO.replace("$pace", "fast"), "(agents.own.args.speed) must be a number, not (fast)");
-        refuses(SCENARIO.replace(", robot: r", ""), "Agent (own.asl) needs a robot with a DriveBase");
+        refuses(SCENARIO.replace("own.asl", "none.asl"), "scenario.yaml:10:15: There is no file 'none.asl'.");
+        refuses(SCENARIO.replace("own.asl", "../own.asl"), "scenario.yaml:10:15: '../own.asl' lies outside");
+        refuses(SCENARIO.replace("speed:", "sped:"), "scenario.yaml:10:47: 'sped' is not known", "Maybe 'speed'");
+        refuses(SCENARIO.replace("$pace", "fast"), "'agents.own.parameters.speed' must be a number, not 'fast'");
+        refuses(SCENARIO.replace(", robot: r", ""), "Agent 'own.asl' needs a robot with a DriveBase");
         write("own.asl", "speed(0.1).\n!go.\n+!go <- follow_wall.");
-        refuses(SCENARIO, "Agent (own.asl) needs a robot with a Pilot, which robots of role (r) don't have.");
+        refuses(SCENARIO, "Agent 'own.asl' needs a robot with a Pilot, which robots of role 'r' don't have.");
         write("own.asl", "speed(0.1).\n!go.\n+!go <- drve(1, 0).\n");
-        refuses(SCENARIO, "own.asl:3:9: There is no action (drve).", "Maybe (drive)");
+        refuses(SCENARIO, "own.asl:3:9: There is no action 'drve'.", "Maybe 'drive'");
     }
 
     @Test
     void noneIsCalledWhatMeansSomethingElseInTheirLanguage() throws IOException {
-        String words = "No agent can be called (%s) on multi-agent system (jason)";
+        String words = "No agent can be called '%s' on multi-agent system 'jason'";
         refuses(SCENARIO.replace("own: {type", "self: {type"), "scenario.yaml:10:9: " + words.formatted("self"));
         refuses(SCENARIO.replace("own: {type", "percept: {type"), words.formatted("percept"));
     }
@@ -96,7 +96,7 @@ class WrittenAgentsTest {
                 title: Other
                 world: {map: four-rooms}
                 agents:
-                  greet: {type: greeter.asl, args: {greeting: good day}}
+                  greet: {type: greeter.asl, parameters: {greeting: good day}}
                 mas: {use: jason}
                 """);
         var agents = plan(SCENARIO + "with: other.yaml\n").agents();

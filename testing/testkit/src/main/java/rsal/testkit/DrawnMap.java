@@ -43,7 +43,7 @@ public record DrawnMap(OccupancyGrid grid, Map<Character, Point2d> places) {
                     default -> OccupancyGrid.FREE;
                 };
                 if ("#?. ".indexOf(sign) < 0 && places.put(sign, new Point2d(grid.x(column), grid.y(row))) != null) {
-                    throw new IllegalArgumentException("Place (%s) is drawn twice.".formatted(sign));
+                    throw new IllegalArgumentException("Place '%s' is drawn twice.".formatted(sign));
                 }
             }
         }
@@ -55,7 +55,7 @@ public record DrawnMap(OccupancyGrid grid, Map<Character, Point2d> places) {
         Point2d place = places.get(sign);
         if (place == null) {
             throw new IllegalArgumentException(
-                    "No place (%s) is drawn; there are %s.".formatted(sign, places.keySet()));
+                    "No place '%s' is drawn; there are %s.".formatted(sign, places.keySet()));
         }
         return place;
     }

@@ -17,6 +17,6 @@ public final class PublicData {
                 return file;
             }
         }
-        return Assumptions.abort("There is no (shared/data/%s) beside the project.".formatted(path));
+        return Assumptions.abort("There is no 'shared/data/%s' beside the project.".formatted(path));
     }
 }

@@ -66,7 +66,7 @@ final class JadexHunt implements Hunting {
         self.subscribe(Caught.TOPIC, message -> hear(message.content()));
         self.scheduler().every(period, this::beat);
         body.createComponent(new CreationInfo().setFilename(HunterBDI.FILE).addArgument(HunterBDI.BODY, this))
-                .catchEx(e -> end("Jadex could not make the mind of (%s).".formatted(self.name()), e));
+                .catchEx(e -> end("Jadex could not make the mind of '%s'.".formatted(self.name()), e));
     }
 
     private void beat() {
@@ -127,7 +127,7 @@ final class JadexHunt implements Hunting {
     /// Ends the agent, as what it throws itself does.
     @Override
     public void failed(Throwable fault) {
-        end("The mind of (%s) failed: %s".formatted(self.name(), fault), fault);
+        end("The mind of '%s' failed: %s".formatted(self.name(), fault), fault);
     }
 
     /// Once, as a plan that fails is tried again and again.

@@ -21,7 +21,7 @@ public final class JadexHunter implements AgentType {
     static final Parameter<Double> UPDATE_INTERVAL =
             Parameter.number("updateInterval", 2.0, 0.1, 600, "s", "How often it goes for the prey's newest pose.");
     static final Parameter<Double> PERIOD =
-            Parameter.number("period", 0.5, 0.05, 60, "s", "How often it tells the others its pose.");
+            Parameter.number("period", 0.5, 0.05, 60, "s", "Time between two reports of its pose.");
 
     @Override
     public String key() {
@@ -58,7 +58,7 @@ public final class JadexHunter implements AgentType {
         IInternalAccess body = IInternalExecutionFeature.LOCAL.get();
         if (body == null) {
             throw new IllegalStateException(
-                    "Agent (%s) thinks by Jadex and needs its host. Maybe run it by '--mas jadex --clock wall'."
+                    "Agent '%s' thinks by Jadex and needs its host. Maybe run it by '--mas jadex --clock wall'."
                             .formatted(self.name()));
         }
         return body;

@@ -34,7 +34,7 @@ class JadexHunterTest extends RobotBench {
     @Test
     void saysWhereItBelongsWhenItIsOnAnotherHost() {
         assertThat(failureOf(new JadexHunter()))
-                .isEqualTo("Agent (follow-1) thinks by Jadex and needs its host."
+                .isEqualTo("Agent 'follow-1' thinks by Jadex and needs its host."
                         + " Maybe run it by '--mas jadex --clock wall'.");
     }
 
@@ -42,7 +42,7 @@ class JadexHunterTest extends RobotBench {
     void endsByFaultsOfItsMind() {
         var slip = new IllegalStateException("a slip");
         assertThat(failureOf(new TestedType(self -> new JadexHunt(self, ARGUMENTS).failed(slip))))
-                .isEqualTo("The mind of (follow-1) failed: java.lang.IllegalStateException: a slip");
+                .isEqualTo("The mind of 'follow-1' failed: java.lang.IllegalStateException: a slip");
     }
 
     private String failureOf(AgentType type) {

@@ -16,11 +16,12 @@ import rsal.settings.Parameter;
 /// does, and gives it back when it is full ([Charging]).
 public final class Recharging {
     public static final Parameter<List<Point2d>> CHARGERS = Parameter.places(
-            "chargers", "Where robots are charged; none when they are not. Whoever charges stands there.");
+            "chargers",
+            "Where robots are charged; empty when they are never charged. A robot stands there while it charges.");
     public static final Parameter<Double> LOW =
             Parameter.number("lowBattery", 0.3, 0, 1, "", "Share of its battery below which it goes to a charger.");
-    public static final Parameter<Double> FULL =
-            Parameter.number("fullBattery", 0.9, 0, 1, "", "Share of its battery at which it goes on.");
+    public static final Parameter<Double> FULL = Parameter.number(
+            "fullBattery", 0.9, 0, 1, "", "Charge at which it resumes its work, as a share of the full battery.");
 
     public static final Parameter<Double> RANGE = Parameter.number(
             "batteryRange",

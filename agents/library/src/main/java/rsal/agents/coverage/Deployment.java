@@ -73,7 +73,7 @@ final class Deployment {
         this.count = arguments.get(DeploymentAgent.COUNT);
         this.clearance = arguments.get(PlaceQuest.CLEARANCE);
         this.quest = new PlaceQuest(self, this::spreadOver);
-        this.interval = arguments.seconds(DeploymentAgent.DISPERSION_INTERVAL);
+        this.interval = arguments.seconds(DeploymentAgent.ALLOCATION_INTERVAL);
         Duration ping = arguments.seconds(DeploymentAgent.PING_INTERVAL);
         this.roll = new FailureDetector(self, ping, ping.multipliedBy(3), _ -> disperseSoon(BETWEEN));
         this.sightings = new TargetTracks(self.blackboard());

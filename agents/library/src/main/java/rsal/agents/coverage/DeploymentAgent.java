@@ -17,7 +17,7 @@ public final class DeploymentAgent extends AgentTypeBase {
     static final Parameter<List<Point2d>> PLACES = Parameter.places(
             "places",
             "Where they should be; those that are too many stay empty. None: they are found"
-                    + " by a robot with a device of type (places).");
+                    + " by a robot with a device of type 'places'.");
     static final Parameter<Integer> COUNT =
             Parameter.integer("count", 0, 0, 10_000, "", "How many places to find; 0 for as many as there are robots.");
     static final Parameter<Double> PING_INTERVAL = Parameter.number(
@@ -27,19 +27,19 @@ public final class DeploymentAgent extends AgentTypeBase {
             3600,
             "s",
             "A robot of which nothing was heard for that long is asked; after three times that it counts as silent.");
-    static final Parameter<Double> DISPERSION_INTERVAL = Parameter.number(
-            "dispersionInterval",
+    static final Parameter<Double> ALLOCATION_INTERVAL = Parameter.number(
+            "allocationInterval",
             60,
             0,
             3600,
             "s",
-            "How often places are allotted anew; 0 for only when the team changes.");
+            "Time between two allocations of the places; 0 for only when the team changes.");
 
     public DeploymentAgent() {
         super(
-                "dispersion",
+                "deployment",
                 "Keeps a team spread over places, each robot at one that is near.",
-                List.of(ROBOTS, PLACES, COUNT, PlaceQuest.CLEARANCE, PING_INTERVAL, DISPERSION_INTERVAL),
+                List.of(ROBOTS, PLACES, COUNT, PlaceQuest.CLEARANCE, PING_INTERVAL, ALLOCATION_INTERVAL),
                 List.of());
     }
 

@@ -12,14 +12,14 @@ import rsal.settings.Parameter;
 public final class Dispatch extends AgentTypeBase {
     static final Parameter<String> ROBOTS = Parameter.robots(
             "robots", NewGoal.ALL, List.of(NewGoal.ALL), "Role of the robots that people send, or all.");
-    static final Parameter<Double> SILENT_AFTER = Parameter.number(
-            "silentAfter", 5, 2, 3600, "s", "A robot of which nothing was heard for that long counts as silent.");
+    static final Parameter<Double> TIMEOUT = Parameter.number(
+            "timeout", 5, 2, 3600, "s", "A robot that has not reported for that long counts as silent.");
 
     public Dispatch() {
         super(
                 "dispatch",
-                "Sees to it that robots hear where people send them, and tells when one is silent.",
-                List.of(ROBOTS, SILENT_AFTER),
+                "Sends robots the goals that people set, again until they are received, and reports when a robot is silent.",
+                List.of(ROBOTS, TIMEOUT),
                 List.of());
     }
 

@@ -41,7 +41,7 @@ final class Dispatching {
     Dispatching(AgentContext self, Arguments arguments) {
         this.self = self;
         this.robots = arguments.get(Dispatch.ROBOTS);
-        Duration silence = arguments.seconds(Dispatch.SILENT_AFTER);
+        Duration silence = arguments.seconds(Dispatch.TIMEOUT);
         this.patience = new RetryPolicy(ROUND, silence);
         this.roll = new FailureDetector(self, ROUND, silence, this::note);
         this.drives = GoalService.service(self);

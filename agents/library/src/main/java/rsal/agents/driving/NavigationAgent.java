@@ -15,7 +15,7 @@ public final class NavigationAgent extends AgentTypeBase {
     public NavigationAgent() {
         super(
                 "nav",
-                "Drives where it is told, says where it is and when it has arrived.",
+                "Drives to the goals that it receives, and reports its pose and each arrival.",
                 List.of(PoseReporter.PERIOD),
                 List.of(Navigator.class));
     }

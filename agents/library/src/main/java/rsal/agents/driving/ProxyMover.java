@@ -17,12 +17,12 @@ public final class ProxyMover extends AgentTypeBase {
     private static final Parameter<String> ROBOT = Parameter.robots(
             "robot", NewGoal.ALL, List.of(NewGoal.ALL), "Role of the robots to show, id of the one, or all.");
     private static final Parameter<String> PROXY = Parameter.text(
-            "proxy", "proxy-*", "What its stand-in is called in the simulated world; * stands for the robot's id.");
+            "proxy", "proxy-*", "Name of its proxy in the simulated world; * stands for the robot's id.");
 
     public ProxyMover() {
         super(
                 "view",
-                "Moves stand-ins in a simulated world to where robots say they are.",
+                "Moves proxies in a simulated world to the poses that robots report.",
                 List.of(ROBOT, PROXY),
                 List.of());
     }
@@ -31,7 +31,7 @@ public final class ProxyMover extends AgentTypeBase {
     protected void begin(AgentContext self, Arguments arguments) {
         SimulationControl simulation = self.simulation()
                 .orElseThrow(() -> new IllegalStateException(
-                        "Agent (%s) moves stand-ins in a simulated world, but this run has none. Maybe choose a robot system that simulates, or leave the agent out."
+                        "Agent '%s' moves proxies in a simulated world, but this run has none. Choose a robot system that simulates, or remove the agent."
                                 .formatted(self.name())));
         String robot = arguments.get(ROBOT);
         String proxy = arguments.get(PROXY);

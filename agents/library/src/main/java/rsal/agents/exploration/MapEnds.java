@@ -21,8 +21,8 @@ public record MapEnds(String robot, List<End> ends) implements MessageContent {
         MessageCheck.given("robot", robot);
         ends = List.copyOf(ends);
         if (ends.size() > MOST) {
-            throw new IllegalArgumentException(
-                    "(%s) tells %d ends of its map; at most %d can be.".formatted(robot, ends.size(), MOST));
+            throw new IllegalArgumentException("'%s' reports %d frontiers of its map; at most %d are allowed."
+                    .formatted(robot, ends.size(), MOST));
         }
     }
 
@@ -33,7 +33,7 @@ public record MapEnds(String robot, List<End> ends) implements MessageContent {
         public End {
             MessageCheck.somewhere("middle", mapFromMiddle);
             if (!(length >= 0)) {
-                throw new IllegalArgumentException("The end of a map must be long, not (%s) m.".formatted(length));
+                throw new IllegalArgumentException("The end of a map must be long, not '%s' m.".formatted(length));
             }
         }
     }

@@ -10,7 +10,7 @@ public final class Mapping extends AgentTypeBase {
     public Mapping() {
         super(
                 "mapping",
-                "Has a team map a place: whoever gets there soonest goes where the map ends, until it ends nowhere.",
+                "Has a team map a place: the robot that gets there first drives to each frontier of the map, until no frontier is left.",
                 List.of(),
                 List.of());
     }

@@ -24,8 +24,8 @@ public final class BlobAgent extends AgentTypeBase {
     static final Parameter<List<Point2d>> PLACES = Parameter.places("places", "Where they lie.");
     static final Parameter<String> COLOR =
             Parameter.text("color", "#2ca02c", "Their color, as cameras see it, #rrggbb or a name.");
-    static final Parameter<Boolean> PUTS = Parameter.flag(
-            "puts", true, "Whether it puts them there, in a simulated world; else they are taken to lie there.");
+    static final Parameter<Boolean> SPAWN = Parameter.flag(
+            "spawn", true, "Whether it adds them to the simulated world; else they are assumed to lie there.");
 
     private static final Solid CAN =
             Solid.standing(new Shape.Disc(new Point2d(0, 0), 0.08), 0.1); // fits between a gripper's paddles
@@ -34,16 +34,16 @@ public final class BlobAgent extends AgentTypeBase {
         super(
                 "blob",
                 "Puts colored things into a simulated world and has them fetched.",
-                List.of(PLACES, COLOR, PUTS),
+                List.of(PLACES, COLOR, SPAWN),
                 List.of());
     }
 
     @Override
     protected void begin(AgentContext self, Arguments arguments) {
         Rgb color = Spotting.color(arguments, COLOR)
-                .orElseThrow(() -> new IllegalArgumentException("(color) must be a color, #rrggbb or a name."));
+                .orElseThrow(() -> new IllegalArgumentException("'color' must be a color, #rrggbb or a name."));
         List<Point2d> places = arguments.get(PLACES);
-        if (arguments.get(PUTS)) {
+        if (arguments.get(SPAWN)) {
             self.simulation().ifPresent(world -> put(world, self.name(), places, color));
         }
         List<CollectGoal> things =
@@ -58,7 +58,7 @@ public final class BlobAgent extends AgentTypeBase {
             var thing = Thing.of(name, new Pose2d(place.x(), place.y(), 0), CAN, color)
                     .asGrippable();
             if (world.add(thing) instanceof Placement.Refused(String why)) {
-                throw new IllegalStateException("(%s) can't be put at %s: %s".formatted(name, place, why));
+                throw new IllegalStateException("'%s' can't be put at %s: %s".formatted(name, place, why));
             }
         }
     }

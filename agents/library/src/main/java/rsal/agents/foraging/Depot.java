@@ -15,7 +15,7 @@ public record Depot(String robot, Point2d mapFromDepot, double radius) implement
         MessageCheck.given("robot", robot);
         MessageCheck.somewhere("depot", mapFromDepot);
         if (!(radius >= 0)) {
-            throw new IllegalArgumentException("A depot must have a radius, not (%s).".formatted(radius));
+            throw new IllegalArgumentException("A depot must have a radius, not '%s'.".formatted(radius));
         }
     }
 

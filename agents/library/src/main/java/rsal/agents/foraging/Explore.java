@@ -20,7 +20,7 @@ import rsal.settings.Parameter;
 
 /// Looks for things of a color, and has others collect them.
 public final class Explore extends AgentTypeBase {
-    private static final String LOOKOUTS = "lookouts";
+    private static final String LOOKOUTS = "viewpoints";
     private static final double NARROW = 0; // rad, its view: it turns all around
 
     static final Parameter<String> COLOR =
@@ -33,7 +33,7 @@ public final class Explore extends AgentTypeBase {
             "walls",
             List.of("walls", LOOKOUTS),
             "How it gets about: along the walls, or between places spread over the map, which takes a navigator and"
-                    + " a device of type (places).");
+                    + " a device of type 'places'.");
 
     public Explore() {
         super(

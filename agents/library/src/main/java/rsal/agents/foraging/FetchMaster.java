@@ -8,15 +8,15 @@ import rsal.settings.Parameter;
 
 /// Has a team fetch what others ask for. Needs no robot.
 public final class FetchMaster extends AgentTypeBase {
-    static final Parameter<String> ALLOTMENT = Parameter.choice(
-            "allotment",
+    static final Parameter<String> ALLOCATION = Parameter.choice(
+            "allocation",
             "bids",
             List.of("bids", "first"),
             "Who fetches what: so that all is done soon, by what ways would cost those who bid; or whoever is free what"
                     + " was found first.");
 
     public FetchMaster() {
-        super("fetch", "Has a team fetch what others have found.", List.of(ALLOTMENT), List.of());
+        super("fetch", "Has a team fetch what others have found.", List.of(ALLOCATION), List.of());
     }
 
     @Override

@@ -30,7 +30,7 @@ final class Orders {
 
     Orders(AgentContext self, Arguments arguments) {
         this.self = self;
-        boolean bids = arguments.get(FetchMaster.ALLOTMENT).equals("bids");
+        boolean bids = arguments.get(FetchMaster.ALLOCATION).equals("bids");
         Rules rules = bids ? Rules.DEFAULT.withObjective(Objective.LONGEST) : Rules.DEFAULT.firstCome();
         this.team = new Team(self, rules.withTries(TRIES), this::note);
     }

@@ -27,7 +27,7 @@ public final class OverheadCamera extends AgentTypeBase {
 
     public OverheadCamera() {
         super(
-                "ceiling",
+                "overhead-camera",
                 "Sensors on the ceiling of a simulated world, which have collected what they see.",
                 List.of(PLACES, THINGS, RANGE, PERIOD),
                 List.of());
@@ -37,7 +37,7 @@ public final class OverheadCamera extends AgentTypeBase {
     protected void begin(AgentContext self, Arguments arguments) {
         SimulationControl world = self.simulation()
                 .orElseThrow(() -> new IllegalStateException(
-                        "Agent (%s) sees things in a simulated world, and there is none.".formatted(self.name())));
+                        "Agent '%s' sees things in a simulated world, and there is none.".formatted(self.name())));
         var finds = new Detections(self);
         finds.begin();
         List<Point2d> places = arguments.get(PLACES);

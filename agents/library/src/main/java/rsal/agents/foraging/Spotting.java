@@ -52,7 +52,7 @@ public final class Spotting {
                 ? Optional.empty()
                 : Optional.of(ColorNames.parse(text)
                         .orElseThrow(() ->
-                                new IllegalArgumentException("(%s) must be a color, #rrggbb or a name, not (%s). %s"
+                                new IllegalArgumentException("'%s' must be a color, #rrggbb or a name, not '%s'. %s"
                                         .formatted(parameter.name(), text, ColorNames.advice(text)))));
     }
 

@@ -21,14 +21,14 @@ public final class Formation extends AgentTypeBase {
             "route", "Where it goes: first where the robots come together, then one place after the other.");
     static final Parameter<Double> SPEED =
             Parameter.number("speed", 0.25, 0.02, 3, "m/s", "How fast it goes while all are at their places.");
-    static final Parameter<Double> SILENCE = Parameter.number(
-            "silence", 3, 1, 600, "s", "A robot of which nothing was heard for that long has its place no more.");
+    static final Parameter<Double> TIMEOUT =
+            Parameter.number("timeout", 3, 1, 600, "s", "A robot that has been silent for that long loses its place.");
 
     public Formation() {
         super(
                 "formation",
                 "Leads a team through the map in a formation, and in a column where there is no room.",
-                List.of(ROBOTS, SHAPE, SPACING, ROUTE, SPEED, SILENCE),
+                List.of(ROBOTS, SHAPE, SPACING, ROUTE, SPEED, TIMEOUT),
                 List.of());
     }
 
@@ -36,7 +36,7 @@ public final class Formation extends AgentTypeBase {
     protected void begin(AgentContext self, Arguments arguments) {
         if (arguments.get(ROUTE).size() < 2) {
             throw new IllegalArgumentException(
-                    "Agent (%s) needs a route of at least two places. Maybe set its argument (route) to \"0 0; 10 0\"."
+                    "Agent '%s' needs a route of at least two places. Maybe set its argument 'route' to \"0 0; 10 0\"."
                             .formatted(self.name()));
         }
         new VirtualStructure(self, arguments).begin();

@@ -19,7 +19,7 @@ import rsal.settings.Arguments;
 /// they were not yet in place. Between two messages places move as the last one foretold.
 public final class FormationMetric implements MetricType {
     static final QuantityType FORMING =
-            QuantityType.of("forming", "s", "how long so far a formation was not yet in place");
+            QuantityType.of("formationTime", "s", "how long so far a formation was not yet in place");
     static final SignalType ERROR = SignalType.ofRobots(
             "formationError", "m", "true distance of a robot and its place in a formation that is in place");
 

@@ -24,27 +24,27 @@ import rsal.settings.Parameter;
 public final class SwarmMember extends AgentTypeBase {
     static final Parameter<Double> RADIUS = Parameter.number(
             "radius", 0, 0, 10_000, "m", "Robots farther away than this are not heard; 0 hears all of them.");
-    static final Parameter<Double> NEAR =
-            Parameter.number("near", 5, 0.1, 1000, "m", "Robots that are nearer than this are its neighbors.");
+    static final Parameter<Double> NEIGHBOR_DISTANCE = Parameter.number(
+            "neighborDistance", 5, 0.1, 1000, "m", "Robots that are nearer than this are its neighbors.");
 
     private static final String ROAM = "roam";
     static final Parameter<String> IDLE = Parameter.choice(
-            "idle", ROAM, List.of(ROAM, "wait"), "What it does when it is told nothing; without a pilot it waits.");
+            "idle", ROAM, List.of(ROAM, "wait"), "What it does without a command; without a pilot it waits.");
 
     private static final String WAITING = "waiting for a goal";
 
     public SwarmMember() {
         super(
                 "swarm",
-                "One of many: tells all where it is, follows the wall on its left, drives where it is told.",
-                List.of(PoseReporter.PERIOD, RADIUS, NEAR, IDLE),
+                "Member of a swarm: reports its pose to all, follows the wall on its left, and drives to the goals that it receives.",
+                List.of(PoseReporter.PERIOD, RADIUS, NEIGHBOR_DISTANCE, IDLE),
                 List.of(Navigator.class));
     }
 
     @Override
     protected void begin(AgentContext self, Arguments arguments) {
         Robot robot = RequiredRobot.of(self);
-        var neighbors = new Neighbors(self, arguments.get(NEAR));
+        var neighbors = new Neighbors(self, arguments.get(NEIGHBOR_DISTANCE));
         var reporter = new PoseReporter(self, robot, arguments, said -> neighbors.isAt(said.mapFromBase()));
         double radius = arguments.get(RADIUS);
         neighbors.begin(radius == 0 ? Interest.all() : PoseReport.within(radius, reporter::mapFromBase));

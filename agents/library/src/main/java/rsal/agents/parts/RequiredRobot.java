@@ -11,7 +11,7 @@ public final class RequiredRobot {
     public static Robot of(AgentContext self) {
         return self.robot()
                 .orElseThrow(() -> new IllegalStateException(
-                        "Agent (%s) has no robot. Maybe the scenario should name one for agents (%s)."
+                        "Agent '%s' has no robot. Maybe the scenario should name one for agents '%s'."
                                 .formatted(self.name(), self.role())));
     }
 }

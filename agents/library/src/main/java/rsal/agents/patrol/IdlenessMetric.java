@@ -16,7 +16,7 @@ import rsal.settings.Arguments;
 /// idleness).
 public final class IdlenessMetric implements MetricType {
     static final SignalType IDLE_TIME = SignalType.ofRun(
-            "idleTime", "s", "for how long nobody has been at a place that is watched, once a second for each place");
+            "idleness", "s", "for how long nobody has been at a place that is watched, once a second for each place");
 
     private static final double NEAR = 1.0; // m
     private static final double PERIOD = 1.0; // s between two samples

@@ -19,7 +19,7 @@ public final class Intrude extends AgentTypeBase {
     public Intrude() {
         super(
                 "intrude",
-                "Intruder: follows the wall on its left, and tells nobody where it is until it is caught.",
+                "Intruder: follows the wall on its left, and does not report its pose until it is caught.",
                 List.of(Escape.HUNTER, Escape.CATCH_DISTANCE),
                 List.of(Pilot.class));
     }

@@ -28,7 +28,7 @@ public final class Meeting implements Skill<Meet> {
     private static final Duration SEEN = Duration.ofSeconds(2); // ago
     private static final double NOT_WORTH_A_NEW_PLAN = 0.5; // m
     private static final Duration PERIOD = Duration.ofSeconds(1);
-    private static final Duration STAY = Duration.ofSeconds(5);
+    private static final Duration STAY_TIME = Duration.ofSeconds(5);
 
     private final AgentContext self;
     private final NavigationClient driver;
@@ -101,7 +101,7 @@ public final class Meeting implements Skill<Meet> {
             boolean stands = there.distanceTo(mapFromStand) < STOOD;
             near = met && stands ? near.plus(PERIOD) : Duration.ZERO;
             mapFromStand = stands ? mapFromStand : there;
-            if (near.compareTo(STAY) > 0) {
+            if (near.compareTo(STAY_TIME) > 0) {
                 work.done("met at " + AgentWords.place(AgentWords.pose(track.mapFromIntruder())));
             } else if (distance > THERE) {
                 boolean inSight = now.isBefore(inSightUntil);

@@ -11,10 +11,10 @@ import rsal.settings.Parameter;
 /// Has a team watch places for ever, so that none is left alone for long. Needs no robot.
 public final class Patrol extends AgentTypeBase {
     static final Parameter<List<Point2d>> PLACES = Parameter.places(
-            "places", "Which places to watch. None: they are found by a robot with a device of type (places).");
+            "places", "Which places to watch. None: they are found by a robot with a device of type 'places'.");
     static final Parameter<Integer> COUNT = Parameter.integer("count", 12, 1, 1000, "", "How many places to find.");
-    static final Parameter<Double> STAY =
-            Parameter.number("stay", 0, 0, 600, "s", "How long a robot stands at a place.");
+    static final Parameter<Double> STAY_TIME =
+            Parameter.number("stayTime", 0, 0, 600, "s", "How long a robot stands at a place.");
     static final Parameter<String> STRATEGY = Parameter.choice(
             "strategy",
             "bids",
@@ -33,7 +33,7 @@ public final class Patrol extends AgentTypeBase {
         super(
                 "patrol",
                 "Has a team watch places, so that none is left alone for long.",
-                List.of(PLACES, COUNT, PlaceQuest.CLEARANCE, STAY, STRATEGY, URGENCY, Alarms.RESPONDERS),
+                List.of(PLACES, COUNT, PlaceQuest.CLEARANCE, STAY_TIME, STRATEGY, URGENCY, Alarms.RESPONDERS),
                 List.of());
     }
 

@@ -52,7 +52,7 @@ final class PatrolMonitor {
         this.self = self;
         this.strategy = arguments.get(Patrol.STRATEGY);
         this.urgency = arguments.get(Patrol.URGENCY);
-        this.stay = arguments.seconds(Patrol.STAY);
+        this.stay = arguments.seconds(Patrol.STAY_TIME);
         this.quest = new PlaceQuest(self, this::watch);
         Rules rules = Rules.DEFAULT.withObjective(Objective.SUM).oneAtATime().withTries(0);
         this.team = new Team(self, rules, this::note);

@@ -18,7 +18,7 @@ public record Caught(String prey, String hunter, double distance) implements Mes
         MessageCheck.given("prey", prey);
         MessageCheck.given("hunter", hunter);
         if (!(distance >= 0)) {
-            throw new IllegalArgumentException("A hunter must be at some distance, not (%s).".formatted(distance));
+            throw new IllegalArgumentException("A hunter must be at some distance, not '%s'.".formatted(distance));
         }
     }
 

@@ -16,10 +16,10 @@ import rsal.settings.Parameter;
 /// A clever prey: explores along walls, minds its battery, and runs from hunters that it or other prey see, where these
 /// get much later than it does. Caught like any other.
 public final class Evade extends AgentTypeBase {
-    static final Parameter<Double> SIGHT =
-            Parameter.number("sight", 10, 0, 1000, "m", "How far it sees hunters, and tells the other prey of them.");
-    static final Parameter<Double> FEAR =
-            Parameter.number("fear", 6, 0, 1000, "m", "It runs from hunters nearer than this.");
+    static final Parameter<Double> SENSING_RANGE = Parameter.number(
+            "sensingRange", 10, 0, 1000, "m", "How far it sees hunters, which it reports to the other prey.");
+    static final Parameter<Double> FLEE_DISTANCE =
+            Parameter.number("fleeDistance", 6, 0, 1000, "m", "It flees from hunters nearer than this.");
 
     public Evade() {
         super(
@@ -29,8 +29,8 @@ public final class Evade extends AgentTypeBase {
                         Escape.HUNTER,
                         Escape.CATCH_DISTANCE,
                         MarkerSight.SEES,
-                        SIGHT,
-                        FEAR,
+                        SENSING_RANGE,
+                        FLEE_DISTANCE,
                         Recharging.CHARGERS,
                         PoseReporter.PERIOD),
                 List.of(Pilot.class, Navigator.class, Planner.class));

@@ -66,8 +66,8 @@ final class Evader {
                 ? Optional.of(new MarkerSight(self, robot, reporter::mapFromBase, hunter, this::see))
                 : Optional.empty();
         this.evasion = new Evasion(self, robot);
-        this.sight = arguments.get(Evade.SIGHT);
-        this.fear = arguments.get(Evade.FEAR);
+        this.sight = arguments.get(Evade.SENSING_RANGE);
+        this.fear = arguments.get(Evade.FLEE_DISTANCE);
         this.charging =
                 new Charging(self, robot, driver, reporter::mapFromBase, arguments.get(Recharging.CHARGERS), LOW, FULL);
         this.mind = new Mind(self);

@@ -26,7 +26,7 @@ public final class Follow extends AgentTypeBase {
             "fixed",
             List.of("fixed", "nearest", "bids"),
             "How hunters divide several prey: in turn, once and for all; each time with the least distance for all; or"
-                    + " as an agent of type (hunt) allots them by what hunters bid.");
+                    + " as an agent of type 'hunt' allots them by what hunters bid.");
 
     public Follow() {
         super(

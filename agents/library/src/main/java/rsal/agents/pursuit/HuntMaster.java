@@ -12,7 +12,7 @@ public final class HuntMaster extends AgentTypeBase {
     static final Parameter<String> PREY =
             Parameter.robots("prey", "prey", List.of(), "Role of the robots to hunt, or id of the one.");
     static final Parameter<Double> INTERVAL =
-            Parameter.number("interval", 4, 0.5, 600, "s", "How often all prey are allotted anew.");
+            Parameter.number("interval", 4, 0.5, 600, "s", "Time between two allocations of all prey.");
 
     public HuntMaster() {
         super(

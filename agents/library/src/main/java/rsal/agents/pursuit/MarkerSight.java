@@ -24,7 +24,7 @@ final class MarkerSight {
     static final Parameter<String> SEES = Parameter.choice(
             "sees",
             "reports",
-            List.of("reports", "markers"),
+            List.of("reports", "fiducials"),
             "How it knows where those of the other side are: as they tell; or by the markers that they wear, which its"
                     + " finder of markers sees, and those of its own side.");
 
@@ -56,7 +56,7 @@ final class MarkerSight {
 
     /// Whether it is to know others by their markers.
     static boolean byMarkers(Arguments arguments) {
-        return arguments.get(SEES).equals("markers");
+        return arguments.get(SEES).equals("fiducials");
     }
 
     /// Types of devices that it takes to know others so.

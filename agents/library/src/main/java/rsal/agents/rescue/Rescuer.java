@@ -79,7 +79,7 @@ public abstract class Rescuer extends AgentTypeBase {
     /// Only looks for victims.
     public static final class Scout extends Rescuer {
         public Scout() {
-            super("scout", "Tells of victims that its robot sees while that explores.", List.of());
+            super("scout", "Reports victims that its robot sees while the robot explores.", List.of());
         }
 
         @Override
@@ -95,14 +95,14 @@ public abstract class Rescuer extends AgentTypeBase {
     public static final class Helper extends Rescuer {
         static final Parameter<Double> REACH = Parameter.number(
                 "reach", 1.2, 0.3, 10, "m", "How near to a victim's middle the robot's must be to help it.");
-        static final Parameter<Double> STAY =
-                Parameter.number("stay", 10, 0, 600, "s", "How long a robot stays with a victim to help it.");
+        static final Parameter<Double> STAY_TIME =
+                Parameter.number("stayTime", 10, 0, 600, "s", "How long a robot stays with a victim to help it.");
 
         public Helper() {
             super(
                     "helper",
-                    "Bids for victims that need help, goes to those it gets, and tells of those that it sees.",
-                    List.of(REACH, STAY));
+                    "Bids for victims that need help, drives to those that it wins, and reports those that it sees.",
+                    List.of(REACH, STAY_TIME));
         }
 
         @Override
@@ -111,7 +111,7 @@ public abstract class Rescuer extends AgentTypeBase {
             NavigationClient driver = parts.driver;
             Exploring exploring = parts.exploring;
             double reach = arguments.get(REACH);
-            Duration stay = arguments.seconds(STAY);
+            Duration stay = arguments.seconds(STAY_TIME);
             var ways = new PlannedWays(parts.robot.find(Planner.class), Helping.near(reach));
             var worker = new Worker(self, ways, parts.reporter::mapFromBase, now -> {
                 if (now.job().isEmpty()) {

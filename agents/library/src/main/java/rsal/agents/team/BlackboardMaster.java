@@ -11,12 +11,12 @@ import rsal.settings.Parameter;
 public final class BlackboardMaster extends AgentTypeBase {
     static final Parameter<String> BOARD =
             Parameter.text("board", "team", "Name of the board, by which agents find it.");
-    static final Parameter<Integer> NOTES =
-            Parameter.integer("notes", 250, 1, 10_000, "", "How many notes one agent may have on it.");
-    static final Parameter<Integer> AUTHORS =
-            Parameter.integer("authors", 1_000, 1, 10_000, "", "How many agents may have notes on it.");
-    static final Parameter<Integer> WATCHES =
-            Parameter.integer("watches", 1_000, 0, 10_000, "", "How many may be told what changes on it.");
+    static final Parameter<Integer> MAX_NOTES =
+            Parameter.integer("maxNotes", 250, 1, 10_000, "", "Greatest number of notes of one agent.");
+    static final Parameter<Integer> MAX_AUTHORS =
+            Parameter.integer("maxAuthors", 1_000, 1, 10_000, "", "Greatest number of agents that have notes on it.");
+    static final Parameter<Integer> MAX_SUBSCRIPTIONS = Parameter.integer(
+            "maxSubscriptions", 1_000, 0, 10_000, "", "Greatest number of subscribers that are notified of changes.");
 
     private static final int WATCHES_EACH = 16;
 
@@ -24,14 +24,14 @@ public final class BlackboardMaster extends AgentTypeBase {
         super(
                 "blackboard",
                 "Keeps a board of notes for the team, which others write, ask for and watch.",
-                List.of(BOARD, NOTES, AUTHORS, WATCHES),
+                List.of(BOARD, MAX_NOTES, MAX_AUTHORS, MAX_SUBSCRIPTIONS),
                 List.of());
     }
 
     @Override
     protected void begin(AgentContext self, Arguments arguments) {
         var limits = new BoardKeeper.Limits(
-                arguments.get(AUTHORS), arguments.get(NOTES), arguments.get(WATCHES), WATCHES_EACH);
+                arguments.get(MAX_AUTHORS), arguments.get(MAX_NOTES), arguments.get(MAX_SUBSCRIPTIONS), WATCHES_EACH);
         new BoardKeeper(self, arguments.get(BOARD), limits).begin();
     }
 }

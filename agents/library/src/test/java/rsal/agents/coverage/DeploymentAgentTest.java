@@ -35,14 +35,14 @@ class DeploymentAgentTest {
 
     private void dispersion(String places) {
         scene.start(
-                "dispersion",
-                "dispersion",
+                "deployment",
+                "deployment",
                 Optional.empty(),
-                Map.of("places", places, "pingInterval", 1, "dispersionInterval", 20));
+                Map.of("places", places, "pingInterval", 1, "allocationInterval", 20));
     }
 
     private List<NewGoal> orders() {
-        return scene.said("dispersion", new Topic<>("go", Act.class)).stream()
+        return scene.said("deployment", new Topic<>("go", Act.class)).stream()
                 .filter(act -> act.performative() == Performative.REQUEST && isFirst.add(act.conversation()))
                 .map(act -> (NewGoal) act.content())
                 .toList();
@@ -62,7 +62,7 @@ class DeploymentAgentTest {
         dispersion("9 0; 1 0; 50 50");
         scene.advance(4);
         assertThat(sent()).isEqualTo(Map.of("a", new Point2d(1, 0), "b", new Point2d(9, 0)));
-        assertThat(scene.state("dispersion")).isEqualTo("0 of 2 robots have reached their place");
+        assertThat(scene.state("deployment")).isEqualTo("0 of 2 robots have reached their place");
     }
 
     @Test
@@ -75,7 +75,7 @@ class DeploymentAgentTest {
         robots.get("a").navigator.end(new Result.Reached(new Pose2d(1, 0, 0)));
         robots.get("b").navigator.end(new Result.NoPath("A wall."));
         scene.advance(1);
-        assertThat(scene.state("dispersion")).isEqualTo("1 of 2 robots have reached their place");
+        assertThat(scene.state("deployment")).isEqualTo("1 of 2 robots have reached their place");
         orders();
         scene.advance(20);
         assertThat(orders()).containsExactly(new NewGoal("b", new Pose2d(12, 0, 0)));
@@ -178,20 +178,20 @@ class DeploymentAgentTest {
         scene.advance(4);
         assertThat(a.places.asked).hasSize(2);
         assertThat(sent()).isEqualTo(Map.of("a", new Point2d(-5, 0), "b", new Point2d(5, 0)));
-        assertThat(scene.state("dispersion")).isEqualTo("0 of 2 robots have reached their place");
+        assertThat(scene.state("deployment")).isEqualTo("0 of 2 robots have reached their place");
     }
 
     @Test
     void withoutPlacesItSaysWhatItWaitsFor() {
         dispersion("");
         scene.advance(4);
-        assertThat(scene.state("dispersion")).isEqualTo("waiting for robots");
+        assertThat(scene.state("deployment")).isEqualTo("waiting for robots");
         robot("b", 10, 0);
         scene.advance(4);
-        assertThat(scene.state("dispersion")).isEqualTo("waiting for a robot that can find places");
+        assertThat(scene.state("deployment")).isEqualTo("waiting for a robot that can find places");
         FakeRobot a = finder("a", 0);
         a.places.result = new PlaceFinder.Result.None("There is no room.");
         scene.advance(4);
-        assertThat(scene.state("dispersion")).isEqualTo("found no places: There is no room.");
+        assertThat(scene.state("deployment")).isEqualTo("found no places: There is no room.");
     }
 }

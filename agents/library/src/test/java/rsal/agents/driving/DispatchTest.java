@@ -23,7 +23,7 @@ class DispatchTest {
     void start() {
         scene.start("nav", r1, Map.of("period", 0.5));
         scene.start("nav", r2, Map.of("period", 0.5));
-        scene.start("dispatch", "dispatch", Optional.empty(), Map.of("silentAfter", 5));
+        scene.start("dispatch", "dispatch", Optional.empty(), Map.of("timeout", 5));
         scene.advance(2);
     }
 

@@ -160,7 +160,7 @@ class NavigationAgentTest {
     void failsWithClearWordsWithoutARobot() {
         scene.start("nav", "lost", Optional.empty(), Map.of());
         assertThat(scene.view("lost").status()).isEqualTo(Status.FAILED);
-        assertThat(scene.state("lost")).contains("(lost) has no robot");
+        assertThat(scene.state("lost")).contains("'lost' has no robot");
     }
 
     @Test

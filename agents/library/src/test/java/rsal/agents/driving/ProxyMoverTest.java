@@ -51,6 +51,6 @@ class ProxyMoverTest {
         var reality = new Scene();
         reality.start("view", "view", Optional.empty(), Map.of());
         assertThat(reality.view("view").status()).isEqualTo(Status.FAILED);
-        assertThat(reality.state("view")).contains("(view)").contains("simulated world");
+        assertThat(reality.state("view")).contains("'view'").contains("simulated world");
     }
 }

@@ -31,7 +31,7 @@ class BlobAgentTest {
 
     @Test
     void leavesTheWorldAloneWhenTheyLieThereAlready() {
-        start(Map.of("places", "4 0", "puts", false));
+        start(Map.of("places", "4 0", "spawn", false));
         assertThat(world.things).isEmpty();
         assertThat(scene.state("told")).isEqualTo("0 of 1 fetched");
     }
@@ -40,14 +40,14 @@ class BlobAgentTest {
     void namesTheThingThatHasNoRoom() {
         start(Map.of("places", "4 0; 400 0"));
         assertThat(scene.view("told").status()).isEqualTo(Status.FAILED);
-        assertThat(scene.state("told")).contains("(told-2)").contains("400").contains("outside");
+        assertThat(scene.state("told")).contains("'told-2'").contains("400").contains("outside");
     }
 
     @Test
     void wantsAColor() {
         start(Map.of("places", "4 0", "color", "gren"));
         assertThat(scene.view("told").status()).isEqualTo(Status.FAILED);
-        assertThat(scene.state("told")).contains("(color)").contains("(gren)").contains("Maybe (green) was meant?");
+        assertThat(scene.state("told")).contains("'color'").contains("'gren'").contains("Maybe 'green' was meant?");
     }
 
     @Test

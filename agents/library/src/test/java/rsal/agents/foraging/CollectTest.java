@@ -79,7 +79,7 @@ class CollectTest {
     void whoIsFreeFetchesItWhenNobodyBids() {
         far.start();
         near.start();
-        master(Map.of("allotment", "first"));
+        master(Map.of("allocation", "first"));
         explore(Map.of());
         scene.advance(3);
         eye.show(FakeCamera.GREEN, 1);

@@ -22,10 +22,13 @@ class OverheadCameraTest {
     private List<Object> asked() {
         scene.start("fetch", "master", Optional.empty(), Map.of());
         scene.start(
-                "ceiling", "ceiling", Optional.empty(), Map.of("places", "0 0; 10 0", "things", "can", "range", 2.5));
+                "overhead-camera",
+                "overhead-camera",
+                Optional.empty(),
+                Map.of("places", "0 0; 10 0", "things", "can", "range", 2.5));
         scene.advance(3);
         return scene.said.stream()
-                .filter(message -> message.sender().equals("ceiling"))
+                .filter(message -> message.sender().equals("overhead-camera"))
                 .map(Message::content)
                 .filter(Act.class::isInstance)
                 .map(Act.class::cast)

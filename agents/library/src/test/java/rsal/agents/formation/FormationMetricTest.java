@@ -40,7 +40,7 @@ class FormationMetricTest implements MetricContract {
     }
 
     private double forming() {
-        return formations.value("forming", List.of());
+        return formations.value("formationTime", List.of());
     }
 
     @Test

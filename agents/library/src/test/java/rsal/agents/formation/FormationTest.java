@@ -190,6 +190,6 @@ class FormationTest {
     void needsARoute() {
         formation("line", "0 0");
         assertThat(scene.view("formation").status()).isEqualTo(Status.FAILED);
-        assertThat(scene.state("formation")).contains("(formation)", "at least two places");
+        assertThat(scene.state("formation")).contains("'formation'", "at least two places");
     }
 }

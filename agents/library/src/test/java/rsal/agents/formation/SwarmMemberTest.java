@@ -45,7 +45,7 @@ class SwarmMemberTest {
 
     @Test
     void countsThoseThatAreNear() {
-        scene.start("swarm", r1, Map.of("near", 4));
+        scene.start("swarm", r1, Map.of("neighborDistance", 4));
         scene.report("r2", "rover", 2, 0); // it does not know yet where it is itself
         r1.isAt(0, 0);
         scene.advance(0);
@@ -63,7 +63,7 @@ class SwarmMemberTest {
 
     @Test
     void hearsOnlyThoseWithinTheRadius() {
-        scene.start("swarm", r1, Map.of("near", 100, "radius", 3));
+        scene.start("swarm", r1, Map.of("neighborDistance", 100, "radius", 3));
         r1.isAt(0, 0);
         scene.advance(0);
         scene.report("r2", "rover", 2, 0);

@@ -18,7 +18,8 @@ import rsal.device.Navigator.Result;
 import rsal.device.PlaceFinder;
 
 class EvadeTest {
-    private static final Map<String, ?> HUNTED = Map.of("hunter", "hunter", "sight", 10, "fear", 6, "chargers", "0 30");
+    private static final Map<String, ?> HUNTED =
+            Map.of("hunter", "hunter", "sensingRange", 10, "fleeDistance", 6, "chargers", "0 30");
 
     private final Scene scene = new Scene();
     private final FakeRobot p1 = scene.robot("p1", "prey");

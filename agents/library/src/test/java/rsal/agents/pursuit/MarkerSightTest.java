@@ -40,7 +40,7 @@ class MarkerSightTest {
     private void hunterAt(double x, String assignment) {
         h1.places.result = new PlaceFinder.Result.Found(List.of(new Point2d(50, 0), new Point2d(-50, 0)));
         Robot body = wearing(21, h1.robot.with(huntersEyes).with(h1.places).with(new FakePlanner("h1")));
-        Map<String, ?> arguments = Map.of("assignment", assignment, "sees", "markers", "catchDistance", 1.5);
+        Map<String, ?> arguments = Map.of("assignment", assignment, "sees", "fiducials", "catchDistance", 1.5);
         scene.start("follow", "h1", Optional.of(body), arguments);
         h1.isAt(x, 0);
         scene.advance(1);
@@ -58,7 +58,7 @@ class MarkerSightTest {
 
     @Test
     void preyThatDoNotWantToBeFoundTellNobodyWhereTheyAre() {
-        preyAtOrigin("escape", Map.of("hunter", "hunter", "sees", "markers"));
+        preyAtOrigin("escape", Map.of("hunter", "hunter", "sees", "fiducials"));
         scene.hear("operator", PoseRequest.TOPIC, new PoseRequest("p1"));
         scene.advance(5);
         assertThat(scene.said("p1", PoseReport.TOPIC)).isEmpty();
@@ -67,7 +67,7 @@ class MarkerSightTest {
     @Test
     void preyGiveUpWhenTheySeeAHunterNearAndNotBecauseItSaysSo() {
         hunterAt(9, "bids");
-        preyAtOrigin("escape", Map.of("hunter", "hunter", "sees", "markers", "catchDistance", 1.5));
+        preyAtOrigin("escape", Map.of("hunter", "hunter", "sees", "fiducials", "catchDistance", 1.5));
         scene.report("h1", "hunter", 1, 0);
         preySeesMarker(21, 2);
         scene.advance(2);
@@ -80,7 +80,7 @@ class MarkerSightTest {
     @Test
     void aHunterThatWasSeenLongAgoCatchesNobody() {
         hunterAt(9, "bids");
-        preyAtOrigin("escape", Map.of("hunter", "hunter", "sees", "markers", "catchDistance", 1.5));
+        preyAtOrigin("escape", Map.of("hunter", "hunter", "sees", "fiducials", "catchDistance", 1.5));
         preySeesMarker(21, 3);
         scene.advance(2);
         p1.isAt(3, 0); // where it was
@@ -92,7 +92,7 @@ class MarkerSightTest {
     void cleverPreyRunFromHuntersThatTheySeeAndTellTheOthersTwiceASecond() {
         hunterAt(9, "bids");
         p1.places.result = new PlaceFinder.Result.Found(List.of(new Point2d(20, 0), new Point2d(-20, 0)));
-        preyAtOrigin("evade", Map.of("hunter", "hunter", "sees", "markers"));
+        preyAtOrigin("evade", Map.of("hunter", "hunter", "sees", "fiducials"));
         scene.report("h1", "hunter", 4, 0);
         scene.advance(1);
         assertThat(scene.state("p1")).isEqualTo("explore: follow the wall");
@@ -107,7 +107,7 @@ class MarkerSightTest {
 
     @Test
     void cleverPreyTakeNoPreyThatHuntersTellOfForAHunter() {
-        preyAtOrigin("evade", Map.of("hunter", "hunter", "sees", "markers"));
+        preyAtOrigin("evade", Map.of("hunter", "hunter", "sees", "fiducials"));
         scene.hear("h9", Sighting.TOPIC, new Sighting("p1", "prey", at(0)));
         scene.advance(2);
         assertThat(scene.state("p1")).isEqualTo("explore: follow the wall");
@@ -117,7 +117,7 @@ class MarkerSightTest {
     void huntersGoWhereTheyMaySeePreyUntilOneIsSeen() {
         hunterAt(0, "bids");
         scene.start("hunt", "master", Optional.empty(), Map.of());
-        preyAtOrigin("escape", Map.of("hunter", "hunter", "sees", "markers"));
+        preyAtOrigin("escape", Map.of("hunter", "hunter", "sees", "fiducials"));
         scene.report("p1", "prey", 30, 0); // a hunter with eyes does not listen to prey
         scene.hear("x", Sighting.TOPIC, new Sighting("h7", "hunter", at(8)));
         scene.advance(3);
@@ -133,7 +133,7 @@ class MarkerSightTest {
     void aPreyThatNobodySeesAnyMoreIsLookedForAndHuntedAgainWhenItIsSeen() {
         hunterAt(0, "bids");
         scene.start("hunt", "master", Optional.empty(), Map.of());
-        preyAtOrigin("escape", Map.of("hunter", "hunter", "sees", "markers"));
+        preyAtOrigin("escape", Map.of("hunter", "hunter", "sees", "fiducials"));
         hunterSeesMarker(11, 7);
         scene.advance(1);
         assertThat(scene.state("master")).isEqualTo("hunting p1");
@@ -149,7 +149,7 @@ class MarkerSightTest {
     @Test
     void huntersThatDoNotBidLookForPreyToo() {
         hunterAt(0, "nearest");
-        preyAtOrigin("escape", Map.of("hunter", "hunter", "sees", "markers"));
+        preyAtOrigin("escape", Map.of("hunter", "hunter", "sees", "fiducials"));
         scene.advance(3);
         assertThat(scene.state("h1")).startsWith("going to look around at");
         scene.hear("h2", Sighting.TOPIC, new Sighting("p1", "prey", at(12)));

@@ -46,7 +46,7 @@ class RescueTest {
     }
 
     private void helper(String id, double x) {
-        robot("helper", id, x, true, Map.of("stay", 10));
+        robot("helper", id, x, true, Map.of("stayTime", 10));
     }
 
     private void sees(String id, int victim, double ahead) {
@@ -156,7 +156,7 @@ class RescueTest {
     @Test
     void helpersThatWaitedDriveBackAndExplorersGoOn() {
         helper("waits", 0);
-        robot("helper", "explores", 40, false, Map.of("stay", 0));
+        robot("helper", "explores", 40, false, Map.of("stayTime", 0));
         scene.advance(6);
         sees("explores", 1, 3);
         assertThat(mappers.get("explores").paused()).isTrue();

@@ -41,7 +41,7 @@ final class Intention {
     void push(Goal step, Consumer<Boolean> then) {
         if (levels.size() == DEEPEST) {
             throw new IllegalStateException(
-                    "Goal (%s) wants more than %d steps within steps.".formatted(goal.name(), DEEPEST));
+                    "Goal '%s' wants more than %d steps within steps.".formatted(goal.name(), DEEPEST));
         }
         levels.push(new Level(step, then));
         tryNext();

@@ -45,7 +45,7 @@ public final class Mind {
     public <T> Belief<T> belief(String name, T value) {
         var belief = new Belief<>(this, name, value);
         if (beliefs.putIfAbsent(name, belief) != null) {
-            throw new IllegalArgumentException("Agent (%s) has two beliefs (%s).".formatted(self.name(), name));
+            throw new IllegalArgumentException("Agent '%s' has two beliefs '%s'.".formatted(self.name(), name));
         }
         believes(belief);
         return belief;

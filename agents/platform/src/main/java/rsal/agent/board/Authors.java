@@ -28,7 +28,7 @@ final class Authors {
     Optional<String> put(Note<?> note) {
         Instant now = clock.instant();
         if (note.written().isAfter(now)) {
-            return Optional.of("It was written after now, which is (%s).".formatted(now));
+            return Optional.of("It was written after now, which is '%s'.".formatted(now));
         }
         Author author = authors.get(note.author());
         if (author == null) {
@@ -39,7 +39,7 @@ final class Authors {
             return Optional.empty();
         }
         if (author.board.size() >= mostNotes && author.read(note.key().name()).isEmpty()) {
-            return Optional.of("(%s) has %d notes here already, which is all that one may have."
+            return Optional.of("'%s' has %d notes here already, which is all that one may have."
                     .formatted(note.author(), mostNotes));
         }
         author.board.write(stored(note.topic().name()), note.name(), note, Duration.between(now, note.fades()));

@@ -75,7 +75,7 @@ public final class BoardKeeper {
                         () -> authors.put(note)
                                 .ifPresent(why -> refused.put(note.key().name(), why)));
             } else {
-                refused.put(note.key().name(), "(%s) writes in the name of (%s).".formatted(author, note.author()));
+                refused.put(note.key().name(), "'%s' writes in the name of '%s'.".formatted(author, note.author()));
             }
         }
         return refused;
@@ -110,7 +110,7 @@ public final class BoardKeeper {
                 .forEach(
                         watcher -> { // which that agent has given up, as it heard nothing for a while
                             watchers.remove(watcher);
-                            watcher.subscriber.fail("(%s) has asked again.".formatted(subscriber.from()));
+                            watcher.subscriber.fail("'%s' has asked again.".formatted(subscriber.from()));
                         });
         long own = watchers.stream()
                 .filter(watcher -> watcher.subscriber.from().equals(subscriber.from()))
@@ -156,7 +156,7 @@ public final class BoardKeeper {
     private void tell() {
         List<String> keepers = BoardService.keepers(self.directory(), board);
         if (!keepers.isEmpty() && !keepers.getFirst().equals(self.name())) {
-            self.state("standing by for (%s)".formatted(keepers.getFirst()));
+            self.state("standing by for '%s'".formatted(keepers.getFirst()));
         } else {
             self.state("keeping %d notes, which %d watch".formatted(authors.size(), watchers.size()));
         }

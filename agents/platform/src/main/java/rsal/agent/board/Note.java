@@ -29,31 +29,31 @@ public record Note<M>(
     public Note {
         checkName(topic, name);
         if (!topic.type().isInstance(content)) {
-            throw new IllegalArgumentException("Topic (%s) carries %s, not (%s)."
+            throw new IllegalArgumentException("Topic '%s' carries %s, not '%s'."
                     .formatted(topic.name(), topic.type().getSimpleName(), content));
         }
         int words = String.valueOf(content).length();
         if (words > MOST_WORDS) {
             throw new IllegalArgumentException(
-                    "Note (%s/%s) has %d characters; %d may be. Maybe share where it is to be had."
+                    "Note '%s/%s' has %d characters; %d may be. Maybe share where it is to be had."
                             .formatted(topic.name(), name, words, MOST_WORDS));
         }
         mapFromPlace.ifPresent(place -> {
             if (!Double.isFinite(place.x()) || !Double.isFinite(place.y())) {
                 throw new IllegalArgumentException(
-                        "Note (%s/%s) can't be at (%s).".formatted(topic.name(), name, place));
+                        "Note '%s/%s' can't be at '%s'.".formatted(topic.name(), name, place));
             }
         });
         if (!lifetime.isPositive() || lifetime.compareTo(LONGEST) > 0) {
             throw new IllegalArgumentException(
-                    "Note (%s/%s) can't live for (%s), only for up to a year.".formatted(topic.name(), name, lifetime));
+                    "Note '%s/%s' can't live for '%s', only for up to a year.".formatted(topic.name(), name, lifetime));
         }
     }
 
     static void checkName(Topic<?> topic, String name) {
         if (name.isBlank() || name.length() > LONGEST_NAME || topic.name().length() > LONGEST_NAME) {
             throw new IllegalArgumentException(
-                    "A note needs a topic and a name of up to %d characters, not (%s) and (%s)."
+                    "A note needs a topic and a name of up to %d characters, not '%s' and '%s'."
                             .formatted(LONGEST_NAME, topic.name(), name));
         }
     }

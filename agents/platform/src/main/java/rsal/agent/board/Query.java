@@ -33,11 +33,11 @@ public record Query<M>(
 
     public Query {
         if (name.orElse("").length() > Note.LONGEST_NAME || author.orElse("").length() > Note.LONGEST_NAME) {
-            throw new IllegalArgumentException("Names have up to %d characters, not those in (%s) and (%s)."
+            throw new IllegalArgumentException("Names have up to %d characters, not those in '%s' and '%s'."
                     .formatted(Note.LONGEST_NAME, name, author));
         }
         if (most < 1 || most > MOST) {
-            throw new IllegalArgumentException("One may ask for 1 to %d notes, not (%d).".formatted(MOST, most));
+            throw new IllegalArgumentException("One may ask for 1 to %d notes, not '%d'.".formatted(MOST, most));
         }
     }
 
@@ -106,7 +106,7 @@ public record Query<M>(
             boolean isThere = Double.isFinite(mapFromCenter.x()) && Double.isFinite(mapFromCenter.y());
             if (!(distance >= 0 && distance < Double.POSITIVE_INFINITY) || !isThere) {
                 throw new IllegalArgumentException(
-                        "Notes can't be within (%s) m of (%s).".formatted(distance, mapFromCenter));
+                        "Notes can't be within '%s' m of '%s'.".formatted(distance, mapFromCenter));
             }
         }
 

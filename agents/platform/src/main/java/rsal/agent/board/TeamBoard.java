@@ -87,7 +87,7 @@ public final class TeamBoard {
         own.values().removeIf(old -> old.hasFaded(now()));
         boolean isFull = own.size() >= MOST_OWN && !own.containsKey(name);
         if (isFull || !mayTell(name)) {
-            refuse(name, "(%s) has more notes than the %d that one may have.".formatted(self.name(), MOST_OWN));
+            refuse(name, "'%s' has more notes than the %d that one may have.".formatted(self.name(), MOST_OWN));
             return;
         }
         own.put(name, note);
@@ -105,7 +105,7 @@ public final class TeamBoard {
             changed.add(known);
             send();
         } else {
-            refuse(known, "So much is untold that it stays on board (%s) until it fades.".formatted(board));
+            refuse(known, "So much is untold that it stays on board '%s' until it fades.".formatted(board));
         }
     }
 
@@ -132,7 +132,7 @@ public final class TeamBoard {
                                 answer.left())))),
                 () -> self.scheduler()
                         .execute(() -> onEnd.accept(
-                                new ConversationResult.Silent<>("Nobody keeps board (%s).".formatted(board)))));
+                                new ConversationResult.Silent<>("Nobody keeps board '%s'.".formatted(board)))));
     }
 
     /// Keeps what the master tells of these notes, and goes on when another takes over.

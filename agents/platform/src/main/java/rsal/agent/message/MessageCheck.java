@@ -11,7 +11,7 @@ public final class MessageCheck {
 
     /// @param what as the message calls it
     public static void given(String what, Object value) {
-        Objects.requireNonNull(value, () -> "A message must say its (%s).".formatted(what));
+        Objects.requireNonNull(value, () -> "A message must say its '%s'.".formatted(what));
     }
 
     /// @param what is there
@@ -28,7 +28,7 @@ public final class MessageCheck {
 
     private static void isPlace(String what, Object place, boolean finite) {
         if (!finite) {
-            throw new IllegalArgumentException("A message must say where (%s) is, not (%s).".formatted(what, place));
+            throw new IllegalArgumentException("A message must say where '%s' is, not '%s'.".formatted(what, place));
         }
     }
 }

@@ -76,7 +76,7 @@ public final class AgentPlatform implements AutoCloseable {
     public void start(AgentSpec spec) {
         AgentRuntime before = members.get(spec.name());
         if (before != null && before.status() == Status.RUNNING) {
-            throw new IllegalArgumentException("An agent (%s) runs already; names are unique.".formatted(spec.name()));
+            throw new IllegalArgumentException("An agent '%s' runs already; names are unique.".formatted(spec.name()));
         }
         var member = new AgentRuntime(this, spec, host.lane(spec.name()));
         members.remove(spec.name()); // one that starts again comes last
@@ -93,7 +93,7 @@ public final class AgentPlatform implements AutoCloseable {
         AgentRuntime member = members.get(name);
         if (member == null) {
             throw new IllegalArgumentException(
-                    "There is no agent (%s); there are %s.".formatted(name, members.keySet()));
+                    "There is no agent '%s'; there are %s.".formatted(name, members.keySet()));
         }
         member.stop();
     }
@@ -144,14 +144,14 @@ public final class AgentPlatform implements AutoCloseable {
     /// @throws IllegalArgumentException as [#publish] does, and when the name is empty
     public <M> void send(String sender, String to, Topic<M> topic, M message) {
         if (to.isEmpty()) {
-            throw new IllegalArgumentException("(%s) was sent to nobody. Maybe publish it.".formatted(message));
+            throw new IllegalArgumentException("'%s' was sent to nobody. Maybe publish it.".formatted(message));
         }
         say(sender, to, topic, message);
     }
 
     private <M> void say(String sender, String to, Topic<M> topic, M message) {
         if (!topic.type().isInstance(message)) {
-            throw new IllegalArgumentException("Topic (%s) carries %s, not (%s)."
+            throw new IllegalArgumentException("Topic '%s' carries %s, not '%s'."
                     .formatted(topic.name(), topic.type().getSimpleName(), message));
         }
         TopicBus<M> channel = channel(topic, sender);
@@ -281,7 +281,7 @@ public final class AgentPlatform implements AutoCloseable {
                 channels.computeIfAbsent(topic.name(), _ -> new TopicBus<>(topic, user, AgentPlatform::listeners));
         if (!channel.topic().equals(topic)) {
             throw new IllegalArgumentException(
-                    "Topic (%s) carries %s since (%s) used it first, not %s. Maybe give yours another name."
+                    "Topic '%s' carries %s since '%s' used it first, not %s. Maybe give yours another name."
                             .formatted(
                                     topic.name(),
                                     channel.topic().type().getName(),
@@ -320,7 +320,7 @@ public final class AgentPlatform implements AutoCloseable {
     }
 
     private static <T> Listeners<T> listeners() {
-        return new Listeners<>(e -> LOG.log(Level.ERROR, "A listener failed and is not told any more.", e));
+        return new Listeners<>(e -> LOG.log(Level.ERROR, "A listener failed and is not notified any more.", e));
     }
 
     /// A goal for which an agent has no plan.

@@ -48,7 +48,7 @@ public final class Auction<L> {
     /// @throws IllegalArgumentException when prices rise in a Dutch auction or fall in an English one
     public Conversation sell(Collection<String> to, L what, Prices prices, Duration round, Seller seller) {
         if (rising != prices.step > 0) {
-            throw new IllegalArgumentException("Prices of %s auction must %s, not change by (%s)."
+            throw new IllegalArgumentException("Prices of %s auction must %s, not change by '%s'."
                     .formatted(rising ? "an English" : "a Dutch", rising ? "rise" : "fall", prices.step));
         }
         var selling = new Auctioneer(self.scheduler(), desk, rising, prices, round, seller);
@@ -70,7 +70,7 @@ public final class Auction<L> {
         public Prices {
             if (!Double.isFinite(first) || !Double.isFinite(step) || !Double.isFinite(reserve) || step == 0) {
                 throw new IllegalArgumentException(
-                        "Prices must be finite and change, not (%s), (%s), (%s).".formatted(first, step, reserve));
+                        "Prices must be finite and change, not '%s', '%s', '%s'.".formatted(first, step, reserve));
             }
         }
     }

@@ -118,7 +118,7 @@ public final class ContractNetInitiator<T, B, R> implements Conversation {
         var unknown = new HashSet<>(shares.keySet());
         unknown.removeAll(proposals.keySet());
         if (!unknown.isEmpty()) {
-            throw new IllegalStateException("Agent (%s) accepted bids of %s, who did not bid in this round; %s did."
+            throw new IllegalStateException("Agent '%s' accepted bids of %s, who did not bid in this round; %s did."
                     .formatted(desk.name(), new TreeSet<>(unknown), proposals.keySet()));
         }
         for (Proposal<B> proposal : List.copyOf(proposals.values())) {

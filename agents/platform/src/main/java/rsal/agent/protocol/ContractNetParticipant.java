@@ -93,7 +93,7 @@ final class ContractNetParticipant<T, B, R> extends Answering implements Call<T,
         say(Performative.PROPOSE, bid);
         Duration left = Duration.between(scheduler.instant(), replyBy);
         Duration patience = (left.isNegative() ? Duration.ZERO : left).plus(GRACE);
-        deadline = scheduler.after(patience, () -> rejected("Nothing was heard of (%s).".formatted(from())));
+        deadline = scheduler.after(patience, () -> rejected("Nothing was heard of '%s'.".formatted(from())));
     }
 
     @Override

@@ -57,7 +57,7 @@ final class ConversationManager {
     void open(Doorman answering) {
         if (doorman != null) {
             throw new IllegalStateException(
-                    "Agent (%s) answers (%s) already; maybe it does so twice.".formatted(name(), topic.name()));
+                    "Agent '%s' answers '%s' already; maybe it does so twice.".formatted(name(), topic.name()));
         }
         doorman = answering;
     }
@@ -115,8 +115,8 @@ final class ConversationManager {
                 dialogue.say(
                         Performative.NOT_UNDERSTOOD,
                         answering == null
-                                ? "(%s) does not answer (%s).".formatted(name(), topic.name())
-                                : "(%s) has too many conversations.".formatted(name()));
+                                ? "'%s' does not answer '%s'.".formatted(name(), topic.name())
+                                : "'%s' has too many conversations.".formatted(name()));
             }
         }
     }
@@ -124,7 +124,7 @@ final class ConversationManager {
     private void partnerWent(String partner) {
         for (Dialogue dialogue : List.copyOf(dialogues.values())) {
             if (dialogue.partner().equals(partner)) {
-                dialogue.lose("(%s) has ended.".formatted(partner));
+                dialogue.lose("'%s' has ended.".formatted(partner));
             }
         }
     }
@@ -139,7 +139,7 @@ final class ConversationManager {
         Instant longAgo = now().minus(MEMORY);
         for (Dialogue dialogue : List.copyOf(dialogues.values())) {
             if (dialogue.side() == Side.PARTICIPANT && dialogue.lastSign().isBefore(longAgo)) {
-                dialogue.lose("Nothing was heard of (%s) for long.".formatted(dialogue.partner()));
+                dialogue.lose("Nothing was heard of '%s' for long.".formatted(dialogue.partner()));
             }
         }
     }

@@ -101,11 +101,11 @@ final class Dialogue {
         ProtocolStateMachine.Next next =
                 desk.grammar().after(state, side, performative).orElseThrow(() -> outOfTurn(performative));
         if (!desk.fits(next.content(), content)) {
-            throw new IllegalStateException("Agent (%s) said (%s) with (%s), which is nothing for conversation (%s)."
+            throw new IllegalStateException("Agent '%s' said '%s' with '%s', which is nothing for conversation '%s'."
                     .formatted(desk.name(), performative, content, conversation));
         }
         if (unheard.size() == MOST_UNHEARD) {
-            lose("(%s) has not heard the last %d messages.".formatted(partner, MOST_UNHEARD));
+            lose("'%s' has not heard the last %d messages.".formatted(partner, MOST_UNHEARD));
             return;
         }
         utter(performative, replyBy, content, next.state());
@@ -127,7 +127,7 @@ final class Dialogue {
 
     private IllegalStateException outOfTurn(Performative performative) {
         return new IllegalStateException(
-                "Agent (%s) said (%s) to (%s) in conversation (%s), which is over or waits for something else in (%s)."
+                "Agent '%s' said '%s' to '%s' in conversation '%s', which is over or waits for something else in '%s'."
                         .formatted(
                                 desk.name(),
                                 performative,
@@ -168,14 +168,14 @@ final class Dialogue {
         }
         if (act.performative() == Performative.CANCEL) {
             utter(Performative.INFORM, Optional.empty(), "cancelled", ProtocolStateMachine.END);
-            listener.lost("(%s) has cancelled it.".formatted(partner));
+            listener.lost("'%s' has cancelled it.".formatted(partner));
         } else {
             listener.heard(act);
         }
     }
 
     private void doNotUnderstand(Act act) {
-        String why = "(%s) said (%s), which was not expected in (%s)."
+        String why = "'%s' said '%s', which was not expected in '%s'."
                 .formatted(partner, act, desk.grammar().name());
         utter(Performative.NOT_UNDERSTOOD, Optional.empty(), why, ProtocolStateMachine.END);
         listener.heard(Objects.requireNonNull(last));
@@ -218,7 +218,7 @@ final class Dialogue {
         }
         if (quiet().compareTo(patience.silence()) >= 0) {
             lingering = false;
-            lose("Nothing was heard of (%s) for %.1f s.".formatted(partner, quiet().toNanos() / 1e9));
+            lose("Nothing was heard of '%s' for %.1f s.".formatted(partner, quiet().toNanos() / 1e9));
             return;
         }
         repeat();

@@ -11,7 +11,7 @@ public record TaskRoute(Pose2d mapFromBegin, Pose2d mapFromEnd, double work) {
     public TaskRoute {
         if (!mapFromBegin.isFinite() || !mapFromEnd.isFinite() || !(work >= 0)) {
             throw new IllegalArgumentException(
-                    "A job leads from place to place, not from (%s) to (%s) with work of (%s)."
+                    "A job leads from place to place, not from '%s' to '%s' with work of '%s'."
                             .formatted(mapFromBegin, mapFromEnd, work));
         }
     }

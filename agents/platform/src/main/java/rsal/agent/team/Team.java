@@ -82,7 +82,7 @@ public final class Team {
     public void add(Job job, DoubleSupplier urgency) {
         if (entries.putIfAbsent(job.name(), new Entry(job, urgency)) != null) {
             throw new IllegalArgumentException(
-                    "Team of (%s) has a job (%s) already.".formatted(self.name(), job.name()));
+                    "Team of '%s' has a job '%s' already.".formatted(self.name(), job.name()));
         }
         callSoon();
     }

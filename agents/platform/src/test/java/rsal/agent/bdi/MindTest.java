@@ -275,8 +275,8 @@ class MindTest {
         agent(mind -> {
             mind.belief("charge", 0.5);
             assertThatThrownBy(() -> mind.belief("charge", 0.5))
-                    .hasMessageContaining("(amy)")
-                    .hasMessageContaining("(charge)");
+                    .hasMessageContaining("'amy'")
+                    .hasMessageContaining("'charge'");
         });
         assertThat(run.view("amy").beliefs()).containsEntry("charge", "0.5");
         assertThat(mind().view().beliefs()).containsEntry("charge", "0.5");
@@ -313,7 +313,7 @@ class MindTest {
         tired[0] = true;
         assertThatThrownBy(() -> run.look("amy", Mind.View.class))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("(amy) can't be looked into");
+                .hasMessageContaining("'amy' can't be looked into");
         assertThat(run.view("amy").status()).isEqualTo(Status.RUNNING);
     }
 

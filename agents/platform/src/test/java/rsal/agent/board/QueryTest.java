@@ -59,10 +59,10 @@ class QueryTest {
 
     @Test
     void nonsenseIsRefusedWhereItIsMade() {
-        assertThatThrownBy(() -> Query.of(CANS).newest(0)).hasMessageContaining("1 to 1000 notes, not (0)");
-        assertThatThrownBy(() -> Query.of(CANS).newest(1_001)).hasMessageContaining("(1001)");
-        assertThatThrownBy(() -> Query.of(CANS).within(Double.NaN, HERE)).hasMessageContaining("(NaN)");
-        assertThatThrownBy(() -> Query.of(CANS).within(-1, HERE)).hasMessageContaining("(-1.0)");
+        assertThatThrownBy(() -> Query.of(CANS).newest(0)).hasMessageContaining("1 to 1000 notes, not '0'");
+        assertThatThrownBy(() -> Query.of(CANS).newest(1_001)).hasMessageContaining("'1001'");
+        assertThatThrownBy(() -> Query.of(CANS).within(Double.NaN, HERE)).hasMessageContaining("'NaN'");
+        assertThatThrownBy(() -> Query.of(CANS).within(-1, HERE)).hasMessageContaining("'-1.0'");
         assertThatThrownBy(() -> Query.of(CANS).within(1, new Point2d(Double.NaN, 0)))
                 .hasMessageContaining("NaN");
         assertThatThrownBy(() -> Query.of(CANS).named("n".repeat(201))).hasMessageContaining("up to 200");
@@ -77,6 +77,6 @@ class QueryTest {
         @SuppressWarnings({"unchecked", "rawtypes"}) // as an agent with a mistake does
         Topic<Object> raw = (Topic) CANS;
         assertThatThrownBy(() -> new Note<>(raw, "can", 1, nowhere, "amy", Instant.EPOCH, Duration.ofSeconds(1)))
-                .hasMessageContaining("carries String, not (1)");
+                .hasMessageContaining("carries String, not '1'");
     }
 }

@@ -242,7 +242,7 @@ class TeamBoardTest {
         amy.write("can-1", "red");
         amy.board().write(CANS, "old", "red", Duration.ofSeconds(1));
         run.advance(5);
-        assertThat(amy.ask(Query.of(CANS))).containsExactly("Silent[why=Nobody keeps board (team).]");
+        assertThat(amy.ask(Query.of(CANS))).containsExactly("Silent[why=Nobody keeps board 'team'.]");
         keeper(run, "master");
         run.advance(1);
         assertThat(amy.ask(Query.of(CANS))).containsExactly("amy can-1: red");
@@ -297,7 +297,7 @@ class TeamBoardTest {
         amy.write("can-1", "red");
         run.advance(1);
         assertThat(bob.ask(Query.of(CANS))).containsExactly("amy can-1: red");
-        assertThat(run.view("second").state()).isEqualTo("standing by for (first)");
+        assertThat(run.view("second").state()).isEqualTo("standing by for 'first'");
         run.stop("first");
         run.advance(1);
         assertThat(bob.ask(Query.of(CANS))).containsExactly("amy can-1: red");
@@ -350,7 +350,7 @@ class TeamBoardTest {
         assertThat(amy.events)
                 .containsExactly(
                         new BoardEvent.Kept("master"),
-                        new BoardEvent.Silent("master", "Nothing was heard of (master) for 5.0 s."),
+                        new BoardEvent.Silent("master", "Nothing was heard of 'master' for 5.0 s."),
                         new BoardEvent.Heard("master"));
     }
 
@@ -370,9 +370,9 @@ class TeamBoardTest {
                 .hasSize(1_400)
                 .contains(
                         new BoardEvent.Refused(
-                                "cans/can-999", "(eve) has 100 notes here already, which is all that one may have."),
+                                "cans/can-999", "'eve' has 100 notes here already, which is all that one may have."),
                         new BoardEvent.Refused(
-                                "cans/can-1499", "(eve) has more notes than the 1000 that one may have."));
+                                "cans/can-1499", "'eve' has more notes than the 1000 that one may have."));
         eve.board().erase(CANS, "can-0");
         eve.write("can-new", "red");
         run.advance(1);

@@ -370,7 +370,7 @@ class AgentPlatformTest {
                                     }
                                 })));
         run.advance(2);
-        assertThat(thrown.join()).contains("(bob)", "self.scheduler().execute(");
+        assertThat(thrown.join()).contains("'bob'", "self.scheduler().execute(");
         run.advance(1); // what another thread hands in runs at the beginning of an advance
         assertThat(run.view("bob").status()).isEqualTo(Status.FAILED);
         assertThat(run.view("bob").state()).isEqualTo(thrown.join());
@@ -423,7 +423,7 @@ class AgentPlatformTest {
         run.society.publish("operator", WORDS, "go");
         run.advance(1);
         assertThat(run.view("ping").status()).isEqualTo(Status.FAILED);
-        assertThat(run.view("ping").state()).contains("(ping)").contains(String.valueOf(AgentRuntime.LIMIT));
+        assertThat(run.view("ping").state()).contains("'ping'").contains(String.valueOf(AgentRuntime.LIMIT));
         assertThat(run.view("ping").sent()).isBetween(AgentRuntime.LIMIT / 2L, (long) AgentRuntime.LIMIT);
         assertThat(run.view("amy").status()).isEqualTo(Status.RUNNING);
     }
@@ -462,7 +462,7 @@ class AgentPlatformTest {
         assertThat(run.view("zoe").status()).isEqualTo(Status.RUNNING);
         for (String name : List.of("bob", "eve")) {
             assertThat(run.view(name).status()).isEqualTo(Status.FAILED);
-            assertThat(run.view(name).state()).contains("(%s)".formatted(name), "answers");
+            assertThat(run.view(name).state()).contains("'%s'".formatted(name), "answers");
         }
     }
 
@@ -535,7 +535,7 @@ class AgentPlatformTest {
         run.startListener("amy", _ -> {});
         assertThatThrownBy(() -> run.startListener("amy", _ -> {}))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("(amy)");
+                .hasMessageContaining("'amy'");
         run.society.stop("amy");
         run.startListener("amy", log::add);
         run.advance(0);
@@ -549,7 +549,7 @@ class AgentPlatformTest {
     void stoppingAnUnknownAgentSaysWhoIsThere() {
         run.startListener("amy", _ -> {});
         assertThatThrownBy(() -> run.society.stop("any"))
-                .hasMessageContaining("(any)")
+                .hasMessageContaining("'any'")
                 .hasMessageContaining("amy");
     }
 
@@ -560,9 +560,9 @@ class AgentPlatformTest {
         run.start("amy", self -> self.publish((Topic) WORDS, 42));
         run.start("bob", self -> self.subscribe(new Topic<>("words", Integer.class), _ -> {}));
         run.advance(1);
-        assertThat(run.view("amy").state()).contains("(words)", "String", "(42)");
+        assertThat(run.view("amy").state()).contains("'words'", "String", "'42'");
         assertThat(run.view("bob").status()).isEqualTo(Status.FAILED);
-        assertThat(run.view("bob").state()).contains("(words)", "Integer", "String", "since (eve)");
+        assertThat(run.view("bob").state()).contains("'words'", "Integer", "String", "since 'eve'");
         assertThat(log).isEmpty();
     }
 

@@ -208,7 +208,7 @@ class ContractNetTest {
         run.stop("amy");
         run.advance(0);
         assertThat(log)
-                .containsExactly("amy does a box", "amy: " + new ConversationResult.Silent<>("(amy) has ended."));
+                .containsExactly("amy does a box", "amy: " + new ConversationResult.Silent<>("'amy' has ended."));
     }
 
     @Test
@@ -246,7 +246,7 @@ class ContractNetTest {
                 self -> net(self).call(List.of("amy"), "a box", SECOND, _ -> new Verdict.Award<>(Set.of("bob"))));
         run.advance(0);
         assertThat(run.view("zoe").status()).isEqualTo(Status.FAILED);
-        assertThat(run.view("zoe").state()).contains("(zoe)").contains("[bob]");
+        assertThat(run.view("zoe").state()).contains("'zoe'").contains("[bob]");
         assertThat(run.view("amy").status()).isEqualTo(Status.RUNNING);
         assertThat(log).containsExactly("amy is rejected");
     }
@@ -302,7 +302,7 @@ class ContractNetTest {
         worker("amy", 3, 0);
         run.start("zoe", self -> net(self).call(List.of("amy"), "a box", SECOND, _ -> Verdict.again("a bag")));
         run.advance(0);
-        assertThat(run.view("zoe").state()).contains("(cfp)").contains("fipa-contract-net");
+        assertThat(run.view("zoe").state()).contains("'cfp'").contains("fipa-contract-net");
     }
 
     @ParameterizedTest

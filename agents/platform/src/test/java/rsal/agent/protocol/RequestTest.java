@@ -98,7 +98,7 @@ class RequestTest {
         run.start("amy", RequestTest::doubling);
         asker(1);
         run.advance(0);
-        assertThat(endings).containsExactly(new ConversationResult.NotUnderstood<>("(amy) does not answer (double)."));
+        assertThat(endings).containsExactly(new ConversationResult.NotUnderstood<>("'amy' does not answer 'double'."));
     }
 
     @Test
@@ -119,7 +119,7 @@ class RequestTest {
         });
         asker(1);
         run.advance(0);
-        assertThat(endings).containsExactly(new ConversationResult.Silent<>("(amy) has ended."));
+        assertThat(endings).containsExactly(new ConversationResult.Silent<>("'amy' has ended."));
         assertThat(run.view("zoe").status()).isEqualTo(Status.RUNNING);
     }
 
@@ -134,9 +134,9 @@ class RequestTest {
         assertThat(endings).containsExactly(new ConversationResult.Informed<>(1));
         assertThat(run.view("amy").status()).isEqualTo(Status.FAILED);
         assertThat(run.view("amy").state())
-                .contains("(amy)")
-                .contains("(inform)")
-                .contains("(zoe)");
+                .contains("'amy'")
+                .contains("'inform'")
+                .contains("'zoe'");
         assertThat(run.view("zoe").status()).isEqualTo(Status.RUNNING);
     }
 

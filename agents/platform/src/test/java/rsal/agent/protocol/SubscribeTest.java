@@ -84,7 +84,7 @@ class SubscribeTest {
         run.advance(3);
         run.stop("amy");
         run.advance(0);
-        assertThat(endings).containsExactly(new ConversationResult.Silent<>("(amy) has ended."));
+        assertThat(endings).containsExactly(new ConversationResult.Silent<>("'amy' has ended."));
     }
 
     @Test

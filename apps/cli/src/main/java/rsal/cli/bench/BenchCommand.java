@@ -34,7 +34,7 @@ import rsal.settings.Suggestion;
         description =
                 "Measure how fast RSAL is on this machine. Leave it alone meanwhile; an area takes minutes, some take hours.")
 public final class BenchCommand extends Subcommand {
-    @Parameters(paramLabel = "AREA", arity = "0..1", description = "What to measure; left out: lists the areas.")
+    @Parameters(paramLabel = "AREA", arity = "0..1", description = "What to measure. Default: lists the areas.")
     private Optional<String> area = Optional.empty();
 
     @Option(
@@ -47,8 +47,8 @@ public final class BenchCommand extends Subcommand {
             names = "--repeat",
             paramLabel = "N",
             description = {
-                "How often each is measured; " + BenchmarkRequest.REPEATS + " when left out. The median counts.",
-                "With how many seeds runs are compared; " + BenchmarkRequest.SEEDS + " when left out. The mean counts."
+                "How often each is measured; " + BenchmarkRequest.REPEATS + " by default. The median counts.",
+                "With how many seeds runs are compared; " + BenchmarkRequest.SEEDS + " by default. The mean counts."
             })
     private Optional<Integer> repeats = Optional.empty();
 
@@ -56,7 +56,7 @@ public final class BenchCommand extends Subcommand {
             names = "--data",
             paramLabel = "DIR",
             description = {
-                "Where public data is: folders logs, maps, barn. What needs it is left out without.",
+                "Folder of public data, with the folders logs, maps and barn. Without it, benchmarks that need them are skipped.",
                 "Else the folder that RSAL_DATA names."
             })
     private Optional<Path> data = Optional.empty();

@@ -51,7 +51,7 @@ final class BenchPage {
             return new BenchPage(file, Files.readString(script));
         } catch (IOException e) {
             throw new Unreachable(
-                    "Plots need a script that is built with the page, and (%s) can't be read. './rsal doctor' tells what is missing."
+                    "Plots need a script that is built with the page, and '%s' can't be read. './rsal doctor' shows what is missing."
                             .formatted(script));
         }
     }

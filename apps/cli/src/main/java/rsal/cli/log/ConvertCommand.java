@@ -48,7 +48,7 @@ public final class ConvertCommand extends Subcommand {
             index = "1",
             arity = "0..1",
             paramLabel = "OUT.yaml",
-            description = "Where to write it (a world: OUT" + YamlFormat.SUFFIX + "); beside the file, when left out.")
+            description = "Where to write it (a world: OUT" + YamlFormat.SUFFIX + "). Default: beside the file.")
     private @Nullable String out;
 
     @Option(names = "--force", description = "Overwrite files that are there.")
@@ -135,7 +135,7 @@ public final class ConvertCommand extends Subcommand {
             }
             return target;
         } catch (InvalidPathException e) {
-            throw new ParameterException(spec.commandLine(), "(%s) can't be a file.".formatted(out), e);
+            throw new ParameterException(spec.commandLine(), "'%s' can't be a file.".formatted(out), e);
         }
     }
 
@@ -148,7 +148,7 @@ public final class ConvertCommand extends Subcommand {
             throw new InvalidSettings(e.problems().stream()
                     .map(problem -> new Problem(
                             Location.of(file),
-                            "This can't be told in YAML: " + problem.message(),
+                            "This can't be written in YAML: " + problem.message(),
                             where(problem.location(), lines)))
                     .toList());
         }
@@ -160,7 +160,7 @@ public final class ConvertCommand extends Subcommand {
                 .filter(file -> file.getKey().endsWith(path))
                 .map(Map.Entry::getValue)
                 .findFirst()
-                .orElseThrow(() -> new InvalidSettings(askedAt, "There is no file (%s).".formatted(path), ""));
+                .orElseThrow(() -> new InvalidSettings(askedAt, "There is no file '%s'.".formatted(path), ""));
     }
 
     /// What would have been written there.

@@ -48,11 +48,11 @@ public final class ExportCommand extends Subcommand {
                     out().flush();
                 }
             } catch (IOException e) {
-                throw new Unreachable("The tables can't be written to (%s): %s.".formatted(folder, e.getMessage()));
+                throw new Unreachable("The tables can't be written to '%s': %s.".formatted(folder, e.getMessage()));
             }
             return Exit.SUCCESS;
         } catch (IOException e) {
-            throw new Unreachable("The recording (%s) can't be closed: %s.".formatted(name, e.getMessage()));
+            throw new Unreachable("The recording '%s' can't be closed: %s.".formatted(name, e.getMessage()));
         }
     }
 }

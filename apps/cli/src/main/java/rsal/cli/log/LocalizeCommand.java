@@ -48,7 +48,7 @@ import rsal.time.AllowedToReadWallClock;
         description = "Follow a robot's log on a map: where it was at each scan, how sure that is, and how right.",
         footer = {
             "",
-            LogOptions.LOGS + " Errors are told"
+            LogOptions.LOGS + " Errors are printed"
                     + " against the poses in the log, or in that of --reference. In 'corrected' logs the odometry is"
                     + " these poses, without any error: add some with --odometry-noise.",
             "",
@@ -212,23 +212,23 @@ public final class LocalizeCommand extends Subcommand {
     }
 
     private void checkOptions() {
-        check(seeds >= 1, "--seeds must be at least 1, not (%d).".formatted(seeds));
-        check(scans >= 1, "--scans must be at least 1, not (%d).".formatted(scans));
-        check(beams >= 5, "--beams must be at least 5, not (%d).".formatted(beams));
-        check(maxRange > 0, "--max-range must be more than 0 m, not (%s).".formatted(maxRange));
-        check(minParticles >= 20, "--min-particles must be at least 20, not (%d).".formatted(minParticles));
+        check(seeds >= 1, "--seeds must be at least 1, not '%d'.".formatted(seeds));
+        check(scans >= 1, "--scans must be at least 1, not '%d'.".formatted(scans));
+        check(beams >= 5, "--beams must be at least 5, not '%d'.".formatted(beams));
+        check(maxRange > 0, "--max-range must be more than 0 m, not '%s'.".formatted(maxRange));
+        check(minParticles >= 20, "--min-particles must be at least 20, not '%d'.".formatted(minParticles));
         check(
                 maxParticles >= minParticles && maxParticles <= MOST_PARTICLES,
                 "--max-particles must be from --min-particles (%d) to %d, not (%d)."
                         .formatted(minParticles, MOST_PARTICLES, maxParticles));
         check(
                 start == null || start.pose == null || Arrays.stream(start.pose).allMatch(Double::isFinite),
-                "--pose takes three finite numbers, as 3.2 -1.5 90; not (%s)."
+                "--pose takes three finite numbers, as 3.2 -1.5 90; not '%s'."
                         .formatted(start == null ? "" : Arrays.toString(start.pose)));
         check(
                 saveMap == null || map.fromHalf,
                 "--save-map goes with --map-from-half: with --map no other map is made.");
-        check(saveMap == null || saveMap.endsWith(".yaml"), "--save-map (%s) must end with .yaml.".formatted(saveMap));
+        check(saveMap == null || saveMap.endsWith(".yaml"), "--save-map '%s' must end with .yaml.".formatted(saveMap));
         recorded.checkOptions();
     }
 
@@ -289,7 +289,7 @@ public final class LocalizeCommand extends Subcommand {
         }
         return course.stops().getFirst().mapFromBase().or(() -> {
             throw new InvalidSettings(
-                    Location.of(file), "Nothing tells where its first scan was taken.", "Say --pose or --global.");
+                    Location.of(file), "The log has no pose for its first scan.", "Say --pose or --global.");
         });
     }
 
@@ -302,7 +302,7 @@ public final class LocalizeCommand extends Subcommand {
         var half = course.only(i -> i % 2 == 0).posed();
         if (half.isEmpty()) {
             throw new InvalidSettings(
-                    Location.of(file), "Nothing tells where its scans were taken.", "Say --map or --reference.");
+                    Location.of(file), "The log has no poses for its scans.", "Say --map or --reference.");
         }
         OccupancyGrid drawn;
         try {

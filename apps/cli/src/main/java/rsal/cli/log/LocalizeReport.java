@@ -87,12 +87,11 @@ final class LocalizeReport {
     /// What nobody should miss who looks at the last poses only.
     void tellDoubts(String file, Course course, List<RunView> runs) {
         if (course.untold() > 0) {
-            err.println(
-                    "%s: %d of %d scans were left out: nothing tells where the wheels had brought the robot by then."
-                            .formatted(
-                                    file,
-                                    course.untold(),
-                                    course.untold() + course.stops().size()));
+            err.println("%s: %d of %d scans were skipped: the log has no odometry for them."
+                    .formatted(
+                            file,
+                            course.untold(),
+                            course.untold() + course.stops().size()));
         }
         double lost = runs.stream().mapToDouble(RunView::lost).average().orElse(0);
         if (lost > MOSTLY) {

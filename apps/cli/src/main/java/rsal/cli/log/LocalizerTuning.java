@@ -24,8 +24,8 @@ import rsal.settings.Suggestion;
 /// found on a log can be written there.
 final class LocalizerTuning {
     /// Of the driver's parameters, those that a log has a use for.
-    private static final Set<String> OF_LOGS =
-            Set.of("hitDeviation", "randomShare", "independentBeams", "updateDistance", "updateAngle", "odometryDoubt");
+    private static final Set<String> OF_LOGS = Set.of(
+            "hitDeviation", "randomShare", "independentBeams", "updateDistance", "updateAngle", "odometryNoiseScale");
 
     /// Parameters with an option of their own.
     private static final Map<String, String> OPTIONS = Map.of(
@@ -96,7 +96,7 @@ final class LocalizerTuning {
     static Amcl.Settings settings(int minParticles, int maxParticles, SensorModel.Kind model, Arguments tuned) {
         Amcl.Settings usual = Amcl.Settings.of(minParticles, maxParticles);
         OdometryModel wheels = usual.odometry();
-        double doubt = tuned.get(AmclParameters.ODOMETRY_DOUBT) / USUAL_DOUBT;
+        double doubt = tuned.get(AmclParameters.ODOMETRY_NOISE_SCALE) / USUAL_DOUBT;
         return new Amcl.Settings(
                 minParticles,
                 maxParticles,

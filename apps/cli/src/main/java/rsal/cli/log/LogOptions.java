@@ -42,8 +42,8 @@ final class LogOptions {
             names = "--odometry-noise",
             paramLabel = "WAY,HEADING,TURN",
             description = "Makes the wheels err, by these standard deviations: of the way [m per square root of a"
-                    + " meter], of the heading by driving [deg likewise] and by turning [deg per square root of a"
-                    + " radian]. 0.05,2,3 is a usual robot. Left out: the log's odometry as it is.")
+                    + " meter], of the heading by driving [deg per square root of a meter] and by turning [deg per square root of a"
+                    + " radian]. 0.05,2,3 is a usual robot. Default: the log's odometry, unchanged.")
     private @Nullable String odometryNoise;
 
     @Option(
@@ -52,13 +52,13 @@ final class LogOptions {
             description = "Another log of the same scans, whose poses are right: the corrected one of a raw log.")
     private @Nullable String reference;
 
-    @Option(names = "--no-reference", description = "The log's poses are not right: tell no errors.")
+    @Option(names = "--no-reference", description = "The log's poses are not correct: print no errors.")
     private boolean noReference;
 
     @Option(
             names = "--field-of-view",
             paramLabel = "DEG",
-            description = "Of the laser, where the log doesn't tell: FLASER (180).")
+            description = "Of the laser, where the log does not say it: FLASER (180).")
     private double fieldOfView = 180;
 
     @Option(
@@ -83,7 +83,7 @@ final class LogOptions {
         if (!(fieldOfView > 0 && fieldOfView <= 360)) {
             throw new ParameterException(
                     spec.commandLine(),
-                    "--field-of-view must be above 0° and at most 360°, not (%s).".formatted(fieldOfView));
+                    "--field-of-view must be above 0° and at most 360°, not '%s'.".formatted(fieldOfView));
         }
     }
 
@@ -105,7 +105,7 @@ final class LogOptions {
         }
         throw new ParameterException(
                 spec.commandLine(),
-                "--odometry-noise takes three finite numbers, none below 0, as 0.05,2,3; not (%s)."
+                "--odometry-noise takes three finite numbers, none below 0, as 0.05,2,3; not '%s'."
                         .formatted(odometryNoise));
     }
 
@@ -145,7 +145,7 @@ final class LogOptions {
         if (judged.posed().isEmpty()) {
             throw new InvalidSettings(
                     Location.of(reference),
-                    "It has none of the scans of (%s).".formatted(file),
+                    "It has none of the scans of '%s'.".formatted(file),
                     "Maybe it is of another run, or its readings were rounded.");
         }
         return judged;
@@ -193,7 +193,7 @@ final class LogOptions {
         if (log.skipped().total() == 0) {
             return;
         }
-        err.println((skippedShare(log) > MANY ? "WARNING: much of (%s) was skipped: %s" : "Skipped of (%s): %s")
+        err.println((skippedShare(log) > MANY ? "WARNING: much of '%s' was skipped: %s" : "Skipped of '%s': %s")
                 .formatted(file, skippedText(log)));
         log.skipped().first().stream()
                 .limit(3)
@@ -204,13 +204,13 @@ final class LogOptions {
     static void tellOddities(PrintWriter err, String file, CarmenLog log) {
         log.oneTime()
                 .ifPresent(time -> err.println(
-                        ("All %d scans of (%s) have one time (%.3f s): what comes of it has no times either, and ODOM can't tell"
+                        ("All %d scans of '%s' have one time (%.3f s): what comes of it has no times either, and ODOM can't tell"
                                         + " where the robot was at each. If that matters, write when each was taken [s] on"
                                         + " both sides of the host's name.")
                                 .formatted(log.scans().size(), file, time.toEpochMilli() / 1e3)));
         log.degrees()
                 .ifPresent(most -> err.println(
-                        ("The headings in (%s) are probably degrees: they go to (%.1f), in steps of more than a radian."
+                        ("The headings in '%s' are probably degrees: they go to %.1f, in steps of more than a radian."
                                         + " CARMEN's are radians: multiply them by π / 180.")
                                 .formatted(file, most)));
         List<Leap> leaps = Course.of(log).leaps();
@@ -234,7 +234,7 @@ final class LogOptions {
     static void tellWandering(PrintWriter err, String file, CarmenLog log) {
         log.wandering()
                 .ifPresent(by ->
-                        err.println(("(%s) tells poses of the laser that move about on the robot, by up to (%.2f m)"
+                        err.println(("'%s' tells poses of the laser that move about on the robot, by up to (%.2f m)"
                                         + " and (%.0f°). They are taken for corrected poses of the robot, as many logs have them,"
                                         + " and the laser for mounted in its middle. If it is not, have all scans tell the same"
                                         + " place on the robot.")

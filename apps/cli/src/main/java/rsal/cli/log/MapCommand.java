@@ -44,7 +44,7 @@ import rsal.time.AllowedToReadWallClock;
             LogOptions.LOGS + " Written are"
                     + " map.yaml and map.pgm as ROS reads them, picture.png with ways (blue) and places that were"
                     + " known again (red), trajectory.txt as TUM writes it (time x y z qx qy qz qw), and residuals.csv.",
-            "Errors are told against the poses in the log, or in that of --reference. In 'corrected' logs the"
+            "Errors are relative to the poses in the log, or in that of --reference. In 'corrected' logs the"
                     + " odometry is these poses, without any error: add some with --odometry-noise.",
             "",
             "  rsal map lab.log.gz --out lab",
@@ -166,8 +166,8 @@ public final class MapCommand extends Subcommand {
     private void checkOptions() {
         check(
                 resolution >= 0.005 && resolution <= 10,
-                "--resolution must be 0.005 to 10 m, not (%s).".formatted(resolution));
-        check(maxRange > 0, "--max-range must be more than 0 m, not (%s).".formatted(maxRange));
+                "--resolution must be 0.005 to 10 m, not '%s'.".formatted(resolution));
+        check(maxRange > 0, "--max-range must be more than 0 m, not '%s'.".formatted(maxRange));
         check(freeRange >= 0, "--free-range must be 0 m or more, not '%s'.".formatted(freeRange));
         recorded.checkOptions();
         check(

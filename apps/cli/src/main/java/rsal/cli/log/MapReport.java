@@ -82,7 +82,7 @@ final class MapReport {
 
     private void warn(GraphResidual.Step step, Slam slam) {
         Pose2d place = slam.poses().get(step.to());
-        err.println(("The map is probably wrong: at (%.1f, %.1f), from scan (%d) to (%d) of those kept, it is off"
+        err.println(("The map is probably wrong: at (%.1f, %.1f), from scan '%d' to '%d' of those kept, it is off"
                         + " all that was told of the robot's way, by (%.2f m) and (%.0f°) at least, %.0f times as much"
                         + " as that errs. Maybe places that look alike were taken for one: look at picture.png, and map"
                         + " the log in parts. Or the robot was carried there; then the map may be right.")
@@ -97,7 +97,7 @@ final class MapReport {
     }
 
     private void warn(Merged one) {
-        err.println(("The map is probably wrong: (%s) contradicts what it was joined to, %s. Maybe these are two"
+        err.println(("The map is probably wrong: '%s' contradicts what it was joined to, %s. Maybe these are two"
                         + " places that look alike, or something was moved there between the runs; then the map may be"
                         + " right.")
                 .formatted(one.log(), LogMapper.against(one.against(), Optional.ofNullable(one.worst()))));
@@ -105,7 +105,7 @@ final class MapReport {
 
     private void warn(Drawn log) {
         if (log.turns() != null && log.turns().reversed()) {
-            err.println(("The map is probably mirrored: at %d of %d turns of (%s) scans say that the robot turned the"
+            err.println(("The map is probably mirrored: at %d of %d turns of '%s' scans say that the robot turned the"
                             + " other way than its wheels do. Maybe the laser is mounted upside down: try --upside-down.")
                     .formatted(log.turns().opposed(), log.turns().count(), log.log()));
         }
@@ -114,7 +114,7 @@ final class MapReport {
     private void warn(FreeSpaceViolation most, Slam slam) {
         Pose2d from = slam.poses().get(most.from());
         Pose2d to = slam.poses().get(most.to());
-        err.println(("The map is probably wrong: from (%.1f, %.1f) to (%.1f, %.1f), scans (%d) to (%d) of those kept,"
+        err.println(("The map is probably wrong: from (%.1f, %.1f) to (%.1f, %.1f), scans '%d' to '%d' of those kept,"
                         + " %.0f%% of the beams go through what others saw as walls, so parts of the place were laid onto"
                         + " each other. Maybe the robot was carried, or places that look alike were taken for one: look"
                         + " at picture.png, and map the log in parts.")
@@ -126,7 +126,7 @@ final class MapReport {
         tell("scans, at most", strain.scans());
         tell("all that was told", strain.all());
         if (strain.blind() > 0) {
-            out.println("  no scan tells of %d of %d steps: there the map is as right as the wheels"
+            out.println("  no scan confirms %d of %d steps: there the map is only as accurate as the odometry"
                     .formatted(strain.blind(), strain.steps()));
         }
     }

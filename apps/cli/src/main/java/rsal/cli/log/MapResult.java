@@ -195,7 +195,7 @@ record MapResult(
     /// @param freeBy the other
     record Clash(double x, double y, String hitBy, String freeBy) {
         String words() {
-            return "at (%.1f, %.1f), where (%s) hit what (%s) saw free".formatted(x, y, hitBy, freeBy);
+            return "at (%.1f, %.1f), where '%s' hit what '%s' saw free".formatted(x, y, hitBy, freeBy);
         }
     }
 }

@@ -180,7 +180,7 @@ public final class ControlCommands {
             double time = status.path("time").asDouble();
             confirm(
                     outcome.isEmpty()
-                            ? "The run was told to end and has not yet"
+                            ? "The run was asked to end and has not yet"
                             : String.format(Locale.ROOT, "The run has ended at %.1f s: %s", time, outcome),
                     Map.of("outcome", outcome, "time", time));
             return Exit.SUCCESS;
@@ -196,7 +196,7 @@ public final class ControlCommands {
             name = "estop",
             description = {
                 "Emergency stop: switch off the motors of all robots of a run with a page, or of one alone.",
-                "It is taken whoever has control."
+                "It works for everyone, also while another person has control."
             })
     public static final class EmergencyStop extends Confirmed {
         @Parameters(paramLabel = "ROBOT", arity = "0..1", description = "Only this one's.")
@@ -268,7 +268,7 @@ public final class ControlCommands {
                 paramLabel = "DEG",
                 arity = "0..1",
                 defaultValue = "0",
-                description = "Heading, from x to y [°]; ${DEFAULT-VALUE} when left out.")
+                description = "Heading, from x to y [°]. Default: ${DEFAULT-VALUE}.")
         private double degrees;
 
         final JsonNode commandPose(String command) throws InterruptedException {
@@ -298,7 +298,7 @@ public final class ControlCommands {
         @Option(
                 names = "--wait",
                 description =
-                        "Wait until the goal has ended, and tell how; the exit code is 0 when the robot got there,"
+                        "Wait until the goal has ended, and print the result. The exit code is 0 when the robot got there,"
                                 + " else 4. Ctrl-C ends the waiting, not the goal.")
         private boolean waits;
 
@@ -411,7 +411,7 @@ public final class ControlCommands {
     @Command(
             name = "pose",
             description =
-                    "Say where a robot of a run with a page is: a simulated one is put there, and localizers are told.")
+                    "Set the pose of a robot in a run with a page: a simulated robot is moved there, and its localizer gets the pose.")
     public static final class Pose extends OfPose {
         @Override
         protected int run() throws InterruptedException {

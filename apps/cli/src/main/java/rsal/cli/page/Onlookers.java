@@ -18,7 +18,7 @@ import rsal.server.RunServer;
 import rsal.time.AllowedToReadWallClock;
 
 /// Starts runs for all who look on: a recording, Foxglove, both or nobody. All methods may be called from any thread.
-@AllowedToReadWallClock("What is recorded tells when it was begun.")
+@AllowedToReadWallClock("What is recorded says when it was started.")
 public final class Onlookers implements AutoCloseable {
     private final RunRecorder recorder;
     private final Optional<FoxgloveServer> foxglove;

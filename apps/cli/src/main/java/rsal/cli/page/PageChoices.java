@@ -18,7 +18,7 @@ public final class PageChoices {
             names = "--port",
             paramLabel = "P",
             converter = Port.class,
-            description = "Of the page, on this machine only; 0: any that is free. Left out: " + PageRuns.DEFAULT_PORT
+            description = "Port of the page, on this machine only; 0: any free one. Default: " + PageRuns.DEFAULT_PORT
                     + ", or any when that is in use.")
     private @Nullable Integer port;
 
@@ -39,15 +39,15 @@ public final class PageChoices {
             names = "--foxglove-port",
             paramLabel = "P",
             converter = Port.class,
-            description = "The port for that; 0: any that is free. Left out: " + FoxgloveServer.PORT + ".")
+            description = "Its port; 0: any free one. Default: " + FoxgloveServer.PORT + ".")
     private @Nullable Integer foxglovePort;
 
     @Option(
             names = "--sweeps",
             paramLabel = "DIR",
             defaultValue = "sweeps",
-            description = "Where sweeps that are begun in the page are kept, each in a folder of its own;"
-                    + " ${DEFAULT-VALUE} when left out.")
+            description = "Where sweeps that are begun in the page are kept, each in a folder of its own."
+                    + " Default: ${DEFAULT-VALUE}.")
     private String sweeps = "";
 
     public Path sweeps() {
@@ -79,7 +79,7 @@ public final class PageChoices {
             double port = CommandWords.orNaN(typed);
             if (!(port >= 0 && port <= MOST && port == Math.rint(port))) {
                 throw new TypeConversionException(
-                        "(%s) is not a port from 0 to %d, like %d.".formatted(typed, MOST, PageRuns.DEFAULT_PORT));
+                        "'%s' is not a port from 0 to %d, like %d.".formatted(typed, MOST, PageRuns.DEFAULT_PORT));
             }
             return (int) port;
         }

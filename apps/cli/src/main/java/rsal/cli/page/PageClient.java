@@ -59,21 +59,21 @@ record PageClient(int port, Duration patience) {
         } catch (TimeoutException e) {
             throw new Unreachable(String.format(
                     Locale.ROOT,
-                    "The page at (%s) did not answer within %s s: its run, or this machine, has much to do, or its program is stopped. %s",
+                    "The page at '%s' did not answer within %s s: its run, or this machine, has much to do, or its program is stopped. %s",
                     address(),
                     patience.toMillis() % 1000 == 0 ? patience.toSeconds() : patience.toMillis() / 1000.0,
                     remedy));
         } catch (ConnectException e) {
             throw new Unreachable(
-                    "There is no run with a page at (%s). Maybe it is at another port (--port P): 'rsal run' prints where."
+                    "There is no run with a page at '%s'. Maybe it is at another port (--port P): 'rsal run' prints where."
                             .formatted(address()));
         } catch (JacksonException e) {
             throw new Unreachable(
-                    "What answers at (%s) is no page of a run. Maybe that is at another port (--port P): 'rsal run' prints where."
+                    "What answers at '%s' is no page of a run. Maybe that is at another port (--port P): 'rsal run' prints where."
                             .formatted(address()));
         } catch (IOException e) {
             throw new Unreachable(
-                    "The page at (%s) hung up before it answered; maybe its program was ended just then. %s"
+                    "The page at '%s' hung up before it answered; maybe its program was ended just then. %s"
                             .formatted(address(), remedy));
         }
     }

@@ -24,7 +24,7 @@ public abstract class PageCommand extends Subcommand {
             names = "--port",
             paramLabel = "P",
             converter = PageChoices.Port.class,
-            description = "Of the run's page on this machine. Left out: " + PageRuns.DEFAULT_PORT
+            description = "Port of the run's page on this machine. Default: " + PageRuns.DEFAULT_PORT
                     + ", or where your only page is.")
     private @Nullable Integer port;
 
@@ -97,7 +97,7 @@ public abstract class PageCommand extends Subcommand {
         PageClient page = page();
         PageKey key = PageKey.of(page.port())
                 .orElseThrow(() ->
-                        new Unreachable("There is no page of yours at (%s). 'rsal run' prints where; say --port P."
+                        new Unreachable("There is no page of yours at '%s'. 'rsal run' prints where; say --port P."
                                 .formatted(page.address())));
         return page.at(path)
                 .header("Authorization", "Bearer " + key.token())
@@ -116,7 +116,7 @@ public abstract class PageCommand extends Subcommand {
                     spec.commandLine(),
                     answer.said()
                             .path("message")
-                            .asString("(%s) refuses.".formatted(asked.build().uri())));
+                            .asString("'%s' refuses.".formatted(asked.build().uri())));
         }
         return answer.said();
     }

@@ -134,7 +134,7 @@ final class RunRecorder implements AutoCloseable {
         }
         Optional<IOException> why = ended.failure();
         if (why.isPresent()) {
-            err.println("rsal: The recording (%s) is not whole: %s. Maybe the disk is full."
+            err.println("rsal: The recording '%s' is not whole: %s. Maybe the disk is full."
                     .formatted(recorded, why.get().getMessage()));
         } else {
             err.println("Recorded to " + recorded);

@@ -38,8 +38,8 @@ final class ShownMind {
         if (!hasMind) {
             text.append(
                     agent.path("status").asString("").equals("RUNNING")
-                            ? "(%s) tells no goals; what it does and believes is what it shows.%n".formatted(name)
-                            : "(%s) does not run.%n".formatted(name));
+                            ? "'%s' shows no goals, only what it does and believes.%n".formatted(name)
+                            : "'%s' does not run.%n".formatted(name));
         }
         return text.toString();
     }

@@ -41,7 +41,7 @@ public final class TellCommand extends ControlCommands.Controlled {
             return Exit.SUCCESS;
         }
         OperatorCommand command = OperatorCommands.of(name.get())
-                .orElseThrow(() -> wrong("There is no command (%s). %s"
+                .orElseThrow(() -> wrong("There is no command '%s'. %s"
                         .formatted(
                                 name.get(),
                                 Suggestion.among(
@@ -108,7 +108,7 @@ public final class TellCommand extends ControlCommands.Controlled {
         for (String each : values) {
             int equals = each.indexOf('=');
             if (equals < 1) {
-                throw wrong("A parameter is NAME=VALUE, not (%s).".formatted(each));
+                throw wrong("A parameter is NAME=VALUE, not '%s'.".formatted(each));
             }
             put(given, command, each.substring(0, equals), each.substring(equals + 1));
         }

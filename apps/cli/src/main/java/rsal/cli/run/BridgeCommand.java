@@ -57,7 +57,7 @@ public final class BridgeCommand extends Subcommand {
             paramLabel = "SCENARIO[:CONFIGURATION]",
             arity = "0..1",
             defaultValue = ScenarioReference.DEFAULT,
-            description = "As 'rsal run' has it: a scenario, or a world's file; ${DEFAULT-VALUE} when left out.")
+            description = "As 'rsal run' has it: a scenario, or a world's file. Default: ${DEFAULT-VALUE}.")
     private String scenario = "";
 
     @Mixin
@@ -74,13 +74,13 @@ public final class BridgeCommand extends Subcommand {
     @Option(
             names = "--listen",
             paramLabel = "ADDRESS",
-            description = "An address of this machine that others can reach, or 0.0.0.0 for all. Left out: this machine"
+            description = "An address of this machine that others can reach, or 0.0.0.0 for all. Default: this machine"
                     + " only.")
     private @Nullable String listen;
 
     @Option(
             names = "--page",
-            description = "Show it in a page, too; whoever starts another run there has its robots offered instead.")
+            description = "Show it in a page, too. If another run is started there, its robots are offered instead.")
     private boolean page;
 
     @Option(
@@ -184,7 +184,7 @@ public final class BridgeCommand extends Subcommand {
         if (provider == null) {
             throw new ParameterException(
                     spec.commandLine(),
-                    "There is no bridge (%s). %s".formatted(key, Suggestion.among(key, all.keySet())));
+                    "There is no bridge '%s'. %s".formatted(key, Suggestion.among(key, all.keySet())));
         }
         return provider;
     }
@@ -196,14 +196,14 @@ public final class BridgeCommand extends Subcommand {
         try {
             var at = new InetSocketAddress(InetAddress.getByName(listen), number);
             if (!at.getAddress().isLoopbackAddress()) {
-                err().println("Whoever reaches this machine at " + listen
+                err().println("Anyone who can reach this machine at " + listen
                         + " can drive these robots: the protocol knows no passwords.");
             }
             return at;
         } catch (UnknownHostException e) {
             throw new ParameterException(
                     spec.commandLine(),
-                    "Invalid value for option '--listen': (%s) is no address of a machine, like 0.0.0.0."
+                    "Invalid value for option '--listen': '%s' is no address of a machine, like 0.0.0.0."
                             .formatted(listen));
         }
     }
@@ -226,7 +226,7 @@ public final class BridgeCommand extends Subcommand {
             }
             case Answer.Refused(String why) ->
                 throw new Unreachable(why + System.lineSeparator()
-                        + "    Maybe a Player server or another 'rsal bridge' is there ('ss -ltnp' tells). Take other ports"
+                        + "    Maybe a Player server or another 'rsal bridge' is there ('ss -ltnp' shows it). Take other ports"
                         + " by --port P, or any that are free by --port 0.");
             default -> throw new AssertionError(answer);
         }

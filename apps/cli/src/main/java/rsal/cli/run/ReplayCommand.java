@@ -60,7 +60,7 @@ public final class ReplayCommand extends Subcommand {
             names = "--port",
             paramLabel = "P",
             converter = PageChoices.Port.class,
-            description = "Of the page, on this machine only; 0: any that is free. Left out: " + PageRuns.DEFAULT_PORT
+            description = "Port of the page, on this machine only; 0: any free one. Default: " + PageRuns.DEFAULT_PORT
                     + ", or any when that is in use.")
     private @Nullable Integer port;
 
@@ -68,7 +68,7 @@ public final class ReplayCommand extends Subcommand {
     protected int run() throws Exception {
         check(!verify || port == null, "With --verify there is no page, and so no --port.");
         check(verify || !trust, "--trust is for --verify: without it nothing is run.");
-        check(verify || !json, "--json tells what --verify has found; say --verify, too.");
+        check(verify || !json, "--json prints what --verify has found; add --verify.");
         return verify ? verify() : show();
     }
 

@@ -56,7 +56,7 @@ public final class RunChoices {
                 int equals = typed.indexOf('=');
                 if (equals < 1) {
                     throw new TypeConversionException(
-                            "(%s) is not a name and its value, like speed=2.".formatted(typed));
+                            "'%s' is not a name and its value, like speed=2.".formatted(typed));
                 }
                 return new Setting(typed.substring(0, equals), typed.substring(equals + 1));
             }
@@ -81,7 +81,7 @@ public final class RunChoices {
             double speed = CommandWords.orNaN(typed);
             if (!(speed >= LEAST)) {
                 throw new TypeConversionException(
-                        "(%s) is neither a number of at least %s, like 4, nor max.".formatted(typed, LEAST));
+                        "'%s' is neither a number of at least %s, like 4, nor max.".formatted(typed, LEAST));
             }
             return speed;
         }

@@ -45,8 +45,8 @@ public final class RunCommand extends Subcommand {
             arity = "0..1",
             defaultValue = ScenarioReference.DEFAULT,
             description = ScenarioReference.WHAT
-                    + "; or a world (FILE.world.yaml, Stage's FILE.world, or Player's FILE.cfg);"
-                    + " ${DEFAULT-VALUE} when left out.")
+                    + "; or a world (FILE.world.yaml, Stage's FILE.world, or Player's FILE.cfg)."
+                    + " Default: ${DEFAULT-VALUE}.")
     private String scenario = "";
 
     @Mixin
@@ -236,7 +236,7 @@ public final class RunCommand extends Subcommand {
         public Duration convert(String typed) {
             double seconds = CommandWords.orNaN(typed);
             if (!(seconds > 0 && seconds <= MOST)) {
-                throw new TypeConversionException("(%s) is not a number of seconds above 0, like 60.".formatted(typed));
+                throw new TypeConversionException("'%s' is not a number of seconds above 0, like 60.".formatted(typed));
             }
             return Duration.ofNanos(Math.round(seconds * 1e9));
         }

@@ -33,8 +33,8 @@ public final class ServeCommand extends Subcommand {
             paramLabel = "SCENARIO",
             arity = "0..*",
             description =
-                    "Scenarios of your own (a file, its folder as for 'rsal run', or a world) to be offered, too, read anew for each run:"
-                            + " whoever has the address with its token can run these, and no other files.")
+                    "Scenarios of your own that the page offers, too: a file, its folder as for 'rsal run', or a world. They are read again for each run."
+                            + " Anyone who has the address with its token can run these, and no other files.")
     private List<String> own = List.of();
 
     @Mixin

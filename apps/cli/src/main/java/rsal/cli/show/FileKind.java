@@ -30,8 +30,8 @@ enum FileKind {
 
     private static final Set<String> IMAGES =
             Set.of(".png", ".pgm", ".ppm", ".pbm", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff");
-    private static final List<String> OF_SCENARIOS = List.of("scenario", "agents", "configurations", "run", "measure");
-    private static final List<String> OF_WORLDS = List.of("walls", "things", "fields", "models", "area", "touch");
+    private static final List<String> OF_SCENARIOS = List.of("scenario", "agents", "configurations", "run", "metrics");
+    private static final List<String> OF_WORLDS = List.of("walls", "things", "fields", "models", "area", "onCollision");
     private static final List<String> OF_MODELS = List.of("body", "drive", "mounts", "sensors");
     private static final List<String> OF_MAPS =
             List.of("image", "drawing", "resolution", "origin", "mode", "negate", "occupied_thresh", "free_thresh");

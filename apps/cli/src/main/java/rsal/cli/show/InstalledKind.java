@@ -26,7 +26,7 @@ import rsal.system.RobotSystemProvider;
 /// @param kind `agent`, `driver`, `metric`, `mas`, `mrs`, or a kind of plugins as `controller`
 /// @param makes type of the device that a driver makes; key of the driver that a plugin is for
 /// @param needs types of devices that a robot must have for it
-/// @param quantities what conditions and measures can ask of a metric
+/// @param quantities what conditions and metrics can ask of a metric
 public record InstalledKind(
         String kind,
         String name,
@@ -35,7 +35,7 @@ public record InstalledKind(
         List<String> needs,
         List<Offer> quantities,
         List<Setting> settings) {
-    /// @param written as in a condition or measure: `caught(ROLE)`
+    /// @param written as in a condition or metric: `caught(ROLE)`
     public record Offer(String written, String unit, String description) {
         static Stream<Offer> of(MetricType type) {
             return Stream.concat(
@@ -229,7 +229,7 @@ public record InstalledKind(
             var offered = new TextTable("  ");
             quantities.forEach(offer ->
                     offered.row(offer.written, offer.unit.isEmpty() ? "" : "[" + offer.unit + "]", offer.description));
-            text.append("\nConditions and measures can ask for:\n").append(offered);
+            text.append("\nConditions and metrics can ask for:\n").append(offered);
         }
         text.append('\n').append(settings.isEmpty() ? "Nothing can be set.\n" : howToSet() + "\n");
         var table = new TextTable("  ");
@@ -257,8 +257,8 @@ public record InstalledKind(
 
     private String howToSet() {
         return switch (kind) {
-            case "agent" -> "Arguments (agents: {NAME: {type: %s, args: {…}}})".formatted(name);
-            case "metric" -> "Arguments (metrics: [{type: %s, args: {…}}])".formatted(name);
+            case "agent" -> "Arguments (agents: {NAME: {type: %s, parameters: {…}}})".formatted(name);
+            case "metric" -> "Arguments (metricTypes: [{type: %s, parameters: {…}}])".formatted(name);
             case "device" -> "Settings of a part (a file with 'type: %s', 'period: SECONDS' and these)".formatted(name);
             case "driver" -> "Options (devices: {NAME: {type: %s, …}})".formatted(name);
             case "mas", "mrs" -> "Options (%s: {use: %s, …})".formatted(kind, name);

@@ -23,7 +23,7 @@ public final class ListCommand extends Subcommand {
             paramLabel = "WHAT",
             arity = "0..1",
             defaultValue = "scenarios",
-            description = "One of ${COMPLETION-CANDIDATES}; ${DEFAULT-VALUE} when left out.")
+            description = "One of ${COMPLETION-CANDIDATES}. Default: ${DEFAULT-VALUE}.")
     @SuppressWarnings("NullAway.Init") // picocli fills it in
     private What what;
 
@@ -61,7 +61,7 @@ public final class ListCommand extends Subcommand {
         entries.forEach(entry -> table.row(entry.name, entry.description));
         out().print(table);
         if (WITH_MORE.contains(what)) {
-            out().println("\n'rsal show NAME' tells more.");
+            out().println("\n'rsal show NAME' shows more.");
         }
         out().flush();
         return Exit.SUCCESS;

@@ -23,7 +23,7 @@ public final class RecordingFile {
             Destination.path(name); // a name that can't be one
             return Recording.open(name, checked);
         } catch (NoSuchFileException _) {
-            throw new InvalidSettings(Location.of(name), "There is no file (%s).".formatted(name), "");
+            throw new InvalidSettings(Location.of(name), "There is no file '%s'.".formatted(name), "");
         } catch (IOException e) {
             throw new InvalidSettings(
                     Location.of(name), "This recording can't be read: %s".formatted(e.getMessage()), "");

@@ -35,7 +35,7 @@ final class ScenarioText {
         shown.communication().ifPresent(limits -> section(text, "How agents hear each other", communication(limits)));
         section(text, "What goes wrong", faults(shown.faults()));
         section(text, "Ends when", ends(shown.ends()));
-        section(text, "Measures", measures(shown.measures()));
+        section(text, "Metrics", metrics(shown.metrics()));
         return text.toString();
     }
 
@@ -74,7 +74,7 @@ final class ScenarioText {
         var table = new TextTable("  ");
         for (var role : roles) {
             table.row(role.role(), role.ids().size() + " × " + role.model(), String.join(", ", role.sensors()));
-            String proxy = role.proxy() ? ", with a stand-in in the simulated world" : "";
+            String proxy = role.proxy() ? ", with a proxy in the simulated world" : "";
             String overlay = role.overlay() ? ", seeing what is simulated" : "";
             role.mrs().ifPresent(mrs -> table.row("", "mrs: " + mrs, String.join(", ", role.ids()) + proxy + overlay));
             role.devices().forEach(device -> table.row("", device.name() + ": " + device.driver(), made(device)));
@@ -158,9 +158,9 @@ final class ScenarioText {
         return table;
     }
 
-    private static TextTable measures(List<ShownScenario.Measured> measures) {
+    private static TextTable metrics(List<ShownScenario.MetricDefinition> metrics) {
         var table = new TextTable("  ");
-        measures.forEach(m -> table.row(
+        metrics.forEach(m -> table.row(
                 m.name(),
                 m.unit(),
                 m.from() + (m.perRobot() ? ", per robot" : ""),
@@ -169,7 +169,7 @@ final class ScenarioText {
         return table;
     }
 
-    private static String bound(ShownScenario.Measured measured) {
+    private static String bound(ShownScenario.MetricDefinition measured) {
         return measured.min().map(min -> "at least " + min + " ").orElse("")
                 + measured.max().map(max -> "at most " + max).orElse("");
     }

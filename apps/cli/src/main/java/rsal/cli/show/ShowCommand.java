@@ -32,7 +32,7 @@ import rsal.settings.Suggestion;
         name = "show",
         description =
                 "Show what is in a scenario (arguments, configurations, robots and their devices, agents, ends"
-                        + " and measures), what is in a world, with a picture of it, what is in a recording (FILE.mcap), what a map, robot model or part is, what is in the file of an agent (FILE.java, FILE.asl) or a metric (FILE.java), or what can be set of an agent, a device driver (also by what it may use, as 'vfh'), a metric or a back end.")
+                        + " and metrics), what is in a world, with a picture of it, what is in a recording (FILE.mcap), what a map, robot model or part is, what is in the file of an agent (FILE.java, FILE.asl) or a metric (FILE.java), or what can be set of an agent, a device driver (also by what it may use, as 'vfh'), a metric or a back end.")
 public final class ShowCommand extends Subcommand {
     private static final int PICTURE = 1600; // longest side [px]
 
@@ -132,7 +132,7 @@ public final class ShowCommand extends Subcommand {
             Files.write(drawn, WorldPicture.of(scene, PICTURE));
             return drawn;
         } catch (IOException e) {
-            throw new Unreachable("The picture (%s) can't be written: %s.".formatted(drawn, e));
+            throw new Unreachable("The picture '%s' can't be written: %s.".formatted(drawn, e));
         }
     }
 
@@ -179,8 +179,8 @@ public final class ShowCommand extends Subcommand {
         if (!mayBeAScenario && !typed.contains(".") && !typed.contains("/") && !Files.exists(Path.of(typed))) {
             throw new InvalidSettings(
                     Location.of(typed),
-                    "There is nothing called (%s).".formatted(typed),
-                    closest.map("Maybe (%s) was meant?"::formatted)
+                    "There is nothing called '%s'.".formatted(typed),
+                    closest.map("Maybe '%s' was meant?"::formatted)
                             .orElse(
                                     "`rsal list` says what there is. Your own scenarios, worlds, maps and recordings go by"
                                             + " their files."));

@@ -37,7 +37,7 @@ record ShownScenario(
         List<Fault> faults,
         Run run,
         List<End> ends,
-        List<Measured> measures) {
+        List<MetricDefinition> metrics) {
     static ShownScenario of(Scenario scenario, RunPlan plan) {
         return new ShownScenario(
                 scenario.name(),
@@ -55,7 +55,7 @@ record ShownScenario(
                 plan.faults().stream().map(Fault::of).toList(),
                 new Run(plan.seed(), plan.clock() == RunPlan.Clock.WALL ? "wall" : "simulated"),
                 plan.stops().stream().map(End::of).toList(),
-                plan.measures().stream().map(Measured::of).toList());
+                plan.metrics().stream().map(MetricDefinition::of).toList());
     }
 
     record Argument(String name, Object value, String expected, String description) {
@@ -215,7 +215,7 @@ record ShownScenario(
 
     /// @param min the least value that is still right; empty when there is none
     /// @param max the greatest
-    record Measured(
+    record MetricDefinition(
             String name,
             String unit,
             String from,
@@ -223,8 +223,8 @@ record ShownScenario(
             String better,
             Optional<Double> min,
             Optional<Double> max) {
-        static Measured of(RunPlan.Measured measured) {
-            return new Measured(
+        static MetricDefinition of(RunPlan.MetricDefinition measured) {
+            return new MetricDefinition(
                     measured.name(),
                     measured.unit(),
                     measured.from().toString(),

@@ -127,7 +127,7 @@ record ShownWorld(
     }
 
     private static String on(@Nullable String carrier) {
-        return carrier == null ? "" : " on (%s)".formatted(carrier);
+        return carrier == null ? "" : " on '%s'".formatted(carrier);
     }
 
     private static double rounded(double value) {

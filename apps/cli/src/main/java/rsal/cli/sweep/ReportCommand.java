@@ -22,7 +22,7 @@ import rsal.experiment.report.Report.Written;
 @Command(
         name = "report",
         description = {
-            "Write what came of a sweep to a page that can be sent to others: how runs ended, what was measured and how"
+            "Write the results of a sweep to a page that can be sent to others: how runs ended, what was measured and how"
                     + " sure that is, and what each change does. Its figures are beside it as SVG, PDF, PNG and CSV, its"
                     + " tables as CSV and LaTeX.",
             "The sweep may still go on."
@@ -34,23 +34,23 @@ public final class ReportCommand extends Subcommand {
     @Option(
             names = "--out",
             paramLabel = "FILE.html",
-            description = "Where to write the page; report.html in the sweep's folder when left out.")
+            description = "Where to write the page. Default: report.html in the sweep's folder.")
     private Optional<String> out = Optional.empty();
 
     @Option(
             names = "--figure-width",
             paramLabel = "MM",
-            description = "Width of the figures for a paper (SVG, PDF); 88 mm when left out, a column of two.")
+            description = "Width of the figures for a paper (SVG, PDF). Default: 88 mm, one of two columns.")
     private double figureWidth = Print.COLUMN.millimeters();
 
     @Option(
             names = "--font",
             paramLabel = "NAME",
             description = "Font of the figures for a paper: one that is installed, or 'sans-serif', 'serif',"
-                    + " 'monospace'; 'sans-serif' when left out.")
+                    + " 'monospace'. Default: 'sans-serif'.")
     private String font = Print.COLUMN.family();
 
-    @Option(names = "--font-size", paramLabel = "PT", description = "Its height in points; 8 when left out.")
+    @Option(names = "--font-size", paramLabel = "PT", description = "Its height in points. Default: 8.")
     private double fontSize = Print.COLUMN.points();
 
     @Override
@@ -60,7 +60,7 @@ public final class ReportCommand extends Subcommand {
         Path page = out.map(Destination::path).orElse(folder.resolve("report.html"));
         check(
                 page.toString().matches(".*\\.html?") && !Files.isDirectory(page),
-                "--out must be a file like report.html, not (%s).".formatted(page));
+                "--out must be a file like report.html, not '%s'.".formatted(page));
         Written written = write(findings, folder, page, print());
         if (json) {
             printJson(
@@ -87,7 +87,7 @@ public final class ReportCommand extends Subcommand {
             return Report.write(findings, folder, page, print);
         } catch (IOException e) {
             throw new Unreachable(
-                    "The report can't be written to (%s): %s. Name a file in a folder that you may write to."
+                    "The report can't be written to '%s': %s. Name a file in a folder that you may write to."
                             .formatted(page, e));
         }
     }

@@ -45,7 +45,7 @@ import rsal.time.AllowedToReadWallClock;
         name = "sweep",
         description = {
             "Run a scenario with every combination of configurations and arguments, each with the same seeds, and"
-                    + " keep a row of each run. 'rsal report' tells what came of it.",
+                    + " keep a row of each run. 'rsal report' shows the results.",
             "Runs go as fast as they can, several at once; each is what 'rsal run' with its seed gives."
         })
 @AllowedToReadWallClock("Notes when a sweep was made.")
@@ -59,7 +59,7 @@ public final class SweepCommand extends Subcommand {
             names = "--configuration",
             paramLabel = "NAME",
             split = ",",
-            description = "Which to compare, as virtual,advanced; the first when left out.")
+            description = "Configurations to compare, such as virtual,advanced. Default: the first.")
     private List<String> configurations = List.of();
 
     @Option(
@@ -80,7 +80,7 @@ public final class SweepCommand extends Subcommand {
     @Option(
             names = "--repeat",
             paramLabel = "N",
-            description = "Run each combination with the seeds 1 to N; " + SEEDS + " when left out.")
+            description = "Run each combination with the seeds 1 to N. Default: " + SEEDS + ".")
     private @Nullable Integer repeat;
 
     @Option(
@@ -90,10 +90,7 @@ public final class SweepCommand extends Subcommand {
             description = "Run each combination with the seeds A to B. A number alone is how many, as of --repeat.")
     private @Nullable SeedRange seeds;
 
-    @Option(
-            names = "--jobs",
-            paramLabel = "N",
-            description = "How many runs at once; as many as there are cores when left out.")
+    @Option(names = "--jobs", paramLabel = "N", description = "Number of runs at once. Default: the number of cores.")
     private int jobs = Runtime.getRuntime().availableProcessors();
 
     @Option(
@@ -123,8 +120,8 @@ public final class SweepCommand extends Subcommand {
 
     @Override
     protected int run() throws Exception {
-        check(jobs >= 1, "--jobs must be at least 1, not (%d).".formatted(jobs));
-        check(repeat == null || repeat >= 1, "--repeat must be at least 1, not (%d).".formatted(repeat));
+        check(jobs >= 1, "--jobs must be at least 1, not '%d'.".formatted(jobs));
+        check(repeat == null || repeat >= 1, "--repeat must be at least 1, not '%d'.".formatted(repeat));
         check(repeat == null || seeds == null, "Say either --repeat or --seeds.");
         ScenarioReference reference = ScenarioReference.parse(scenario);
         check(
@@ -195,7 +192,7 @@ public final class SweepCommand extends Subcommand {
     }
 
     private static Unreachable unwritable(Path folder, UncheckedIOException e) {
-        return new Unreachable("The sweep can't be written to (%s): %s. Rows that are there stay; go on by --resume."
+        return new Unreachable("The sweep can't be written to '%s': %s. Rows that are there stay; go on by --resume."
                 .formatted(folder, e.getMessage()));
     }
 

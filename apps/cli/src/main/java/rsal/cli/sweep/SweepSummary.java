@@ -9,8 +9,8 @@ import java.util.Optional;
 import rsal.cli.terminal.TextTable;
 import rsal.experiment.Combination;
 import rsal.experiment.Findings;
-import rsal.experiment.Manifest.Measure;
-import rsal.experiment.Measurements;
+import rsal.experiment.Manifest.MetricExpression;
+import rsal.experiment.MetricTable;
 import rsal.experiment.Row;
 import rsal.experiment.SweepFolder;
 import rsal.experiment.report.Conclusions;
@@ -32,17 +32,17 @@ record SweepSummary(Findings findings, Path folder) {
 
     /// @param arguments that are varied, as typed
     /// @param outcomes how many runs ended so
-    /// @param measures that had something to measure
+    /// @param metrics that had something to measure
     record Each(
             String configuration,
             Map<String, String> arguments,
             int runs,
             Map<String, Long> outcomes,
-            Map<String, Estimate> measures) {}
+            Map<String, Estimate> metrics) {}
 
     /// @param count runs that count
     /// @param measured runs in which there was something to measure; fewer where the others count to the horizon
-    /// @param horizon up to when times of events count; empty of other measures
+    /// @param horizon up to when times of events count; empty of other metrics
     /// @param low end of the 95 % confidence interval of the mean; empty for one value
     record Estimate(
             int count,
@@ -51,7 +51,7 @@ record SweepSummary(Findings findings, Path folder) {
             double mean,
             Optional<Double> low,
             Optional<Double> high) {
-        static Estimate of(Measurements measurements, Combination combination, Mean mean) {
+        static Estimate of(MetricTable measurements, Combination combination, Mean mean) {
             return new Estimate(
                     mean.count(),
                     measurements.reached(combination),
@@ -79,27 +79,26 @@ record SweepSummary(Findings findings, Path folder) {
         List<Row> rows = findings.of(combination);
         var outcomes = new LinkedHashMap<String, Long>();
         rows.forEach(row -> outcomes.merge(row.outcome(), 1L, Long::sum));
-        var measures = new LinkedHashMap<String, Estimate>();
-        for (Measurements measured : measurements()) {
+        var metrics = new LinkedHashMap<String, Estimate>();
+        for (MetricTable measured : measurements()) {
             measured.mean(combination)
-                    .ifPresent(
-                            mean -> measures.put(measured.measure().name(), Estimate.of(measured, combination, mean)));
+                    .ifPresent(mean -> metrics.put(measured.metric().name(), Estimate.of(measured, combination, mean)));
         }
-        return new Each(combination.configuration(), combination.levels(), rows.size(), outcomes, measures);
+        return new Each(combination.configuration(), combination.levels(), rows.size(), outcomes, metrics);
     }
 
     /// For people.
     String text() {
-        List<Measurements> measures = measurements();
+        List<MetricTable> metrics = measurements();
         var table = new TextTable("");
         var head = new ArrayList<>(List.of("combination", "runs", "success"));
-        measures.forEach(measured -> head.add(head(measured.measure())));
+        metrics.forEach(measured -> head.add(head(measured.metric())));
         table.row(head.toArray(String[]::new));
         for (Combination combination : findings.design().combinations()) {
             List<Row> rows = findings.of(combination);
             var cells = new ArrayList<>(List.of(findings.label(combination), Integer.toString(rows.size())));
             cells.add(rows.isEmpty() ? "–" : successes(rows));
-            measures.forEach(measured -> cells.add(cell(measured, combination)));
+            metrics.forEach(measured -> cells.add(cell(measured, combination)));
             table.row(cells.toArray(String[]::new));
         }
         return table
@@ -109,18 +108,18 @@ record SweepSummary(Findings findings, Path folder) {
                         .formatted(folder.resolve(SweepFolder.TABLE), folder);
     }
 
-    private List<Measurements> measurements() {
-        return findings.manifest().measures().stream()
+    private List<MetricTable> measurements() {
+        return findings.manifest().metrics().stream()
                 .map(findings::measurements)
                 .toList();
     }
 
-    private static String head(Measure measure) {
-        return measure.unit().isEmpty() ? measure.name() : "%s [%s]".formatted(measure.name(), measure.unit());
+    private static String head(MetricExpression metric) {
+        return metric.unit().isEmpty() ? metric.name() : "%s [%s]".formatted(metric.name(), metric.unit());
     }
 
     /// `80 ± 22`, and in how many runs there was something to measure where that is not in all.
-    private static String cell(Measurements measurements, Combination combination) {
+    private static String cell(MetricTable measurements, Combination combination) {
         String mean = measurements.mean(combination).map(SweepSummary::words).orElse("–");
         int reached = measurements.reached(combination);
         int runs = measurements.runs(combination);

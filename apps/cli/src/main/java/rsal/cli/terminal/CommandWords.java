@@ -34,8 +34,8 @@ public final class CommandWords {
         } catch (NumberFormatException _) {
             throw new TypeConversionException(
                     word.matches("[+-]?\\d+")
-                            ? "(%s) is too large a number.".formatted(word)
-                            : "(%s) is not a whole number, like 42.".formatted(word));
+                            ? "'%s' is too large a number.".formatted(word)
+                            : "'%s' is not a whole number, like 42.".formatted(word));
         }
     }
 
@@ -43,7 +43,7 @@ public final class CommandWords {
         try {
             return Long.parseLong(word);
         } catch (NumberFormatException _) {
-            throw new TypeConversionException("(%s) is not a whole number, like 42.".formatted(word));
+            throw new TypeConversionException("'%s' is not a whole number, like 42.".formatted(word));
         }
     }
 
@@ -51,7 +51,7 @@ public final class CommandWords {
         try {
             return Double.parseDouble(word);
         } catch (NumberFormatException _) {
-            throw new TypeConversionException("(%s) is not a number, like 0.5.".formatted(word));
+            throw new TypeConversionException("'%s' is not a number, like 0.5.".formatted(word));
         }
     }
 
@@ -70,7 +70,7 @@ public final class CommandWords {
                 .toList();
         int found = names.indexOf(word.toLowerCase(Locale.ROOT));
         if (found < 0) {
-            throw new TypeConversionException("There is no (%s). %s".formatted(word, Suggestion.among(word, names)));
+            throw new TypeConversionException("There is no '%s'. %s".formatted(word, Suggestion.among(word, names)));
         }
         return known[found];
     }

@@ -12,7 +12,7 @@ import rsal.scenario.RunPlan;
 
 /// A run's result for programs. Part of what users build on: names and order stay.
 ///
-/// @param measures null where there was nothing to measure
+/// @param metrics null where there was nothing to measure
 /// @param endPoses where robots were at the end in the frame `map` [m, m, rad], by name: in truth where it is
 ///         known
 /// @param topics how many messages were said and heard about each, and lost by whichever cause
@@ -29,7 +29,7 @@ record ResultJson(
         double simulatedSeconds,
         double wallSeconds,
         String eventHash,
-        Map<String, @Nullable Double> measures,
+        Map<String, @Nullable Double> metrics,
         Map<String, EndPose> endPoses,
         List<Topic> topics,
         List<Reception> communication,
@@ -42,8 +42,8 @@ record ResultJson(
     record EndPose(double x, double y, double theta) {}
 
     static ResultJson of(RunPlan plan, RunResult result) {
-        var measures = new LinkedHashMap<String, @Nullable Double>();
-        result.measures().forEach((name, value) -> measures.put(name, value.isPresent() ? value.getAsDouble() : null));
+        var metrics = new LinkedHashMap<String, @Nullable Double>();
+        result.metrics().forEach((name, value) -> metrics.put(name, value.isPresent() ? value.getAsDouble() : null));
         var endPoses = new LinkedHashMap<String, EndPose>();
         result.endPoses().forEach((robot, pose) -> endPoses.put(robot, new EndPose(pose.x(), pose.y(), pose.theta())));
         return new ResultJson(
@@ -54,7 +54,7 @@ record ResultJson(
                 result.simulatedSeconds(),
                 result.wallSeconds(),
                 result.eventHash(),
-                measures,
+                metrics,
                 endPoses,
                 result.topics().stream().map(ResultJson::topic).toList(),
                 result.communication(),

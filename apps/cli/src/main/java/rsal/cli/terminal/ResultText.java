@@ -32,7 +32,7 @@ record ResultText(RunPlan plan, RunResult result) {
         result.failed().forEach((agent, why) -> table.row(agent, "failed: " + why));
         result.unhandledGoals()
                 .forEach((agent, goals) -> table.row(agent, "has no plan for: " + String.join(", ", goals)));
-        result.measures().forEach((name, value) -> table.row(name, measured(name, value)));
+        result.metrics().forEach((name, value) -> table.row(name, measured(name, value)));
         if (plan.scenario().isWorld()) {
             result.endPoses().forEach((robot, pose) -> table.row("endPose." + robot, written(pose)));
         }
@@ -67,14 +67,14 @@ record ResultText(RunPlan plan, RunResult result) {
         if (value.isEmpty()) {
             return "–";
         }
-        String unit = measure(name).map(RunPlan.Measured::unit).orElse("");
+        String unit = metric(name).map(RunPlan.MetricDefinition::unit).orElse("");
         String bounds = result.outOfBounds().contains(name) ? "   out of bounds" : "";
         return (NumberText.of(value.getAsDouble()) + " " + unit).strip() + bounds;
     }
 
     /// What a value is of: a robot's value is called `<name>.<robot>`.
-    private Optional<RunPlan.Measured> measure(String name) {
-        return plan.measures().stream()
+    private Optional<RunPlan.MetricDefinition> metric(String name) {
+        return plan.metrics().stream()
                 .filter(m -> name.equals(m.name()) || (m.perRobot() && name.startsWith(m.name() + ".")))
                 .findFirst();
     }

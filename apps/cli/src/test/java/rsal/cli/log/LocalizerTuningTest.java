@@ -57,21 +57,21 @@ class LocalizerTuningTest {
         Ended usual = localize();
         assertThat(usual.code()).isEqualTo(Exit.SUCCESS);
         assertThat(usual.errors()).contains("error");
-        assertThat(localize("--set", "odometryDoubt=2", "--set", "hitDeviation=0.1")
+        assertThat(localize("--set", "odometryNoiseScale=2", "--set", "hitDeviation=0.1")
                         .errors())
                 .isEqualTo(usual.errors());
         for (String set :
-                new String[] {"odometryDoubt=6", "hitDeviation=0.4", "independentBeams=2", "updateAngle=60"}) {
+                new String[] {"odometryNoiseScale=6", "hitDeviation=0.4", "independentBeams=2", "updateAngle=60"}) {
             assertThat(localize("--set", set).errors()).as(set).isNotEqualTo(usual.errors());
         }
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', textBlock = """
-            odometryDobt=1  | Maybe (odometryDoubt) was meant?
+    @CsvSource(quoteCharacter = '`', delimiter = '|', textBlock = """
+            odometryNoiseScal=1 | Maybe 'odometryNoiseScale' was meant?
             beams=5         | Option '--set' can't set 'beams' here. Use --beams.
-            hitDeviation=9  | (hitDeviation) must be a number from 0.01 to 1 [m], not (9.0).
-            randomShare=x   | (randomShare) must be a number from 0.001 to 0.5, not (x).
+            hitDeviation=9  | 'hitDeviation' must be a number from 0.01 to 1 [m], not '9.0'.
+            randomShare=x   | 'randomShare' must be a number from 0.001 to 0.5, not 'x'.
             hitDeviation    | is not a name and its value
             """)
     void whatCanNotBeSetIsRefused(String set, String why) throws IOException {

@@ -45,7 +45,7 @@ class LogOptionsTest {
         String degrees = HEADINGS.matcher(RoomLog.whole()).replaceAll(LogOptionsTest::inDegrees);
         assertThat(told(command, degrees).lines().filter(line -> line.contains("probably degrees")))
                 .singleElement()
-                .satisfies(line -> assertThat(line).contains("room.log", "(179.5)", "multiply them by π / 180"));
+                .satisfies(line -> assertThat(line).contains("room.log", "179.5", "multiply them by π / 180"));
     }
 
     private static String inDegrees(MatchResult line) {

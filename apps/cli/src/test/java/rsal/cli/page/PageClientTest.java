@@ -28,7 +28,7 @@ class PageClientTest {
         var client = new PageClient(free, Duration.ofMinutes(1));
         assertThatThrownBy(() -> client.get("/api/status"))
                 .isInstanceOf(Unreachable.class)
-                .hasMessageContaining("There is no run with a page at (http://127.0.0.1:" + free + ").");
+                .hasMessageContaining("There is no run with a page at 'http://127.0.0.1:" + free + "'.");
     }
 
     @Test
@@ -37,7 +37,7 @@ class PageClientTest {
             var client = new PageClient(mute.getLocalPort(), PATIENCE);
             assertThatThrownBy(() -> client.get("/api/status"))
                     .isInstanceOf(Unreachable.class)
-                    .hasMessageStartingWith("The page at (http://127.0.0.1:%d) did not answer within 0.2 s"
+                    .hasMessageStartingWith("The page at 'http://127.0.0.1:%d' did not answer within 0.2 s"
                             .formatted(mute.getLocalPort()))
                     .hasMessageNotContaining("no run");
         }

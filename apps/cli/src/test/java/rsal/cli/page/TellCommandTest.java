@@ -34,13 +34,13 @@ class TellCommandTest {
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', textBlock = """
-            gaol                        | There is no command (gaol). Maybe (goal) was meant?
-            goal robot=r x=1 y=2        | (heading) is missing
-            goal robot=r x=1 y=2 z=3    | (z) is not known here.
-            goal robot=r x=1 y=far      | (y) must be a number
-            add kind=CAT x=1 y=2 heading=0 | (kind) must be one of BOX, BALL, not (CAT).
-            pause now                   | A parameter is NAME=VALUE, not (now).
+    @CsvSource(quoteCharacter = '`', delimiter = '|', textBlock = """
+            gaol                        | There is no command 'gaol'. Maybe 'goal' was meant?
+            goal robot=r x=1 y=2        | 'heading' is missing
+            goal robot=r x=1 y=2 z=3    | 'z' is not known here.
+            goal robot=r x=1 y=far      | 'y' must be a number
+            add kind=CAT x=1 y=2 heading=0 | 'kind' must be one of BOX, BALL, not 'CAT'.
+            pause now                   | A parameter is NAME=VALUE, not 'now'.
             """)
     void saysWhatIsWrongBeforeAnybodyIsAsked(String words, String why) {
         assertThat(tell(words.split(" ", -1))).isEqualTo(Exit.USAGE);

@@ -30,11 +30,11 @@ class ShowTest {
     @ValueSource(strings = {"patrol", "rescue"})
     void aScenarioComesBeforeAnAgentOfItsName(String name) {
         assertThat(show("show", name))
-                .contains("Configurations", "Measures")
+                .contains("Configurations", "Metrics")
                 .endsWith("\n(%s) is also a type of agents: rsal show agent:%s\n".formatted(name, name));
         assertThat(show("show", "agent:" + name))
                 .startsWith(name + ": a type of agents\n")
-                .doesNotContain("Measures");
+                .doesNotContain("Metrics");
         assertThat(show("show", name, "--json")).startsWith("{\"scenario\":\"%s\"".formatted(name));
     }
 
@@ -63,10 +63,10 @@ class ShowTest {
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', textBlock = """
-            image: lab.pgm, origin: [0, 0, 0]          | (resolution) is missing: a number.
-            resolution: 0.05, origin: [0, 0, 0]        | (image) is missing: a text.
-            resolution: 0.05, negate: 0                | (image) is missing: a text.
+    @CsvSource(quoteCharacter = '`', delimiter = '|', textBlock = """
+            image: lab.pgm, origin: [0, 0, 0]          | 'resolution' is missing: a number.
+            resolution: 0.05, origin: [0, 0, 0]        | 'image' is missing: a text.
+            resolution: 0.05, negate: 0                | 'image' is missing: a text.
             """)
     void ofAMapInWhichSomethingIsMissingItSaysWhat(String text, String missing, @TempDir Path folder)
             throws IOException {

@@ -64,7 +64,7 @@ import rsal.server.message.Messages.LinkInfo;
 import rsal.server.message.Messages.Links;
 import rsal.server.message.Messages.MailInfo;
 import rsal.server.message.Messages.MapInfo;
-import rsal.server.message.Messages.MeasureInfo;
+import rsal.server.message.Messages.MetricInfo;
 import rsal.server.message.Messages.MindInfo;
 import rsal.server.message.Messages.MotorsOff;
 import rsal.server.message.Messages.PlanInfo;
@@ -129,7 +129,7 @@ public final class Descriptions {
                 plan.step().toNanos() / 1e9,
                 map(plan.mapName(), plan.scene()),
                 team.stream().map(AppearanceEncoder::robot).toList(),
-                plan.measures().stream().map(Descriptions::measure).toList(),
+                plan.metrics().stream().map(Descriptions::metric).toList(),
                 plan.options().mas().orElse(""),
                 scenario.isEdited(),
                 recording);
@@ -206,8 +206,8 @@ public final class Descriptions {
         return Double.isFinite(value) ? Optional.of(value) : Optional.empty();
     }
 
-    private static MeasureInfo measure(RunPlan.Measured measured) {
-        return new MeasureInfo(measured.name(), measured.unit(), finite(measured.min()), finite(measured.max()));
+    private static MetricInfo metric(RunPlan.MetricDefinition measured) {
+        return new MetricInfo(measured.name(), measured.unit(), finite(measured.min()), finite(measured.max()));
     }
 
     private static MapInfo map(String name, Scene scene) {
@@ -418,7 +418,7 @@ public final class Descriptions {
                                 end.simulatedSeconds(),
                                 end.wallSeconds(),
                                 end.eventHash(),
-                                measures(end),
+                                metrics(end),
                                 end.outOfBounds(),
                                 end.failed(),
                                 end.unhandledGoals(),
@@ -427,10 +427,10 @@ public final class Descriptions {
                 .join());
     }
 
-    private static Map<String, @Nullable Double> measures(RunResult result) {
-        var measures = new LinkedHashMap<String, @Nullable Double>();
-        result.measures().forEach((name, value) -> measures.put(name, value.isPresent() ? value.getAsDouble() : null));
-        return measures;
+    private static Map<String, @Nullable Double> metrics(RunResult result) {
+        var metrics = new LinkedHashMap<String, @Nullable Double>();
+        result.metrics().forEach((name, value) -> metrics.put(name, value.isPresent() ? value.getAsDouble() : null));
+        return metrics;
     }
 
     private static String reason(Throwable failure) {

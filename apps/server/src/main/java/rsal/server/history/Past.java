@@ -61,7 +61,7 @@ public interface Past {
             seconds = Double.NaN;
         }
         if (!Double.isFinite(seconds)) {
-            throw new Refusal(400, "A time is a number of seconds, not (%s).".formatted(Refusal.shortened(typed)));
+            throw new Refusal(400, "A time is a number of seconds, not '%s'.".formatted(Refusal.shortened(typed)));
         }
         return time(seconds);
     }

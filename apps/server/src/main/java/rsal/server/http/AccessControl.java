@@ -33,10 +33,10 @@ public final class AccessControl {
     /// @param site what a browser says of who asks (`Sec-Fetch-Site`); null from other programs
     void admit(@Nullable String host, @Nullable String origin, @Nullable String site) {
         if (host == null || !hosts.contains(host)) {
-            throw new Refusal(421, "This server answers only as one of %s, not as (%s).".formatted(hosts, host));
+            throw new Refusal(421, "This server answers only as one of %s, not as '%s'.".formatted(hosts, host));
         }
         if (origin != null && !origin.equals("http://" + host)) {
-            throw new Refusal(403, "Pages of (%s) may not talk to this server.".formatted(origin));
+            throw new Refusal(403, "Pages of '%s' may not talk to this server.".formatted(origin));
         }
         if ("cross-site".equals(site)) {
             throw new Refusal(403, "Pages of other sites may not talk to this server. Open its address by itself.");

@@ -66,7 +66,7 @@ public final class Lease {
         if (name.isBlank() || name.length() > LONGEST || name.chars().anyMatch(Character::isISOControl)) {
             throw new Refusal(
                     400,
-                    "An operator's name has 1 to %d characters; this is none: (%s)."
+                    "An operator's name has 1 to %d characters; this is none: '%s'."
                             .formatted(LONGEST, Refusal.shortened(name)));
         }
     }

@@ -29,7 +29,7 @@ public final class Page {
     public Page(Path directory) throws IOException {
         if (!Files.isRegularFile(directory.resolve("index.html"))) {
             throw new IOException(
-                    "There is no built page in (%s). Build it: npm --prefix apps/web run build".formatted(directory));
+                    "There is no built page in '%s'. Build it: npm --prefix apps/web run build".formatted(directory));
         }
         try (Stream<Path> files = Files.walk(directory)) {
             for (Path file : files.filter(Files::isRegularFile).toList()) {

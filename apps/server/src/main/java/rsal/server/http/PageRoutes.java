@@ -59,7 +59,7 @@ public final class PageRoutes {
     public static void asset(Context request, Page page, String path) {
         Asset asset = page.find(path)
                 .orElseThrow(
-                        () -> new Refusal(404, "There is no (%s) here.".formatted(Refusal.shortened(request.path()))));
+                        () -> new Refusal(404, "There is no '%s' here.".formatted(Refusal.shortened(request.path()))));
         if (asset.hashed()) {
             request.header(Header.CACHE_CONTROL, "max-age=31536000, immutable");
         }

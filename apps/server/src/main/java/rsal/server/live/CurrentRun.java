@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import rsal.engine.LiveRun;
-import rsal.engine.report.Metrics;
+import rsal.engine.report.Performance;
 import rsal.engine.report.Snapshot;
 import rsal.engine.report.Teammate;
 import rsal.robot.RobotSpec;
@@ -22,10 +22,10 @@ public final class CurrentRun implements AutoCloseable {
 
     /// @param number counts this server's runs, from 1
     /// @param before what all before it had counted when their successors began
-    public record Numbered(int number, LiveRun run, Metrics before) {
+    public record Numbered(int number, LiveRun run, Performance before) {
         /// What all runs have counted so far: it goes on when another run begins.
-        public Metrics metrics() {
-            return before.plus(run.metrics());
+        public Performance performance() {
+            return before.plus(run.performance());
         }
 
         public boolean isNumber(String asked) {
@@ -57,7 +57,7 @@ public final class CurrentRun implements AutoCloseable {
     public CurrentRun(RunPlan first, Consumer<LiveRun> onStart, Function<RunPlan, LiveRun> starter) {
         this.onStart = onStart;
         this.starter = starter;
-        now = begin(1, first, Metrics.NONE);
+        now = begin(1, first, Performance.NONE);
     }
 
     public Numbered now() {
@@ -73,10 +73,10 @@ public final class CurrentRun implements AutoCloseable {
         }
         now.run().close();
         mayBegin.run();
-        now = begin(now.number() + 1, next, now.metrics());
+        now = begin(now.number() + 1, next, now.performance());
     }
 
-    private Numbered begin(int number, RunPlan plan, Metrics before) {
+    private Numbered begin(int number, RunPlan plan, Performance before) {
         LiveRun run = starter.apply(plan);
         run.remember();
         onStart.accept(run);

@@ -127,7 +127,7 @@ public final class Messages {
     /// @param seed as text: numbers in browsers end at 2⁵³
     /// @param step length of a world step [s]
     /// @param robots in the order in which frames have them
-    /// @param measures that its ending will have
+    /// @param metrics that its ending will have
     /// @param mas key of the host that its agents were put on; empty for that of the scenario
     /// @param edited whether its scenario has another text than its file
     /// @param recording when it is none that goes on, but one that was recorded
@@ -144,7 +144,7 @@ public final class Messages {
             double step,
             MapInfo map,
             List<RobotInfo> robots,
-            List<MeasureInfo> measures,
+            List<MetricInfo> metrics,
             String mas,
             boolean edited,
             Optional<RecordingInfo> recording) {}
@@ -273,7 +273,7 @@ public final class Messages {
     /// @param unit `m`, `s`; empty when it has none
     /// @param min the least value that is still right
     /// @param max the greatest value that is still right
-    public record MeasureInfo(String name, String unit, Optional<Double> min, Optional<Double> max) {}
+    public record MetricInfo(String name, String unit, Optional<Double> min, Optional<Double> max) {}
 
     /// What changes now and then.
     ///
@@ -283,9 +283,9 @@ public final class Messages {
             int run, boolean whole, Optional<Ending> ending, List<RobotDetails> robots, List<AgentDetails> agents) {}
 
     /// @param outcome as in [rsal.engine.report.RunResult]; `broken` when the run itself failed
-    /// @param measures by name (`captureTime`; `distance.prey-1` of those per robot); `null` where there was
+    /// @param metrics by name (`captureTime`; `distance.prey-1` of those per robot); `null` where there was
     ///         none
-    /// @param outOfBounds names of the measures that are worse than the scenario allows
+    /// @param outOfBounds names of the metrics that are worse than the scenario allows
     /// @param failed what went wrong with agents that ended by a mistake of their own, by name
     /// @param unhandledGoals goals for which agents had no plan at all, by name of the agent
     /// @param failure why it broke; else empty
@@ -294,7 +294,7 @@ public final class Messages {
             double simulatedSeconds,
             double wallSeconds,
             String eventHash,
-            Map<String, @Nullable Double> measures,
+            Map<String, @Nullable Double> metrics,
             List<String> outOfBounds,
             Map<String, String> failed,
             Map<String, List<String>> unhandledGoals,
@@ -675,7 +675,7 @@ public final class Messages {
             int ended,
             int broken,
             Optional<Double> left,
-            List<SweepMeasure> measures,
+            List<SweepMetric> metrics,
             List<SweepCombination> combinations) {
         public enum SweepStatus {
             RUNS,
@@ -686,17 +686,17 @@ public final class Messages {
     }
 
     /// @param unit empty when it has none
-    /// @param horizon up to when times of events count; absent of other measures, and before a run has ended
-    public record SweepMeasure(String name, String unit, Optional<Double> horizon) {}
+    /// @param horizon up to when times of events count; absent of other metrics, and before a run has ended
+    public record SweepMetric(String name, String unit, Optional<Double> horizon) {}
 
     /// What came of a combination so far.
     ///
     /// @param label what it is called among the others
     /// @param ended how many of its runs have
     /// @param outcomes that occurred in the sweep; the same for all combinations
-    /// @param measures by name; without those of which nothing was measured
+    /// @param metrics by name; without those of which nothing was measured
     public record SweepCombination(
-            String label, int ended, List<OutcomeShare> outcomes, Map<String, SweepEstimate> measures) {}
+            String label, int ended, List<OutcomeShare> outcomes, Map<String, SweepEstimate> metrics) {}
 
     /// Of the runs of a combination.
     ///

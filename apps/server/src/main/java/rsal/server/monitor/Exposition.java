@@ -26,7 +26,7 @@ import java.util.stream.Stream;
 import rsal.agent.platform.AgentPlatform;
 import rsal.engine.report.Histogram;
 import rsal.engine.report.LossReason;
-import rsal.engine.report.Metrics;
+import rsal.engine.report.Performance;
 import rsal.engine.report.Snapshot;
 import rsal.engine.report.TopicTraffic;
 import rsal.recording.Recorder;
@@ -67,7 +67,7 @@ public final class Exposition {
         Numbered now = current.now();
         var all = Stream.of(
                         run(now),
-                        counted(now.metrics()),
+                        counted(now.performance()),
                         viewers(live.counts()),
                         recorded.get().stream().flatMap(Exposition::recordings),
                         ProcessMetrics.all())
@@ -140,24 +140,24 @@ public final class Exposition {
                 .toList();
     }
 
-    private static Stream<MetricSnapshot> counted(Metrics metrics) {
-        List<TopicTraffic> topics = metrics.topics();
-        var events = new TreeMap<>(metrics.events());
+    private static Stream<MetricSnapshot> counted(Performance performance) {
+        List<TopicTraffic> topics = performance.topics();
+        var events = new TreeMap<>(performance.events());
         AWAITED.forEach(kind -> events.putIfAbsent(kind, 0L));
         return Stream.of(
                 Family.counter(
                         "rsal_simulated_seconds_total",
                         "Time that went by in all runs: simulated, or real where their clock is.",
-                        Family.seconds(metrics.time())),
-                steps(metrics.steps()),
+                        Family.seconds(performance.time())),
+                steps(performance.steps()),
                 Family.counter(
                         "rsal_phase_seconds_total",
                         "Real time that the thread of the run spent in each phase.",
-                        byPhase(metrics.phases())),
+                        byPhase(performance.phases())),
                 Family.counter(
                         "rsal_phase_cpu_seconds_total",
                         "Processor time that the thread of the run spent in each phase, about: one phase in 31 is measured.",
-                        byPhase(metrics.processors())),
+                        byPhase(performance.processors())),
                 Family.counter(
                         "rsal_messages_said_total", "Messages that agents said.", byTopic(topics, TopicTraffic::said)),
                 Family.counter(

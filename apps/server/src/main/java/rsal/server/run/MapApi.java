@@ -63,7 +63,7 @@ public final class MapApi {
                 : Grids.drawn(now.run().snapshot(), request);
         return drawn.filter(_ -> now.isNumber(request.pathParam("run")))
                 .orElseThrow(() -> new Refusal(
-                        404, "Robot (%s) has drawn no map in this run.".formatted(Refusal.shortened(robot))));
+                        404, "Robot '%s' has drawn no map in this run.".formatted(Refusal.shortened(robot))));
     }
 
     /// Whether a number is that of a run that another one has followed, which who asks about it could not know.

@@ -125,7 +125,7 @@ public final class RunSlots implements Viewing {
     private static Refusal gone(String number) {
         return new Refusal(
                 404,
-                "There is no run (%s) beside the first. Maybe it was closed.".formatted(Refusal.shortened(number)));
+                "There is no run '%s' beside the first. Maybe it was closed.".formatted(Refusal.shortened(number)));
     }
 
     /// Begins a run beside those that are there. Nobody but its viewers sees it: who is told of runs, records them or
@@ -239,7 +239,7 @@ public final class RunSlots implements Viewing {
         try {
             return stopped.get(PATIENCE.toMillis(), TimeUnit.MILLISECONDS);
         } catch (TimeoutException _) {
-            return new Answer.Refused("Run %d was told to stop and has not confirmed it within %d s. Maybe one of its"
+            return new Answer.Refused("Run %d was asked to stop and has not confirmed it within %d s. Maybe one of its"
                             .formatted(number, PATIENCE.toSeconds())
                     + " agents never returns: see to its robots yourself.");
         } catch (ExecutionException e) {

@@ -86,7 +86,7 @@ public final class RestartReader {
             return Optional.of(Long.parseLong(typed.strip()));
         } catch (NumberFormatException _) {
             mistakes.add(new Mistake(
-                    "seed", "(seed) must be a whole number, not (%s).".formatted(Refusal.shortened(typed)), "Try 42."));
+                    "seed", "'seed' must be a whole number, not '%s'.".formatted(Refusal.shortened(typed)), "Try 42."));
             return Optional.empty();
         }
     }

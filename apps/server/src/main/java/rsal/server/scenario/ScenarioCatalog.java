@@ -100,7 +100,7 @@ public final class ScenarioCatalog {
     /// @throws Refusal when it has no text
     public ScenarioText text(Scenario present) {
         if (present.isWorld()) {
-            throw new Refusal(404, "(%s) is a world, not a scenario.".formatted(present.name()));
+            throw new Refusal(404, "'%s' is a world, not a scenario.".formatted(present.name()));
         }
         String file = present.location().file();
         String id = ids.stream().filter(one -> isOf(one, file)).findFirst().orElse("");
@@ -136,20 +136,20 @@ public final class ScenarioCatalog {
         if (!isFile(known(id))) {
             throw new Refusal(
                     409,
-                    "(%s) comes with the program, or is a world: it can't be saved here."
+                    "'%s' comes with the program, or is a world: it can't be saved here."
                             .formatted(Refusal.shortened(id)));
         }
         if (!text(id).text().equals(before)) {
             throw new Refusal(
                     409,
-                    "File (%s) has changed since it was read. Maybe copy your text, and open it again."
+                    "File '%s' has changed since it was read. Maybe copy your text, and open it again."
                             .formatted(Refusal.shortened(id)));
         }
         try {
             replace(Path.of(Scenario.fileOf(id)).toRealPath(), text);
         } catch (IOException e) {
             LOG.warn("Scenario ({}) can't be saved.", id, e);
-            throw new Refusal(409, "File (%s) can't be written: %s.".formatted(Refusal.shortened(id), e.getMessage()));
+            throw new Refusal(409, "File '%s' can't be written: %s.".formatted(Refusal.shortened(id), e.getMessage()));
         }
     }
 
@@ -175,7 +175,7 @@ public final class ScenarioCatalog {
     }
 
     private static Refusal unknown(String id) {
-        return new Refusal(404, "There is no scenario (%s) to be chosen here.".formatted(Refusal.shortened(id)));
+        return new Refusal(404, "There is no scenario '%s' to be chosen here.".formatted(Refusal.shortened(id)));
     }
 
     /// Read once for each state of their files, one at a time, as it takes no token to ask for it.
@@ -212,7 +212,7 @@ public final class ScenarioCatalog {
             pictures.put(id, known);
         }
         if (known.png.length == 0) {
-            throw new Refusal(404, "(%s) has no picture.".formatted(Refusal.shortened(id)));
+            throw new Refusal(404, "'%s' has no picture.".formatted(Refusal.shortened(id)));
         }
         return known.png;
     }

@@ -91,7 +91,7 @@ final class BackgroundSweep implements AutoCloseable {
         } catch (InvalidSettings e) {
             return failed(e.problems().stream().map(Problem::message).collect(Collectors.joining(" ")));
         } catch (UncheckedIOException e) {
-            return failed("Rows can't be written to (%s): %s. Those that are there stay."
+            return failed("Rows can't be written to '%s': %s. Those that are there stay."
                     .formatted(order.out(), e.getMessage()));
         } catch (RuntimeException | Error e) {
             LOG.error("The sweep in {} failed.", order.out(), e);
@@ -140,7 +140,7 @@ final class BackgroundSweep implements AutoCloseable {
                 told.rows(),
                 told.description().broken(),
                 left.map(duration -> duration.toMillis() / 1e3),
-                told.description().measures(),
+                told.description().metrics(),
                 told.description().combinations());
     }
 
@@ -170,7 +170,7 @@ final class BackgroundSweep implements AutoCloseable {
                 .findFirst()
                 .map(findings::of)
                 .orElseThrow(() ->
-                        new Refusal(404, "The sweep has no combination (%s).".formatted(Refusal.shortened(label))));
+                        new Refusal(404, "The sweep has no combination '%s'.".formatted(Refusal.shortened(label))));
         return new SweepRuns(rows.subList(Math.max(0, rows.size() - MOST_RUNS), rows.size()).stream()
                 .map(SweepDescription::run)
                 .toList());
@@ -183,7 +183,7 @@ final class BackgroundSweep implements AutoCloseable {
     RunPlan plan(int run) {
         List<Trial> trials = order.sweep().trials();
         if (run < 1 || run > trials.size()) {
-            throw new Refusal(404, "The sweep has runs 1 to %d, no (%d).".formatted(trials.size(), run));
+            throw new Refusal(404, "The sweep has runs 1 to %d, no '%d'.".formatted(trials.size(), run));
         }
         try {
             return order.sweep().plan(trials.get(run - 1), 1);

@@ -120,7 +120,7 @@ final class EarlierSweeps {
         return folders().stream()
                 .filter(one -> name(one).equals(name)) // compared, not resolved: a name leads to no other folder
                 .findFirst()
-                .orElseThrow(() -> new Refusal(404, "There is no sweep (%s).".formatted(Refusal.shortened(name))));
+                .orElseThrow(() -> new Refusal(404, "There is no sweep '%s'.".formatted(Refusal.shortened(name))));
     }
 
     private synchronized String written(String name) {
@@ -142,7 +142,7 @@ final class EarlierSweeps {
             throw new Refusal(
                     409, "Its sweep can't be read. %s".formatted(e.problems().getFirst()));
         } catch (UncheckedIOException e) {
-            throw new Refusal(409, "The sweep in (%s) can't be read: %s.".formatted(sweep, e.getMessage()));
+            throw new Refusal(409, "The sweep in '%s' can't be read: %s.".formatted(sweep, e.getMessage()));
         }
         if (findings.rows().isEmpty()) {
             throw new Refusal(409, "No run has ended.");

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import rsal.experiment.Combination;
 import rsal.experiment.Findings;
-import rsal.experiment.Measurements;
+import rsal.experiment.MetricTable;
 import rsal.experiment.Row;
 import rsal.experiment.statistics.BoxPlot;
 import rsal.experiment.statistics.ConfidenceInterval;
@@ -15,43 +15,43 @@ import rsal.server.message.Messages.Box;
 import rsal.server.message.Messages.OutcomeShare;
 import rsal.server.message.Messages.SweepCombination;
 import rsal.server.message.Messages.SweepEstimate;
-import rsal.server.message.Messages.SweepMeasure;
+import rsal.server.message.Messages.SweepMetric;
 import rsal.server.message.Messages.SweepRunInfo;
 
 /// What came of a sweep so far, as the page shows it. The numbers are those of `rsal report`.
-record SweepDescription(int broken, List<SweepMeasure> measures, List<SweepCombination> combinations) {
+record SweepDescription(int broken, List<SweepMetric> metrics, List<SweepCombination> combinations) {
     static SweepDescription of(Findings findings) {
-        List<Measurements> measures = findings.manifest().measures().stream()
+        List<MetricTable> metrics = findings.manifest().metrics().stream()
                 .map(findings::measurements)
                 .toList();
         List<String> outcomes =
                 findings.rows().stream().map(Row::outcome).distinct().sorted().toList();
         return new SweepDescription(
                 (int) findings.rows().stream().filter(Row::isBroken).count(),
-                measures.stream().map(SweepDescription::measure).toList(),
+                metrics.stream().map(SweepDescription::metric).toList(),
                 findings.design().combinations().stream()
-                        .map(combination -> combination(findings, combination, outcomes, measures))
+                        .map(combination -> combination(findings, combination, outcomes, metrics))
                         .toList());
     }
 
-    private static SweepMeasure measure(Measurements measurements) {
-        return new SweepMeasure(
-                measurements.measure().name(),
-                measurements.measure().unit(),
+    private static SweepMetric metric(MetricTable measurements) {
+        return new SweepMetric(
+                measurements.metric().name(),
+                measurements.metric().unit(),
                 measurements.horizon().isPresent()
                         ? Optional.of(measurements.horizon().getAsDouble())
                         : Optional.empty());
     }
 
     private static SweepCombination combination(
-            Findings findings, Combination combination, List<String> outcomes, List<Measurements> measures) {
+            Findings findings, Combination combination, List<String> outcomes, List<MetricTable> metrics) {
         List<Row> rows = findings.of(combination);
         var estimates = new LinkedHashMap<String, SweepEstimate>();
-        for (Measurements measurements : measures) {
+        for (MetricTable measurements : metrics) {
             measurements
                     .mean(combination)
                     .ifPresent(mean -> estimates.put(
-                            measurements.measure().name(),
+                            measurements.metric().name(),
                             estimate(
                                     mean,
                                     measurements.reached(combination),

@@ -122,7 +122,7 @@ public final class SweepReader {
         } catch (IllegalArgumentException _) {
             mistakes.add(new Mistake(
                     "seeds",
-                    "(seeds) must be how many, at least 1, or a range that goes up, not (%s)."
+                    "'seeds' must be how many, at least 1, or a range that goes up, not '%s'."
                             .formatted(Refusal.shortened(typed)),
                     "Try 10, or 101-130."));
             return List.of(1L);
@@ -145,7 +145,7 @@ public final class SweepReader {
         }
         mistakes.add(new Mistake(
                 "limit",
-                "(limit) must be a number of seconds above 0, not (%s).".formatted(Refusal.shortened(typed)),
+                "'limit' must be a number of seconds above 0, not '%s'.".formatted(Refusal.shortened(typed)),
                 "Try 60."));
         return Optional.empty();
     }

@@ -114,7 +114,7 @@ public final class Sweeps implements AutoCloseable {
             ExperimentOutline outline = ExperimentOutline.read(out);
             Manifest manifest = outline.manifest();
             if (manifest.sessions().isEmpty()) {
-                throw new Refusal(409, "Nothing tells how the sweep in (%s) was begun.".formatted(out));
+                throw new Refusal(409, "No file says how the sweep in '%s' was started.".formatted(out));
             }
             if (outline.ended() >= outline.runs()) {
                 throw ended();
@@ -133,7 +133,7 @@ public final class Sweeps implements AutoCloseable {
         } catch (InvalidSettings e) {
             throw new Refusal(409, e);
         } catch (UncheckedIOException e) {
-            throw new Refusal(409, "The sweep in (%s) can't be read: %s.".formatted(out, e.getMessage()));
+            throw new Refusal(409, "The sweep in '%s' can't be read: %s.".formatted(out, e.getMessage()));
         }
     }
 
@@ -174,7 +174,7 @@ public final class Sweeps implements AutoCloseable {
     }
 
     private static Refusal unwritable(Path folder, Exception e) {
-        return new Refusal(409, "The sweep can't be written to (%s): %s.".formatted(folder, e.getMessage()));
+        return new Refusal(409, "The sweep can't be written to '%s': %s.".formatted(folder, e.getMessage()));
     }
 
     private BackgroundSweep begin(BackgroundSweep.Order order, SweepFolder folder, boolean again) {
@@ -206,7 +206,7 @@ public final class Sweeps implements AutoCloseable {
     /// @throws Refusal when the newest is another one, or has no such run
     RunPlan plan(SweepRunAgain wish) {
         return newest().filter(sweep -> sweep.order().number() == wish.sweep())
-                .orElseThrow(() -> new Refusal(404, "Sweep (%d) is not the newest here.".formatted(wish.sweep())))
+                .orElseThrow(() -> new Refusal(404, "Sweep '%d' is not the newest here.".formatted(wish.sweep())))
                 .plan(wish.run());
     }
 
@@ -251,7 +251,7 @@ public final class Sweeps implements AutoCloseable {
             throw new Refusal(503, "The server is ending.");
         }
         if (isUnderWay()) {
-            throw new Refusal(409, "A sweep goes on already. Stop it first, or wait until it has ended.");
+            throw new Refusal(409, "A sweep is running already. Stop it first, or wait until it has ended.");
         }
     }
 
@@ -263,7 +263,7 @@ public final class Sweeps implements AutoCloseable {
                     "This can't be swept as it is.",
                     List.of(new Mistake(
                             "jobs",
-                            "(jobs) must be from 1 to %d, not (%d).".formatted(cores, jobs),
+                            "'jobs' must be from 1 to %d, not '%d'.".formatted(cores, jobs),
                             "One core is left to the run that is shown.")));
         }
         return jobs;

@@ -58,7 +58,7 @@ class ScenarioCatalogTest {
         assertThatThrownBy(() -> shelf.picture(own.toString())).isInstanceOf(Refusal.class);
 
         Files.writeString(own, TEXT.replace("rsal: 1", "rsal: 7"));
-        assertThat(shelf.all().scenarios().getFirst().problem()).contains("own.yaml", "(7");
+        assertThat(shelf.all().scenarios().getFirst().problem()).contains("own.yaml", "'7");
 
         Files.delete(own);
         assertThat(shelf.all().scenarios().getFirst().problem()).isNotEmpty();

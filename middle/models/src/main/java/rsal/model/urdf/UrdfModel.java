@@ -202,7 +202,7 @@ public record UrdfModel(String model, Map<String, String> parts, List<Problem> n
             try {
                 return Optional.of(new Piece(Footprint.around(flat), bottom, top));
             } catch (IllegalArgumentException _) {
-                note(shape, "This collision shape has no area, seen from above, and is left out.", "");
+                note(shape, "This collision shape has no area, seen from above, and is skipped.", "");
                 return Optional.empty();
             }
         }
@@ -234,7 +234,7 @@ public record UrdfModel(String model, Map<String, String> parts, List<Problem> n
                                 Stream.of(new Transform.Point(0, 0, -radius), new Transform.Point(0, 0, radius)))
                         .toList();
             }
-            note(shape, "This collision shape is no box, cylinder or sphere, and is left out.", "");
+            note(shape, "This collision shape is no box, cylinder or sphere, and is skipped.", "");
             return List.of();
         }
 
@@ -268,7 +268,7 @@ public record UrdfModel(String model, Map<String, String> parts, List<Problem> n
             } else {
                 note(
                         robot.robot(),
-                        "It does not tell how fast the robot is: %s m/s and %s deg/s are written."
+                        "It does not say how fast the robot is: %s m/s and %s deg/s are written."
                                 .formatted(rounded(USUAL_SPEED), rounded(USUAL_TURN_RATE)),
                         "Set 'drive.maxSpeed' and 'drive.maxTurnRate'.");
             }
@@ -311,7 +311,7 @@ public record UrdfModel(String model, Map<String, String> parts, List<Problem> n
                     mounts.put("laser", place(link, 0));
                     note(
                             java.util.Objects.requireNonNull(robot.links().get(link)),
-                            "Link '%s' is taken for a laser, of which no more is told.".formatted(link),
+                            "Link '%s' is taken for a laser, whose data sheet is not given.".formatted(link),
                             "Choose a part for it: 'sensors: {laser: urg04lx}'.");
                 }
                 if (CAMERA.matcher(link).matches() && !mounts.containsKey("camera")) {
@@ -338,7 +338,7 @@ public record UrdfModel(String model, Map<String, String> parts, List<Problem> n
             Optional<XmlElement> level = ray.flatMap(told -> told.first("scan", "horizontal"));
             Optional<XmlElement> range = ray.flatMap(told -> told.first("range"));
             if (level.isEmpty() || range.isEmpty() || !robot.links().containsKey(link)) {
-                note(sensor, "This laser's 'scan' or 'range' is not told, or its link; it is left out.", "");
+                note(sensor, "This laser has no 'scan', no 'range', or no link; it is skipped.", "");
                 return;
             }
             String device = mounts.containsKey("laser") ? "laser-" + (sensors.size() + 1) : "laser";

@@ -162,7 +162,7 @@ public final class Amcl {
     /// @throws IllegalArgumentException when any of the belief is not finite
     public void start(PoseEstimate belief) {
         if (!belief.isFinite()) {
-            throw new IllegalArgumentException("Nobody can believe (%s).".formatted(belief));
+            throw new IllegalArgumentException("Nobody can believe '%s'.".formatted(belief));
         }
         restart(false);
         trusted = isSingle(belief);
@@ -211,7 +211,7 @@ public final class Amcl {
     /// @throws IllegalArgumentException when the pose is not finite; the belief stays as it was
     public PoseEstimate update(Pose2d odomFromBase, Beams beams) {
         if (!odomFromBase.isFinite()) {
-            throw new IllegalArgumentException("Odometry can't say (%s).".formatted(odomFromBase));
+            throw new IllegalArgumentException("Odometry can't say '%s'.".formatted(odomFromBase));
         }
         Pose2d way = fresh ? Pose2d.ORIGIN : this.odomFromBase.inverse().compose(odomFromBase);
         if (anywhere) {

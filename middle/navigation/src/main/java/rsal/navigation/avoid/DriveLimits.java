@@ -10,7 +10,7 @@ public record DriveLimits(double speed, double turnRate, double acceleration, do
     public DriveLimits {
         if (!(speed > 0 && turnRate > 0 && acceleration > 0 && turnAcceleration > 0)) {
             throw new IllegalArgumentException(
-                    "What a drive may do must be positive: speed (%s), turn rate (%s), accelerations (%s, %s)."
+                    "What a drive may do must be positive: speed '%s', turn rate '%s', accelerations (%s, %s)."
                             .formatted(speed, turnRate, acceleration, turnAcceleration));
         }
     }

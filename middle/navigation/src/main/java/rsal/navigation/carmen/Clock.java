@@ -30,14 +30,14 @@ final class Clock {
         if (fields.hasNext()) { // before the clock believes what may be no time at all
             throw new Misread(
                     "a count that is not that of its readings",
-                    "Behind its time stands (%s).".formatted(LineFields.brief(fields.rest())));
+                    "Behind its time stands '%s'.".formatted(LineFields.brief(fields.rest())));
         }
         if (source == Source.NONE && (sender > 0 || logger > 0)) {
             source = sender > 0 ? Source.SENDER : Source.LOGGER;
         }
         double told = source == Source.SENDER ? sender : logger;
         if (!(Math.abs(told) <= LATEST)) {
-            throw new Misread("a time that can't be", "Its time is (%s) s.".formatted(told));
+            throw new Misread("a time that can't be", "Its time is '%s' s.".formatted(told));
         }
         double time = told > 0 ? inOrder(told, kind) : Math.max(0, last[kind]);
         last[kind] = time;
@@ -53,7 +53,7 @@ final class Clock {
         lastBack[kind] = told;
         if (back[kind] <= LogReader.RESTART) {
             throw new Misread(
-                    "back in time", "Its time is (%s) s, that of the one before (%s) s.".formatted(told, last[kind]));
+                    "back in time", "Its time is '%s' s, that of the one before '%s' s.".formatted(told, last[kind]));
         }
         back[kind] = 0;
         lastBack[kind] = Double.NEGATIVE_INFINITY;

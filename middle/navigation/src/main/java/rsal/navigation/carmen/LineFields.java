@@ -67,7 +67,7 @@ final class LineFields {
                 case "nan", "-nan", "+nan" -> Double.NaN;
                 case "inf", "+inf", "infinity" -> Double.POSITIVE_INFINITY;
                 case "-inf", "-infinity" -> Double.NEGATIVE_INFINITY;
-                default -> throw new Misread("not a number", "(%s) should be a number.".formatted(brief(word)));
+                default -> throw new Misread("not a number", "'%s' should be a number.".formatted(brief(word)));
             };
         }
     }
@@ -75,7 +75,7 @@ final class LineFields {
     double finite(String what) throws Misread {
         double number = number();
         if (!Double.isFinite(number)) {
-            throw new Misread("not finite", "The %s is (%s).".formatted(what, number));
+            throw new Misread("not finite", "The %s is '%s'.".formatted(what, number));
         }
         return number;
     }
@@ -91,7 +91,7 @@ final class LineFields {
             // told below
         }
         throw new Misread(
-                "a count that can't be", "The number of %s is (%s), not 0 to %d.".formatted(what, brief(word), most));
+                "a count that can't be", "The number of %s is '%s', not 0 to %d.".formatted(what, brief(word), most));
     }
 
     static String brief(String word) {

@@ -62,11 +62,11 @@ public final class LogReader {
         public Options {
             if (!(fieldOfView > 0 && fieldOfView <= 2 * Math.PI)) {
                 throw new IllegalArgumentException(
-                        "A field of view must be in (0, 2 π] rad, not (%s).".formatted(fieldOfView));
+                        "A field of view must be in (0, 2 π] rad, not '%s'.".formatted(fieldOfView));
             }
             if (!(rangeMax > 0)) {
                 throw new IllegalArgumentException(
-                        "The longest range must be more than 0 m, not (%s).".formatted(rangeMax));
+                        "The longest range must be more than 0 m, not '%s'.".formatted(rangeMax));
             }
         }
     }
@@ -188,7 +188,7 @@ public final class LogReader {
         if (Math.abs(value) > most) {
             throw new Misread(
                     "a mount that can't be",
-                    "%s is (%s), not -%4$.1f to %4$.1f %3$s. It is not used."
+                    "%s is '%s', not -%4$.1f to %4$.1f %3$s. It is not used."
                             .formatted(parameter.name(), value, unit, most));
         }
         return value;
@@ -243,7 +243,7 @@ public final class LogReader {
                 || !(Math.abs(step) * (count - 1) <= 2 * Math.PI + Math.abs(step))) {
             throw new Misread(
                     "a laser that can't be",
-                    "Its first angle is (%s), the angle between readings (%s), its longest range (%s)."
+                    "Its first angle is '%s', the angle between readings '%s', its longest range '%s'."
                             .formatted(start, step, rangeMax));
         }
         double limit = Math.min(rangeMax, options.rangeMax());

@@ -7,8 +7,8 @@ import rsal.settings.Parameter;
 
 /// Progress is less of the path that is left, or of the turn at the goal.
 public final class PathProgressCheckerType implements ProgressCheckerType {
-    private static final Parameter<Double> NEARER = Parameter.number(
-            "nearer", 0.1, 0.01, 10, "m", "less of the path that is left; as an angle [rad] at the goal");
+    private static final Parameter<Double> MIN_PROGRESS = Parameter.number(
+            "minProgress", 0.1, 0.01, 10, "m", "less of the path that is left; as an angle [rad] at the goal");
 
     @Override
     public String key() {
@@ -22,12 +22,12 @@ public final class PathProgressCheckerType implements ProgressCheckerType {
 
     @Override
     public List<Parameter<?>> parameters() {
-        return List.of(NEARER);
+        return List.of(MIN_PROGRESS);
     }
 
     @Override
     public ProgressChecker create(Arguments arguments) {
-        double nearer = arguments.get(NEARER);
+        double nearer = arguments.get(MIN_PROGRESS);
         return new ProgressChecker() {
             private double least = Double.POSITIVE_INFINITY;
 

@@ -102,7 +102,7 @@ final class VfhOptions {
             weights(arguments);
             return Optional.empty();
         } catch (IllegalArgumentException e) {
-            return Optional.of("%s Raise (weightDesiredDir), or lower (weightCurrentDir) or (weightPreviousDir)."
+            return Optional.of("%s Raise 'weightDesiredDir', or lower 'weightCurrentDir' or 'weightPreviousDir'."
                     .formatted(e.getMessage()));
         }
     }

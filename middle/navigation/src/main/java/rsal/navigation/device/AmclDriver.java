@@ -95,7 +95,7 @@ public final class AmclDriver implements DeviceDriver {
             LOG.log(
                     Level.WARNING,
                     () ->
-                            "(%s/%s) stays lost until it is told where it is: the map has %.0f m² of free floor, and is searched up to %.0f m²."
+                            "'%s/%s' stays lost until it gets a pose: the map has %.0f m² of free floor, and is searched up to %.0f m²."
                                     .formatted(
                                             context.robot().id(),
                                             context.name(),
@@ -109,7 +109,7 @@ public final class AmclDriver implements DeviceDriver {
                 arguments.get(laser.isPresent() ? AmclParameters.INDEPENDENT_BEAMS : AmclParameters.INDEPENDENT_SONARS),
                 arguments.get(AmclParameters.UPDATE_DISTANCE),
                 arguments.radians(AmclParameters.UPDATE_ANGLE),
-                odometry(context.robot().model().drive(), arguments.get(AmclParameters.ODOMETRY_DOUBT)),
+                odometry(context.robot().model().drive(), arguments.get(AmclParameters.ODOMETRY_NOISE_SCALE)),
                 new Kld(0.05, 2.33),
                 model(arguments.get(AmclParameters.MODEL), laser.isPresent()));
         var deviations = Covariance2d.ofDeviations(

@@ -107,7 +107,7 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     @Override
     public CompletionStage<Void> relocalize(PoseEstimate belief) {
         if (!belief.isFinite()) {
-            throw new IllegalArgumentException("A robot can't be at (%s).".formatted(belief));
+            throw new IllegalArgumentException("A robot can't be at '%s'.".formatted(belief));
         }
         start = Optional.of(belief);
         restart = true;
@@ -148,7 +148,7 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     }
 
     private void tellSkipped(String told) {
-        LOG.log(Level.WARNING, () -> "(%s) skips bad readings.%s".formatted(info().id(), told));
+        LOG.log(Level.WARNING, () -> "'%s' skips bad readings.%s".formatted(info().id(), told));
     }
 
     /// Waits until everything measured at this instant is here, odometry too.
@@ -197,7 +197,7 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     /// What the failure left of the particles is not to be trusted.
     private void fail(Throwable error, Pose2d odomFromBase) {
         if (!failed) {
-            LOG.log(Level.ERROR, () -> "The particle filter of (%s) failed.".formatted(info().id()), error);
+            LOG.log(Level.ERROR, () -> "The particle filter of '%s' failed.".formatted(info().id()), error);
         }
         failed = true;
         health(new Health.Lost("The particle filter failed: %s".formatted(error)));

@@ -36,7 +36,7 @@ public final class ExploredDriver implements DeviceDriver {
     public Optional<String> refusal(List<DeviceDriver> before) {
         return before.stream().anyMatch(driver -> driver instanceof ExplorerDriver)
                 ? Optional.empty()
-                : Optional.of("It needs a device of type (explorer) that is written before it.");
+                : Optional.of("It needs a device of type 'explorer' that is written before it.");
     }
 
     @Override
@@ -48,7 +48,7 @@ public final class ExploredDriver implements DeviceDriver {
     public Device create(Context context, Arguments arguments) {
         if (!(context.robot().require(Mapper.class) instanceof Explorer explorer)) {
             throw new IllegalArgumentException(
-                    "(%s) has no explorer.".formatted(context.robot().id()));
+                    "'%s' has no explorer.".formatted(context.robot().id()));
         }
         double goalDistance = arguments.get(WavefrontDriver.GOAL_DISTANCE);
         return new MapPlanner(

@@ -19,14 +19,14 @@ import rsal.settings.Parameter;
 /// Makes explorers, of robots with `localizer: {type: slam}` and a navigator. Those of a run that know where
 /// they start explore together.
 public final class ExplorerDriver implements DeviceDriver {
-    private static final Parameter<Double> VIEW =
-            Parameter.number("view", 4, 0.5, 50, "m", "how far the laser is believed to see");
-    private static final Parameter<Double> SHORTEST =
-            Parameter.number("shortest", 0.6, 0.1, 10, "m", "ends of the map that are shorter are left alone");
+    private static final Parameter<Double> MAX_RANGE =
+            Parameter.number("maxRange", 4, 0.5, 50, "m", "ranges of the laser beyond this are ignored");
+    private static final Parameter<Double> MIN_FRONTIER_LENGTH =
+            Parameter.number("minFrontierLength", 0.6, 0.1, 10, "m", "shorter frontiers of the map are ignored");
     private static final Parameter<Double> RESOLUTION =
             Parameter.number("resolution", 0.1, 0.02, 1, "m", "side of a cell of the map");
-    private static final Parameter<Boolean> WAITS =
-            Parameter.flag("waits", false, "whether it only maps what its robot sees and leaves the driving to others");
+    private static final Parameter<Boolean> MAP_ONLY =
+            Parameter.flag("mapOnly", false, "whether it only draws the map and leaves the driving to others");
     private static final String SLAM = "slam";
     private static final String NAVIGATOR = "navigator";
 
@@ -58,7 +58,7 @@ public final class ExplorerDriver implements DeviceDriver {
         String navigator = key(before, Navigator.class);
         return localizer.equals(SLAM) && navigator.equals(NAVIGATOR)
                 ? Optional.empty()
-                : Optional.of("It needs a localizer of type (%s) and a navigator of type (%s), not (%s) and (%s)."
+                : Optional.of("It needs a localizer of type '%s' and a navigator of type '%s', not '%s' and '%s'."
                         .formatted(SLAM, NAVIGATOR, localizer, navigator));
     }
 
@@ -74,9 +74,9 @@ public final class ExplorerDriver implements DeviceDriver {
     public List<Parameter<?>> parameters() {
         var parameters = new ArrayList<Parameter<?>>();
         parameters.add(RESOLUTION);
-        parameters.add(SHORTEST);
-        parameters.add(WAITS);
-        parameters.add(VIEW);
+        parameters.add(MIN_FRONTIER_LENGTH);
+        parameters.add(MAP_ONLY);
+        parameters.add(MAX_RANGE);
         parameters.addAll(Ways.parameters());
         return parameters;
     }
@@ -87,7 +87,7 @@ public final class ExplorerDriver implements DeviceDriver {
         Localizer sound = localizer instanceof FaultyLocalizer faulty ? faulty.inner() : localizer;
         if (!(sound instanceof SlamLocalizer slam)
                 || !(context.robot().require(Navigator.class) instanceof PathNavigator navigator)) {
-            throw new IllegalArgumentException("(%s) has other devices than an explorer works with."
+            throw new IllegalArgumentException("'%s' has other devices than an explorer works with."
                     .formatted(context.robot().id()));
         }
         Exploration team = context.mapFromBase().isPresent()
@@ -101,14 +101,14 @@ public final class ExplorerDriver implements DeviceDriver {
                 navigator,
                 team,
                 new Exploration.Body(footprint.circumscribedRadius(), Ways.clearance(footprint, arguments)),
-                arguments.get(WAITS),
+                arguments.get(MAP_ONLY),
                 context.scheduler());
         explorer.start();
         return explorer;
     }
 
     private static Exploration team(Arguments arguments) {
-        return new Exploration(
-                new Exploration.Settings(arguments.get(RESOLUTION), arguments.get(SHORTEST), arguments.get(VIEW)));
+        return new Exploration(new Exploration.Settings(
+                arguments.get(RESOLUTION), arguments.get(MIN_FRONTIER_LENGTH), arguments.get(MAX_RANGE)));
     }
 }

@@ -60,7 +60,9 @@ final class ForeignOptions {
                 .and("Give the robot other sonars.", "sonar_bad_transducers")
                 .and("It runs ten times a second.", "synchronous", "update_rate", "controller_frequency")
                 .and("It is 'replanPeriod' here.", "replan_min_time", "expected_planner_frequency")
-                .and("It plans anew every 'replanPeriod', and at once when it is off its way.", "replan_dist_thresh")
+                .and(
+                        "It plans again every 'replanPeriod', and at once when it has left its path.",
+                        "replan_dist_thresh")
                 .and("It turns by itself where that is needed.", "add_rotational_waypoints")
                 .and("It is 'safetyDist0ms' of controller vfh here.", "safetyDistance")
                 .and("It is 'safetyDist1ms' of controller vfh here.", "safetyDistanceAtSpeed")
@@ -113,7 +115,7 @@ final class ForeignOptions {
                 .and("It is 'updateAngle' here.", "update_min_a")
                 .and("It is 'updateDistance' and 'updateAngle' here.", "update_thresh")
                 .and(
-                        "The robot's model says how its wheels err; 'odometryDoubt' tells how many times worse they may be.",
+                        "The robot's model says how its wheels err; 'odometryNoiseScale' says how many times worse they may be.",
                         "odom_drift",
                         "alpha1",
                         "alpha2",
@@ -126,11 +128,11 @@ final class ForeignOptions {
                         "odom_alpha4")
                 .and("The robot's model says how it drives.", "robot_model_type", "odom_model_type")
                 .and(
-                        "The robot's 'pose' tells where it starts; without one it may be anywhere.",
+                        "The robot's 'pose' says where it starts; without one it may be anywhere.",
                         "init_pose",
                         "initial_pose",
                         "set_initial_pose")
-                .and("'initialDeviation' and 'initialAngleDeviation' tell how uncertain the start is.", "init_pose_var")
+                .and("'initialDeviation' and 'initialAngleDeviation' say how uncertain the start is.", "init_pose_var")
                 .and(
                         "It looks for the robot elsewhere by itself when scans don't fit any more.",
                         "recovery_alpha_slow",

@@ -36,8 +36,8 @@ public final class NavigatorDriver implements DeviceDriver {
             Parameter.number("escapeTime", 5, 0.5, 30, "s", "how long recoveries back up at most");
     private static final Parameter<Double> ESCAPE_SPEED =
             Parameter.number("escapeSpeed", 0.1, 0.02, 0.5, "m/s", "how fast recoveries back up");
-    private static final Parameter<Double> PATIENCE =
-            Parameter.number("patience", 45, 5, 600, "s", "without progress, until it gives up");
+    private static final Parameter<Double> TIMEOUT =
+            Parameter.number("timeout", 45, 5, 600, "s", "without progress, until it gives up");
     private static final Parameter<Double> REPLAN_PERIOD =
             Parameter.number("replanPeriod", 4, 0.2, 60, "s", "how often it looks for a better way");
     private static final Parameter<Double> MAX_ACCELERATION =
@@ -121,7 +121,7 @@ public final class NavigatorDriver implements DeviceDriver {
         parameters.add(REPLAN_PERIOD);
         parameters.add(ESCAPE_SPEED);
         parameters.add(ESCAPE_TIME);
-        parameters.add(PATIENCE);
+        parameters.add(TIMEOUT);
         parameters.addAll(Ways.parameters());
         return parameters;
     }
@@ -146,7 +146,7 @@ public final class NavigatorDriver implements DeviceDriver {
         return model.drive().turnsInPlace()
                 ? Optional.empty()
                 : Optional.of(
-                        "It plans ways for robots that turn in place, which a car (%s) can't.".formatted(model.name()));
+                        "It plans ways for robots that turn in place, which a car '%s' can't.".formatted(model.name()));
     }
 
     @Override
@@ -201,7 +201,7 @@ public final class NavigatorDriver implements DeviceDriver {
                                 lookahead + 2 * model.footprint().circumscribedRadius()),
                         model.footprint().circumscribedRadius(),
                         arguments.seconds(REPLAN_PERIOD),
-                        arguments.seconds(PATIENCE)),
+                        arguments.seconds(TIMEOUT)),
                 context.scheduler());
         navigator.start();
         return navigator;

@@ -53,7 +53,7 @@ final class OdometryLocalizer extends SensorCore<PoseEstimate> implements Locali
     @Override
     public CompletionStage<Void> relocalize(PoseEstimate belief) {
         if (!belief.mapFromBase().isFinite()) {
-            throw new IllegalArgumentException("A robot can't be at (%s).".formatted(belief.mapFromBase()));
+            throw new IllegalArgumentException("A robot can't be at '%s'.".formatted(belief.mapFromBase()));
         }
         start = belief;
         begin(); // where odometry is now, since the robot may be on its way before the next reading

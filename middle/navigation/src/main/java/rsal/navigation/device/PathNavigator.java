@@ -132,7 +132,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
     @Override
     public GoalHandle<Progress, Result> goTo(Pose2d mapFromGoal, Tolerance tolerance) {
         if (!mapFromGoal.isFinite()) {
-            throw new IllegalArgumentException("A goal must be finite, not (%s).".formatted(mapFromGoal));
+            throw new IllegalArgumentException("A goal must be finite, not '%s'.".formatted(mapFromGoal));
         }
         NavigationTask old = task;
         var next = new NavigationTask(parts, settings, scheduler, mapFromGoal, tolerance, this::onEnd);

@@ -76,7 +76,7 @@ final class ReadingValidator {
     boolean acceptsOdometry(Stamped<Odometry> odometry) {
         Optional<String> fault = backwards(lastOdometry, odometry.time());
         if (fault.isEmpty() && !odometry.value().odomFromBase().isFinite()) {
-            fault = Optional.of("it says (%s)".formatted(odometry.value().odomFromBase()));
+            fault = Optional.of("it says '%s'".formatted(odometry.value().odomFromBase()));
         }
         fault.ifPresent(f -> skip("odometry", f));
         if (fault.isEmpty()) {
@@ -123,7 +123,7 @@ final class ReadingValidator {
 
     private Optional<String> otherCount(int count) {
         return sameCount && beams > 0 && count != beams
-                ? Optional.of("it has (%d) beams, those before had (%d)".formatted(count, beams))
+                ? Optional.of("it has '%d' beams, those before had '%d'".formatted(count, beams))
                 : Optional.empty();
     }
 

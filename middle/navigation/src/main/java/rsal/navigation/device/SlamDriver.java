@@ -16,12 +16,17 @@ import rsal.settings.Parameter;
 public final class SlamDriver implements DeviceDriver {
     private static final Parameter<Double> MAX_RANGE =
             Parameter.number("maxRange", 25, 0.5, 200, "m", "hits beyond this are not matched");
-    private static final Parameter<Double> KEEP_DISTANCE =
-            Parameter.number("keepDistance", 0.5, 0.05, 5, "m", "how far apart scans are that are kept");
-    private static final Parameter<Double> KEEP_ANGLE =
-            Parameter.number("keepAngle", 20, 1, 180, "deg", "how far apart headings of scans are that are kept");
-    private static final Parameter<Integer> MOST_SCANS =
-            Parameter.integer("mostScans", 10_000, 2, 100_000, "", "scans kept; then it only finds its way");
+    private static final Parameter<Double> KEYFRAME_DISTANCE =
+            Parameter.number("keyframeDistance", 0.5, 0.05, 5, "m", "distance between two scans that are kept");
+    private static final Parameter<Double> KEYFRAME_ANGLE =
+            Parameter.number("keyframeAngle", 20, 1, 180, "deg", "angle between two scans that are kept");
+    private static final Parameter<Integer> MAX_SCANS = Parameter.integer(
+            "maxScans",
+            10_000,
+            2,
+            100_000,
+            "",
+            "greatest number of scans that are kept; with so many it only localizes");
 
     @Override
     public String key() {
@@ -45,7 +50,7 @@ public final class SlamDriver implements DeviceDriver {
 
     @Override
     public List<Parameter<?>> parameters() {
-        return List.of(MAX_RANGE, KEEP_DISTANCE, KEEP_ANGLE, MOST_SCANS);
+        return List.of(MAX_RANGE, KEYFRAME_DISTANCE, KEYFRAME_ANGLE, MAX_SCANS);
     }
 
     @Override
@@ -61,12 +66,12 @@ public final class SlamDriver implements DeviceDriver {
                 new DeviceInfo(context.robot().id(), context.name(), key()),
                 new Slam.Settings(
                         arguments.get(MAX_RANGE),
-                        arguments.get(KEEP_DISTANCE),
-                        arguments.radians(KEEP_ANGLE),
+                        arguments.get(KEYFRAME_DISTANCE),
+                        arguments.radians(KEYFRAME_ANGLE),
                         usual.odometry(),
                         usual.recent(),
                         usual.closesLoops(),
-                        arguments.get(MOST_SCANS)),
+                        arguments.get(MAX_SCANS)),
                 context.mapFromBase(),
                 context.scheduler());
         localizer.follow(

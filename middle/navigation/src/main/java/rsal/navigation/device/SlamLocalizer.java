@@ -145,7 +145,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     @Override
     public CompletionStage<Void> relocalize(PoseEstimate belief) {
         if (!belief.mapFromBase().isFinite()) {
-            throw new IllegalArgumentException("A robot can't be at (%s).".formatted(belief.mapFromBase()));
+            throw new IllegalArgumentException("A robot can't be at '%s'.".formatted(belief.mapFromBase()));
         }
         told = true;
         begin(belief.mapFromBase());
@@ -191,7 +191,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     }
 
     private void tellSkipped(String told) {
-        LOG.log(Level.WARNING, () -> "(%s) skips bad readings.%s".formatted(info().id(), told));
+        LOG.log(Level.WARNING, () -> "'%s' skips bad readings.%s".formatted(info().id(), told));
     }
 
     private void look(Stamped<LaserScan> scan) {
@@ -251,7 +251,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
             Pose2d place = map.get(step.to()).mapFromBase();
             LOG.log(
                     Level.WARNING,
-                    () -> ("The map of (%s) is probably wrong: at (%.1f, %.1f) it is off all that was told of the"
+                    () -> ("The map of '%s' is probably wrong: at (%.1f, %.1f) it is off all that was told of the"
                                     + " robot's way, by (%.2f m) and (%.0f°) at least. Maybe places that look alike were"
                                     + " taken for one, or it was carried.")
                             .formatted(
@@ -261,7 +261,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
 
     private void fail(Throwable error) {
         if (!failed) {
-            LOG.log(Level.ERROR, () -> "Mapping of (%s) failed.".formatted(info().id()), error);
+            LOG.log(Level.ERROR, () -> "Mapping of '%s' failed.".formatted(info().id()), error);
         }
         failed = true;
         health(new Health.Lost("Mapping failed: %s".formatted(error)));

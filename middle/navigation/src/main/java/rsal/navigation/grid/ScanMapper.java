@@ -44,8 +44,8 @@ public final class ScanMapper {
         public Settings {
             if (!(resolution > 0 && maxRange > 0 && freeUpTo >= 0 && hit > 0 && passed < 0 && surest > 0)) {
                 throw new IllegalArgumentException(
-                        ("Resolution (%s), longest range (%s), odds of hits (%s) and the surest (%s) must be more than"
-                                        + " 0, the range freed (%s) not less, and odds of passing (%s) below.")
+                        ("Resolution '%s', longest range '%s', odds of hits '%s' and the surest '%s' must be more than"
+                                        + " 0, the range freed '%s' not less, and odds of passing '%s' below.")
                                 .formatted(resolution, maxRange, hit, surest, freeUpTo, passed));
             }
         }
@@ -195,7 +195,7 @@ public final class ScanMapper {
 
     private static Pose2d mapFromLaser(PosedScan posed) {
         if (!posed.mapFromBase().isFinite()) {
-            throw new IllegalArgumentException("A scan can't be from (%s).".formatted(posed.mapFromBase()));
+            throw new IllegalArgumentException("A scan can't be from '%s'.".formatted(posed.mapFromBase()));
         }
         return posed.mapFromBase().compose(posed.scan().baseFromLaser());
     }

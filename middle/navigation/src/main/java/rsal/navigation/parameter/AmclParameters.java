@@ -36,8 +36,8 @@ public final class AmclParameters {
             Parameter.number("initialDeviation", 0.2, 0, 100, "m", "how uncertain the start position is");
     public static final Parameter<Double> INITIAL_ANGLE_DEVIATION =
             Parameter.number("initialAngleDeviation", 10, 0, 360, "deg", "how uncertain the start heading is");
-    public static final Parameter<Double> ODOMETRY_DOUBT = Parameter.number(
-            "odometryDoubt", 2, 0.5, 20, "", "how many times worse odometry may be than the model says");
+    public static final Parameter<Double> ODOMETRY_NOISE_SCALE =
+            Parameter.number("odometryNoiseScale", 2, 0.5, 20, "", "factor on the odometry noise of the robot's model");
 
     /// In the order in which people read them.
     public static final List<Parameter<?>> ALL = List.of(
@@ -55,7 +55,7 @@ public final class AmclParameters {
             UPDATE_ANGLE,
             INITIAL_DEVIATION,
             INITIAL_ANGLE_DEVIATION,
-            ODOMETRY_DOUBT);
+            ODOMETRY_NOISE_SCALE);
 
     private AmclParameters() {}
 }

@@ -8,12 +8,12 @@ import rsal.data.Twist2d;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
-/// Attempts in place by an angle to see what is around, as Nav2's spin does. It fails where there is no room to turn.
+/// Turns in place by an angle to see what is around, as Nav2's spin does. It fails where there is no room to turn.
 public final class SpinRecoveryType implements RecoveryType {
     private static final Parameter<Double> ANGLE =
             Parameter.number("angle", 90, -720, 720, "deg", "to turn by, left is positive");
-    private static final Parameter<Double> LONGEST =
-            Parameter.number("longest", 20, 0.5, 600, "s", "how long it turns at most");
+    private static final Parameter<Double> MAX_DURATION =
+            Parameter.number("maxDuration", 20, 0.5, 600, "s", "how long it turns at most");
 
     @Override
     public String key() {
@@ -22,12 +22,12 @@ public final class SpinRecoveryType implements RecoveryType {
 
     @Override
     public String description() {
-        return "Attempts in place by an angle, so that the robot sees what is around.";
+        return "Turns in place by an angle, so that the robot sees what is around.";
     }
 
     @Override
     public List<Parameter<?>> parameters() {
-        return List.of(WaitRecoveryType.AFTER, WaitRecoveryType.TIMES, ANGLE, LONGEST);
+        return List.of(WaitRecoveryType.AFTER, WaitRecoveryType.TIMES, ANGLE, MAX_DURATION);
     }
 
     @Override
@@ -36,7 +36,7 @@ public final class SpinRecoveryType implements RecoveryType {
                 driven,
                 new Attempts(arguments.seconds(WaitRecoveryType.AFTER), arguments.get(WaitRecoveryType.TIMES)),
                 arguments.radians(ANGLE),
-                arguments.seconds(LONGEST));
+                arguments.seconds(MAX_DURATION));
     }
 
     private static final class Spin implements Recovery {

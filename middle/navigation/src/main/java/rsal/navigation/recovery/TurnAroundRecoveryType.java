@@ -13,8 +13,8 @@ import rsal.settings.Parameter;
 /// Turns around, drives back a bit the way that the robot sees then, and turns to the path again. For robots that
 /// don't see behind, where somebody may stand. Where it has no room to turn it fails.
 public final class TurnAroundRecoveryType implements RecoveryType {
-    private static final Parameter<Double> LONGEST_TURN =
-            Parameter.number("longestTurn", 12, 1, 60, "s", "how long it turns at most");
+    private static final Parameter<Double> MAX_DURATION =
+            Parameter.number("maxDuration", 12, 1, 60, "s", "how long it turns at most");
 
     @Override
     public String key() {
@@ -28,12 +28,12 @@ public final class TurnAroundRecoveryType implements RecoveryType {
 
     @Override
     public List<Parameter<?>> parameters() {
-        return List.of(BackUpRecoveryType.AFTER, LONGEST_TURN);
+        return List.of(BackUpRecoveryType.AFTER, MAX_DURATION);
     }
 
     @Override
     public Recovery create(Arguments arguments, Driven driven) {
-        return new TurnAround(driven, arguments.seconds(BackUpRecoveryType.AFTER), arguments.seconds(LONGEST_TURN));
+        return new TurnAround(driven, arguments.seconds(BackUpRecoveryType.AFTER), arguments.seconds(MAX_DURATION));
     }
 
     private static final class TurnAround implements Recovery {

@@ -13,8 +13,8 @@ public final class WaitRecoveryType implements RecoveryType {
             Parameter.number("after", 3, 0.5, 600, "s", "it begins when the robot makes no progress for so long");
     static final Parameter<Integer> TIMES =
             Parameter.integer("times", 1, 1, 1000, "", "how often it is tried until there is progress");
-    private static final Parameter<Double> TIME =
-            Parameter.number("time", 5, 0.1, 600, "s", "how long the robot stands");
+    private static final Parameter<Double> DURATION =
+            Parameter.number("duration", 5, 0.1, 600, "s", "how long the robot stands");
 
     @Override
     public String key() {
@@ -28,13 +28,13 @@ public final class WaitRecoveryType implements RecoveryType {
 
     @Override
     public List<Parameter<?>> parameters() {
-        return List.of(AFTER, TIMES, TIME);
+        return List.of(AFTER, TIMES, DURATION);
     }
 
     @Override
     public Recovery create(Arguments arguments, Driven driven) {
         var attempts = new Attempts(arguments.seconds(AFTER), arguments.get(TIMES));
-        Duration time = arguments.seconds(TIME);
+        Duration time = arguments.seconds(DURATION);
         return new Recovery() {
             private Instant until = Instant.MIN;
 

@@ -94,8 +94,8 @@ public final class Slam {
         public Settings {
             if (!(maxRange > 0 && everyMeters > 0 && everyRadians > 0 && recent >= 1 && mostFrames >= 2)) {
                 throw new IllegalArgumentException(
-                        ("The longest range (%s), distance (%s) and turn (%s) between scans must be more than 0, the"
-                                        + " scans to match with (%d) at least 1 and those kept (%d) 2.")
+                        ("The longest range '%s', distance '%s' and turn '%s' between scans must be more than 0, the"
+                                        + " scans to match with '%d' at least 1 and those kept '%d' 2.")
                                 .formatted(maxRange, everyMeters, everyRadians, recent, mostFrames));
             }
         }
@@ -140,7 +140,7 @@ public final class Slam {
     /// @throws IllegalArgumentException when the pose is not finite
     public Located add(Pose2d odomFromBase, LaserScan scan) {
         if (!odomFromBase.isFinite()) {
-            throw new IllegalArgumentException("Odometry can't say (%s).".formatted(odomFromBase));
+            throw new IllegalArgumentException("Odometry can't say '%s'.".formatted(odomFromBase));
         }
         Cloud cloud = Cloud.of(scan, settings.maxRange());
         if (frames.isEmpty()) {
@@ -450,7 +450,7 @@ public final class Slam {
 
     private Merge merge(Slam other, boolean despiteContradictions) {
         if (frames.size() + other.frames.size() > settings.mostFrames()) {
-            throw new IllegalArgumentException("The maps hold (%d) and (%d) scans; together at most (%d)."
+            throw new IllegalArgumentException("The maps hold '%d' and '%d' scans; together at most '%d'."
                     .formatted(frames.size(), other.frames.size(), settings.mostFrames()));
         }
         if (frames.isEmpty() || other.frames.isEmpty()) {

@@ -23,7 +23,7 @@ final class ConnectedComponents {
     ConnectedComponents(OccupancyGrid given, double clearance) {
         if (!(clearance >= 0 && clearance < Double.POSITIVE_INFINITY)) {
             throw new IllegalArgumentException(
-                    "The clearance (%s) must be a distance of at least 0 m. Maybe the robot's radius was meant."
+                    "The clearance '%s' must be a distance of at least 0 m. Maybe the robot's radius was meant."
                             .formatted(clearance));
         }
         this.map = rimUnknown(given);

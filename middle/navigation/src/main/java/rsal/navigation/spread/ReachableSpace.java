@@ -50,7 +50,7 @@ public final class ReachableSpace {
         int part = start(parts, start);
         if (part == ConnectedComponents.NONE) {
             throw new IllegalArgumentException(
-                    ("From the start %s nothing can be reached: no place within %s m of it has (%s) m of clearance."
+                    ("From the start %s nothing can be reached: no place within %s m of it has '%s' m of clearance."
                                     + " Maybe it is meant for another map, or the clearance is too large.")
                             .formatted(text(start), number(ESCAPE), number(clearance)));
         }
@@ -132,7 +132,7 @@ public final class ReachableSpace {
                 most = Math.max(most, parts.toNotFree().at(cell) - map.resolution() / 2);
             }
             throw new IllegalArgumentException(
-                    ("No place on the map has a clearance of (%s) m; the most there is are %s m. Maybe the clearance is"
+                    ("No place on the map has a clearance of '%s' m; the most there is are %s m. Maybe the clearance is"
                                     + " too large, or too little of the map is free.")
                             .formatted(number(parts.clearance()), number(most)));
         }
@@ -217,8 +217,8 @@ public final class ReachableSpace {
             case OCCUPIED -> "is in a wall, or in something else that stands there";
             case UNKNOWN -> "is where the map knows nothing";
             case TOO_NEAR ->
-                "is (%s) m from what is not free, nearer than (%s) m".formatted(number(clear), number(clearance()));
-            case CUT_OFF -> "cannot be reached with (%s) m of clearance".formatted(number(clearance()));
+                "is '%s' m from what is not free, nearer than '%s' m".formatted(number(clear), number(clearance()));
+            case CUT_OFF -> "cannot be reached with '%s' m of clearance".formatted(number(clearance()));
         };
         String instead = nearest(place)
                 .map(near -> "Maybe the nearest place that will do is meant, %s.".formatted(text(near)))

@@ -53,7 +53,7 @@ public final class Spreader {
     public Spreader(ReachableSpace ground, int number) {
         if (number < 1) {
             throw new IllegalArgumentException(
-                    "At least 1 place must be asked for, not (%d). Maybe there is no robot to spread."
+                    "At least 1 place must be asked for, not '%d'. Maybe there is no robot to spread."
                             .formatted(number));
         }
         if (number > ground.cells().length) {
@@ -206,7 +206,7 @@ public final class Spreader {
     private static IllegalArgumentException noRoom(ReachableSpace ground, int number) {
         return new IllegalArgumentException(String.format(
                 Locale.ROOT,
-                "There is no room for (%d) places: on %.2f m² some would be nearer to each other than twice the clearance"
+                "There is no room for '%d' places: on %.2f m² some would be nearer to each other than twice the clearance"
                         + " (%.2f m). Maybe fewer will do, or a smaller clearance.",
                 number,
                 ground.area(),

@@ -95,7 +95,7 @@ public final class Vfh implements Controller {
         public Weights {
             if (!(heading >= 0 && previous >= 0 && target > heading + previous)) {
                 throw new IllegalArgumentException(
-                        "Going to the target (%s) must weigh more than going straight on (%s) and keeping the choice (%s) together."
+                        "Going to the target '%s' must weigh more than going straight on '%s' and keeping the choice '%s' together."
                                 .formatted(target, heading, previous));
             }
         }

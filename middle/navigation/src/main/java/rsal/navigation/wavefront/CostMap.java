@@ -54,7 +54,7 @@ public final class CostMap {
                     && weight >= 0
                     && weight <= 5)) {
                 throw new IllegalArgumentException(
-                        "A clearance needs 0 ≤ radius (%s) ≤ comfort (%s) < ∞ and 0 ≤ weight (%s) ≤ 5."
+                        "A clearance needs 0 ≤ radius '%s' ≤ comfort '%s' < ∞ and 0 ≤ weight '%s' ≤ 5."
                                 .formatted(radius, comfort, weight));
             }
         }

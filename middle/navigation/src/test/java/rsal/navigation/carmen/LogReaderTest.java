@@ -141,13 +141,14 @@ class LogReaderTest {
 
     @ParameterizedTest
     @CsvSource(
+            quoteCharacter = '`',
             delimiter = '|',
             value = {
-                "robot_frontlaser_offset front | not a number | (front)",
-                "robot_frontlaser_offset nan | not finite | (NaN)",
+                "robot_frontlaser_offset front | not a number | 'front'",
+                "robot_frontlaser_offset nan | not finite | 'NaN'",
                 "robot_frontlaser_offset | cut short | ends",
-                "robot_frontlaser_side_offset 250 nohost 0 | a mount that can't be | (250.0), not -1.5 to 1.5 m",
-                "robot_frontlaser_angular_offset 180 | a mount that can't be | (180.0), not -6.3 to 6.3 rad"
+                "robot_frontlaser_side_offset 250 nohost 0 | a mount that can't be | '250.0', not -1.5 to 1.5 m",
+                "robot_frontlaser_angular_offset 180 | a mount that can't be | '180.0', not -6.3 to 6.3 rad"
             })
     void aMountThatCannotBeIsToldAndNotUsed(String parameter, String reason, String told) throws IOException {
         Skipped skipped = read("PARAM robot_frontlaser_offset 0.2\nPARAM " + parameter

@@ -22,7 +22,7 @@ class VfhControllerTypeTest {
     @Test
     void weightsAreAsThePaperWantsThem() {
         assertThat(vfh.refusal(weights(5, 3, 2)).orElseThrow())
-                .contains("to the target (5.0)", "(3.0)", "(2.0)", "Raise (weightDesiredDir)");
+                .contains("to the target '5.0'", "'3.0'", "'2.0'", "Raise 'weightDesiredDir'");
         assertThat(vfh.refusal(weights(5, 3, 0))).as("Player's own").isEmpty();
         assertThat(vfh.refusal(Arguments.defaults(vfh.parameters()))).isEmpty();
     }

@@ -70,7 +70,7 @@ class ForeignOptionsTest {
         assertThat(driver.advice("min_gap_width"))
                 .hasValue("It belongs to the controller: 'controller: {type: snd, minGapWidth: …}'.");
         assertThat(driver.advice("max_radius").orElseThrow()).contains("comfortDistance");
-        assertThat(driver.parameters()).extracting(Parameter::name).contains("comfortDistance", "wallCost", "patience");
+        assertThat(driver.parameters()).extracting(Parameter::name).contains("comfortDistance", "wallCost", "timeout");
         assertThat(driver.advice("safety_dist").orElseThrow())
                 .contains("'safetyDist'", "'wallDistance'", "'safetyDist0ms'");
         assertThat(driver.advice("goalDistance").orElseThrow()).contains("of planners");
@@ -82,7 +82,7 @@ class ForeignOptionsTest {
         assertThat(driver.advice("xy_goal_tolerance").orElseThrow()).contains("with each goal");
         assertThat(new AmclDriver().advice("laser_max_beams")).hasValue("It is 'beams' here.");
         assertThat(new AmclDriver().advice("min_particles")).hasValue("It is written 'minParticles' here.");
-        assertThat(new AmclDriver().advice("odom_alpha1").orElseThrow()).contains("odometryDoubt");
+        assertThat(new AmclDriver().advice("odom_alpha1").orElseThrow()).contains("odometryNoiseScale");
         assertThat(new WavefrontDriver().advice("inflation_radius")).hasValue("It is 'comfortDistance' here.");
         assertThat(new WavefrontDriver().advice("safety_dist")).hasValue("It is 'wallDistance' here.");
         assertThat(new JumpPointDriver().advice("tolerance")).hasValue("It is 'goalDistance' here.");

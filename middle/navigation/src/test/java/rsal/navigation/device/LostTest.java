@@ -69,7 +69,7 @@ class LostTest {
     /// It believed to be nearly there, so that all the way that it has to drive in truth is no progress.
     @Test
     void hasAllItsPatienceWhenItFindsItselfFartherAway() {
-        Robot robot = robot(Map.of("patience", 5.0));
+        Robot robot = robot(Map.of("timeout", 5.0));
         Localizer localizer = robot.require(Localizer.class);
         Pose2d goal = RobotBench.START.compose(new Pose2d(3, 0, 0));
 
@@ -88,7 +88,7 @@ class LostTest {
     /// It is always sent back to where it began.
     @Test
     void givesUpAtLastWhenItFindsItselfAgainAndAgain() {
-        Robot robot = robot(Map.of("patience", 5.0));
+        Robot robot = robot(Map.of("timeout", 5.0));
         Localizer localizer = robot.require(Localizer.class);
         Pose2d start = truth();
         localizer.relocalize(belief(Quality.LOCALIZED, start));

@@ -175,7 +175,7 @@ class NavigationTest {
         var specs = List.of(NavigationRun.robot("r0", NavigationRun.pioneer("urg04lx"), RobotBench.START));
         NavigationRun run = new NavigationRun(RobotBench.WORLD.grid(), 9, Runnable::run, specs)
                 .with(new AmclDriver(), Map.of())
-                .with(new NavigatorDriver(), Map.of("patience", 6.0, "maxTurnRate", 10.0));
+                .with(new NavigatorDriver(), Map.of("timeout", 6.0, "maxTurnRate", 10.0));
         run.advance(1);
         var ended = new ArrayList<Result>();
         run.navigator("r0")

@@ -255,7 +255,7 @@ class RecoveriesTest {
 
     @Test
     void waitsAsLongAsIsSet() {
-        List<Twist2d> commands = run(make(new WaitRecoveryType(), Map.of("time", 2.5)), State.DONE);
+        List<Twist2d> commands = run(make(new WaitRecoveryType(), Map.of("duration", 2.5)), State.DONE);
         assertThat(commands).hasSize(25).containsOnly(Twist2d.STOP);
     }
 

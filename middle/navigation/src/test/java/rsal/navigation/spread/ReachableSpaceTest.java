@@ -105,9 +105,9 @@ class ReachableSpaceTest {
                         tuple(5, Reason.OUTSIDE),
                         tuple(6, Reason.OUTSIDE));
         assertThat(wrong.get(1).why())
-                .isEqualTo("Place (0.75, 2.25) is (0.25) m from what is not free, nearer than (0.60) m. Maybe the"
+                .isEqualTo("Place (0.75, 2.25) is '0.25' m from what is not free, nearer than '0.60' m. Maybe the"
                         + " nearest place that will do is meant, (1.25, 2.25).");
-        assertThat(wrong.getFirst().why()).contains("cannot be reached with (0.60) m of clearance");
+        assertThat(wrong.getFirst().why()).contains("cannot be reached with '0.60' m of clearance");
         assertThat(ground.check(List.of(ROOMS.place('a'), ROOMS.place('b')))).isEmpty();
     }
 
@@ -153,7 +153,7 @@ class ReachableSpaceTest {
     void refusesAClearanceThatIsNoDistance(double clearance) {
         assertThatThrownBy(() -> ReachableSpace.largest(ROOMS.grid(), clearance))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("The clearance (%s)".formatted(clearance))
+                .hasMessageContaining("The clearance '%s'".formatted(clearance))
                 .hasMessageContaining("Maybe");
     }
 
@@ -161,7 +161,7 @@ class ReachableSpaceTest {
     void tellsHowMuchClearanceThereIs() {
         assertThatThrownBy(() -> ReachableSpace.largest(ROOMS.grid(), 4))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("clearance of (4.00) m")
+                .hasMessageContaining("clearance of '4.00' m")
                 .hasMessageContaining("the most there is are 1.75 m")
                 .hasMessageContaining("Maybe");
         assertThatThrownBy(() -> ReachableSpace.around(ROOMS.grid(), 0.3, new Point2d(40, 40)))

@@ -159,14 +159,14 @@ class SpreaderTest {
         var ground = ReachableSpace.largest(FOUR_ROOMS.grid(), 0.3);
         assertThatThrownBy(() -> new Spreader(ground, 0))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("not (0)")
+                .hasMessageContaining("not '0'")
                 .hasMessageContaining("Maybe");
         assertThatThrownBy(() -> new Spreader(ground, 100_000))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("no room for (100000) places")
+                .hasMessageContaining("no room for '100000' places")
                 .hasMessageContaining("Maybe");
         assertThatThrownBy(() -> spread(ground, 320, 1))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("no room for (320) places");
+                .hasMessageContaining("no room for '320' places");
     }
 }

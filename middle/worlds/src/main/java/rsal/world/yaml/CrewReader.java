@@ -173,7 +173,7 @@ final class CrewReader {
         if (id.contains("/")) {
             section.problem(
                     section.location(),
-                    "(%s) can't be the name of a robot, as a slash is what sets devices off from robots.".formatted(id),
+                    "'%s' can't be the name of a robot, as a slash is what sets devices off from robots.".formatted(id),
                     "");
         }
     }
@@ -227,7 +227,7 @@ final class CrewReader {
                 .filter(carrier -> model.sensors().containsKey(carrier)
                         && !(model.sensors().get(carrier) instanceof Part.Actuator))
                 .forEach(carrier -> section.problem(
-                        "body", "A piece of its body stands on (%s), which is no actuator.".formatted(carrier), ""));
+                        "body", "A piece of its body stands on '%s', which is no actuator.".formatted(carrier), ""));
     }
 
     private static boolean isFree(Section section) {
@@ -240,7 +240,7 @@ final class CrewReader {
     private static Free free(Section pose) {
         if (!(pose.find("free").orElseThrow() instanceof Value.Scalar yes
                 && yes.value().equals(true))) {
-            pose.problem("free", "(%s) can only be true.".formatted(pose.path("free")), "");
+            pose.problem("free", "'%s' can only be true.".formatted(pose.path("free")), "");
         }
         double clearance = Keys.number(pose, Keys.CLEARANCE);
         double[] within = FloorPlace.area(pose, "within").orElse(null);

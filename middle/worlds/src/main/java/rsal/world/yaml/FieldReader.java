@@ -85,7 +85,7 @@ final class FieldReader {
         if (dense == section.has("count")) {
             section.problem(
                     section.location(),
-                    "(%s) must have a (count), or a (density) per m², not %s."
+                    "'%s' must have a 'count', or a 'density' per m², not %s."
                             .formatted(section.path(""), dense ? "both" : "none"),
                     "{count: 20}");
         }
@@ -120,12 +120,12 @@ final class FieldReader {
             } else {
                 section.problem(
                         item.location(),
-                        "(%s) must list shapes, not %s.".formatted(section.path("shapes"), item.describe()),
+                        "'%s' must list shapes, not %s.".formatted(section.path("shapes"), item.describe()),
                         Suggestion.among(word, SHAPES));
             }
         }
         if (shapes.isEmpty()) {
-            section.problem("shapes", "(%s) must list a shape.".formatted(section.path("shapes")), "[disc, box]");
+            section.problem("shapes", "'%s' must list a shape.".formatted(section.path("shapes")), "[disc, box]");
         }
         return shapes;
     }
@@ -158,7 +158,7 @@ final class FieldReader {
         }
         section.problem(
                 key,
-                "(%s) must be [least, most], from %s to %.0f m.".formatted(section.path(key), LEAST, MOST),
+                "'%s' must be [least, most], from %s to %.0f m.".formatted(section.path(key), LEAST, MOST),
                 "[%s, %s]".formatted(fallback.least(), fallback.most()));
         return fallback;
     }
@@ -188,9 +188,9 @@ final class FieldReader {
                 if (obstacle.isEmpty()) {
                     warnings.add(new Problem(
                             field.location,
-                            "Only %d of %d obstacles (%s) found room."
+                            "Only %d of %d obstacles '%s' found room."
                                     .formatted(grown.size() - before, count, field.name),
-                            "Maybe take fewer or smaller ones, or a smaller (gap)."));
+                            "Maybe take fewer or smaller ones, or a smaller 'gap'."));
                     break;
                 }
                 names.claim(obstacle.get().name(), 1, field.location);
@@ -209,8 +209,8 @@ final class FieldReader {
         if (wanted > Keys.MAX_SAME) {
             warnings.add(new Problem(
                     field.location,
-                    "Only %d of %d obstacles (%s) are made.".formatted(Keys.MAX_SAME, wanted, field.name),
-                    "Maybe take a smaller (density) or (area), or several fields."));
+                    "Only %d of %d obstacles '%s' are made.".formatted(Keys.MAX_SAME, wanted, field.name),
+                    "Maybe take a smaller 'density' or 'area', or several fields."));
         }
         return (int) Math.min(Keys.MAX_SAME, wanted);
     }

@@ -19,7 +19,7 @@ record FloorPlace(Pose2d pose, double height) {
             if (!(Math.abs(number) <= Keys.FARTHEST)) {
                 section.problem(
                         value.location(),
-                        "(%s) must be within %.0f m.".formatted(section.path(key), Keys.FARTHEST),
+                        "'%s' must be within %.0f m.".formatted(section.path(key), Keys.FARTHEST),
                         "");
                 return Optional.empty();
             }
@@ -50,7 +50,7 @@ record FloorPlace(Pose2d pose, double height) {
         if (count > listed.size()) {
             section.problem(
                     key,
-                    "(%s) has %d for %d.".formatted(section.path(key), listed.size(), count),
+                    "'%s' has %d for %d.".formatted(section.path(key), listed.size(), count),
                     "List more of them.");
         }
         return count > 0 && count < places.size() ? List.copyOf(places.subList(0, count)) : List.copyOf(places);
@@ -61,13 +61,13 @@ record FloorPlace(Pose2d pose, double height) {
         Optional<double[]> area = section.numbers(key, 4);
         for (double side : area.orElse(new double[0])) {
             if (!(Math.abs(side) <= Keys.FARTHEST)) {
-                section.problem(key, "(%s) must be within %.0f m.".formatted(section.path(key), Keys.FARTHEST), "");
+                section.problem(key, "'%s' must be within %.0f m.".formatted(section.path(key), Keys.FARTHEST), "");
                 return Optional.empty();
             }
         }
         if (area.isPresent() && !(area.get()[0] < area.get()[2] && area.get()[1] < area.get()[3])) {
             section.problem(
-                    key, "(%s) must be [left, bottom, right, top], the least first.".formatted(section.path(key)), "");
+                    key, "'%s' must be [left, bottom, right, top], the least first.".formatted(section.path(key)), "");
             return Optional.empty();
         }
         return area;
@@ -86,11 +86,11 @@ record FloorPlace(Pose2d pose, double height) {
         if (!row.has("first") || !row.has("step")) {
             row.problem(
                     row.location(),
-                    "(%s) must have (first) and (step).".formatted(row.path("")),
+                    "'%s' must have 'first' and 'step'.".formatted(row.path("")),
                     "{first: [0, 0, 90], step: [1, 0]}");
         }
         if (!(Math.abs(step[0]) <= Keys.FARTHEST && Math.abs(step[1]) <= Keys.FARTHEST)) {
-            row.problem("step", "(%s) must be within %.0f m.".formatted(row.path("step"), Keys.FARTHEST), "");
+            row.problem("step", "'%s' must be within %.0f m.".formatted(row.path("step"), Keys.FARTHEST), "");
             return List.of();
         }
         row.done();

@@ -22,27 +22,27 @@ final class Keys {
             Parameter.number("step", 0.1, 0.01, 0.2, "s", "Time between two states of the world.");
     static final Parameter<Double> END = Parameter.number("end", 0, 0, 1e9, "s", "How long a run of it takes.");
     static final Parameter<String> TOUCH = Parameter.choice(
-            "touch",
+            "onCollision",
             Touch.STALL.word(),
             Touch.words(),
             "Whether robots that drive into something stop or slide along it.");
     static final Parameter<Integer> SEED = Parameter.integer(
-            "seed",
-            0,
-            Long.MIN_VALUE,
-            Long.MAX_VALUE,
-            "",
-            "What the field follows from; the seed of the run when left out.");
+            "seed", 0, Long.MIN_VALUE, Long.MAX_VALUE, "", "Seed of the field. Default: the seed of the run.");
     static final Parameter<Integer> COUNT = Parameter.integer("count", 1, 1, MAX_SAME, "", "How many there are.");
 
     static final Parameter<Boolean> OBSTACLE = Parameter.flag("obstacle", true, "Whether it is in the way.");
     static final Parameter<Double> REFLECTANCE = Parameter.number(
             "reflectance", 1, -1e9, 1e9, "", "How bright range sensors see it; they look through what is negative.");
-    static final Parameter<Boolean> BLOB = Parameter.flag("blob", true, "Whether blob finders tell of it.");
+    static final Parameter<Boolean> BLOB = Parameter.flag("blob", true, "Whether blob detectors report it.");
     static final Parameter<Integer> FIDUCIAL =
             Parameter.integer("fiducial", 0, Integer.MIN_VALUE, Integer.MAX_VALUE, "", "Its id as a marker; 0: none.");
     static final Parameter<Integer> KEY = Parameter.integer(
-            "key", 0, Integer.MIN_VALUE, Integer.MAX_VALUE, "", "Only finders of this key see the marker.");
+            "key",
+            0,
+            Integer.MIN_VALUE,
+            Integer.MAX_VALUE,
+            "",
+            "Only fiducial detectors with this key see the marker.");
     static final Parameter<Boolean> GRIPPABLE = Parameter.flag("grippable", false, "Whether grippers can hold it.");
     static final List<Parameter<?>> SURFACE = List.of(OBSTACLE, REFLECTANCE, BLOB, FIDUCIAL, KEY, GRIPPABLE);
 

@@ -29,12 +29,12 @@ final class Names {
             throw new InvalidSettings(
                     at,
                     "The world has more than %d things and robots, or %d pieces.".formatted(MAX_ENTITIES, MAX_PIECES),
-                    "Maybe a (count) is too large.");
+                    "Maybe a 'count' is too large.");
         }
         if (name.isBlank() || name.length() > MAX_LENGTH || name.equals(WALL)) {
-            problems.add(at, "(%s) can't be a name here.".formatted(name), "");
+            problems.add(at, "'%s' can't be a name here.".formatted(name), "");
         } else if (!taken.add(name)) {
-            problems.add(at, "There are two of the name (%s).".formatted(name), "Rename one of them.");
+            problems.add(at, "There are two of the name '%s'.".formatted(name), "Rename one of them.");
         }
     }
 }

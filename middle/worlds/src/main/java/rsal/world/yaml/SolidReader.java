@@ -58,7 +58,7 @@ record SolidReader(List<Piece> pieces) {
         if (!carrier.isEmpty() && !places.contains(carrier)) {
             piece.problem(
                     "actuator",
-                    "(%s) is (%s), which (mounts) does not list.".formatted(piece.path("actuator"), carrier),
+                    "'%s' is '%s', which 'mounts' does not list.".formatted(piece.path("actuator"), carrier),
                     Suggestion.among(carrier, places));
         }
         return Optional.of(carrier);

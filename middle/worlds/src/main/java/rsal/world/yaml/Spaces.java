@@ -45,7 +45,7 @@ final class Spaces {
                     asked,
                     "Free places are looked for with too many different clearances for a map of %d cells."
                             .formatted(cells),
-                    "Use the same (clearance) for more robots.");
+                    "Use the same 'clearance' for more robots.");
         }
         while (!kept.isEmpty() && (kept.size() + 1) * cells > MOST_KEPT) {
             kept.pollFirstEntry();

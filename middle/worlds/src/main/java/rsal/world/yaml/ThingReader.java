@@ -49,13 +49,13 @@ final class ThingReader {
                 several ? FloorPlace.several(section, "pose", count) : List.of(FloorPlace.one(section, "pose"));
         Surface surface = SurfaceReader.read(section, Surface.PLAIN);
         if (!section.has("body")) {
-            section.problem(section.location(), "(%s) is missing.".formatted(section.path("body")), "{radius: 0.2}");
+            section.problem(section.location(), "'%s' is missing.".formatted(section.path("body")), "{radius: 0.2}");
             section.done();
             return;
         }
         List<Block> blocks = SolidReader.read(section.section("body"), surface).blocks(surface.color());
         if (blocks.isEmpty()) {
-            section.problem("body", "(%s) must have pieces.".formatted(section.path("body")), "{radius: 0.2}");
+            section.problem("body", "'%s' must have pieces.".formatted(section.path("body")), "{radius: 0.2}");
         }
         boolean moves = section.has("moves") ? Keys.flag(section, Keys.MOVES) : surface.grippable();
         double giving = section.has("givingPower") ? Keys.number(section, Keys.GIVING) : 0;

@@ -115,7 +115,7 @@ final class WallReader {
         boolean closed = Keys.flag(wall, Keys.CLOSED);
         double thickness = Keys.number(wall, Keys.THICKNESS);
         if (points.size() == 1) {
-            wall.problem("line", "(%s) must have two points or more.".formatted(wall.path("line")), "");
+            wall.problem("line", "'%s' must have two points or more.".formatted(wall.path("line")), "");
         }
         return points.size() < 2 ? List.of() : along(wall, "line", points, closed, thickness);
     }
@@ -130,7 +130,7 @@ final class WallReader {
             if (!(point.distanceTo(distinct.get((i + 1) % distinct.size())) >= NEAREST)) {
                 wall.problem(
                         key,
-                        "Point (%s, %s) of (%s) is followed by itself.".formatted(point.x(), point.y(), wall.path(key)),
+                        "Point (%s, %s) of '%s' is followed by itself.".formatted(point.x(), point.y(), wall.path(key)),
                         "Name it once.");
                 return List.of();
             }
@@ -138,7 +138,7 @@ final class WallReader {
         try {
             return Line.shapes(distinct, closed, thickness);
         } catch (IllegalArgumentException e) { // what is far away and thin can't be told in numbers
-            wall.problem(key, "(%s): %s".formatted(wall.path(key), e.getMessage()), "");
+            wall.problem(key, "'%s': %s".formatted(wall.path(key), e.getMessage()), "");
             return List.of();
         }
     }
@@ -167,7 +167,7 @@ final class WallReader {
         }
         wall.problem(
                 key,
-                "(%s) must be a number from %.0f to %.0f, not (%s)."
+                "'%s' must be a number from %.0f to %.0f, not '%s'."
                         .formatted(wall.path(key), least, Keys.FARTHEST, value),
                 "");
         return fallback;
@@ -223,7 +223,7 @@ final class WallReader {
             wall.problem(
                     "origin",
                     "The image has more than %d pieces, too many to be turned like this.".formatted(MAX_RECTANGLES),
-                    "Turn the image itself, and set the third value of (origin) to 0.");
+                    "Turn the image itself, and set the third value of 'origin' to 0.");
             return;
         }
         List<Shape> shapes = rectangles.stream()
@@ -248,7 +248,7 @@ final class WallReader {
         } catch (InvalidSettings e) {
             wall.problems().addAll(e);
         } catch (BitmapReader.Unreadable e) {
-            wall.problem("image", "Image (%s) can't be read: %s.".formatted(name, e.why()), e.remedy());
+            wall.problem("image", "Image '%s' can't be read: %s.".formatted(name, e.why()), e.remedy());
         }
         return Optional.empty();
     }
@@ -275,7 +275,7 @@ final class WallReader {
         if (size == wall.has("resolution")) {
             wall.problem(
                     wall.location(),
-                    "An image must have a (resolution), or a (size), not %s.".formatted(size ? "both" : "none"),
+                    "An image must have a 'resolution', or a 'size', not %s.".formatted(size ? "both" : "none"),
                     "{resolution: 0.05}");
             return Optional.empty();
         }
@@ -293,7 +293,7 @@ final class WallReader {
             return Optional.of(new double[] {x, y});
         }
         wall.problem(
-                key, "Pixels of %s × %s m are not read here.".formatted(x, y), "Maybe (%s) is wrong.".formatted(key));
+                key, "Pixels of %s × %s m are not read here.".formatted(x, y), "Maybe '%s' is wrong.".formatted(key));
         return Optional.empty();
     }
 }

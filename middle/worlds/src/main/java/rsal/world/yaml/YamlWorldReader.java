@@ -79,7 +79,7 @@ final class YamlWorldReader {
         try {
             return new Assembly(title, step, end, touch, area, walls, things, crew.members()).scene(fields);
         } catch (MapPainter.TooLarge e) {
-            throw new InvalidSettings(Location.of(path), String.valueOf(e.getMessage()), "Maybe a (pose) is wrong.");
+            throw new InvalidSettings(Location.of(path), String.valueOf(e.getMessage()), "Maybe a 'pose' is wrong.");
         }
     }
 
@@ -88,7 +88,7 @@ final class YamlWorldReader {
         if (member.program().filter(program -> !program.equals(PROGRAM)).isPresent()) {
             warn(
                     member.location(),
-                    "There is no program (%s) here; the robot wanders instead."
+                    "There is no program '%s' here; the robot wanders instead."
                             .formatted(member.program().get()),
                     "{program: %s}".formatted(PROGRAM));
         }
@@ -96,7 +96,7 @@ final class YamlWorldReader {
             if (part instanceof Part.Bumper bumper && bumper.pads().isEmpty()) {
                 warn(
                         member.location(),
-                        "Bumper (%s) of the model (%s) feels nothing: it has no (bumpers)."
+                        "Bumper '%s' of the model '%s' feels nothing: it has no 'bumpers'."
                                 .formatted(name, member.model().name()),
                         "{bumpers: [[0.25, 0, 0, 0.4]]}");
             }
@@ -113,7 +113,7 @@ final class YamlWorldReader {
         double version = root.number("rsal");
         if (root.has("rsal") && version != Keys.VERSION) {
             root.problem(
-                    "rsal", "(rsal) is the version of the format: %d, not (%s).".formatted(Keys.VERSION, version), "");
+                    "rsal", "'rsal' is the version of the format: %d, not '%s'.".formatted(Keys.VERSION, version), "");
         }
     }
 
@@ -224,8 +224,8 @@ final class YamlWorldReader {
                         throw new InvalidSettings(
                                 member.location(),
                                 (room.isExhausted()
-                                                ? "It takes too long to find a free place for robot (%s)."
-                                                : "There is no free place for robot (%s).")
+                                                ? "It takes too long to find a free place for robot '%s'."
+                                                : "There is no free place for robot '%s'.")
                                         .formatted(member.id()),
                                 "Maybe the clearance is too large, or the world too small for so many robots.");
                     }

@@ -44,7 +44,7 @@ final class Worlds {
         return (path, most, askedAt) -> {
             byte[] bytes = files.get(path);
             if (bytes == null || bytes.length > most) {
-                throw new InvalidSettings(askedAt, "There is no file (%s).".formatted(path), "");
+                throw new InvalidSettings(askedAt, "There is no file '%s'.".formatted(path), "");
             }
             return bytes;
         };

@@ -115,12 +115,12 @@ class YamlFormatTest {
     @Test
     void robotsStallUnlessTheWorldSaysOtherwise() {
         assertThat(scene("").touch()).isEqualTo(Touch.STALL);
-        assertThat(scene("touch: slide").touch()).isEqualTo(Touch.SLIDE);
-        assertThat(SceneWriter.write(scene("touch: slide"), "a").yaml()).contains("touch: slide");
-        assertThat(Worlds.of("touch: slid").mistakes())
+        assertThat(scene("onCollision: slide").touch()).isEqualTo(Touch.SLIDE);
+        assertThat(SceneWriter.write(scene("onCollision: slide"), "a").yaml()).contains("onCollision: slide");
+        assertThat(Worlds.of("onCollision: slid").mistakes())
                 .singleElement()
                 .asString()
-                .contains("Maybe (slide)");
+                .contains("Maybe 'slide'");
     }
 
     @Test
@@ -473,7 +473,7 @@ class YamlFormatTest {
         assertThat(scene.things()).hasSizeBetween(2, 30);
         assertThat(scene.warnings()).singleElement().satisfies(warning -> {
             assertThat(warning.location()).isEqualTo(new Location(Worlds.FILE, 3, 17));
-            assertThat(warning.message()).matches("Only \\d+ of 500 obstacles \\(rocks\\) found room\\.");
+            assertThat(warning.message()).matches("Only \\d+ of 500 obstacles 'rocks' found room\\.");
         });
     }
 
@@ -484,7 +484,7 @@ class YamlFormatTest {
                 things: {fog: {pose: [0, 0, 0], moves: true, body: {outline: [[0, 0], [60000, 0], [60000, 60000]]}}}
                 fields: {rocks: {count: 5, area: [0, 0, 9, 9]}}
                 """);
-        assertThat(scene.warnings()).singleElement().asString().contains("Only 0 of 5 obstacles (rocks)");
+        assertThat(scene.warnings()).singleElement().asString().contains("Only 0 of 5 obstacles 'rocks'");
     }
 
     @Test
@@ -513,7 +513,7 @@ class YamlFormatTest {
                 scene("fields: {f: {density: 1000, area: [0, 0, 100, 50], size: 0.01, gap: 0}}\narea: [0, 0, 1, 1]");
         assertThat(scene.warnings())
                 .extracting(Problem::message)
-                .contains("Only 10000 of 5000000 obstacles (f) are made.");
+                .contains("Only 10000 of 5000000 obstacles 'f' are made.");
     }
 
     @Test
@@ -556,7 +556,7 @@ class YamlFormatTest {
         assertThat(scene.warnings())
                 .singleElement()
                 .asString()
-                .startsWith("hall.world.yaml:4:6: Bumper (bumper) of the model (pioneer2dx) feels nothing");
+                .startsWith("hall.world.yaml:4:6: Bumper 'bumper' of the model 'pioneer2dx' feels nothing");
     }
 
     @Test
@@ -571,9 +571,9 @@ class YamlFormatTest {
         assertThat(scene.warnings())
                 .extracting(Problem::toString)
                 .satisfiesExactly(
-                        wall -> assertThat(wall).startsWith("hall.world.yaml:5:6: Robot (r-1) starts inside (wall-1)."),
-                        box -> assertThat(box).contains("Robot (r-2) starts inside (box)."),
-                        robot -> assertThat(robot).contains("Robot (late) starts inside (r-3)."));
+                        wall -> assertThat(wall).startsWith("hall.world.yaml:5:6: Robot 'r-1' starts inside 'wall-1'."),
+                        box -> assertThat(box).contains("Robot 'r-2' starts inside 'box'."),
+                        robot -> assertThat(robot).contains("Robot 'late' starts inside 'r-3'."));
     }
 
     @Test
@@ -585,7 +585,7 @@ class YamlFormatTest {
                         """))
                 .satisfies(e -> {
                     assertThat(e.problems()).singleElement().asString().contains("wals");
-                    assertThat(e.warnings()).singleElement().asString().contains("(dance)");
+                    assertThat(e.warnings()).singleElement().asString().contains("'dance'");
                 });
     }
 
@@ -593,58 +593,58 @@ class YamlFormatTest {
     void otherProgramsAreToldOf() {
         Scene scene = scene("robots: {r: {model: pioneer2dx, pose: [0, 0, 0], program: dance}}");
         assertThat(scene.programs()).containsEntry("r", "dance");
-        assertThat(scene.warnings()).singleElement().asString().contains("(dance)", "wander");
+        assertThat(scene.warnings()).singleElement().asString().contains("'dance'", "wander");
     }
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
-            rsal: 2                                        | 2:7   | (rsal) is the version of the format: 1
-            wals: []                                       | 2:1   | Maybe (walls) was meant?
-            step: 1                                        | 2:7   | (step) must be a number from 0.01 to 0.2 [s], not (1)
-            area: [0, 0, 0, 5]                             | 2:7   | (area) must be [left, bottom, right, top]
-            walls: 3                                       | 2:8   | (walls) must be a list
+            rsal: 2                                        | 2:7   | 'rsal' is the version of the format: 1
+            wals: []                                       | 2:1   | Maybe 'walls' was meant?
+            step: 1                                        | 2:7   | 'step' must be a number from 0.01 to 0.2 [s], not '1'
+            area: [0, 0, 0, 5]                             | 2:7   | 'area' must be [left, bottom, right, top]
+            walls: 3                                       | 2:8   | 'walls' must be a list
             walls: [3]                                     | 2:9   | a list of groups such as {line
-            walls: [{lien: [[0, 0]]}]                      | 2:9   | Maybe (line) was meant?
+            walls: [{lien: [[0, 0]]}]                      | 2:9   | Maybe 'line' was meant?
             walls: [{line: [[0, 0]]}]                      | 2:16  | two points or more
             walls: [{line: [[0, 0], [0, 0], [1, 1]]}]      | 2:16  | is followed by itself
             walls: [{line: [[0, 0], [0, a]]}]              | 2:25  | a list of 2 numbers
             walls: [{line: [[0, 0], [0, 1e9]]}]            | 2:16  | must be at most 1000000.0 away
-            walls: [{radius: -1}]                          | 2:18  | (walls.radius) must be a number from 0.0000010
-            walls: [{radius: 1, heigth: 3}]                | 2:21  | Maybe (height) was meant?
-            walls: [{radius: 1, height: -3}]               | 2:29  | (walls.height) must be a number from 0
-            walls: [{image: none.png, resolution: 1}]      | 2:17  | There is no file (none.png)
-            walls: [{image: a.pgm}]                        | 2:9   | a (resolution), or a (size), not none
+            walls: [{radius: -1}]                          | 2:18  | 'walls.radius' must be a number from 0.0000010
+            walls: [{radius: 1, heigth: 3}]                | 2:21  | Maybe 'height' was meant?
+            walls: [{radius: 1, height: -3}]               | 2:29  | 'walls.height' must be a number from 0
+            walls: [{image: none.png, resolution: 1}]      | 2:17  | There is no file 'none.png'
+            walls: [{image: a.pgm}]                        | 2:9   | a 'resolution', or a 'size', not none
             walls: [{image: a.pgm, resolution: 0}]         | 2:36  | Pixels of 0.0
-            walls: [{image: what.png, resolution: 1}]      | 2:17  | Image (what.png) can't be read: it is no image
-            walls: [{map: offcie}]                         | 2:15  | There is no map (offcie)
-            things: {wall: {body: {radius: 1}}}            | 2:16  | (wall) can't be a name here
-            things: {wall-1: {body: {radius: 1}}}          | 2:18  | two of the name (wall-1)
-            things: {a: {body: {radius: 1}, givingPower: -5}} | 2:46 | (things.a.givingPower) must be a number
-            things: {a: {}}                                | 2:13  | (things.a.body) is missing
-            things: {a: {body: {radius: 1}, colour: red}}  | 2:33  | Maybe (color) was meant?
-            things: {a: {body: {radius: 1}, color: rde}}   | 2:40  | must be a color, "#rrggbb" or a name, not (rde).
-            things: {a: {body: {radius: 1}, color: rde}}   | 2:40  | Maybe (red) was meant?
+            walls: [{image: what.png, resolution: 1}]      | 2:17  | Image 'what.png' can't be read: it is no image
+            walls: [{map: offcie}]                         | 2:15  | There is no map 'offcie'
+            things: {wall: {body: {radius: 1}}}            | 2:16  | 'wall' can't be a name here
+            things: {wall-1: {body: {radius: 1}}}          | 2:18  | two of the name 'wall-1'
+            things: {a: {body: {radius: 1}, givingPower: -5}} | 2:46 | 'things.a.givingPower' must be a number
+            things: {a: {}}                                | 2:13  | 'things.a.body' is missing
+            things: {a: {body: {radius: 1}, colour: red}}  | 2:33  | Maybe 'color' was meant?
+            things: {a: {body: {radius: 1}, color: rde}}   | 2:40  | must be a color, "#rrggbb" or a name, not 'rde'.
+            things: {a: {body: {radius: 1}, color: rde}}   | 2:40  | Maybe 'red' was meant?
             things: {a: {body: {radius: 1}, color: "#12"}} | 2:40  | such as red, orange or gray30
             things: {a: {body: {radius: 1}, color: [1]}}   | 2:40  | or a name, not a list of 1
-            fields: {a: {count: 1, colors: [red, rde]}}    | 2:38  | Maybe (red) was meant?
-            things: {a: {body: {radius: 1}, blob: 1}}      | 2:39  | (things.a.blob) must be true or false, not (1)
-            things: {a: {pose: [1, 2], body: {radius: 1}}} | 2:20  | (things.a.pose) must be a list of 3 numbers
-            things: {a: {count: 2, pose: [1, 2, 3], body: {radius: 1}}} | 2:30 | (things.a.pose) has 1 for 2
-            things: {a: {body: {pieces: []}}}              | 2:20  | (things.a.body) must have pieces
-            fields: {f: {}}                                | 2:13  | must have a (count), or a (density)
-            fields: {f: {count: 1, size: [2, 1]}}          | 2:30  | (fields.f.size) must be [least, most]
+            fields: {a: {count: 1, colors: [red, rde]}}    | 2:38  | Maybe 'red' was meant?
+            things: {a: {body: {radius: 1}, blob: 1}}      | 2:39  | 'things.a.blob' must be true or false, not '1'
+            things: {a: {pose: [1, 2], body: {radius: 1}}} | 2:20  | 'things.a.pose' must be a list of 3 numbers
+            things: {a: {count: 2, pose: [1, 2, 3], body: {radius: 1}}} | 2:30 | 'things.a.pose' has 1 for 2
+            things: {a: {body: {pieces: []}}}              | 2:20  | 'things.a.body' must have pieces
+            fields: {f: {}}                                | 2:13  | must have a 'count', or a 'density'
+            fields: {f: {count: 1, size: [2, 1]}}          | 2:30  | 'fields.f.size' must be [least, most]
             fields: {f: {count: 1, shapes: [ball]}}        | 2:33  | Known are: disc, box, polygon
-            robots: {r: {}}                                | 2:13  | (robots.r.model) is missing
-            robots: {r: {model: pioner2dx}}                | 2:21  | Maybe (pioneer2dx) was meant?
-            robots: {r: {model: pioneer2dx, devices: {laser: urg4lx}}} | 2:50 | Maybe (urg04lx) was meant?
+            robots: {r: {}}                                | 2:13  | 'robots.r.model' is missing
+            robots: {r: {model: pioner2dx}}                | 2:21  | Maybe 'pioneer2dx' was meant?
+            robots: {r: {model: pioneer2dx, devices: {laser: urg4lx}}} | 2:50 | Maybe 'urg04lx' was meant?
             robots: {a/b: {model: pioneer2dx}}             | 2:15  | a slash is what sets devices off
             robots: {r: {model: pioneer2dx, pose: {free: 3}}} | 2:46 | can only be true
-            robots: {r: {model: pioneer2dx, pose: {free: true, within: [50, 50, 51, 51]}}} | 2:13 | no free place for robot (r)
-            robots: {r: {model: pioneer2dx, pose: {free: true, within: [5, 0, 1, 1]}}} | 2:60 | (robots.r.pose.within) must be [left, bottom
-            robots: {r: {model: pioneer2dx, pose: {free: true, within: [0, 0, 1e7, 1]}}} | 2:60 | (robots.r.pose.within) must be within
-            models: {m: {body: {radius: 1}}}               | 2:13  | (models.m.drive) is missing: a group with (maxSpeed)
-            models: {m: {body: {radius: 1, actuator: arn}, mounts: {arm: [0, 0, 0]}}} | 2:42 | Maybe (arm) was meant?
-            things: {a: {body: {radius: 1, actuator: arm}}} | 2:32 | (actuator) is not known
+            robots: {r: {model: pioneer2dx, pose: {free: true, within: [50, 50, 51, 51]}}} | 2:13 | no free place for robot 'r'
+            robots: {r: {model: pioneer2dx, pose: {free: true, within: [5, 0, 1, 1]}}} | 2:60 | 'robots.r.pose.within' must be [left, bottom
+            robots: {r: {model: pioneer2dx, pose: {free: true, within: [0, 0, 1e7, 1]}}} | 2:60 | 'robots.r.pose.within' must be within
+            models: {m: {body: {radius: 1}}}               | 2:13  | 'models.m.drive' is missing: a group with 'maxSpeed'
+            models: {m: {body: {radius: 1, actuator: arn}, mounts: {arm: [0, 0, 0]}}} | 2:42 | Maybe 'arm' was meant?
+            things: {a: {body: {radius: 1, actuator: arm}}} | 2:32 | 'actuator' is not known
             things: {a: {pose: [900000, 0, 0], body: {radius: 1}}, b: {body: {radius: 1}}} | | at most 100000 m
             """)
     void mistakesAreTold(String text, String where, String expected) {
@@ -687,23 +687,24 @@ class YamlFormatTest {
                         .mistakes())
                 .singleElement()
                 .asString()
-                .contains("A piece of its body stands on (arm), which is no actuator.");
+                .contains("A piece of its body stands on 'arm', which is no actuator.");
     }
 
     @ParameterizedTest
     @CsvSource(
+            quoteCharacter = '`',
             delimiter = '|',
             value = {
-                "odometryNoise: 5            | (models.cart.drive.odometryNoise) must be a group of settings, not (5).",
+                "odometryNoise: 5            | 'models.cart.drive.odometryNoise' must be a group of settings, not '5'.",
                 "odometryNoise: [0, 0, 0]    | must be a group of settings, not a list of 3.",
                 "odometryNoice: {distancePerMeter: 0, headingPerMeter: 0, headingPerDegree: 0} "
-                        + "| Maybe (odometryNoise) was meant?",
+                        + "| Maybe 'odometryNoise' was meant?",
                 "odometryNoise: {distancePerMetre: 0, headingPerMeter: 0, headingPerDegree: 0} "
-                        + "| Maybe (distancePerMeter) was meant?",
+                        + "| Maybe 'distancePerMeter' was meant?",
                 "odometryNoise: {distancePerMeter: -1, headingPerMeter: 0, headingPerDegree: 0} | from 0.0 to 1000000000",
-                "odometryNoise: {distancePerMeter: 0, headingPerMeter: 0} | headingPerDegree) is missing",
-                "type: differential          | drive.odometryNoise) is missing: a group with (distancePerMeter), (headingPerMeter), "
-                        + "(headingPerDegree)."
+                "odometryNoise: {distancePerMeter: 0, headingPerMeter: 0} | headingPerDegree' is missing",
+                "type: differential          | drive.odometryNoise' is missing: a group with 'distancePerMeter', 'headingPerMeter', "
+                        + "'headingPerDegree'."
             })
     void aMistakeInADriveIsToldOnce(String noise, String expected) {
         assertThat(Worlds.of("""

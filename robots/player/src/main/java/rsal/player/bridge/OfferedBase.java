@@ -216,7 +216,7 @@ final class OfferedBase extends Offered implements ExclusiveControl.Holder {
 
     private static <T> T finite(T value, boolean isFinite) {
         if (!isFinite) {
-            throw new IllegalArgumentException("A base can't do (%s).".formatted(value));
+            throw new IllegalArgumentException("A base can't do '%s'.".formatted(value));
         }
         return value;
     }

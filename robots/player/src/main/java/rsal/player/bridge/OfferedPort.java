@@ -27,7 +27,7 @@ final class OfferedPort implements AutoCloseable {
             this.port = new Port(at, offered, protocol, () -> Offered.seconds(scheduler.instant()), scheduler);
         } catch (IOException e) {
             throw new IOException(
-                    "Nobody may listen at (%s:%d): %s.".formatted(at.getHostString(), at.getPort(), e.getMessage()), e);
+                    "Nobody may listen at '%s:%d': %s.".formatted(at.getHostString(), at.getPort(), e.getMessage()), e);
         }
     }
 

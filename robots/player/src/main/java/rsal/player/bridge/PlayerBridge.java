@@ -82,7 +82,7 @@ final class PlayerBridge implements Bridge {
     private static InetSocketAddress moved(InetSocketAddress at, int port) throws IOException {
         int number = at.getPort() == 0 ? 0 : at.getPort() + port - Session.USUAL_PORT;
         if (number < 0 || number > Session.LAST_PORT) {
-            throw new IOException("There is no port (%d): the last one is %d.".formatted(number, Session.LAST_PORT));
+            throw new IOException("There is no port '%d': the last one is %d.".formatted(number, Session.LAST_PORT));
         }
         return new InetSocketAddress(at.getAddress(), number);
     }

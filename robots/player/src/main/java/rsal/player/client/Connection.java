@@ -95,7 +95,7 @@ public final class Connection implements AutoCloseable {
             String ident = Chars.text(introduction);
             if (introduction.length < Session.IDENT || !ident.startsWith("Player")) {
                 throw new MalformedException(
-                        "(%s) is no Player server; it begins with (%s).".formatted(server, printable(introduction)));
+                        "'%s' is no Player server; it begins with '%s'.".formatted(server, printable(introduction)));
             }
             var connection = new Connection(socket, delivery.pulls(socket.getInetAddress()), ident, onData);
             socket.setSoTimeout(0);
@@ -203,7 +203,7 @@ public final class Connection implements AutoCloseable {
                 .thenCompose(granted -> granted.access() == Session.OPEN
                         ? CompletableFuture.completedStage(Chars.text(granted.driver()))
                         : CompletableFuture.failedStage(new RefusedException(
-                                "The driver of (%s) did not start.".formatted(Interface.words(device)))));
+                                "The driver of '%s' did not start.".formatted(Interface.words(device)))));
     }
 
     /// Asks something of a device, or of the server.
@@ -322,7 +322,7 @@ public final class Connection implements AutoCloseable {
         if (packet.header().kind() == MessageKind.ACK) {
             answer.complete(packet);
         } else {
-            answer.completeExceptionally(new RefusedException("The server refuses request %d of (%s)."
+            answer.completeExceptionally(new RefusedException("The server refuses request %d of '%s'."
                     .formatted(
                             packet.header().subtype(),
                             Interface.words(packet.header().address()))));

@@ -64,7 +64,7 @@ final class MapReader {
 
     private static MapInterface.Extent extent(Optional<Record> answer) {
         if (!(answer.orElse(null) instanceof MapInterface.Extent extent)) {
-            throw refused("The server does not tell how large it is.");
+            throw refused("The server does not report the size of its map.");
         }
         long cells = (long) extent.width() * extent.height();
         if (extent.width() <= 0 || extent.height() <= 0 || cells > MOST_CELLS) {
@@ -136,19 +136,19 @@ final class MapReader {
     /// A tile's cells as ours, row by row.
     static byte[] unpacked(MapInterface.Tile asked, Optional<Record> answer) {
         if (!(answer.orElse(null) instanceof MapInterface.Tile tile)) {
-            throw refused("The server tells nothing of %s.".formatted(words(asked)));
+            throw refused("The server reports nothing of %s.".formatted(words(asked)));
         }
         boolean fits = tile.column() == asked.column()
                 && tile.row() == asked.row()
                 && tile.width() == asked.width()
                 && tile.height() == asked.height();
         if (!fits) {
-            throw refused("The server tells %s instead of %s.".formatted(words(tile), words(asked)));
+            throw refused("The server reports %s instead of %s.".formatted(words(tile), words(asked)));
         }
         int count = asked.width() * asked.height();
         byte[] theirs = inflated(tile.cells(), count)
                 .or(() -> Optional.of(tile.cells()).filter(raw -> raw.length == count))
-                .orElseThrow(() -> refused("The (%d) bytes of %s are not its cells, packed or not."
+                .orElseThrow(() -> refused("The '%d' bytes of %s are not its cells, packed or not."
                         .formatted(tile.cells().length, words(asked))));
         int range = Math.max(1, tile.range());
         var ours = new byte[count];

@@ -110,7 +110,7 @@ final class PlayerActuator extends PlayerSensor<ActuatorState> implements Actuat
     @Override
     public GoalHandle<ActuatorState, Result> goTo(double wanted) {
         if (!Double.isFinite(wanted)) {
-            throw new IllegalArgumentException("A position must be finite, not (%s).".formatted(wanted));
+            throw new IllegalArgumentException("A position must be finite, not '%s'.".formatted(wanted));
         }
         GoalHandle<ActuatorState, Result> handle = begin(limits.clamp(wanted));
         if (base.enabled()) {
@@ -153,7 +153,7 @@ final class PlayerActuator extends PlayerSensor<ActuatorState> implements Actuat
     @Override
     public void command(double wanted) {
         if (!Double.isFinite(wanted)) {
-            throw new IllegalArgumentException("A speed must be finite, not (%s).".formatted(wanted));
+            throw new IllegalArgumentException("A speed must be finite, not '%s'.".formatted(wanted));
         }
         end(new Result.Cancelled());
         if (!base.enabled()) {

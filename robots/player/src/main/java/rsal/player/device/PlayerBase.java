@@ -74,7 +74,7 @@ final class PlayerBase extends PlayerSensor<Odometry> implements DriveBase {
     public void command(Twist2d velocity) {
         if (!velocity.isFinite()) {
             throw new IllegalArgumentException(
-                    "A velocity must be finite, but (%s) was given (%s).".formatted(info().id(), velocity));
+                    "A velocity must be finite, but '%s' was given '%s'.".formatted(info().id(), velocity));
         }
         if (enabled && server.isConnected()) {
             Twist2d feasible = drive.feasible(velocity);

@@ -120,7 +120,7 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
     @Override
     public GoalHandle<Progress, Result> goTo(Pose2d mapFromGoal, Tolerance tolerance) {
         if (!mapFromGoal.isFinite()) {
-            throw new IllegalArgumentException("A goal must be finite, not (%s).".formatted(mapFromGoal));
+            throw new IllegalArgumentException("A goal must be finite, not '%s'.".formatted(mapFromGoal));
         }
         end(Result.Cancelled.by(mapFromGoal));
         var goal = new Trip[1];

@@ -185,7 +185,7 @@ public final class RemoteRobot {
                         name,
                         (info, at) -> new PlayerNavigator(info, at.address, at.server, base, scheduler));
             case Part.Light _, Part.Registered _ ->
-                throw new IllegalArgumentException("(%s) is refused before.".formatted(part.name()));
+                throw new IllegalArgumentException("'%s' is refused before.".formatted(part.name()));
         }
     }
 
@@ -202,12 +202,12 @@ public final class RemoteRobot {
     private <D extends Device & Remote> D add(Kind kind, String name, BiFunction<DeviceInfo, Found, D> make)
             throws IOException {
         Found at = next(kind)
-                .orElseThrow(() -> new IOException("Robot (%s) has no device for its (%s): %s."
+                .orElseThrow(() -> new IOException("Robot '%s' has no device for its '%s': %s."
                         .formatted(
                                 spec.id(),
                                 name,
                                 seen.stream()
-                                        .map(one -> "(%s) has %s".formatted(one.server.name(), one.offer.words()))
+                                        .map(one -> "'%s' has %s".formatted(one.server.name(), one.offer.words()))
                                         .collect(Collectors.joining(", ")))));
         D device = connect(at, make.apply(new DeviceInfo(spec.id(), name, DRIVER), at));
         devices.add(device);

@@ -137,7 +137,7 @@ public final class RemoteTruth extends DeviceCore implements SimulationControl, 
             LOG.log(
                     System.Logger.Level.WARNING,
                     () ->
-                            "The simulation at (%s) does not tell where (%s) is: %s Maybe it has another name there (names)."
+                            "The simulation at '%s' does not report the pose of '%s': %s Maybe it has another name there ('names')."
                                     .formatted(server.name(), seen.name, RemoteServer.words(error.get())));
         }
     }
@@ -158,14 +158,14 @@ public final class RemoteTruth extends DeviceCore implements SimulationControl, 
     public Placement place(String entity, Pose2d mapFromEntity) {
         Seen seen = robots.get(entity);
         if (seen == null) {
-            return new Placement.Refused("There is no robot (%s).".formatted(entity));
+            return new Placement.Refused("There is no robot '%s'.".formatted(entity));
         }
         if (!mapFromEntity.isFinite()) {
-            return new Placement.Refused("A place must be finite, not (%s).".formatted(mapFromEntity));
+            return new Placement.Refused("A place must be finite, not '%s'.".formatted(mapFromEntity));
         }
         if (!server.isConnected()) {
             return new Placement.Refused(
-                    "The simulation at (%s) is lost: %s".formatted(server.name(), server.reason()));
+                    "The simulation at '%s' is lost: %s".formatted(server.name(), server.reason()));
         }
         seen.forget();
         server.ask(address, Simulation.SET_POSE, Optional.of(placed(seen, mapFromEntity)))
@@ -173,7 +173,7 @@ public final class RemoteTruth extends DeviceCore implements SimulationControl, 
                     if (error != null) {
                         LOG.log(
                                 System.Logger.Level.WARNING,
-                                () -> "(%s) was not placed: %s".formatted(entity, RemoteServer.words(error)));
+                                () -> "'%s' was not placed: %s".formatted(entity, RemoteServer.words(error)));
                     }
                 });
         return new Placement.Placed();

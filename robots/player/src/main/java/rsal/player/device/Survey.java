@@ -87,7 +87,7 @@ final class Survey {
         try {
             return asked.toCompletableFuture().get(PATIENCE.toMillis(), TimeUnit.MILLISECONDS);
         } catch (TimeoutException e) {
-            throw new IOException("The server does not tell %s.".formatted(what), e);
+            throw new IOException("The server does not report %s.".formatted(what), e);
         } catch (ExecutionException e) {
             throw e.getCause() instanceof IOException lost ? lost : new IOException(e.getCause());
         } catch (InterruptedException e) {

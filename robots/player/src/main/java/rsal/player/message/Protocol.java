@@ -238,7 +238,7 @@ public final class Protocol {
         }
         Header header = packet.header();
         Class<? extends Record> body = body(header)
-                .orElseThrow(() -> new MalformedException("Message %d (%s) of interface (%d) has no body."
+                .orElseThrow(() -> new MalformedException("Message %d (%s) of interface '%d' has no body."
                         .formatted(
                                 header.subtype(),
                                 header.kind(),

@@ -66,7 +66,7 @@ public final class Port implements AutoCloseable {
         this.afterwards = afterwards;
         devices.forEach(device -> {
             if (this.devices.put(Address.of(device.interf().code(), device.index()), device) != null) {
-                throw new IllegalArgumentException("There are two devices (%s:%d) on port (%d)."
+                throw new IllegalArgumentException("There are two devices '%s:%d' on port '%d'."
                         .formatted(device.interf().word(), device.index(), at.getPort()));
             }
         });

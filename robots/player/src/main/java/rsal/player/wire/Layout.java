@@ -68,7 +68,7 @@ public final class Layout<T extends Record> {
                     .asSpreader(Object[].class, components.length)
                     .asType(MAKER);
         } catch (ReflectiveOperationException e) {
-            throw new IllegalArgumentException("Record (%s) can't be sent.".formatted(type), e);
+            throw new IllegalArgumentException("Record '%s' can't be sent.".formatted(type), e);
         }
         this.least = sum;
     }
@@ -122,7 +122,7 @@ public final class Layout<T extends Record> {
             Class<?> element = (Class<?>) list.getActualTypeArguments()[0];
             return new Part.Records(of(element.asSubclass(Record.class)));
         }
-        throw new IllegalArgumentException("Component (%s) can't be sent.".formatted(component));
+        throw new IllegalArgumentException("Component '%s' can't be sent.".formatted(component));
     }
 
     /// What a body says.
@@ -132,7 +132,7 @@ public final class Layout<T extends Record> {
         var from = ByteBuffer.wrap(body);
         T value = read(from);
         if (from.hasRemaining()) {
-            throw new MalformedException("A body of (%d) bytes is too long: %s has %d."
+            throw new MalformedException("A body of '%d' bytes is too long: %s has %d."
                     .formatted(body.length, type.getSimpleName(), body.length - from.remaining()));
         }
         return value;
@@ -191,7 +191,7 @@ public final class Layout<T extends Record> {
         try {
             return (Object) field.get.invokeExact(value);
         } catch (Throwable e) {
-            throw new IllegalStateException("Component (%s) can't be read.".formatted(field.name), e);
+            throw new IllegalStateException("Component '%s' can't be read.".formatted(field.name), e);
         }
     }
 }

@@ -241,7 +241,7 @@ class ConnectionTest {
         assertThatThrownBy(() -> result(bad))
                 .hasRootCauseInstanceOf(RefusedException.class)
                 .rootCause()
-                .hasMessage("The driver of (position2d:0) did not start.");
+                .hasMessage("The driver of 'position2d:0' did not start.");
     }
 
     @Test
@@ -257,7 +257,7 @@ class ConnectionTest {
         assertThatThrownBy(() -> result(second))
                 .rootCause()
                 .isInstanceOf(RefusedException.class)
-                .hasMessage("The server refuses request 1 of (position2d:1).");
+                .hasMessage("The server refuses request 1 of 'position2d:1'.");
     }
 
     @Test
@@ -361,7 +361,7 @@ class ConnectionTest {
         try (ScriptedServer.Client web = server.accept("HTTP/1.1 400 Bad Request\r\nServer: x")) {
             assertThatThrownBy(() -> result(opening))
                     .rootCause()
-                    .hasMessageContaining("is no Player server; it begins with (HTTP/1.1 400 Bad Request??");
+                    .hasMessageContaining("is no Player server; it begins with 'HTTP/1.1 400 Bad Request??");
             assertThat(web.in().read()).as("it is let go").isEqualTo(-1);
         }
     }

@@ -13,7 +13,6 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import rsal.data.Pose2d;
@@ -297,12 +296,12 @@ class OwnPlannerTest extends ScriptedBench {
         GoalHandle<Progress, Result> going = go(goal);
         Instant begun = time.instant();
         drive(begun, 0, goal);
-        while (on(navigator::path).points().size() < 4) {
-            LockSupport.parkNanos(1_000_000); // until it has been asked for the whole way
-            run(() -> {
-                navigator.look(time.instant());
-            });
-        }
+        until( // it has been asked for the whole way
+                () -> {
+                    navigator.look(time.instant());
+                    return navigator.path();
+                },
+                path -> path.points().size() >= 4);
         for (int second = 1; second <= 150; second++) {
             drive(begun.plusSeconds(second), 0.2 * second, goal);
         }
@@ -326,25 +325,20 @@ class OwnPlannerTest extends ScriptedBench {
                 new Localize.Particle(new Pose(1, 2, Math.PI - 0.1), 1),
                 new Localize.Particle(new Pose(1.2, 2, -Math.PI + 0.1), 1));
         begin(true);
-        Optional<PoseEstimate> estimate = Optional.empty();
-        while (estimate.isEmpty()) {
-            LockSupport.parkNanos(1_000_000);
-            estimate = on(localizer::latest).map(reading -> reading.value());
-        }
-        assertThat(estimate.get().mapFromBase().isNear(new Pose2d(1.1, 2, Math.PI), 1e-9, 1e-9))
+        PoseEstimate estimate =
+                until(localizer::latest, Optional::isPresent).orElseThrow().value();
+        assertThat(estimate.mapFromBase().isNear(new Pose2d(1.1, 2, Math.PI), 1e-9, 1e-9))
                 .isTrue();
-        assertThat(estimate.get().covariance().xx()).isCloseTo(0.01, within(1e-9));
-        assertThat(estimate.get().covariance().thetaTheta()).isCloseTo(0.01, within(1e-9));
-        assertThat(estimate.get().quality()).isEqualTo(Quality.LOCALIZED);
+        assertThat(estimate.covariance().xx()).isCloseTo(0.01, within(1e-9));
+        assertThat(estimate.covariance().thetaTheta()).isCloseTo(0.01, within(1e-9));
+        assertThat(estimate.quality()).isEqualTo(Quality.LOCALIZED);
     }
 
     @Test
     void aLocalizerThatTellsNothingOnALongWayIsBelievedNoMoreUntilItTellsSomething() throws Exception {
         particles = List.of(new Localize.Particle(new Pose(1, 2, 0), 1));
         begin(true);
-        while (on(localizer::latest).isEmpty()) {
-            LockSupport.parkNanos(1_000_000);
-        }
+        until(localizer::latest, Optional::isPresent);
         Instant begun = time.instant();
         odometry(begun, 0);
         odometry(begun.plusSeconds(1), 2);

@@ -8,7 +8,6 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.concurrent.CompletionException;
-import java.util.concurrent.locks.LockSupport;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import java.util.zip.DeflaterOutputStream;
@@ -65,13 +64,9 @@ class PlayerMapTest extends ScriptedBench {
     }
 
     private OccupancyGrid awaited() {
-        Optional<Stamped<OccupancyGrid>> newest = on(map::latest);
-        while (newest.isEmpty()) {
-            LockSupport.parkNanos(1_000_000);
-            newest = on(map::latest);
-        }
-        assertThat(newest.get().frame()).isEqualTo("map");
-        return newest.get().value();
+        Stamped<OccupancyGrid> newest = until(map::latest, Optional::isPresent).orElseThrow();
+        assertThat(newest.frame()).isEqualTo("map");
+        return newest.value();
     }
 
     private static byte[] random(int count) {
@@ -200,9 +195,7 @@ class PlayerMapTest extends ScriptedBench {
     }
 
     private void until(byte cell) {
-        while (awaited().cells()[0] != cell) {
-            LockSupport.parkNanos(1_000_000);
-        }
+        until(map::latest, newest -> newest.isPresent() && newest.get().value().cells()[0] == cell);
     }
 
     private void tellOne(int cell) throws IOException {
@@ -238,14 +231,14 @@ class PlayerMapTest extends ScriptedBench {
                         tile -> new MapInterface.Tile(1, 0, 4, 3, 12, 1, new byte[12]),
                         "(4 × 3) cells from (1, 0)"),
                 tampered("larger", tile -> new MapInterface.Tile(0, 0, 5, 3, 15, 1, new byte[15]), "(5 × 3) cells"),
-                tampered("too short", tile -> answer(tile, 1, new byte[11]), "The (11) bytes of (4 × 3) cells"),
+                tampered("too short", tile -> answer(tile, 1, new byte[11]), "The '11' bytes of (4 × 3) cells"),
                 tampered("packed, too short", tile -> answer(tile, 1, packed(new byte[11])), "are not its cells"),
                 tampered("packed, too long", tile -> answer(tile, 1, packed(new byte[13])), "are not its cells"),
                 tampered("a bomb", tile -> answer(tile, 1, packed(new byte[20_000_000])), "are not its cells"),
                 tampered(
                         "cut off",
                         tile -> answer(tile, 1, Arrays.copyOf(packed(new byte[12]), 9)),
-                        "The (9) bytes of (4 × 3) cells"));
+                        "The '9' bytes of (4 × 3) cells"));
     }
 
     private static Arguments tampered(String what, UnaryOperator<MapInterface.Tile> answer, String why) {
@@ -267,29 +260,28 @@ class PlayerMapTest extends ScriptedBench {
     void answersThatSayNothingAreRefused() throws IOException {
         begin();
         client.acknowledge(client.next(MAP, MapInterface.INFO));
-        assertLost("The server does not tell how large it is.");
+        assertLost("The server does not report the size of its map.");
         tell(extent(4, 3));
         client.acknowledge(client.next(MAP, MapInterface.TILE));
-        assertLost("The server tells nothing of (4 × 3) cells from (0, 0) on.");
+        assertLost("The server reports nothing of (4 × 3) cells from (0, 0) on.");
     }
 
     @Test
     void aServerThatHasNoneYetIsAskedAgain() throws IOException {
         begin();
         client.refuse(client.next(MAP, MapInterface.INFO));
-        assertLost("The server refuses request 1 of (map:0).");
+        assertLost("The server refuses request 1 of 'map:0'.");
         tellOne(1);
         until(OccupancyGrid.OCCUPIED);
         assertThat(on(map::health).isOk()).isTrue();
     }
 
     private void assertLost(String why) {
-        while (!(on(map::health) instanceof Health.Lost(String reason) && reason.contains(why))) {
-            LockSupport.parkNanos(1_000_000);
-        }
-        assertThat(on(map::health))
+        Health lost =
+                until(map::health, health -> health instanceof Health.Lost(String reason) && reason.contains(why));
+        assertThat(lost)
                 .isInstanceOfSatisfying(
-                        Health.Lost.class, lost -> assertThat(lost.reason()).startsWith("Its map can't be read: "));
+                        Health.Lost.class, its -> assertThat(its.reason()).startsWith("Its map can't be read: "));
         assertThat(on(map::latest)).isEmpty();
     }
 

@@ -6,7 +6,6 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -58,9 +57,7 @@ class RemoteTruthTest extends ScriptedBench {
     }
 
     private void untilSeen(double x) {
-        while (look().filter(pose -> pose.x() == x).isEmpty()) {
-            LockSupport.parkNanos(1_000_000);
-        }
+        until(() -> truth.truth("r1"), pose -> pose.isPresent() && pose.get().x() == x);
     }
 
     @Test
@@ -115,9 +112,7 @@ class RemoteTruthTest extends ScriptedBench {
     }
 
     private void untilLost() {
-        while (look().isPresent()) {
-            LockSupport.parkNanos(1_000_000);
-        }
+        until(() -> truth.truth("r1"), Optional::isEmpty);
     }
 
     @Test

@@ -8,10 +8,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import rsal.device.DeviceInfo;
+import rsal.player.Waiting;
 import rsal.player.client.Delivery;
 import rsal.player.client.ScriptedServer;
 import rsal.player.message.Session;
@@ -82,6 +84,11 @@ abstract class ScriptedBench {
         return CompletableFuture.supplyAsync(work, time)
                 .orTimeout(20, TimeUnit.SECONDS)
                 .join();
+    }
+
+    /// The first value that holds.
+    final <T> T until(Supplier<T> value, Predicate<T> holds) {
+        return Waiting.until(time, value, holds);
     }
 
     final void run(Runnable work) {

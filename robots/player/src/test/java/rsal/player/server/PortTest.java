@@ -56,6 +56,7 @@ class PortTest {
         private final BlockingQueue<Packet> commands = new LinkedBlockingQueue<>();
         private final AtomicInteger forsaken = new AtomicInteger();
         private final AtomicInteger users = new AtomicInteger();
+        private final BlockingQueue<Integer> left = new LinkedBlockingQueue<>(); // users after each that went
         private final List<CompletableFuture<Answer>> asked = new CopyOnWriteArrayList<>();
         private volatile boolean works = true;
         private volatile Runnable named = () -> {}; // what happens when it is asked for its driver
@@ -84,7 +85,7 @@ class PortTest {
 
         @Override
         public void close() {
-            users.decrementAndGet();
+            left.add(users.decrementAndGet());
         }
 
         @Override
@@ -312,14 +313,10 @@ class PortTest {
         second.send(command);
         assertThat(base.commands.poll(10, TimeUnit.SECONDS)).isNotNull();
         first.close();
-        while (base.users.get() > 2) {
-            Thread.sleep(1);
-        }
+        assertThat(base.left.poll(10, TimeUnit.SECONDS)).isEqualTo(2);
         assertThat(base.forsaken).hasValue(0);
         second.close();
-        while (base.users.get() > 1) {
-            Thread.sleep(1);
-        }
+        assertThat(base.left.poll(10, TimeUnit.SECONDS)).isEqualTo(1);
         assertThat(base.forsaken).hasValue(1);
     }
 
@@ -479,10 +476,7 @@ class PortTest {
         }
         assertThat(base.users).hasValue(1);
         raw.close();
-        for (int i = 0; i < 500 && base.users.get() > 0; i++) {
-            TimeUnit.MILLISECONDS.sleep(10);
-        }
-        assertThat(base.users).hasValue(0);
+        assertThat(base.left.poll(10, TimeUnit.SECONDS)).isZero();
     }
 
     @Test
@@ -613,6 +607,6 @@ class PortTest {
                         Protocol.V3_1,
                         () -> 0,
                         Runnable::run))
-                .hasMessageContaining("two devices (position2d:0)");
+                .hasMessageContaining("two devices 'position2d:0'");
     }
 }

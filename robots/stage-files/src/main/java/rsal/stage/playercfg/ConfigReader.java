@@ -20,7 +20,7 @@ import rsal.stage.WorldfileEntity.Setting;
 final class ConfigReader {
     private static final Set<String> OF_ALL = Set.of("name", "provides", "requires", "plugin", "alwayson");
     private static final String SERVER = "server";
-    private static final String ADDRESS = "Write (position2d:0), with a server's port (6665:position2d:0), or with"
+    private static final String ADDRESS = "Write 'position2d:0', with a server's port (6665:position2d:0), or with"
             + " a key and its port (odometry::6665:position2d:0).";
 
     private final String path;
@@ -48,7 +48,7 @@ final class ConfigReader {
             if (!setting.name().equals("unit_length") && !setting.name().equals("unit_angle")) {
                 findings.warn(
                         setting.location(),
-                        "(%s) has no effect outside of a driver.".formatted(WorldProblems.shortened(setting.name())),
+                        "'%s' has no effect outside of a driver.".formatted(WorldProblems.shortened(setting.name())),
                         findings.maybe(
                                 setting.name(), List.of("unit_length", "unit_angle"), "Maybe a ) is missing below."));
             }
@@ -75,7 +75,7 @@ final class ConfigReader {
         if (setting.isPresent() && word.filter(words::contains).isEmpty()) {
             findings.error(
                     setting.get().value().location(),
-                    "(%s) must be one of %s, not %s."
+                    "'%s' must be one of %s, not %s."
                             .formatted(
                                     name,
                                     words,
@@ -90,7 +90,7 @@ final class ConfigReader {
     private void addInterface(WorldfileEntity block) {
         Optional<String> name = block.find("name").flatMap(s -> text(s.value()));
         if (name.isEmpty()) {
-            findings.error(block.location(), "This (interface) has no (name).", "Write name \"NAME\".");
+            findings.error(block.location(), "This 'interface' has no 'name'.", "Write name \"NAME\".");
         }
         name.ifPresent(interfaces::add);
     }
@@ -106,17 +106,17 @@ final class ConfigReader {
         if (name.isEmpty() || port.isEmpty()) {
             findings.error(
                     block.location(),
-                    "A (server) needs a (file) and a (port) from 1 to 65535.",
+                    "A 'server' needs a 'file' and a 'port' from 1 to 65535.",
                     "Write server ( file \"planner.cfg\" port 6666 ).");
         } else if (ports.put(name.get(), port.get().intValue()) != null) {
             findings.error(
                     block.location(),
-                    "(%s) has two ports.".formatted(WorldProblems.shortened(name.get())),
-                    "Leave one (server) out.");
+                    "'%s' has two ports.".formatted(WorldProblems.shortened(name.get())),
+                    "Leave one 'server' out.");
         } else if (file.root().children().stream().noneMatch(other -> isIn(name.get(), other.location()))) {
             findings.error(
                     block.location(),
-                    "Nothing of (%s) is included here.".formatted(WorldProblems.shortened(name.get())),
+                    "Nothing of '%s' is included here.".formatted(WorldProblems.shortened(name.get())),
                     "Write include \"%s\" above.".formatted(WorldProblems.shortened(name.get())));
         }
     }
@@ -135,11 +135,11 @@ final class ConfigReader {
 
     private void unknown(WorldfileEntity block) {
         String type = WorldProblems.shortened(block.type());
-        String message = "(%s) is neither a (driver) nor an (interface) nor a macro of one".formatted(type);
+        String message = "'%s' is neither a 'driver' nor an 'interface' nor a macro of one".formatted(type);
         if (file.complete()) { // else what was not included may define it
             Optional<String> close = findings.guess(type, file.known());
             if (close.isPresent()) {
-                findings.error(block.location(), message + ".", "Maybe (%s) was meant?".formatted(close.get()));
+                findings.error(block.location(), message + ".", "Maybe '%s' was meant?".formatted(close.get()));
             } else {
                 findings.warn(block.location(), message + "; it is left out.", "Maybe an include is missing.");
             }
@@ -150,20 +150,20 @@ final class ConfigReader {
         Optional<String> name = block.find("name").flatMap(s -> text(s.value())).filter(n -> !n.isBlank());
         if (name.isEmpty()) {
             findings.error(
-                    block.location(), "This (driver) has no (name).", "Write name \"stage\" or another driver's.");
+                    block.location(), "This 'driver' has no 'name'.", "Write name \"stage\" or another driver's.");
             return Optional.empty();
         }
         List<DriverAddress> provides = addresses(block, "provides");
         if (block.find("provides").isEmpty()) {
             findings.error(
                     block.location(),
-                    "(%s) provides nothing.".formatted(WorldProblems.shortened(name.get())),
+                    "'%s' provides nothing.".formatted(WorldProblems.shortened(name.get())),
                     "Write provides [ \"INTERFACE:INDEX\" ].");
         }
         for (WorldfileEntity child : block.children()) {
             findings.warn(
                     child.location(),
-                    "(%s) has no effect in a driver.".formatted(WorldProblems.shortened(child.macro())),
+                    "'%s' has no effect in a driver.".formatted(WorldProblems.shortened(child.macro())),
                     "Maybe a ) is missing above.");
         }
         Optional<String> plugin = block.find("plugin").flatMap(s -> text(s.value()));
@@ -190,8 +190,8 @@ final class ConfigReader {
             findings.guess(name, KnownDrivers.names())
                     .ifPresent(close -> findings.error(
                             block.find("name").map(Setting::location).orElse(block.location()),
-                            "There is no driver (%s).".formatted(WorldProblems.shortened(name)),
-                            "Maybe (%s) was meant?".formatted(close)));
+                            "There is no driver '%s'.".formatted(WorldProblems.shortened(name)),
+                            "Maybe '%s' was meant?".formatted(close)));
         }
     }
 
@@ -207,7 +207,7 @@ final class ConfigReader {
             if (!known.get().contains(family) && told.add(family)) {
                 findings.warn(
                         option.location(),
-                        "(%s) is not known in a driver (%s) and has no effect."
+                        "'%s' is not known in a driver '%s' and has no effect."
                                 .formatted(WorldProblems.shortened(option.name()), driver),
                         KnownDrivers.whyNeverRead(driver, family)
                                 .orElseGet(() -> findings.maybe(family, known.get(), "")));
@@ -231,7 +231,7 @@ final class ConfigReader {
         if (read.isEmpty()) {
             findings.error(
                     value.location(),
-                    "(%s) has %s, which is no device.".formatted(name, WorldProblems.shortened(value.describe())),
+                    "'%s' has %s, which is no device.".formatted(name, WorldProblems.shortened(value.describe())),
                     ADDRESS);
             return read;
         }
@@ -239,16 +239,16 @@ final class ConfigReader {
         if (!interfaces.contains(address.type())) {
             findings.error(
                     value.location(),
-                    "There is no interface (%s).".formatted(WorldProblems.shortened(address.type())),
+                    "There is no interface '%s'.".formatted(WorldProblems.shortened(address.type())),
                     address.type().equals("position") // as it was called before there were others
-                            ? "Maybe (position2d) was meant?"
+                            ? "Maybe 'position2d' was meant?"
                             : findings.maybe(address.type(), interfaces, ""));
             return Optional.empty();
         }
         if (isMisplacedKey(address)) {
             findings.warn(
                     value.location(),
-                    "(%s) is taken for a host here.".formatted(WorldProblems.shortened(address.host())),
+                    "'%s' is taken for a host here.".formatted(WorldProblems.shortened(address.host())),
                     "Maybe it is a key: write (%s:::%s)."
                             .formatted(WorldProblems.shortened(address.host()), address.device()));
         }
@@ -271,7 +271,7 @@ final class ConfigReader {
                 if (first != null) {
                     findings.error(
                             address.location(),
-                            "(%s) is provided twice; the first time at %s.".formatted(address.place(), first),
+                            "'%s' is provided twice; the first time at %s.".formatted(address.place(), first),
                             "Give one of them another index or port.");
                 }
             }

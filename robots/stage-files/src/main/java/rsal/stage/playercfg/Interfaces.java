@@ -31,8 +31,8 @@ final class Interfaces {
 
     /// What to do about those that older versions of Stage served.
     static final Map<String, String> DROPPED = Map.of(
-            "laser", "Provide a (ranger), and add driver ( name \"rangertolaser\" ... ) for it.",
-            "sonar", "Provide a (ranger).",
+            "laser", "Provide a 'ranger', and add driver ( name \"rangertolaser\" ... ) for it.",
+            "sonar", "Provide a 'ranger'.",
             "map", "Add driver ( name \"mapfile\" ... ).",
             "localize", "Add driver ( name \"amcl\" ... ).",
             "power", "Leave it out.",

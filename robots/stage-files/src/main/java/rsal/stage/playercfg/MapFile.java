@@ -40,7 +40,7 @@ final class MapFile {
                 .filter(other -> !said(other).equals(said(first)))
                 .forEach(other -> findings.warn(
                         other.location(),
-                        "This (mapfile) serves the map of the first one, at %s.".formatted(first.location()),
+                        "This 'mapfile' serves the map of the first one, at %s.".formatted(first.location()),
                         "Robots of a run know one map."));
         try {
             return Optional.of(read(first));
@@ -48,7 +48,7 @@ final class MapFile {
             var why = e.problems().getFirst();
             findings.warn(
                     first.location(),
-                    "The map is made of the world, as that of (mapfile) can't be read: " + why.message(),
+                    "The map is made of the world, as that of 'mapfile' can't be read: " + why.message(),
                     why.remedy());
             return Optional.empty();
         }
@@ -79,7 +79,7 @@ final class MapFile {
         if (!(resolution >= 0.001 && resolution <= 100)) {
             throw new InvalidSettings(
                     driver.location(),
-                    "Its (resolution) is not from 0.001 to 100 [m].",
+                    "Its 'resolution' is not from 0.001 to 100 [m].",
                     "Write resolution 0.05, with the side of a pixel.");
         }
         String name = ConfigReader.text(named.value()).orElseThrow();
@@ -114,7 +114,7 @@ final class MapFile {
         }
         if (numbers.size() < 2 || numbers.stream().anyMatch(number -> !(Math.abs(number) <= 1e6))) {
             throw new InvalidSettings(
-                    origin.location(), "Its (origin) is no place.", "Write origin [X Y], with the lower left corner.");
+                    origin.location(), "Its 'origin' is no place.", "Write origin [X Y], with the lower left corner.");
         }
         return Optional.of(new Point2d(numbers.get(0) * config.meters(), numbers.get(1) * config.meters()));
     }

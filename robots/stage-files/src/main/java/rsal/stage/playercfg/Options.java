@@ -153,7 +153,7 @@ final class Options {
                 .map(name -> driver.option(name).orElseThrow())
                 .forEach(option -> findings.warn(
                         option.location(),
-                        "(%s) has no effect: what does the work of (%s) here has nothing like it."
+                        "'%s' has no effect: what does the work of '%s' here has nothing like it."
                                 .formatted(WorldProblems.shortened(option.name()), driver.name()),
                         KnownDrivers.insteadOf(driver.name(), option.name())));
         return new Value.Mapping(driver.location(), entries, keys);
@@ -189,7 +189,7 @@ final class Options {
         driver.option(START)
                 .ifPresent(wrong -> findings.warn(
                         wrong.location(),
-                        "(%s) has no effect: it is no pose.".formatted(START),
+                        "'%s' has no effect: it is no pose.".formatted(START),
                         "Write %s [X Y HEADING].".formatted(START)));
         return Optional.empty();
     }

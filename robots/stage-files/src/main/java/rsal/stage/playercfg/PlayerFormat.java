@@ -44,7 +44,7 @@ public final class PlayerFormat implements SceneFormat {
         } else {
             findings.warn(
                     Location.of(path),
-                    "No driver (stage) of it has a (worldfile): the world is empty.",
+                    "No driver 'stage' of it has a 'worldfile': the world is empty.",
                     "Maybe it goes with another file, which has one.");
             var empty = new StageWorld(path, Duration.ofMillis(100), 0.02, Optional.empty(), List.of(), List.of());
             services = new ServedDevices(config, empty, findings).services();
@@ -72,7 +72,7 @@ public final class PlayerFormat implements SceneFormat {
             if (named != null && world != null) {
                 findings.warn(
                         named.location(),
-                        "This (worldfile) has no effect: the first one counts, at %s.".formatted(world.location()),
+                        "This 'worldfile' has no effect: the first one counts, at %s.".formatted(world.location()),
                         "One server simulates one world.");
             } else if (named != null) {
                 world = named;
@@ -80,8 +80,8 @@ public final class PlayerFormat implements SceneFormat {
                 findings.error(
                         driver.location(),
                         provides(driver, Interfaces.SIMULATION)
-                                ? "This (stage) names no (worldfile)."
-                                : "No (stage) before this one has a (worldfile).",
+                                ? "This 'stage' names no 'worldfile'."
+                                : "No 'stage' before this one has a 'worldfile'.",
                         provides(driver, Interfaces.SIMULATION)
                                 ? "Write worldfile \"FILE.world\"."
                                 : "Put driver ( name \"stage\" provides [ \"simulation:0\" ] worldfile \"FILE.world\" )"
@@ -91,7 +91,7 @@ public final class PlayerFormat implements SceneFormat {
         if (any && !plugin) {
             findings.warn(
                     Location.of(config.path()),
-                    "No driver (stage) names its (plugin); Player would not find it.",
+                    "No driver 'stage' names its 'plugin'; Player would not find it.",
                     "Write plugin \"stageplugin\" in the first one.");
         }
         return Optional.ofNullable(world);
@@ -109,7 +109,7 @@ public final class PlayerFormat implements SceneFormat {
             if (!known) {
                 findings.error(
                         address.location(),
-                        "Stage does not serve the interface (%s).".formatted(address.type()),
+                        "Stage does not serve the interface '%s'.".formatted(address.type()),
                         Interfaces.DROPPED.getOrDefault(address.type(), "Leave it out."));
             }
         }
@@ -119,7 +119,7 @@ public final class PlayerFormat implements SceneFormat {
         Optional<String> name = ConfigReader.text(option.value()).filter(text -> !text.isBlank());
         if (name.isEmpty()) {
             throw new InvalidSettings(
-                    option.location(), "(worldfile) names no file.", "Write worldfile \"FILE.world\".");
+                    option.location(), "'worldfile' names no file.", "Write worldfile \"FILE.world\".");
         }
         return files.find(name.get(), config, MAX_WORLD, option.location()).path();
     }

@@ -101,7 +101,7 @@ final class ServedDevices {
             if (refusal != null) {
                 findings.warn(
                         driver.location(),
-                        "(%s) has no effect in a run.".formatted(WorldProblems.shortened(driver.name())),
+                        "'%s' has no effect in a run.".formatted(WorldProblems.shortened(driver.name())),
                         KnownDrivers.instead(driver.name()));
             }
         }
@@ -160,8 +160,8 @@ final class ServedDevices {
                 Optional<String> close = findings.guess(driver.name(), KnownDrivers.names());
                 refuse(
                         driver,
-                        "(%s) can't be served here.".formatted(WorldProblems.shortened(driver.name())),
-                        close.map("Maybe (%s) was meant?"::formatted)
+                        "'%s' can't be served here.".formatted(WorldProblems.shortened(driver.name())),
+                        close.map("Maybe '%s' was meant?"::formatted)
                                 .filter(_ -> !KnownDrivers.names().contains(driver.name()))
                                 .orElseGet(() -> KnownDrivers.instead(driver.name())));
                 yield true;
@@ -179,17 +179,17 @@ final class ServedDevices {
                 .findFirst()
                 .orElse(null);
         if (missing == null) {
-            refuse(driver, "(%s) requires nothing of a robot.".formatted(driver.name()), "Write requires [ ... ].");
+            refuse(driver, "'%s' requires nothing of a robot.".formatted(driver.name()), "Write requires [ ... ].");
         } else if (missing.isHere()) {
             refuse(
                     driver,
-                    "(%s) requires (%s), which no driver of this file provides."
+                    "'%s' requires '%s', which no driver of this file provides."
                             .formatted(driver.name(), missing.place()),
                     "Maybe another file does: write include \"FILE.cfg\" above it.");
         } else {
             refuse(
                     driver,
-                    "(%s) requires (%s), which is on another computer."
+                    "'%s' requires '%s', which is on another computer."
                             .formatted(driver.name(), WorldProblems.shortened(missing.place())),
                     "Have one file with all drivers.");
         }
@@ -207,7 +207,7 @@ final class ServedDevices {
         if (!source.get().device().startsWith(kind)) {
             refuse(
                     driver,
-                    "(%s) requires (%s), which is a (%s) and no (%s)."
+                    "'%s' requires '%s', which is a '%s' and no '%s'."
                             .formatted(
                                     driver.name(),
                                     needed.get().place(),
@@ -247,7 +247,7 @@ final class ServedDevices {
         if (before.isPresent()) {
             refuse(
                     driver,
-                    "Robot (%s) has (%s) already, at %s."
+                    "Robot '%s' has '%s' already, at %s."
                             .formatted(
                                     robot.get(),
                                     before.get().name(),
@@ -323,7 +323,7 @@ final class ServedDevices {
             if (!plain) {
                 findings.error(
                         driver.location(),
-                        "This (stage) does not say which (model) it serves.",
+                        "This 'stage' does not say which 'model' it serves.",
                         "Write model \"NAME\", with a model of the world.");
             }
             return Optional.empty();
@@ -333,7 +333,7 @@ final class ServedDevices {
         if (model.isEmpty()) {
             findings.error(
                     option.get().value().location(),
-                    "There is no model %s in (%s)."
+                    "There is no model %s in '%s'."
                             .formatted(
                                     WorldProblems.shortened(option.get().value().describe()),
                                     WorldProblems.shortened(world.title())),
@@ -365,7 +365,7 @@ final class ServedDevices {
             if (type != null && model.isEmpty()) {
                 findings.error(
                         address.location(),
-                        "(%s) has no model of type (%s)%s for (%s)."
+                        "'%s' has no model of type '%s'%s for '%s'."
                                 .formatted(
                                         WorldProblems.shortened(base.name()),
                                         type,
@@ -381,7 +381,7 @@ final class ServedDevices {
             if (parts.containsKey(base.name()) && (type == null || model.isPresent()) && !made) {
                 findings.warn(
                         address.location(),
-                        "(%s) has no effect: robots here have nothing like it.".formatted(address.device()),
+                        "'%s' has no effect: robots here have nothing like it.".formatted(address.device()),
                         "");
             }
         }
@@ -389,7 +389,7 @@ final class ServedDevices {
         if (robot.isEmpty()) {
             findings.warn(
                     driver.location(),
-                    "(%s) is part of no robot; it has no devices in a run."
+                    "'%s' is part of no robot; it has no devices in a run."
                             .formatted(WorldProblems.shortened(base.name())),
                     "");
         }

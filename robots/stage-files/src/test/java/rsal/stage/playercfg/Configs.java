@@ -32,7 +32,7 @@ final class Configs {
         return (path, most, askedAt) -> {
             byte[] bytes = files.get(path);
             if (bytes == null || bytes.length > most) {
-                throw new InvalidSettings(askedAt, "There is no file (%s).".formatted(path), "");
+                throw new InvalidSettings(askedAt, "There is no file '%s'.".formatted(path), "");
             }
             return bytes;
         };

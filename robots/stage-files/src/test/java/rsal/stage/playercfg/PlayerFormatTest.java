@@ -271,25 +271,26 @@ class PlayerFormatTest {
     @Test
     void optionsThatNothingHereHasAreOneWarningEach() {
         assertThat(configs(UHH + PLANNER).warnings())
-                .anySatisfy(w -> assertThat(w).contains("(free_space_cutoff_1ms) has no effect"))
-                .noneSatisfy(w -> assertThat(w).contains("(init_pose)"))
-                .noneSatisfy(w -> assertThat(w).contains("(amcl) has no effect"))
-                .noneSatisfy(w -> assertThat(w).contains("(distance_epsilon)"))
+                .anySatisfy(w -> assertThat(w).contains("'free_space_cutoff_1ms' has no effect"))
+                .noneSatisfy(w -> assertThat(w).contains("'init_pose'"))
+                .noneSatisfy(w -> assertThat(w).contains("'amcl' has no effect"))
+                .noneSatisfy(w -> assertThat(w).contains("'distance_epsilon'"))
                 .doesNotHaveDuplicates();
     }
 
     @ParameterizedTest
     @CsvSource(
+            quoteCharacter = '`',
             delimiter = '|',
             value = {
-                "driver ( name \"p2os\" provides [\"odometry:::position2d:0\"] ) | 2:1 | (p2os) can't be served | It is for real robots.",
-                "driver ( name \"wonder\" plugin \"w\" provides [\"log:0\"] ) | 2:1 | (wonder) can't be served | ",
-                "driver ( name \"vhf\" plugin \"w\" provides [\"log:0\"] ) | 2:1 | (vhf) can't be served | Maybe (vfh) was meant?",
-                "driver ( name \"rangertolaser\" requires [\"ranger:7\"] provides [\"laser:0\"] ) | 2:1 | requires (6665:ranger:7), which no driver | include",
+                "driver ( name \"p2os\" provides [\"odometry:::position2d:0\"] ) | 2:1 | 'p2os' can't be served | It is for real robots.",
+                "driver ( name \"wonder\" plugin \"w\" provides [\"log:0\"] ) | 2:1 | 'wonder' can't be served | ",
+                "driver ( name \"vhf\" plugin \"w\" provides [\"log:0\"] ) | 2:1 | 'vhf' can't be served | Maybe 'vfh' was meant?",
+                "driver ( name \"rangertolaser\" requires [\"ranger:7\"] provides [\"laser:0\"] ) | 2:1 | requires '6665:ranger:7', which no driver | include",
                 "driver ( name \"vfh\" requires [\"a.b:6665:position2d:7\"] provides [\"position2d:0\"] ) | 2:1 | on another computer | one file",
-                "driver ( name \"amcl\" provides [\"localize:0\"] ) | 2:1 | (amcl) requires nothing | requires",
-                "driver ( name \"stage\" provides [\"ranger:0\"] model \"r0\" ) driver ( name \"rangertolaser\" requires [\"ranger:0\"] provides [\"laser:0\"] ) | 2:58 | (6665:ranger:0), which is a (sonar) and no (laser) | another",
-                "driver ( name \"stage\" provides [\"position2d:0\"] model \"r0\" ) driver ( name \"vfh\" requires [\"position2d:0\"] provides [\"position2d:1\"] ) driver ( name \"nd\" requires [\"position2d:0\"] provides [\"position2d:2\"] ) | 2:136 | Robot (r0) has (vfh) already, at etc/test.cfg:2:62 | one at most"
+                "driver ( name \"amcl\" provides [\"localize:0\"] ) | 2:1 | 'amcl' requires nothing | requires",
+                "driver ( name \"stage\" provides [\"ranger:0\"] model \"r0\" ) driver ( name \"rangertolaser\" requires [\"ranger:0\"] provides [\"laser:0\"] ) | 2:58 | '6665:ranger:0', which is a 'sonar' and no 'laser' | another",
+                "driver ( name \"stage\" provides [\"position2d:0\"] model \"r0\" ) driver ( name \"vfh\" requires [\"position2d:0\"] provides [\"position2d:1\"] ) driver ( name \"nd\" requires [\"position2d:0\"] provides [\"position2d:2\"] ) | 2:136 | Robot 'r0' has 'vfh' already, at etc/test.cfg:2:62 | one at most"
             })
     void whatCanNotBeOfferedSaysWhyAndWhere(String text, String at, String message, String remedy) {
         List<Problem> refusals = configs(STAGE + text).read().services().stream()
@@ -307,8 +308,8 @@ class PlayerFormatTest {
         List<String> warnings = configs(UHH).warnings();
         assertThat(warnings).hasSize(1);
         assertThat(warnings.getFirst())
-                .startsWith("etc/test.cfg:19:1: The map is made of the world, as that of (mapfile) can't be read: "
-                        + "There is no file (etc/bitmaps/tams_compl_red_map.png).");
+                .startsWith("etc/test.cfg:19:1: The map is made of the world, as that of 'mapfile' can't be read: "
+                        + "There is no file 'etc/bitmaps/tams_compl_red_map.png'.");
     }
 
     /// Three pixels wide, two high: black, gray, white over white, white, black.
@@ -364,7 +365,7 @@ class PlayerFormatTest {
         assertThat(same.warnings()).noneMatch(w -> w.contains("mapfile"));
         Configs different = configs(STAGE + MAP_FILE.formatted("") + other.replace("0.5", "0.6"))
                 .and("etc/map.pgm", IMAGE);
-        assertThat(different.warnings()).anyMatch(w -> w.contains("This (mapfile) serves the map of the first one"));
+        assertThat(different.warnings()).anyMatch(w -> w.contains("This 'mapfile' serves the map of the first one"));
         assertThat(different.read().map().resolution()).isEqualTo(0.5);
     }
 
@@ -372,12 +373,12 @@ class PlayerFormatTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "filename \"map.pgm\" | Its (resolution) is not from 0.001 to 100 [m].",
-                "filename \"map.pgm\" resolution -1 | Its (resolution) is not from 0.001 to 100 [m].",
+                "filename \"map.pgm\" | Its 'resolution' is not from 0.001 to 100 [m].",
+                "filename \"map.pgm\" resolution -1 | Its 'resolution' is not from 0.001 to 100 [m].",
                 "resolution 1 | It names no file.",
                 "filename 7 resolution 1 | It names no file.",
-                "filename \"map.pgm\" resolution 1 origin 7 | Its (origin) is no place.",
-                "filename \"map.pgm\" resolution 1 origin [1] | Its (origin) is no place.",
+                "filename \"map.pgm\" resolution 1 origin 7 | Its 'origin' is no place.",
+                "filename \"map.pgm\" resolution 1 origin [1] | Its 'origin' is no place.",
                 "filename \"test.cfg\" resolution 1 | it is neither a PGM"
             })
     void aMapThatCanNotBeReadIsMadeOfTheWorld(String said, String why) {
@@ -386,7 +387,7 @@ class PlayerFormatTest {
         assertThat(configs.warnings())
                 .filteredOn(w -> w.contains("mapfile"))
                 .singleElement()
-                .satisfies(w -> assertThat(w).contains("The map is made of the world, as that of (mapfile)", why));
+                .satisfies(w -> assertThat(w).contains("The map is made of the world, as that of 'mapfile'", why));
         assertThat(configs.read().map())
                 .usingRecursiveComparison()
                 .isEqualTo(configs(STAGE).read().map());
@@ -407,7 +408,7 @@ class PlayerFormatTest {
         String wrong = PLANNER.replace("init_pose [-21.0 4.0 0]", "init_pose [1 2]");
         assertThat(localizer(wrong).mapFromStart()).isEmpty();
         assertThat(configs(UHH + wrong).warnings())
-                .anyMatch(w -> w.contains("(init_pose) has no effect: it is no pose."));
+                .anyMatch(w -> w.contains("'init_pose' has no effect: it is no pose."));
     }
 
     private static Software localizer(String planner) {
@@ -437,9 +438,9 @@ class PlayerFormatTest {
         assertThat(Configs.of(PLANNER).warnings())
                 .hasSize(6)
                 .anySatisfy(w ->
-                        assertThat(w).startsWith("etc/test.cfg:26:3: (laser_pose) is not known in a driver (amcl)"))
-                .anySatisfy(w -> assertThat(w).contains("(laser_range_max)", "asks the laser"))
-                .anySatisfy(w -> assertThat(w).startsWith("etc/test.cfg:17:1: (amcl) has no effect in a run."))
+                        assertThat(w).startsWith("etc/test.cfg:26:3: 'laser_pose' is not known in a driver 'amcl'"))
+                .anySatisfy(w -> assertThat(w).contains("'laser_range_max'", "asks the laser"))
+                .anySatisfy(w -> assertThat(w).startsWith("etc/test.cfg:17:1: 'amcl' has no effect in a run."))
                 .anySatisfy(w -> assertThat(w).contains("the world is empty"));
     }
 
@@ -513,13 +514,14 @@ class PlayerFormatTest {
 
     @ParameterizedTest
     @CsvSource(
+            quoteCharacter = '`',
             delimiter = '|',
             value = {
-                "server ( file \"p.cfg\" port 0 ) | A (server) needs a (file) and a (port) from 1 to 65535.",
-                "server ( file \"p.cfg\" port 66.5 ) | A (server) needs a (file) and a (port)",
-                "server ( port 6666 ) | A (server) needs a (file)",
-                "server ( file \"q.cfg\" port 6666 ) | Nothing of (q.cfg) is included here.",
-                "server ( file \"p.cfg\" port 6666 ) server ( file \"p.cfg\" port 6667 ) | (p.cfg) has two ports.",
+                "server ( file \"p.cfg\" port 0 ) | A 'server' needs a 'file' and a 'port' from 1 to 65535.",
+                "server ( file \"p.cfg\" port 66.5 ) | A 'server' needs a 'file' and a 'port'",
+                "server ( port 6666 ) | A 'server' needs a 'file'",
+                "server ( file \"q.cfg\" port 6666 ) | Nothing of 'q.cfg' is included here.",
+                "server ( file \"p.cfg\" port 6666 ) server ( file \"p.cfg\" port 6667 ) | 'p.cfg' has two ports.",
             })
     void aServerThatMeansNothingIsRefused(String server, String message) {
         Configs configs = Configs.of("include \"p.cfg\"\n" + server)
@@ -530,34 +532,35 @@ class PlayerFormatTest {
     /// After a driver that simulates the world.
     @ParameterizedTest
     @CsvSource(
+            quoteCharacter = '`',
             delimiter = '|',
             value = {
-                "driver ( name \"stage\" provides [\"position2d:0\"] ) | 2:1 | does not say which (model)",
-                "driver ( name \"stage\" provides [\"position2d:0\"] model \"r9\" ) | 2:55 | Maybe (r0) was meant?",
-                "driver ( name \"stage\" provides [\"position2d:0\"] model 3 ) | 2:55 | There is no model (3)",
+                "driver ( name \"stage\" provides [\"position2d:0\"] ) | 2:1 | does not say which 'model'",
+                "driver ( name \"stage\" provides [\"position2d:0\"] model \"r9\" ) | 2:55 | Maybe 'r0' was meant?",
+                "driver ( name \"stage\" provides [\"position2d:0\"] model 3 ) | 2:55 | There is no model '3'",
                 "driver ( name \"stage\" provides [\"laser:0\"] model \"r0\" ) | 2:33 | rangertolaser",
-                "driver ( name \"stage\" provides [\"imu:0\"] model \"r0\" ) | 2:33 | does not serve the interface (imu)",
-                "driver ( name \"stage\" provides [\"bumper:0\"] model \"r0\" ) | 2:33 | (r0) has no model of type (bumper) for (bumper:0)",
-                "driver ( name \"stage\" provides [\"position2d:0\" \"bumper:0\"] model \"r0\" ) | 2:48 | (r0) has no model of type (bumper) for (bumper:0)",
-                "driver ( name \"stage\" provides [\"gripper:0\" \"gripper:1\"] model \"r0\" ) | 2:45 | (gripper) left for (gripper:1)",
-                "driver ( name \"stage\" provides [\"positon2d:0\"] model \"r0\" ) | 2:33 | Maybe (position2d) was meant?",
-                "driver ( name \"stage\" provides [\"position:0\"] model \"r0\" ) | 2:33 | Maybe (position2d) was meant?",
+                "driver ( name \"stage\" provides [\"imu:0\"] model \"r0\" ) | 2:33 | does not serve the interface 'imu'",
+                "driver ( name \"stage\" provides [\"bumper:0\"] model \"r0\" ) | 2:33 | 'r0' has no model of type 'bumper' for 'bumper:0'",
+                "driver ( name \"stage\" provides [\"position2d:0\" \"bumper:0\"] model \"r0\" ) | 2:48 | 'r0' has no model of type 'bumper' for 'bumper:0'",
+                "driver ( name \"stage\" provides [\"gripper:0\" \"gripper:1\"] model \"r0\" ) | 2:45 | 'gripper' left for 'gripper:1'",
+                "driver ( name \"stage\" provides [\"positon2d:0\"] model \"r0\" ) | 2:33 | Maybe 'position2d' was meant?",
+                "driver ( name \"stage\" provides [\"position:0\"] model \"r0\" ) | 2:33 | Maybe 'position2d' was meant?",
                 "driver ( name \"stage\" provides [\"position2d:0\"] model \"somebody\" ) | 2:55 | It has r0, r1, r3, box.",
                 "driver ( name \"stage\" provides [\"position2d\"] model \"r0\" ) | 2:33 | is no device",
                 "driver ( name \"stage\" provides [\"position2d:x\"] model \"r0\" ) | 2:33 | is no device",
                 "driver ( name \"stage\" provides [\"0:position2d:0\"] model \"r0\" ) | 2:33 | is no device",
-                "driver ( name \"stage\" provides [3] model \"r0\" ) | 2:33 | (provides) has (3), which is no device",
-                "driver ( name \"stage\" model \"r0\" ) | 2:1 | (stage) provides nothing",
-                "driver ( provides [\"position2d:0\"] model \"r0\" ) | 2:1 | has no (name)",
+                "driver ( name \"stage\" provides [3] model \"r0\" ) | 2:33 | 'provides' has '3', which is no device",
+                "driver ( name \"stage\" model \"r0\" ) | 2:1 | 'stage' provides nothing",
+                "driver ( provides [\"position2d:0\"] model \"r0\" ) | 2:1 | has no 'name'",
                 "driver ( name \"mapfile\" provides [\"map:0\" \"6665:map:0\"] ) | 2:43 | is provided twice; the first time at etc/test.cfg:2:35",
-                "driver ( name \"mapfiel\" provides [\"map:0\"] ) | 2:10 | Maybe (mapfile) was meant?",
-                "drivr ( name \"mapfile\" provides [\"map:0\"] ) | 2:1 | Maybe (driver) was meant?",
+                "driver ( name \"mapfiel\" provides [\"map:0\"] ) | 2:10 | Maybe 'mapfile' was meant?",
+                "drivr ( name \"mapfile\" provides [\"map:0\"] ) | 2:1 | Maybe 'driver' was meant?",
                 "driver ( name \"mapfile\" provides [\"map:0\" ) | 2:34 | not closed",
                 "driver ( name \"mapfile\" provides [\"map:0\"] | 2:8 | is not closed",
-                "driver ( name mapfile provides [\"map:0\"] ) | 2:10 | (name) has no value",
+                "driver ( name mapfile provides [\"map:0\"] ) | 2:10 | 'name' has no value",
                 "driver { name \"mapfile\" } | 2:8 | Maybe ( ) was meant?",
-                "include \"none.inc\" | 2:1 | There is no file (etc/none.inc)",
-                "unit_length \"miles\" | 2:13 | (unit_length) must be one of [m, cm, mm]"
+                "include \"none.inc\" | 2:1 | There is no file 'etc/none.inc'",
+                "unit_length \"miles\" | 2:13 | 'unit_length' must be one of [m, cm, mm]"
             })
     void mistakesAreToldWithTheirPlace(String text, String at, String message) {
         assertThat(configs(STAGE + text).mistakes())
@@ -567,12 +570,13 @@ class PlayerFormatTest {
 
     @ParameterizedTest
     @CsvSource(
+            quoteCharacter = '`',
             delimiter = '|',
             value = {
-                "driver ( name \"stage\" provides [\"simulation:0\"] ) | 1:1 | names no (worldfile)",
+                "driver ( name \"stage\" provides [\"simulation:0\"] ) | 1:1 | names no 'worldfile'",
                 "driver ( name \"stage\" provides [\"position2d:0\"] model \"r0\" ) | 1:1 | Put driver ( name \"stage\"",
-                "driver ( name \"stage\" provides [\"simulation:0\"] worldfile \"no.world\" ) | 1:49 | There is no file (etc/no.world)",
-                "driver ( name \"stage\" provides [\"simulation:0\"] worldfile 3 ) | 1:49 | (worldfile) names no file"
+                "driver ( name \"stage\" provides [\"simulation:0\"] worldfile \"no.world\" ) | 1:49 | There is no file 'etc/no.world'",
+                "driver ( name \"stage\" provides [\"simulation:0\"] worldfile 3 ) | 1:49 | 'worldfile' names no file"
             })
     void withoutAWorldStageIsRefused(String text, String at, String message) {
         assertThat(configs(text).mistakes())
@@ -592,18 +596,19 @@ class PlayerFormatTest {
 
     @ParameterizedTest
     @CsvSource(
+            quoteCharacter = '`',
             delimiter = '|',
             value = {
-                "driver ( name \"stage\" provides [\"position2d:0\"] model \"r0\" sped 3 ) | 2:60 | (sped) is not known",
+                "driver ( name \"stage\" provides [\"position2d:0\"] model \"r0\" sped 3 ) | 2:60 | 'sped' is not known",
                 "driver ( name \"stage\" provides [\"6667:simulation:0\"] worldfile \"x.world\" ) | 2:54 | the first one counts",
-                "driver ( name \"stage\" provides [\"ranger:0\"] model \"box\" ) | 2:1 | (box) is part of no robot",
-                "driver ( name \"stage\" provides [\"position2d:0\" \"speech:0\"] model \"r0\" ) | 2:48 | (speech:0) has no effect: robots here have nothing like it.",
-                "driver ( name \"mapfile\" provides [\"map:0\"] resolutoin 3 ) | 2:44 | Maybe (resolution) was meant?",
-                "driver ( name \"wonder\" provides [\"log:0\"] a 3 ) | 2:1 | (wonder) has no effect",
+                "driver ( name \"stage\" provides [\"ranger:0\"] model \"box\" ) | 2:1 | 'box' is part of no robot",
+                "driver ( name \"stage\" provides [\"position2d:0\" \"speech:0\"] model \"r0\" ) | 2:48 | 'speech:0' has no effect: robots here have nothing like it.",
+                "driver ( name \"mapfile\" provides [\"map:0\"] resolutoin 3 ) | 2:44 | Maybe 'resolution' was meant?",
+                "driver ( name \"wonder\" provides [\"log:0\"] a 3 ) | 2:1 | 'wonder' has no effect",
                 "driver ( name \"p2os\" provides [\"odometry::position2d:0\"] ) | 2:32 | write (odometry:::position2d:0)",
-                "driver ( name \"mapfile\" provides [\"map:0\"] block ( ) ) | 2:44 | (block) has no effect in a driver",
-                "resolution 3 | 2:1 | (resolution) has no effect outside",
-                "something ( ) | 2:1 | is neither a (driver)"
+                "driver ( name \"mapfile\" provides [\"map:0\"] block ( ) ) | 2:44 | 'block' has no effect in a driver",
+                "resolution 3 | 2:1 | 'resolution' has no effect outside",
+                "something ( ) | 2:1 | is neither a 'driver'"
             })
     void whatHasNoEffectIsAWarning(String text, String at, String message) {
         assertThat(configs(STAGE + text).warnings())
@@ -616,6 +621,6 @@ class PlayerFormatTest {
         assertThat(configs(STAGE.replace("plugin \"stageplugin\"", "")).warnings())
                 .singleElement()
                 .asString()
-                .contains("(plugin)");
+                .contains("'plugin'");
     }
 }

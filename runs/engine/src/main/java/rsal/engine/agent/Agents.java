@@ -116,7 +116,7 @@ public final class Agents implements AutoCloseable {
     public void gather(Optional<SimulationControl> simulation) {
         AgentHostProvider provider = plan.mas().provider();
         AgentHost host = RunBroken.blaming(
-                "Multi-agent system (%s)".formatted(provider.key()),
+                "Multi-agent system '%s'".formatted(provider.key()),
                 () -> provider.create(plan.mas().settings(), scheduler));
         var agents = new AgentPlatform(scheduler, host, simulation, turns);
         society = Optional.of(agents);
@@ -175,7 +175,7 @@ public final class Agents implements AutoCloseable {
     /// @param done the answer when it is there
     public Answer start(PlannedAgent agent, String how, Answer done) {
         if (isRunning(agent.name())) {
-            return new Answer.Refused("Agent (%s) runs already.".formatted(agent.name()));
+            return new Answer.Refused("Agent '%s' runs already.".formatted(agent.name()));
         }
         if (byHand == MOST_BY_HAND) {
             return new Answer.Refused(
@@ -184,7 +184,7 @@ public final class Agents implements AutoCloseable {
         }
         Optional<String> missing = agent.robot().filter(robot -> !team.has(robot) || faults.isGone(robot));
         if (missing.isPresent()) {
-            return new Answer.Refused("Robot (%s) is not there, for which it would act.".formatted(missing.get()));
+            return new Answer.Refused("Robot '%s' is not there, for which it would act.".formatted(missing.get()));
         }
         Optional<PlannedAgent> before = planned(agent.name());
         byHand++;
@@ -192,7 +192,7 @@ public final class Agents implements AutoCloseable {
             start(agent);
         } catch (RuntimeException e) { // of a host that can't, as its system is another's code
             before.ifPresentOrElse(known -> started.put(known.name(), known), () -> started.remove(agent.name()));
-            return new Answer.Refused("Agent (%s) can't be started: %s".formatted(agent.name(), e.getMessage()));
+            return new Answer.Refused("Agent '%s' can't be started: %s".formatted(agent.name(), e.getMessage()));
         }
         eventLog.event(OPERATOR, agent.name(), how);
         return done;
@@ -238,8 +238,8 @@ public final class Agents implements AutoCloseable {
     private Answer notRunning(String name) {
         return new Answer.Refused(
                 planned(name).isPresent()
-                        ? "Agent (%s) does not run. Maybe start it again.".formatted(name)
-                        : "There is no agent (%s).".formatted(name));
+                        ? "Agent '%s' does not run. Maybe start it again.".formatted(name)
+                        : "There is no agent '%s'.".formatted(name));
     }
 
     /// A robot has left: its agents end as they would at the end of the run.

@@ -95,7 +95,7 @@ public final class OperatorMessages {
                 .findFirst()
                 .map(one -> phrase(one, typed))
                 .orElseThrow(() ->
-                        new IllegalArgumentException("Nothing can be said by hand on topic (%s); it can on %s."
+                        new IllegalArgumentException("Nothing can be said by hand on topic '%s'; it can on %s."
                                 .formatted(
                                         topic,
                                         ALL.stream().map(OperatorMessage::topic).toList())));
@@ -108,7 +108,7 @@ public final class OperatorMessages {
                 .map(RecordComponent::getName)
                 .toList();
         if (!words.isEmpty() && words.stream().allMatch(name -> isEmpty(typed.get(name)))) {
-            throw new IllegalArgumentException("Field (%s) takes words, and is empty.".formatted(words.getFirst()));
+            throw new IllegalArgumentException("Field '%s' takes words, and is empty.".formatted(words.getFirst()));
         }
         Class<?>[] types = components(type).map(RecordComponent::getType).toArray(Class<?>[]::new);
         Object[] values = components(type)
@@ -121,7 +121,7 @@ public final class OperatorMessages {
             return new Phrase<>(topic, type.getDeclaredConstructor(types).newInstance(values));
         } catch (InvocationTargetException e) {
             throw new IllegalArgumentException(
-                    "That is no (%s): %s"
+                    "That is no '%s': %s"
                             .formatted(
                                     topic.name(),
                                     Objects.requireNonNull(e.getCause()).getMessage()),
@@ -198,6 +198,6 @@ public final class OperatorMessages {
     }
 
     private static IllegalArgumentException misfit(String name, String typed, String wanted) {
-        return new IllegalArgumentException("Field (%s) takes %s, not (%s).".formatted(name, wanted, typed));
+        return new IllegalArgumentException("Field '%s' takes %s, not '%s'.".formatted(name, wanted, typed));
     }
 }

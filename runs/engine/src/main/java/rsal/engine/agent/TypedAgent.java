@@ -32,7 +32,7 @@ public final class TypedAgent {
             String key, Optional<Robot> robot, Map<String, String> typed, List<Robot> team, long seed) {
         AgentType type = types().get(key);
         if (type == null) {
-            throw new IllegalArgumentException("There is no type (%s) of agents. %s"
+            throw new IllegalArgumentException("There is no type '%s' of agents. %s"
                     .formatted(key, Suggestion.among(key, List.copyOf(types().keySet()))));
         }
         Arguments arguments = arguments(type.parameters(), typed, team);
@@ -49,7 +49,7 @@ public final class TypedAgent {
         parameters.stream().flatMap(each -> each.ofRobots().stream()).forEach(parameter -> {
             String name = arguments.get(parameter);
             if (!parameter.options().contains(name) && !names.contains(name)) {
-                throw new IllegalArgumentException("(%s) must be %s, not (%s). %s"
+                throw new IllegalArgumentException("'%s' must be %s, not '%s'. %s"
                         .formatted(parameter.name(), parameter.expected(), name, Suggestion.among(name, names)));
             }
         });
@@ -59,14 +59,14 @@ public final class TypedAgent {
     private static void checkNeeds(AgentType type, Arguments arguments, Optional<Robot> robot) {
         List<Class<? extends Device>> needs = type.needs(arguments);
         if (robot.isEmpty() && !needs.isEmpty()) {
-            throw new IllegalArgumentException("Agents (%s) need a robot that they act for.".formatted(type.key()));
+            throw new IllegalArgumentException("Agents '%s' need a robot that they act for.".formatted(type.key()));
         }
         List<String> missing = needs.stream()
                 .filter(need -> robot.flatMap(body -> body.find(need)).isEmpty())
                 .map(Class::getSimpleName)
                 .toList();
         if (!missing.isEmpty()) {
-            throw new IllegalArgumentException("Agents (%s) need a device that robot (%s) has not: %s."
+            throw new IllegalArgumentException("Agents '%s' need a device that robot '%s' has not: %s."
                     .formatted(type.key(), robot.map(Robot::id).orElse(""), String.join(", ", missing)));
         }
     }

@@ -122,7 +122,7 @@ public final class Teleoperation {
         takeBack(now);
         boolean motors = !arbiter.isOff();
         if (grip != null && !grip.driver().equals(driver)) {
-            return new Answer.Refused("Somebody else drives robot (%s) by keys.".formatted(robot.id()));
+            return new Answer.Refused("Somebody else drives robot '%s' by keys.".formatted(robot.id()));
         }
         if (grip == null) {
             grip = new KeyboardDriving(driver, now, motors);
@@ -209,11 +209,11 @@ public final class Teleoperation {
         }
         Optional<Subsumption> stack = Repertoire.stack(name, robot.model());
         if (stack.isEmpty() && !name.isEmpty() && !name.equals(STAND)) {
-            return new Answer.Refused("There is no behavior (%s); there are %s."
+            return new Answer.Refused("There is no behavior '%s'; there are %s."
                     .formatted(name, abilities().behaviors()));
         }
         if (stack.isPresent() && !spares.pilot().isPossible()) {
-            return new Answer.Refused("Robot (%s) can't be given a behavior. %s"
+            return new Answer.Refused("Robot '%s' can't be given a behavior. %s"
                     .formatted(robot.id(), spares.pilot().refusal()));
         }
         Optional<Pilot> pilot;
@@ -244,7 +244,7 @@ public final class Teleoperation {
             return new Navigation.Refused(driven());
         }
         if (!spares.navigation().isPossible()) {
-            return new Navigation.Refused(new Answer.Refused("Robot (%s) can't be sent anywhere. %s"
+            return new Navigation.Refused(new Answer.Refused("Robot '%s' can't be sent anywhere. %s"
                     .formatted(robot.id(), spares.navigation().refusal())));
         }
         try {
@@ -278,7 +278,7 @@ public final class Teleoperation {
     }
 
     private Answer driven() {
-        return new Answer.Refused("Robot (%s) is driven by keys.".formatted(robot.id()));
+        return new Answer.Refused("Robot '%s' is driven by keys.".formatted(robot.id()));
     }
 
     /// Whether an agent of it may be asked to do something.

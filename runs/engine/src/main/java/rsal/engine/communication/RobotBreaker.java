@@ -53,7 +53,7 @@ public final class RobotBreaker implements Faults.Breaker {
     @Override
     public Optional<String> refusal(OfRobot broken) {
         if (left.contains(broken.robot())) {
-            return Optional.of("There is no robot (%s).".formatted(broken.robot()));
+            return Optional.of("There is no robot '%s'.".formatted(broken.robot()));
         }
         return localizers.containsKey(broken.name())
                 ? Optional.empty()

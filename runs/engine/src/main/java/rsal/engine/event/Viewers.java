@@ -24,7 +24,7 @@ public final class Viewers {
                 listener.run();
             } catch (RuntimeException e) {
                 listeners.remove(listener);
-                LOG.log(Level.ERROR, "A viewer failed and is not told any more.", e);
+                LOG.log(Level.ERROR, "A viewer failed and is not notified any more.", e);
             }
         });
     }

@@ -42,11 +42,11 @@ import rsal.metric.SignalType;
 import rsal.robot.Robot;
 import rsal.scenario.PlannedMetric;
 import rsal.scenario.RunPlan;
-import rsal.scenario.RunPlan.Measured;
+import rsal.scenario.RunPlan.MetricDefinition;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.scenario.condition.Facts;
-import rsal.scenario.condition.Measure;
-import rsal.scenario.condition.Measure.Aggregate;
+import rsal.scenario.condition.MetricExpression;
+import rsal.scenario.condition.MetricExpression.Aggregate;
 import rsal.scenario.condition.Quantity;
 import rsal.scenario.condition.RunQuantities;
 
@@ -58,7 +58,7 @@ public final class MetricsObserver implements Facts {
     private final InstantSource clock;
     private final Instant start;
     private final Map<String, RobotRecord> records = new LinkedHashMap<>();
-    private final Map<Measured, OptionalDouble> firstTimes = new HashMap<>();
+    private final Map<MetricDefinition, OptionalDouble> firstTimes = new HashMap<>();
     private final Map<String, Pose2d> sentTo = new HashMap<>(); // by robot, or ALL
     private final Set<String> arrived = new HashSet<>(); // where they were sent last
     private boolean counting; // touches
@@ -83,7 +83,7 @@ public final class MetricsObserver implements Facts {
     private final MappingMetrics mapped;
     private final Map<String, ToDoubleFunction<List<String>>> values = new HashMap<>(); // by word of a quantity
     private final Map<String, NamedMetric> offered = new HashMap<>(); // by words of their quantities
-    private final List<NamedMetric> metrics = new ArrayList<>();
+    private final List<NamedMetric> observing = new ArrayList<>();
     private final Map<String, Samples> ofRun = new HashMap<>(); // by word of a signal
     private final ObservedRun run;
     private final boolean asksForShare;
@@ -111,7 +111,7 @@ public final class MetricsObserver implements Facts {
         this.run = new ObservedRun(this, walls, eventLog, plan.things());
         List<Quantity> asked = Stream.concat(
                         plan.stops().stream().flatMap(stop -> stop.when().quantities()),
-                        plan.measures().stream()
+                        plan.metrics().stream()
                                 .flatMap(measured -> measured.from().quantities()))
                 .toList();
         this.asksForShare = asked.stream().anyMatch(quantity -> quantity.type().equals(RunQuantities.EXPLORED));
@@ -121,15 +121,15 @@ public final class MetricsObserver implements Facts {
         this.heard = new MessageCounts(names(asked, RunQuantities.HEARD_MESSAGES));
         this.lost = new MessageCounts(names(asked, RunQuantities.LOST_MESSAGES));
         this.published = new Published(names(asked, RunQuantities.METRIC));
-        for (Measured measured : plan.measures()) {
-            if (measured.from() instanceof Measure.OfQuantity of && !of.isPublished()) {
+        for (MetricDefinition measured : plan.metrics()) {
+            if (measured.from() instanceof MetricExpression.OfQuantity of && !of.isPublished()) {
                 quantities.put(of.quantity(), new Samples());
             }
         }
         offerOwn();
-        for (PlannedMetric planned : plan.metrics()) {
+        for (PlannedMetric planned : plan.metricTypes()) {
             var metric = NamedMetric.of(planned, run);
-            metrics.add(metric);
+            observing.add(metric);
             for (QuantityType type : planned.type().quantities()) {
                 offered.put(type.word(), metric);
                 offer(type, names -> metric.value(type.word(), names));
@@ -245,7 +245,7 @@ public final class MetricsObserver implements Facts {
         if (asksForPositions) {
             positions.look(there);
         }
-        metrics.forEach(NamedMetric::onStep);
+        observing.forEach(NamedMetric::onStep);
         records.forEach((id, own) -> {
             poses.truth(id).ifPresent(mapFromBase -> {
                 eventLog.hash(mapFromBase);
@@ -344,8 +344,8 @@ public final class MetricsObserver implements Facts {
     }
 
     private void noteFirstTimes() {
-        for (Measured measured : plan.measures()) {
-            if (measured.from() instanceof Measure.FirstTime(var condition)
+        for (MetricDefinition measured : plan.metrics()) {
+            if (measured.from() instanceof MetricExpression.FirstTime(var condition)
                     && !firstTimes.containsKey(measured)
                     && condition.holds(this)) {
                 firstTimes.put(measured, OptionalDouble.of(time()));
@@ -367,7 +367,7 @@ public final class MetricsObserver implements Facts {
             case GoalReached end -> heard(end);
             default -> {} // for metrics
         }
-        for (NamedMetric metric : metrics) {
+        for (NamedMetric metric : observing) {
             try {
                 metric.onMessage(sender, content);
             } catch (RunBroken e) { // not the sender's fault: it ends the run after this step
@@ -484,7 +484,7 @@ public final class MetricsObserver implements Facts {
     /// What was measured so far, in the scenario's order.
     public List<Finding> findings() {
         var findings = new ArrayList<Finding>();
-        for (Measured measured : plan.measures()) {
+        for (MetricDefinition measured : plan.metrics()) {
             if (measured.perRobot()) {
                 records.forEach((id, own) -> {
                     if (of(measured.from().role()).test(own)) {
@@ -502,22 +502,22 @@ public final class MetricsObserver implements Facts {
     }
 
     /// @param robot whose it is; empty for all
-    private Finding finding(Measured measured, String name, List<RobotRecord> from, Optional<String> robot) {
+    private Finding finding(MetricDefinition measured, String name, List<RobotRecord> from, Optional<String> robot) {
         OptionalDouble value = switch (measured.from()) {
-            case Measure.FirstTime _ -> firstTimes.getOrDefault(measured, OptionalDouble.empty());
-            case Measure.Count(var quantity) -> known(value(quantity));
-            case Measure.Distance _ ->
+            case MetricExpression.FirstTime _ -> firstTimes.getOrDefault(measured, OptionalDouble.empty());
+            case MetricExpression.Count(var quantity) -> known(value(quantity));
+            case MetricExpression.Distance _ ->
                 from.stream().anyMatch(RobotRecord::seen)
                         ? OptionalDouble.of(
                                 from.stream().mapToDouble(RobotRecord::distance).sum())
                         : OptionalDouble.empty();
-            case Measure.OfSignal(var aggregate, var signal, var _) ->
+            case MetricExpression.OfSignal(var aggregate, var signal, var _) ->
                 signal.isOfRobots()
                         ? value(
                                 aggregate,
                                 from.stream().map(own -> own.samples(signal)).toList())
                         : ofRun.getOrDefault(signal.word(), new Samples()).value(aggregate, time());
-            case Measure.OfQuantity of ->
+            case MetricExpression.OfQuantity of ->
                 of.isPublished()
                         ? value(
                                 of.aggregate(),

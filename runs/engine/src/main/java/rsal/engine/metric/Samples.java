@@ -2,9 +2,9 @@ package rsal.engine.metric;
 
 import java.util.Arrays;
 import java.util.OptionalDouble;
-import rsal.scenario.condition.Measure.Aggregate;
-import rsal.scenario.condition.Measure.Function;
-import rsal.scenario.condition.Measure.Quantile;
+import rsal.scenario.condition.MetricExpression.Aggregate;
+import rsal.scenario.condition.MetricExpression.Function;
+import rsal.scenario.condition.MetricExpression.Quantile;
 
 /// Samples of a signal, each with its time [s]. Least, greatest and means count all of them; percentiles count
 /// every one up to a number, then every second, every fourth…, so that memory stays bounded.

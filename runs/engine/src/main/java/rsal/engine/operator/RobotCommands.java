@@ -144,7 +144,7 @@ public final class RobotCommands {
     public Answer drive(String id, String driver, Twist2d velocity, long heard) {
         return velocity.isFinite()
                 ? tell(id, told -> told.drive(driver, velocity, heard))
-                : new Answer.Refused("A velocity must be finite, not (%s).".formatted(velocity));
+                : new Answer.Refused("A velocity must be finite, not '%s'.".formatted(velocity));
     }
 
     public Answer letGo(String id, String driver) {
@@ -154,7 +154,7 @@ public final class RobotCommands {
     private Answer tell(String id, Function<Teleoperation, Answer> order) {
         return nobody(id)
                 .or(() -> team.teleoperation(id).map(order))
-                .orElseGet(() -> new Answer.Refused("Robot (%s) has no drive.".formatted(id)));
+                .orElseGet(() -> new Answer.Refused("Robot '%s' has no drive.".formatted(id)));
     }
 
     /// Says why a robot can't be told anything at all, if so.
@@ -163,7 +163,7 @@ public final class RobotCommands {
             return Optional.of(world.unknown(id));
         }
         return faults.isGone(id)
-                ? Optional.of(new Answer.Refused("Robot (%s) is gone.".formatted(id)))
+                ? Optional.of(new Answer.Refused("Robot '%s' is gone.".formatted(id)))
                 : Optional.empty();
     }
 

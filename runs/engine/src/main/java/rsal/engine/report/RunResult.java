@@ -14,8 +14,8 @@ import rsal.data.Pose2d;
 ///         its starter gave it; `stopped` by an operator. What would be a success, or at a limit, is a failure
 ///         when an agent failed or had no plan for a goal, unless the scenario tolerates that
 /// @param eventHash SHA-256 in hexadecimal over all that happened; equal for equal runs
-/// @param measures by name, in the scenario's order; empty where there was nothing to measure
-/// @param outOfBounds names of the measures that are not within the bounds the scenario gives
+/// @param metrics by name, in the scenario's order; empty where there was nothing to measure
+/// @param outOfBounds names of the metrics that are not within the bounds the scenario gives
 /// @param endPoses where robots were at the end, in the frame `map`, by name: in truth where it is known, else
 ///         as they believed; without those of which nobody knows
 /// @param failed agents that ended by a mistake of their own, each with what went wrong, by name
@@ -31,7 +31,7 @@ public record RunResult(
         double simulatedSeconds,
         double wallSeconds,
         String eventHash,
-        Map<String, OptionalDouble> measures,
+        Map<String, OptionalDouble> metrics,
         List<String> outOfBounds,
         Map<String, Pose2d> endPoses,
         Map<String, String> failed,
@@ -39,7 +39,7 @@ public record RunResult(
         List<TopicTraffic> topics,
         List<Reception> communication) {
     public RunResult {
-        measures = Collections.unmodifiableMap(new LinkedHashMap<>(measures));
+        metrics = Collections.unmodifiableMap(new LinkedHashMap<>(metrics));
         outOfBounds = List.copyOf(outOfBounds);
         endPoses = Collections.unmodifiableMap(new LinkedHashMap<>(endPoses));
         failed = Collections.unmodifiableMap(new TreeMap<>(failed));

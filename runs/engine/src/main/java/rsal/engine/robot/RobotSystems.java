@@ -106,7 +106,7 @@ public final class RobotSystems implements RobotSystem {
         return part.robots.stream()
                 .filter(robot -> !ids.contains(robot))
                 .findFirst()
-                .map(robot -> new RunBroken("%s has no robot (%s); it has %s.".formatted(part.name, robot, ids)));
+                .map(robot -> new RunBroken("%s has no robot '%s'; it has %s.".formatted(part.name, robot, ids)));
     }
 
     @Override
@@ -196,7 +196,7 @@ public final class RobotSystems implements RobotSystem {
         public Optional<String> refusal(String robot, String device, Fault fault) {
             Part home = homes.get(robot);
             if (home == null) {
-                return Optional.of("There is no robot (%s).".formatted(robot));
+                return Optional.of("There is no robot '%s'.".formatted(robot));
             }
             return home.system
                     .faults()
@@ -208,7 +208,7 @@ public final class RobotSystems implements RobotSystem {
         public Subscription begin(String robot, String device, Fault fault, RandomGenerator random) {
             return Optional.ofNullable(homes.get(robot))
                     .flatMap(home -> home.system.faults())
-                    .orElseThrow(() -> new IllegalArgumentException("(%s) can't be broken.".formatted(robot)))
+                    .orElseThrow(() -> new IllegalArgumentException("'%s' can't be broken.".formatted(robot)))
                     .begin(robot, device, fault, random);
         }
     }

@@ -92,7 +92,7 @@ public final class DeviceFactory implements AutoCloseable {
     }
 
     private Device make(PlannedDevice device, Robot robot, Optional<Pose2d> mapFromBase) {
-        String name = "Device (%s/%s)".formatted(robot.id(), device.name());
+        String name = "Device '%s/%s'".formatted(robot.id(), device.name());
         var lane = new GuardedScheduler(name, scheduler);
         var context = new DeviceDriver.Context(
                 device.name(),

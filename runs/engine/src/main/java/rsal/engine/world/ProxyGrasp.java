@@ -68,7 +68,7 @@ final class ProxyGrasp {
                 .min(Comparator.comparingDouble(one -> one.mapFromThing().distanceTo(mapFromGripper)))
                 .map(Standing::name);
         thing = nearest.orElse(null);
-        told.accept(nearest.map("takes (%s) along"::formatted)
+        told.accept(nearest.map("takes '%s' along"::formatted)
                 .orElse("has gripped something that is not in the simulated world"));
     }
 
@@ -79,7 +79,7 @@ final class ProxyGrasp {
             String put = thing;
             thing = null;
             world.truth(put).ifPresent(there -> world.placeAnyway(put, there, 0));
-            told.accept("puts (%s) down".formatted(put));
+            told.accept("puts '%s' down".formatted(put));
         }
     }
 }

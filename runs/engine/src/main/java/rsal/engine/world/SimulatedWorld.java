@@ -126,7 +126,7 @@ public final class SimulatedWorld {
         }
         Optional<Localizer> localizer = team.localizer(robot.get());
         if (localizer.isEmpty()) {
-            return new Answer.Refused("Robot (%s) has no localizer that could be told.".formatted(id));
+            return new Answer.Refused("Robot '%s' has no localizer to get a pose.".formatted(id));
         }
         var _ = localizer.get().relocalize(PoseEstimate.of(mapFromBase, PLACED_BY_HAND));
         eventLog.event("operator", id, "told that it is at " + mapFromBase.rounded());
@@ -136,7 +136,7 @@ public final class SimulatedWorld {
     private Optional<Answer> impossible(String robot, Pose2d mapFromBase) {
         OccupancyGrid map = plan.map();
         if (lacks(robot) || faults.isGone(robot)) {
-            return Optional.of(new Answer.Refused("Robot (%s) is gone.".formatted(robot)));
+            return Optional.of(new Answer.Refused("Robot '%s' is gone.".formatted(robot)));
         }
         return mapFromBase.isFinite() && map.contains(map.column(mapFromBase.x()), map.row(mapFromBase.y()))
                 ? Optional.empty()
@@ -238,7 +238,7 @@ public final class SimulatedWorld {
                 .filter(one -> one.name().equals(model))
                 .findFirst();
         if (known.isEmpty()) {
-            return new Answer.Refused("There is no robot model (%s). %s"
+            return new Answer.Refused("There is no robot model '%s'. %s"
                     .formatted(model, Suggestion.among(model, RobotModels.builtIn())));
         }
         if (robotsAdded == MOST_ADDED) {
@@ -298,7 +298,7 @@ public final class SimulatedWorld {
     }
 
     private static Answer isReal(String robot, String what) {
-        return new Answer.Refused("Robot (%s) is real: %s.".formatted(robot, what));
+        return new Answer.Refused("Robot '%s' is real: %s.".formatted(robot, what));
     }
 
     private Answer nothingSimulated() {
@@ -308,7 +308,7 @@ public final class SimulatedWorld {
 
     /// Says that no robot and no thing has a name.
     public Answer unknown(String name) {
-        return new Answer.Refused("There is no (%s); there are the robots %s and %d other things."
+        return new Answer.Refused("There is no '%s'; there are the robots %s and %d other things."
                 .formatted(name, team.robots().keySet(), things().size()));
     }
 }

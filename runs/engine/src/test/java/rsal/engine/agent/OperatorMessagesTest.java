@@ -55,19 +55,19 @@ class OperatorMessagesTest {
     @Test
     void whatDoesNotFitIsToldByField() {
         assertThatThrownBy(() -> read("lookout", Map.of("robot", "r1", "mapFromPlace", "3", "done", "true")))
-                .hasMessage("Field (mapFromPlace) takes x and y [m]: 3 4.5, not (3).");
+                .hasMessage("Field 'mapFromPlace' takes x and y [m]: 3 4.5, not '3'.");
         assertThatThrownBy(() -> read("lookout", Map.of("robot", "r1", "mapFromPlace", "3 NaN", "done", "true")))
-                .hasMessageContaining("(mapFromPlace) takes x and y");
+                .hasMessageContaining("'mapFromPlace' takes x and y");
         assertThatThrownBy(() -> read("lookout", Map.of("robot", "r1", "mapFromPlace", "3 4", "done", "maybe")))
-                .hasMessage("Field (done) takes one of [true, false], not (maybe).");
+                .hasMessage("Field 'done' takes one of [true, false], not 'maybe'.");
         assertThatThrownBy(() -> read("victim-helped", Map.of("victim", "7.5")))
-                .hasMessage("Field (victim) takes a whole number, not (7.5).");
-        assertThatThrownBy(() -> read("victim-helped", Map.of())).hasMessageContaining("(victim)");
+                .hasMessage("Field 'victim' takes a whole number, not '7.5'.");
+        assertThatThrownBy(() -> read("victim-helped", Map.of())).hasMessageContaining("'victim'");
         assertThatThrownBy(() -> read("caught", Map.of("prey", "p", "hunter", "h", "distance", "-1")))
-                .hasMessage("That is no (caught): A hunter must be at some distance, not (-1.0).");
+                .hasMessage("That is no 'caught': A hunter must be at some distance, not '-1.0'.");
         assertThatThrownBy(() -> read("text", Map.of("words", " ")))
-                .hasMessage("Field (words) takes words, and is empty.");
-        assertThatThrownBy(() -> read("pose-request", Map.of())).hasMessage("Field (robot) takes words, and is empty.");
+                .hasMessage("Field 'words' takes words, and is empty.");
+        assertThatThrownBy(() -> read("pose-request", Map.of())).hasMessage("Field 'robot' takes words, and is empty.");
         assertThatThrownBy(() -> read("ranks", Map.of()))
                 .hasMessageStartingWith("Nothing can be said by hand on topic");
     }

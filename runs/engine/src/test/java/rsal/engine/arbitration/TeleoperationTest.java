@@ -34,11 +34,11 @@ class TeleoperationTest {
                 new CommandArbiter(robot.require(DriveBase.class)),
                 new Spares(spare, spare),
                 (_, _) -> {
-                    throw new RunBroken("Device (r1/pilot)", new IllegalStateException("no batteries"));
+                    throw new RunBroken("Device 'r1/pilot'", new IllegalStateException("no batteries"));
                 },
                 new EventLog(() -> Duration.ZERO, () -> {}));
         assertThat(teleoperation.behave("stand", 0)).isEqualTo(new Answer.Done());
-        var refused = new Answer.Refused("Device (r1/pilot) failed: no batteries");
+        var refused = new Answer.Refused("Device 'r1/pilot' failed: no batteries");
         assertThat(teleoperation.behave("wander", 0)).isEqualTo(refused);
         assertThat(teleoperation.behavior()).isEqualTo("stand");
         assertThat(teleoperation.navigator(0)).isEqualTo(new Teleoperation.Navigation.Refused(refused));

@@ -6,8 +6,8 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
-import rsal.scenario.condition.Measure.Function;
-import rsal.scenario.condition.Measure.Quantile;
+import rsal.scenario.condition.MetricExpression.Function;
+import rsal.scenario.condition.MetricExpression.Quantile;
 
 class SamplesTest {
     private static final double END = 2_000_000; // s

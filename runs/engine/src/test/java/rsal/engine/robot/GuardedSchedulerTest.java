@@ -13,11 +13,11 @@ import rsal.time.Phase;
 
 class GuardedSchedulerTest {
     private final LockstepScheduler time = new LockstepScheduler();
-    private final GuardedScheduler guarded = new GuardedScheduler("Device (lamp)", time);
+    private final GuardedScheduler guarded = new GuardedScheduler("Device 'lamp'", time);
 
     @Test
     void isOfTheRunOfThoseThatItGuards() {
-        assertThat(guarded.run()).isEqualTo(new GuardedScheduler("Device (horn)", time).run());
+        assertThat(guarded.run()).isEqualTo(new GuardedScheduler("Device 'horn'", time).run());
         assertThat(guarded.run()).isNotEqualTo(new LockstepScheduler().run());
     }
 
@@ -28,7 +28,7 @@ class GuardedSchedulerTest {
         });
         assertThatThrownBy(() -> time.advance(Duration.ZERO))
                 .isInstanceOf(RunBroken.class)
-                .hasMessage("Device (lamp) failed: it went out");
+                .hasMessage("Device 'lamp' failed: it went out");
     }
 
     @Test
@@ -41,7 +41,7 @@ class GuardedSchedulerTest {
                     throw new IllegalStateException("no bulb");
                 }))
                 .isInstanceOf(RunBroken.class)
-                .hasMessage("Device (lamp) failed: no bulb");
+                .hasMessage("Device 'lamp' failed: no bulb");
         time.advance(Duration.ofSeconds(3));
         assertThat(shone).hasValue(0);
     }
@@ -53,7 +53,7 @@ class GuardedSchedulerTest {
         });
         assertThatThrownBy(() -> time.advance(Duration.ZERO))
                 .isInstanceOf(RunBroken.class)
-                .hasMessage("Device (lamp) failed: StackOverflowError");
+                .hasMessage("Device 'lamp' failed: StackOverflowError");
     }
 
     @Test

@@ -346,7 +346,7 @@ class ProxiesTest {
         assertThat(thing("nearer").height()).isZero();
         assertThat(proxies.names()).containsExactly("real");
         assertThat(thing("near").mapFromThing()).isEqualTo(new Pose2d(-9.4, -1, 0));
-        assertThat(told()).containsExactly("takes (nearer) along", "puts (nearer) down");
+        assertThat(told()).containsExactly("takes 'nearer' along", "puts 'nearer' down");
     }
 
     @Test

@@ -8,14 +8,14 @@ import rsal.experiment.Change;
 import rsal.experiment.Combination;
 import rsal.experiment.Findings;
 import rsal.experiment.Findings.Interaction;
-import rsal.experiment.Manifest.Measure;
-import rsal.experiment.Measurements;
+import rsal.experiment.Manifest.MetricExpression;
+import rsal.experiment.MetricTable;
 import rsal.experiment.statistics.ConfidenceInterval;
 import rsal.experiment.statistics.Effect;
 import rsal.experiment.statistics.Mean;
 
 /// What an experiment says: all that is compared, and which differences are clear. p-values are corrected within each
-/// table of the report: the changes of one measure, its interactions, the changes of all outcomes.
+/// table of the report: the changes of one metric, its interactions, the changes of all outcomes.
 public final class Conclusions {
     private final List<Compared<Ending>> endings;
     private final List<Quantity> quantities;
@@ -28,10 +28,10 @@ public final class Conclusions {
         }
     }
 
-    /// One measure.
-    record Quantity(Measurements measurements, List<Compared<Change>> changes, List<InPlaces> interactions) {
-        Measure measure() {
-            return measurements.measure();
+    /// One metric.
+    record Quantity(MetricTable measurements, List<Compared<Change>> changes, List<InPlaces> interactions) {
+        MetricExpression metric() {
+            return measurements.metric();
         }
     }
 
@@ -64,8 +64,8 @@ public final class Conclusions {
                 .toList();
         return new Conclusions(
                 Compared.together(endings, ending -> findings.effectOnShare(ending.change(), ending.outcome())),
-                findings.manifest().measures().stream()
-                        .map(measure -> quantity(findings, measure))
+                findings.manifest().metrics().stream()
+                        .map(metric -> quantity(findings, metric))
                         .toList());
     }
 
@@ -74,8 +74,8 @@ public final class Conclusions {
         return outcomes.size() <= 2 ? outcomes.subList(0, outcomes.size() / 2) : outcomes;
     }
 
-    private static Quantity quantity(Findings findings, Measure measure) {
-        Measurements measurements = findings.measurements(measure);
+    private static Quantity quantity(Findings findings, MetricExpression metric) {
+        MetricTable measurements = findings.measurements(metric);
         List<Compared<Interaction>> interactions =
                 Compared.together(findings.interactions(), each -> findings.effect(each, measurements));
         return new Quantity(
@@ -97,7 +97,7 @@ public final class Conclusions {
                         .toList());
     }
 
-    private static Effect where(Findings findings, Interaction interaction, String level, Measurements measurements) {
+    private static Effect where(Findings findings, Interaction interaction, String level, MetricTable measurements) {
         return findings.effectWhere(interaction.change(), interaction.where().factor(), level, measurements);
     }
 
@@ -141,16 +141,16 @@ public final class Conclusions {
                                 + each.subject().outcome(),
                         "")));
         for (Quantity quantity : quantities) {
-            Measure measure = quantity.measure();
+            MetricExpression metric = quantity.metric();
             quantity.changes().stream()
                     .filter(each -> each.isKnown() && each.isClear() == clear)
                     .forEach(each -> sentences.add(sentence(
                             each,
-                            unit(measure) + " of " + measure.name(),
-                            clear ? judged(measure, each.difference()) : "")));
+                            unit(metric) + " of " + metric.name(),
+                            clear ? judged(metric, each.difference()) : "")));
             quantity.interactions().stream()
                     .filter(each -> each.compared().isKnown() && each.compared().isClear() == clear)
-                    .forEach(each -> sentences.add(sentence(measure, each)));
+                    .forEach(each -> sentences.add(sentence(metric, each)));
         }
         return List.copyOf(sentences);
     }
@@ -161,7 +161,7 @@ public final class Conclusions {
                 ": %s%s (%s)%s".formatted(NumberFormats.signed(compared.difference()), what, sure(compared), judged));
     }
 
-    private static Sentence sentence(Measure measure, InPlaces places) {
+    private static Sentence sentence(MetricExpression metric, InPlaces places) {
         Interaction interaction = places.compared().subject();
         Change where = interaction.where();
         String factor = where.factor().argument();
@@ -169,13 +169,13 @@ public final class Conclusions {
                 interaction.change().toString(),
                 ": what it does to %s depends on %s: %s%s where it is %s, %s%s where it is %s (difference %s, %s)"
                         .formatted(
-                                measure.name(),
+                                metric.name(),
                                 factor,
                                 difference(places.before()),
-                                unit(measure),
+                                unit(metric),
                                 where.from(),
                                 difference(places.after()),
-                                unit(measure),
+                                unit(metric),
                                 where.to(),
                                 NumberFormats.signed(places.compared().difference()),
                                 sure(places.compared())));
@@ -199,19 +199,19 @@ public final class Conclusions {
                         p.startsWith("<") ? p : "= " + p);
     }
 
-    private static String judged(Measure measure, double difference) {
-        return switch (measure.better()) {
+    private static String judged(MetricExpression metric, double difference) {
+        return switch (metric.better()) {
             case "less" -> difference < 0 ? ": better" : ": worse";
             case "more" -> difference > 0 ? ": better" : ": worse";
             default -> "";
         };
     }
 
-    private static String unit(Measure measure) {
-        return measure.unit().isEmpty() ? "" : " " + measure.unit();
+    private static String unit(MetricExpression metric) {
+        return metric.unit().isEmpty() ? "" : " " + metric.unit();
     }
 
-    /// What is to be known of runs that have no value, a sentence for each measure in which there are some.
+    /// What is to be known of runs that have no value, a sentence for each metric in which there are some.
     ///
     /// @param combinations of which runs have ended
     public List<String> missing(List<Combination> combinations) {
@@ -222,12 +222,12 @@ public final class Conclusions {
                 .toList();
     }
 
-    static Optional<String> missing(Measurements measurements, List<Combination> combinations) {
+    static Optional<String> missing(MetricTable measurements, List<Combination> combinations) {
         int runs = combinations.stream().mapToInt(measurements::runs).sum();
         int used = combinations.stream().mapToInt(measurements::used).sum();
         int without =
                 runs - combinations.stream().mapToInt(measurements::reached).sum();
-        String name = measurements.measure().name();
+        String name = measurements.metric().name();
         if (without == 0) {
             return Optional.empty();
         }
@@ -240,7 +240,7 @@ public final class Conclusions {
                                     without - (runs - used),
                                     runs,
                                     NumberFormats.of(measurements.horizon().getAsDouble()),
-                                    unit(measurements.measure()),
+                                    unit(measurements.metric()),
                                     left));
         }
         return Optional.of(

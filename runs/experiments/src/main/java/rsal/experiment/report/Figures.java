@@ -12,8 +12,8 @@ import java.util.stream.Stream;
 import rsal.experiment.Change;
 import rsal.experiment.Combination;
 import rsal.experiment.Findings;
-import rsal.experiment.Manifest.Measure;
-import rsal.experiment.Measurements;
+import rsal.experiment.Manifest.MetricExpression;
+import rsal.experiment.MetricTable;
 import rsal.experiment.Row;
 import rsal.experiment.report.Drawing.Align;
 import rsal.experiment.report.Drawing.Ink;
@@ -61,9 +61,9 @@ final class Figures {
         return (int) rows.stream().filter(row -> row.outcome().equals(outcome)).count();
     }
 
-    static String title(Measure measure) {
-        String unit = measure.unit().isEmpty() ? "" : " [%s]".formatted(measure.unit());
-        return measure.name() + unit + (measure.perRobot() ? ", mean over the robots of a run" : "");
+    static String title(MetricExpression metric) {
+        String unit = metric.unit().isEmpty() ? "" : " [%s]".formatted(metric.unit());
+        return metric.name() + unit + (metric.perRobot() ? ", mean over the robots of a run" : "");
     }
 
     /// What is drawn in rows, with a scale below.
@@ -155,8 +155,8 @@ final class Figures {
     /// For each combination a box plot, and the mean with its interval.
     ///
     /// @param combinations that have values
-    static ReportFigure values(Findings findings, Measurements measurements, List<Combination> combinations) {
-        Measure measure = measurements.measure();
+    static ReportFigure values(Findings findings, MetricTable measurements, List<Combination> combinations) {
+        MetricExpression metric = measurements.metric();
         var boxes = new ArrayList<BoxPlot>();
         var means = new ArrayList<Mean>();
         var numbers = new ArrayList<List<String>>();
@@ -180,9 +180,9 @@ final class Figures {
                     NumberFormats.exact(box.most())));
         }
         return new ReportFigure(
-                measure.name(),
+                metric.name(),
                 "Box plots of %s and means with 95 %% confidence intervals, for each of %s; the table below has the numbers."
-                        .formatted(title(measure), counted(combinations)),
+                        .formatted(title(metric), counted(combinations)),
                 new Rows(
                         findings.labels(combinations),
                         List.of(
@@ -190,7 +190,7 @@ final class Figures {
                                         "quartiles, median; points lie beyond 1.5 boxes",
                                         (drawing, at) -> drawing.box(at.x() - 11, at.y() - 6, 22, 12, Ink.DATA)),
                                 MEAN),
-                        (drawing, frame) -> drawValues(drawing, frame, boxes, means, title(measure))),
+                        (drawing, frame) -> drawValues(drawing, frame, boxes, means, title(metric))),
                 List.of(
                         "combination",
                         "runs",
@@ -243,7 +243,7 @@ final class Figures {
     /// In which share of runs it had happened by when: Kaplan-Meier curves, a few in each figure.
     ///
     /// @param combinations with a curve
-    static List<ReportFigure> curves(Findings findings, Measurements measurements, List<Combination> combinations) {
+    static List<ReportFigure> curves(Findings findings, MetricTable measurements, List<Combination> combinations) {
         int figures = (combinations.size() + CURVES.size() - 1) / CURVES.size();
         return IntStream.range(0, figures)
                 .mapToObj(i -> curves(
@@ -255,8 +255,8 @@ final class Figures {
     }
 
     private static ReportFigure curves(
-            Findings findings, Measurements measurements, List<Combination> combinations, String part) {
-        Measure measure = measurements.measure();
+            Findings findings, MetricTable measurements, List<Combination> combinations, String part) {
+        MetricExpression metric = measurements.metric();
         double horizon = measurements.horizon().orElseThrow();
         var numbers = new ArrayList<List<String>>();
         for (Combination combination : combinations) {
@@ -280,9 +280,9 @@ final class Figures {
                     (drawing, at) -> drawing.line(at.x() - 11, at.y(), at.x() + 11, at.y(), 2.5, ink)));
         }
         return new ReportFigure(
-                measure.name() + part,
+                metric.name() + part,
                 "Kaplan-Meier curves of %s: in which share of runs it had happened by when, for each of %s."
-                        .formatted(title(measure), counted(combinations)),
+                        .formatted(title(metric), counted(combinations)),
                 new Picture() {
                     @Override
                     public double height(double width) {
@@ -306,13 +306,13 @@ final class Figures {
     private static void drawCurves(
             Drawing drawing,
             FigureLayout frame,
-            Measurements measurements,
+            MetricTable measurements,
             List<Combination> combinations,
             double horizon) {
         double bottom = frame.bottom(CURVES_HIGH);
         var scale = new Scale(0, Math.max(horizon, 1e-9), frame.left(), frame.right());
         var shares = new Scale(0, 1, bottom, frame.top());
-        scale.draw(drawing, frame.top(), bottom, title(measurements.measure()));
+        scale.draw(drawing, frame.top(), bottom, title(measurements.metric()));
         drawing.text(frame.left(), frame.top() - 7, "share of runs in which it has happened", Align.START, Ink.QUIET);
         for (int percent = 0; percent <= 100; percent += 25) {
             double y = shares.at(percent / 100.0);
@@ -365,7 +365,7 @@ final class Figures {
     /// For each change the mean difference with its interval.
     ///
     /// @param changes that are known
-    static ReportFigure effects(Measure measure, List<Compared<Change>> changes) {
+    static ReportFigure effects(MetricExpression metric, List<Compared<Change>> changes) {
         List<Mean> means = changes.stream()
                 .map(change -> change.effect().difference().orElseThrow())
                 .toList();
@@ -384,9 +384,9 @@ final class Figures {
                     interval.map(ends -> NumberFormats.exact(ends.high())).orElse("")));
         }
         return new ReportFigure(
-                measure.name() + "-effects",
+                metric.name() + "-effects",
                 "What each change does to %s: mean differences with 95 %% confidence intervals; the table below has the numbers."
-                        .formatted(title(measure)),
+                        .formatted(title(metric)),
                 new Rows(
                         changes.stream()
                                 .map(change -> change.subject().toString())
@@ -400,7 +400,7 @@ final class Figures {
                         (drawing, frame) -> {
                             Scale scale = scale(
                                     Stream.concat(Stream.of(0.0), means.stream().flatMap(Figures::ends)), frame);
-                            scale.draw(drawing, frame.top(), frame.bottom(), "difference of " + title(measure));
+                            scale.draw(drawing, frame.top(), frame.bottom(), "difference of " + title(metric));
                             drawing.line(scale.at(0), frame.top() - 4, scale.at(0), frame.bottom(), 1.5, Ink.QUIET);
                             for (int i = 0; i < means.size(); i++) {
                                 estimate(drawing, scale, means.get(i), frame.middle(i));

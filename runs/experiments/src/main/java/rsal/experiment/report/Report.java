@@ -21,7 +21,7 @@ import rsal.experiment.Factor;
 import rsal.experiment.Findings;
 import rsal.experiment.Manifest.Argument;
 import rsal.experiment.Manifest.Session;
-import rsal.experiment.Measurements;
+import rsal.experiment.MetricTable;
 import rsal.experiment.Recordings;
 import rsal.experiment.Row;
 import rsal.experiment.report.Conclusions.Quantity;
@@ -206,7 +206,7 @@ public final class Report {
         if (known > 0) {
             note(
                     "Runs with the same seed are compared with each other. A difference is clear when p < 0.05, corrected for"
-                            + " all comparisons of its table (Holm). Say before you look which measure matters.");
+                            + " all comparisons of its table (Holm). Say before you look which metric matters.");
         }
         html.append("</section>\n");
     }
@@ -236,8 +236,8 @@ public final class Report {
     }
 
     private void quantity(Quantity quantity) {
-        Measurements measurements = quantity.measurements();
-        html.append("<section>\n<h2>%s</h2>\n".formatted(text(Figures.title(quantity.measure()))));
+        MetricTable measurements = quantity.measurements();
+        html.append("<section>\n<h2>%s</h2>\n".formatted(text(Figures.title(quantity.metric()))));
         List<Combination> measured = combinations.stream()
                 .filter(combination -> measurements.used(combination) > 0)
                 .toList();
@@ -245,7 +245,7 @@ public final class Report {
             html.append("<p>There was nothing to measure in any run.</p>\n</section>\n");
             return;
         }
-        if (quantity.measure().isEventTime()) {
+        if (quantity.metric().isEventTime()) {
             Figures.curves(findings, measurements, measured).forEach(this::figure);
             note(
                     "Kaplan-Meier curves: the share of runs in which it has happened, by time. A tick is a run that ended before that.");
@@ -268,7 +268,7 @@ public final class Report {
                 .filter(change -> change.effect().difference().isPresent())
                 .toList();
         if (!known.isEmpty()) {
-            figure(Figures.effects(quantity.measure(), known));
+            figure(Figures.effects(quantity.metric(), known));
         }
         table(ReportTables.effects(quantity));
         note(
@@ -300,7 +300,7 @@ public final class Report {
             String reason = Stream.concat(
                             Stream.of(row.reason()).filter(text -> !text.isEmpty()),
                             row.failedAgents().entrySet().stream()
-                                    .map(agent -> "Agent (%s) failed: %s".formatted(agent.getKey(), agent.getValue())))
+                                    .map(agent -> "Agent '%s' failed: %s".formatted(agent.getKey(), agent.getValue())))
                     .collect(Collectors.joining(" "));
             if (!reason.isEmpty()) {
                 rows.add(List.of(Integer.toString(row.run()), row.outcome(), reason, again(row)));

@@ -9,7 +9,7 @@ import java.util.stream.Stream;
 import rsal.experiment.Change;
 import rsal.experiment.Combination;
 import rsal.experiment.Findings;
-import rsal.experiment.Measurements;
+import rsal.experiment.MetricTable;
 import rsal.experiment.Row;
 import rsal.experiment.report.Conclusions.Ending;
 import rsal.experiment.report.Conclusions.InPlaces;
@@ -82,8 +82,8 @@ final class ReportTables {
 
     static DataTable effects(Quantity quantity) {
         return comparisons(
-                quantity.measure().name() + "-effects",
-                "Differences in %s, all else equal, by seed".formatted(Figures.title(quantity.measure())),
+                quantity.metric().name() + "-effects",
+                "Differences in %s, all else equal, by seed".formatted(Figures.title(quantity.metric())),
                 List.of("change"),
                 List.of("factor", "from", "to"),
                 quantity.changes(),
@@ -114,9 +114,9 @@ final class ReportTables {
                     .toList());
         }
         return new DataTable(
-                quantity.measure().name() + "-interactions",
+                quantity.metric().name() + "-interactions",
                 "How much more a change does to %s where something else is changed, too, by seed"
-                        .formatted(Figures.title(quantity.measure())),
+                        .formatted(Figures.title(quantity.metric())),
                 2,
                 Stream.concat(Stream.of("change", "where", "before", "after"), SURE.stream())
                         .toList(),
@@ -216,8 +216,8 @@ final class ReportTables {
         return value.isPresent() ? NumberFormats.exact(value.getAsDouble()) : "";
     }
 
-    /// Of a measure that has a value in each run, or none.
-    static DataTable values(Findings findings, Measurements measurements, List<Combination> combinations) {
+    /// Of a metric that has a value in each run, or none.
+    static DataTable values(Findings findings, MetricTable measurements, List<Combination> combinations) {
         var rows = new ArrayList<List<String>>();
         var exact = new ArrayList<List<String>>();
         for (Combination combination : combinations) {
@@ -244,8 +244,8 @@ final class ReportTables {
             exact.add(fields);
         }
         return new DataTable(
-                measurements.measure().name(),
-                Figures.title(measurements.measure()) + " by combination",
+                measurements.metric().name(),
+                Figures.title(measurements.metric()) + " by combination",
                 1,
                 List.of("combination", "n", "mean", "95 % (Student's)", "deviation", "least", "median", "most"),
                 rows,
@@ -253,8 +253,8 @@ final class ReportTables {
                 exact);
     }
 
-    /// Of a measure that tells when something happened.
-    static DataTable times(Findings findings, Measurements measurements, List<Combination> combinations) {
+    /// Of a metric that tells when something happened.
+    static DataTable times(Findings findings, MetricTable measurements, List<Combination> combinations) {
         var rows = new ArrayList<List<String>>();
         var exact = new ArrayList<List<String>>();
         double horizon = measurements.horizon().orElse(0);
@@ -280,14 +280,14 @@ final class ReportTables {
             exact.add(fields);
         }
         return new DataTable(
-                measurements.measure().name(),
+                measurements.metric().name(),
                 "%s by combination, restricted to %s%s"
                         .formatted(
-                                Figures.title(measurements.measure()),
+                                Figures.title(measurements.metric()),
                                 NumberFormats.of(horizon),
-                                measurements.measure().unit().isEmpty()
+                                measurements.metric().unit().isEmpty()
                                         ? ""
-                                        : " " + measurements.measure().unit()),
+                                        : " " + measurements.metric().unit()),
                 1,
                 List.of("combination", "n", "happened in", "mean", "95 % (Student's)", "deviation", "median"),
                 rows,

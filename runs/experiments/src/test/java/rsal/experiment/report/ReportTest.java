@@ -23,16 +23,18 @@ import rsal.experiment.Combination;
 import rsal.experiment.Factor;
 import rsal.experiment.Findings;
 import rsal.experiment.Manifest;
-import rsal.experiment.Manifest.Measure;
-import rsal.experiment.Measurements;
+import rsal.experiment.Manifest.MetricExpression;
+import rsal.experiment.MetricTable;
 import rsal.experiment.Recordings;
 import rsal.experiment.Row;
 import rsal.experiment.Trial;
 import rsal.experiment.statistics.Effect;
 
 class ReportTest {
-    private static final Measure TIME = new Measure("captureTime", "s", false, "less", Optional.of(Measure.EVENT_TIME));
-    private static final Measure ERROR = new Measure("error", "m", true, "neither", Optional.of(Measure.VALUE));
+    private static final MetricExpression TIME =
+            new MetricExpression("captureTime", "s", false, "less", Optional.of(MetricExpression.EVENT_TIME));
+    private static final MetricExpression ERROR =
+            new MetricExpression("error", "m", true, "neither", Optional.of(MetricExpression.VALUE));
     private static final Factor HUNTERS = new Factor("hunters", List.of("2", "4"));
     private static final Change MORE_HUNTERS = new Change(HUNTERS, "2", "4");
     private static final Factor WORDS = new Factor("words", List.of("a", "b & <b>"));
@@ -88,7 +90,7 @@ class ReportTest {
                 Map.of(),
                 trial.seed(),
                 broken ? "broken" : timeout ? "timeout" : "success",
-                broken ? "Agent (x) has not returned for 20 s." : "",
+                broken ? "Agent 'x' has not returned for 20 s." : "",
                 broken ? OptionalDouble.empty() : OptionalDouble.of(timeout ? 120 : time),
                 OptionalDouble.of(1),
                 "beef",
@@ -107,7 +109,7 @@ class ReportTest {
 
     @Test
     void findsTheEffectThatIsThere() {
-        Measurements times = findings.measurements(TIME);
+        MetricTable times = findings.measurements(TIME);
         Effect effect = findings.effect(MORE_HUNTERS, times);
         assertThat(times.horizon()).hasValue(120);
         assertThat(effect.blocks()).isEqualTo(12);
@@ -123,7 +125,7 @@ class ReportTest {
     @Test
     void leavesNoRunOutForNotHavingGotThere() {
         Combination combination = findings.design().combinations().getLast();
-        Measurements times = findings.measurements(TIME);
+        MetricTable times = findings.measurements(TIME);
         assertThat(times.runs(combination)).isEqualTo(12);
         assertThat(times.used(combination)).isEqualTo(12);
         assertThat(times.reached(combination)).isEqualTo(11);
@@ -134,7 +136,7 @@ class ReportTest {
                 .orElseThrow();
         assertThat(times.mean(combination).orElseThrow().value()).isEqualTo(mean, within(1e-9));
 
-        Measurements failed = new Findings(
+        MetricTable failed = new Findings(
                         findings.manifest(),
                         findings.rows().stream().map(ReportTest::failedEarly).toList())
                 .measurements(TIME);
@@ -156,7 +158,7 @@ class ReportTest {
                         OptionalDouble.of(7),
                         row.wallSeconds(),
                         row.eventHash(),
-                        row.measures(),
+                        row.metrics(),
                         List.of(),
                         Map.of())
                 : row;
@@ -174,7 +176,7 @@ class ReportTest {
     }
 
     private static Row muchMoreWithB(Row row) {
-        OptionalDouble time = row.measures().getOrDefault("captureTime", OptionalDouble.empty());
+        OptionalDouble time = row.metrics().getOrDefault("captureTime", OptionalDouble.empty());
         boolean much = row.combination() == 4 && time.isPresent();
         return new Row(
                 row.run(),
@@ -187,7 +189,7 @@ class ReportTest {
                 row.simulatedSeconds(),
                 row.wallSeconds(),
                 row.eventHash(),
-                much ? Map.of("captureTime", OptionalDouble.of(time.getAsDouble() - 30)) : row.measures(),
+                much ? Map.of("captureTime", OptionalDouble.of(time.getAsDouble() - 30)) : row.metrics(),
                 List.of(),
                 Map.of());
     }
@@ -221,7 +223,7 @@ class ReportTest {
                 .contains("<b>hunters 2 → 4</b>", "): better", "12 seeds (1 to 12)")
                 .contains("captureTime: in 2 of 48 runs it did not happen", "up to 120 s", "1 runs broke".substring(2))
                 .contains("error: 1 of 48 runs have no value".substring(7), "11 of 12 seeds")
-                .contains("Agent (x) has not returned", "Agent (hunter-1) failed: a wheel came off")
+                .contains("Agent 'x' has not returned", "Agent 'hunter-1' failed: a wheel came off")
                 .contains("rsal run &#39;my hunt".replace("&#39;", "'"), "--set prey=1 --set hunters=2", "--seed 4")
                 .contains("2026-03-04 05:06:07 UTC", "Java 25", "rsal 9", "2 cores");
         assertThat(html.split("<svg", -1).length - 1).isEqualTo(5);

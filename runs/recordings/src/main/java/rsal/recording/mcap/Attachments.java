@@ -56,7 +56,7 @@ final class Attachments {
                     .get(data);
             return new Attachment(logTime, createTime, known.name(), known.mediaType(), data);
         } catch (Malformed e) {
-            throw new InvalidMcap("Attachment (%s) is lost: %s.".formatted(entry.name(), e.getMessage()));
+            throw new InvalidMcap("Attachment '%s' is lost: %s.".formatted(entry.name(), e.getMessage()));
         }
     }
 }

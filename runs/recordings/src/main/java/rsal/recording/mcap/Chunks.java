@@ -66,7 +66,7 @@ final class Chunks implements AutoCloseable {
                 }
                 window.at(from, (int) size).get(target, 0, (int) size);
             }
-            default -> throw new Malformed("it is compressed by (%s), which is not read here".formatted(compression));
+            default -> throw new Malformed("it is compressed by '%s', which is not read here".formatted(compression));
         }
         crc.reset();
         crc.update(target, 0, (int) size);

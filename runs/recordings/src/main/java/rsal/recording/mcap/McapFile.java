@@ -71,7 +71,7 @@ public final class McapFile implements Closeable {
             window.at(0, magic.length).get(first);
         }
         if (!Arrays.equals(magic, first)) {
-            throw new InvalidMcap("File (%s) is no MCAP: it does not begin like one.".formatted(path));
+            throw new InvalidMcap("File '%s' is no MCAP: it does not begin like one.".formatted(path));
         }
         String broken = "";
         Optional<McapContents> indexed = Optional.empty();

@@ -130,12 +130,12 @@ public final class ProtoReader {
                 return value;
             }
         }
-        throw new IOException("A number of a message (%s) does not end.".formatted(type.name()));
+        throw new IOException("A number of a message '%s' does not end.".formatted(type.name()));
     }
 
     private static void check(boolean right, MessageType type) throws IOException {
         if (!right) {
-            throw new IOException("A message is none of its kind (%s).".formatted(type.name()));
+            throw new IOException("A message is none of its kind '%s'.".formatted(type.name()));
         }
     }
 }

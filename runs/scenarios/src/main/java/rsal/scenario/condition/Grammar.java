@@ -14,7 +14,7 @@ import rsal.metric.QuantityType;
 import rsal.metric.SignalType;
 import rsal.settings.Suggestion;
 
-/// Reads conditions and measures by recursive descent.
+/// Reads conditions and metrics by recursive descent.
 ///
 /// ```
 /// condition  = both {"or" both}
@@ -23,7 +23,7 @@ import rsal.settings.Suggestion;
 /// all        = "all" and the word of a quantity that counts all, as in "allArrived"
 /// quantity   = word ["(" name {"," name} ")"]
 /// relation   = "<" | "<=" | ">" | ">=" | "==" | "!="
-/// measure    = "firstTime" "(" condition ")" | "count" "(" quantity ")" | "explored" | "distance" ["(" role ")"]
+/// metric    = "firstTime" "(" condition ")" | "count" "(" quantity ")" | "explored" | "distance" ["(" role ")"]
 ///            | function "(" sampled ")" | "quantile" "(" number "," sampled ")"
 /// function   = "last" | "min" | "mean" | "timeWeightedMean" | "rms" | "p50" | "p95" | "p99" | "max"
 /// sampled    = signal ["(" role ")"] | quantity
@@ -42,8 +42,8 @@ public final class Grammar {
     private static final Pattern TOKEN = Pattern.compile("\\s*(?:(?<word>" + QuantityType.WORD.pattern()
             + ")|(?<quoted>\"[^\"]+\")|(?<number>-?\\d+(?:\\.\\d+)?)" + "|(?<sign>[<>=!]=?|[(),]))");
     private static final List<String> MEASURES = Stream.concat(
-                    Stream.of("firstTime", "count", "explored", "distance", Measure.Quantile.WORD),
-                    Arrays.stream(Measure.Function.values()).map(Measure.Function::word))
+                    Stream.of("firstTime", "count", "explored", "distance", MetricExpression.Quantile.WORD),
+                    Arrays.stream(MetricExpression.Function.values()).map(MetricExpression.Function::word))
             .toList();
     private final String text;
     private final Names names;
@@ -87,10 +87,10 @@ public final class Grammar {
         return grammar.whole(grammar.condition());
     }
 
-    /// @throws InvalidExpression when the text is no measure or names another role or group
-    public static Measure measure(String text, Names names) {
+    /// @throws InvalidExpression when the text is no metric or names another role or group
+    public static MetricExpression metric(String text, Names names) {
         var grammar = new Grammar(text, names);
-        return grammar.whole(grammar.measure());
+        return grammar.whole(grammar.metric());
     }
 
     private <T> T whole(T tree) {
@@ -195,11 +195,11 @@ public final class Grammar {
     }
 
     /// Of a metric that is not read; maybe each robot has samples of its own.
-    private Measure unknownSampled(Measure.Aggregate aggregate) {
+    private MetricExpression unknownSampled(MetricExpression.Aggregate aggregate) {
         Quantity sampled = unknownQuantity();
         return sampled.names().size() > 1
-                ? new Measure.OfQuantity(aggregate, sampled)
-                : new Measure.OfSignal(
+                ? new MetricExpression.OfQuantity(aggregate, sampled)
+                : new MetricExpression.OfSignal(
                         aggregate,
                         SignalType.ofRobots(sampled.type().word(), "", ""),
                         sampled.names().stream().findFirst());
@@ -225,35 +225,35 @@ public final class Grammar {
         return switch (kind) {
             case ROLE -> role();
             case THINGS_TO_COLLECT ->
-                name("what things are called", names.depots(), "No things that have a depot are called (%s).");
+                name("what things are called", names.depots(), "No things that have a depot are called '%s'.");
             case THINGS_TO_REACH ->
-                name("what things are called", names.reaches(), "No things that have a reach are called (%s).");
-            case PLACE -> name("a place", names.places(), "No place is called (%s).");
+                name("what things are called", names.reaches(), "No things that have a reach are called '%s'.");
+            case PLACE -> name("a place", names.places(), "No place is called '%s'.");
             case TOPIC -> anyName("a topic of messages");
             case PUBLISHED -> anyName("the name of a metric");
         };
     }
 
-    private Measure measure() {
+    private MetricExpression metric() {
         if (takes("firstTime")) {
             take("(");
-            var measure = new Measure.FirstTime(condition());
+            var metric = new MetricExpression.FirstTime(condition());
             take(")");
-            return measure;
+            return metric;
         }
         if (takes("count")) {
             take("(");
-            var measure = new Measure.Count(quantity(names.metrics().quantityWords()));
+            var metric = new MetricExpression.Count(quantity(names.metrics().quantityWords()));
             take(")");
-            return measure;
+            return metric;
         }
         if (takes(RunQuantities.EXPLORED.word())) {
-            return new Measure.Count(Quantity.of(RunQuantities.EXPLORED));
+            return new MetricExpression.Count(Quantity.of(RunQuantities.EXPLORED));
         }
         if (takes("distance")) {
-            return new Measure.Distance(maybeRole());
+            return new MetricExpression.Distance(maybeRole());
         }
-        if (takes(Measure.Quantile.WORD)) {
+        if (takes(MetricExpression.Quantile.WORD)) {
             take("(");
             int at = token.start;
             double share = number();
@@ -261,29 +261,29 @@ public final class Grammar {
                 throw new InvalidExpression(at, "A quantile is from 0 to 1.", "Maybe 0.95.");
             }
             take(",");
-            return sampled(new Measure.Quantile(share));
+            return sampled(new MetricExpression.Quantile(share));
         }
-        var function = word(List.of(Measure.Function.values()), Measure.Function::word)
-                .orElseThrow(() -> unknown("a measure", MEASURES));
+        var function = word(List.of(MetricExpression.Function.values()), MetricExpression.Function::word)
+                .orElseThrow(() -> unknown("a metric", MEASURES));
         take("(");
         return sampled(function);
     }
 
-    /// What the samples are of, and the end of the measure.
-    private Measure sampled(Measure.Aggregate aggregate) {
+    /// What the samples are of, and the end of the metric.
+    private MetricExpression sampled(MetricExpression.Aggregate aggregate) {
         var signal = word(names.metrics().signals(), SignalType::word);
-        Measure measure;
+        MetricExpression metric;
         if (signal.isPresent()) {
             Optional<String> role = signal.get().isOfRobots() ? maybeRole() : Optional.empty();
-            measure = new Measure.OfSignal(aggregate, signal.get(), role);
+            metric = new MetricExpression.OfSignal(aggregate, signal.get(), role);
         } else if (mayBeOfAnUnreadMetric()) {
-            measure = unknownSampled(aggregate);
+            metric = unknownSampled(aggregate);
         } else {
-            measure = new Measure.OfQuantity(
+            metric = new MetricExpression.OfQuantity(
                     aggregate, quantity("a signal or quantity", names.metrics().sampled()));
         }
         take(")");
-        return measure;
+        return metric;
     }
 
     private <E> Optional<E> word(List<E> known, Function<E, String> word) {
@@ -309,7 +309,7 @@ public final class Grammar {
     }
 
     private String role() {
-        return name("a role of robots", names.roles(), "No robots have the role (%s).");
+        return name("a role of robots", names.roles(), "No robots have the role '%s'.");
     }
 
     /// @param unknown a sentence about a word that is none of these
@@ -364,7 +364,7 @@ public final class Grammar {
 
     private void take(String expected) {
         if (!takes(expected)) {
-            throw expected("(" + expected + ")");
+            throw expected("'" + expected + "'");
         }
     }
 
@@ -375,7 +375,7 @@ public final class Grammar {
     private InvalidExpression unknown(String what, List<String> known) {
         return token.kind == Kind.WORD
                 ? new InvalidExpression(
-                        token.start, "(%s) is not %s.".formatted(token.text, what), Suggestion.among(token.text, known))
+                        token.start, "'%s' is not %s.".formatted(token.text, what), Suggestion.among(token.text, known))
                 : expected(what);
     }
 
@@ -395,7 +395,7 @@ public final class Grammar {
             return new Token(Kind.END, "", start, start);
         }
         throw new InvalidExpression(
-                start, "(%s) can't stand here.".formatted(Character.toString(rest.codePointAt(0))), "");
+                start, "'%s' can't stand here.".formatted(Character.toString(rest.codePointAt(0))), "");
     }
 
     private enum Kind {
@@ -414,7 +414,7 @@ public final class Grammar {
 
     private record Token(Kind kind, String text, int start, int end) {
         String describe() {
-            return kind == Kind.END ? "the end" : "(" + text + ")";
+            return kind == Kind.END ? "the end" : "'" + text + "'";
         }
     }
 }

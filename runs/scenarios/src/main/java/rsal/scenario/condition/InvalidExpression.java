@@ -1,6 +1,6 @@
 package rsal.scenario.condition;
 
-/// A text that is no condition or measure.
+/// A text that is no condition or metric.
 public final class InvalidExpression extends RuntimeException {
     private static final long serialVersionUID = 1;
 

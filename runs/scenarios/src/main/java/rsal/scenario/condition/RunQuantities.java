@@ -9,9 +9,9 @@ import rsal.metric.SignalType;
 public final class RunQuantities {
     public static final QuantityType TIME = QuantityType.of("time", "s", "since the start");
     public static final QuantityType COLLISIONS =
-            QuantityType.of("collisions", "", "touches so far of simulated robots, with walls and with each other");
+            QuantityType.of("collisions", "", "collisions so far of simulated robots, with walls and with each other");
     public static final QuantityType WALL_COLLISIONS =
-            QuantityType.of("wallCollisions", "", "touches so far of simulated robots with walls");
+            QuantityType.of("wallCollisions", "", "collisions so far of simulated robots with walls");
     public static final QuantityType ARRIVED = QuantityType.of(
                     "arrived", "", "robots that have reached the goal they were sent to last", NameKind.ROLE)
             .countingAll();
@@ -19,10 +19,11 @@ public final class RunQuantities {
             QuantityType.of("gone", "", "robots that are gone now, by a fault", NameKind.ROLE);
     public static final QuantityType FAULTS =
             QuantityType.of("faults", "", "faults that have begun so far, each counted for each that has it");
-    public static final QuantityType MESSAGES = QuantityType.of("messages", "", "messages sent so far", NameKind.TOPIC)
+    public static final QuantityType MESSAGES = QuantityType.of(
+                    "sentMessages", "", "messages sent so far", NameKind.TOPIC)
             .orWithoutNames();
     public static final QuantityType HEARD_MESSAGES = QuantityType.of(
-                    "heardMessages", "", "messages received so far, each counted for each receiver", NameKind.TOPIC)
+                    "receivedMessages", "", "messages received so far, each counted for each receiver", NameKind.TOPIC)
             .orWithoutNames();
     public static final QuantityType LOST_MESSAGES = QuantityType.of(
                     "lostMessages", "", "messages lost so far, each counted for each receiver", NameKind.TOPIC)

@@ -13,7 +13,7 @@ public enum FaultKind {
     FROZEN("frozen", Of.SENSORS, "Sensors show what they showed last, as if it were new."),
     BIASED("biased", Of.SENSORS, "Sensors measure with a constant error."),
     NOISY("noisy", Of.SENSORS, "Sensors measure with Gaussian errors besides those that they have anyway."),
-    MOTOR_DEAD("motorDead", Of.BASES, "Motors do less than they are told."),
+    MOTOR_DEAD("motorDead", Of.BASES, "Motors do less than they are commanded."),
     SLIP("slip", Of.BASES, "Odometry counts more than robots make."),
     GONE("gone", Of.ROBOTS, "Robots are gone, their devices are lost, and their agents neither hear nor are heard."),
     LOST("lost", Of.MESSAGES, "Messages are lost."),
@@ -114,7 +114,7 @@ public enum FaultKind {
             case MOTOR_DEAD -> new Fault.MotorDead(arguments.get(POWER));
             case SLIP -> new Fault.Slip(arguments.get(WAY), arguments.get(TURN), arguments.radians(DRIFT));
             case GONE -> new Fault.Gone(arguments.get(STAYS));
-            case LOST, LATE, DOUBLED -> throw new IllegalStateException("(%s) is no fault of robots.".formatted(word));
+            case LOST, LATE, DOUBLED -> throw new IllegalStateException("'%s' is no fault of robots.".formatted(word));
         };
     }
 
@@ -124,7 +124,7 @@ public enum FaultKind {
             case LOST -> new Mishap.Lost();
             case LATE -> new Mishap.Late(delay);
             case DOUBLED -> new Mishap.Doubled(delay);
-            default -> throw new IllegalStateException("(%s) is no fault of messages.".formatted(word));
+            default -> throw new IllegalStateException("'%s' is no fault of messages.".formatted(word));
         };
     }
 }

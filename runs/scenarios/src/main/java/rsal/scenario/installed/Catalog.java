@@ -78,7 +78,7 @@ public record Catalog(
         Optional<P> found = Optional.ofNullable(known.get(key));
         if (found.isEmpty()) {
             problems.add(
-                    at, "There is no %s (%s).".formatted(what, key), Suggestion.among(key, known.keySet()) + advice);
+                    at, "There is no %s '%s'.".formatted(what, key), Suggestion.among(key, known.keySet()) + advice);
         }
         return found;
     }

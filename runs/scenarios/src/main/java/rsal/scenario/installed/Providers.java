@@ -25,7 +25,7 @@ public final class Providers {
                 if (other != null) {
                     throw new InvalidSettings(
                             list,
-                            "(%s) and (%s) are both called (%s)."
+                            "'%s' and '%s' are both called '%s'."
                                     .formatted(
                                             other.getClass().getName(),
                                             provider.getClass().getName(),

@@ -28,14 +28,14 @@ class GrammarTest {
                                             .countingAll(),
                                     QuantityType.of("found", "", "", NameKind.THINGS_TO_REACH)
                                             .countingAll(),
-                                    QuantityType.of("forming", "s", "")))
+                                    QuantityType.of("formationTime", "s", "")))
                     .toList(),
             Stream.concat(
                             RunQuantities.SIGNALS.stream(),
                             Stream.of(
                                     SignalType.ofRobots("captureDistance", "m", ""),
                                     SignalType.ofRobots("formationError", "m", ""),
-                                    SignalType.ofRun("idleTime", "s", "")))
+                                    SignalType.ofRun("idleness", "s", "")))
                     .toList(),
             false);
     private static final Names NAMES = new Names(ROLES, List.of("can", "cup"), List.of("cup"), List.of("den"), METRICS);
@@ -53,7 +53,7 @@ class GrammarTest {
             Map.entry("collisions", 3.0),
             Map.entry("wallCollisions", 1.0),
             Map.entry("explored", 0.97),
-            Map.entry("forming", 7.0),
+            Map.entry("formationTime", 7.0),
             Map.entry("exploring(hunter)", 1.0),
             Map.entry("collected(can)", 4.0),
             Map.entry("found(cup)", 5.0),
@@ -63,12 +63,12 @@ class GrammarTest {
             Map.entry("gone(hunter)", 1.0),
             Map.entry("gone(prey)", 0.0),
             Map.entry("faults", 4.0),
-            Map.entry("messages", 20.0),
-            Map.entry("heardMessages", 30.0),
+            Map.entry("sentMessages", 20.0),
+            Map.entry("receivedMessages", 30.0),
             Map.entry("lostMessages", 50.0),
-            Map.entry("messages(pose)", 5.0),
-            Map.entry("messages(\"fleet/tasks\")", 6.0),
-            Map.entry("heardMessages(pose)", 7.0),
+            Map.entry("sentMessages(pose)", 5.0),
+            Map.entry("sentMessages(\"fleet/tasks\")", 6.0),
+            Map.entry("receivedMessages(pose)", 7.0),
             Map.entry("lostMessages(pose)", 8.0),
             Map.entry("distance(prey, hunter)", 1.5),
             Map.entry("within(prey, den)", 2.0),
@@ -109,8 +109,8 @@ class GrammarTest {
         "gone(hunter) == 1, true",
         "gone(prey) > 0, false",
         "faults > 3, true",
-        "messages == 20, true",
-        "heardMessages > 30, false",
+        "sentMessages == 20, true",
+        "receivedMessages > 30, false",
         "lostMessages < 50, false",
         "explored > 0.96, true",
         "exploring(hunter) == 0, false",
@@ -121,9 +121,9 @@ class GrammarTest {
         "allFound(cup), true",
         "reached(cup) >= 3, true",
         "allReached(cup), false",
-        "messages(pose) == 5, true",
-        "'messages(\"fleet/tasks\") == 6', true",
-        "heardMessages(pose) > 7, false",
+        "sentMessages(pose) == 5, true",
+        "'sentMessages(\"fleet/tasks\") == 6', true",
+        "receivedMessages(pose) > 7, false",
         "lostMessages(pose) >= 8, true",
         "'distance(prey, hunter) < 2', true",
         "'distance(hunter, prey) < 2', false", // nothing is known
@@ -162,8 +162,8 @@ class GrammarTest {
                 "max(poseError(hunter))",
                 "mean(captureDistance)",
                 "rms(formationError(prey))",
-                "count(forming)",
-                "count(messages(pose))",
+                "count(formationTime)",
+                "count(sentMessages(pose))",
                 "count(lostMessages(\"fleet/tasks\"))",
                 "min(distance(prey, hunter))",
                 "quantile(0.9, distance(prey, hunter))",
@@ -175,26 +175,26 @@ class GrammarTest {
                 "firstTime(metric(load) > 0.9 or visits(prey, den) >= 2)",
             })
     void readsMeasuresAsTheyAreWritten(String text) {
-        assertThat(Grammar.measure(text, NAMES)).hasToString(text);
+        assertThat(Grammar.metric(text, NAMES)).hasToString(text);
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', textBlock = """
+    @CsvSource(quoteCharacter = '`', delimiter = '|', textBlock = """
                     time                     | 4  | <, <=, >, >=, == or != must stand here, not the end.
-                    time > much              | 7  | a number must stand here, not (much).
+                    time > much              | 7  | a number must stand here, not 'much'.
                     time > 3 and             | 12 | a condition or quantity must stand here, not the end.
-                    time > 3 time < 4        | 9  | and, or, or the end must stand here, not (time).
-                    (time > 3                | 9  | ()) must stand here, not the end.
-                    allCaught(pray)          | 10 | No robots have the role (pray).
-                    allCaught()              | 10 | a role of robots must stand here, not ()).
-                    allCougt(prey)           | 0  | (allCougt) is not a condition or quantity.
-                    time > 3; exit()         | 8  | (;) can't stand here.
-                    time = 3                 | 5  | <, <=, >, >=, == or != must stand here, not (=).
-                    visits(prey, pen) > 1    | 13 | No place is called (pen).
-                    visits(prey) > 1         | 11 | (,) must stand here, not ()).
-                    messages() > 1           | 9  | a topic of messages must stand here, not ()).
-                    metric(3) > 1            | 7  | the name of a metric must stand here, not (3).
-                    ${time}                  | 0  | ($) can't stand here.
+                    time > 3 time < 4        | 9  | and, or, or the end must stand here, not 'time'.
+                    (time > 3                | 9  | ')' must stand here, not the end.
+                    allCaught(pray)          | 10 | No robots have the role 'pray'.
+                    allCaught()              | 10 | a role of robots must stand here, not ')'.
+                    allCougt(prey)           | 0  | 'allCougt' is not a condition or quantity.
+                    time > 3; exit()         | 8  | ';' can't stand here.
+                    time = 3                 | 5  | <, <=, >, >=, == or != must stand here, not '='.
+                    visits(prey, pen) > 1    | 13 | No place is called 'pen'.
+                    visits(prey) > 1         | 11 | ',' must stand here, not ')'.
+                    sentMessages() > 1           | 13 | a topic of messages must stand here, not ')'.
+                    metric(3) > 1            | 7  | the name of a metric must stand here, not '3'.
+                    ${time}                  | 0  | '$' can't stand here.
                     """)
     void pointsAtTheMistake(String text, int position, String message) {
         assertThatThrownBy(() -> Grammar.condition(text, names()))
@@ -206,12 +206,12 @@ class GrammarTest {
 
     @Test
     void guessesWhatWasMeant() {
-        assertThat(remedy("allCougt(prey)")).contains("Maybe (allCaught) was meant?");
-        assertThat(remedy("allCaught(pray)")).contains("Maybe (prey) was meant?");
-        assertThatThrownBy(() -> Grammar.measure("p94(poseError)", names()))
+        assertThat(remedy("allCougt(prey)")).contains("Maybe 'allCaught' was meant?");
+        assertThat(remedy("allCaught(pray)")).contains("Maybe 'prey' was meant?");
+        assertThatThrownBy(() -> Grammar.metric("p94(poseError)", names()))
                 .isInstanceOfSatisfying(
                         InvalidExpression.class, e -> assertThat(e.remedy()).contains("p95"));
-        assertThatThrownBy(() -> Grammar.measure("p95(poseEror)", names()))
+        assertThatThrownBy(() -> Grammar.metric("p95(poseEror)", names()))
                 .isInstanceOfSatisfying(
                         InvalidExpression.class, e -> assertThat(e.remedy()).contains("poseError"));
     }
@@ -227,10 +227,10 @@ class GrammarTest {
 
     @Test
     void saysWhatADistanceBetweenTwoRolesLacks() {
-        assertThatThrownBy(() -> Grammar.measure("distance(prey, hunter)", NAMES))
+        assertThatThrownBy(() -> Grammar.metric("distance(prey, hunter)", NAMES))
                 .isInstanceOfSatisfying(
                         InvalidExpression.class, e -> assertThat(e.remedy()).contains("min(distance("));
-        assertThatThrownBy(() -> Grammar.measure("quantile(95, poseError)", NAMES))
+        assertThatThrownBy(() -> Grammar.metric("quantile(95, poseError)", NAMES))
                 .hasMessage("A quantile is from 0 to 1.");
     }
 
@@ -247,8 +247,8 @@ class GrammarTest {
     @ParameterizedTest
     @ValueSource(strings = {"mean(hunger)", "p95(hunger(cat))", "last(path(cat, mouse))", "count(fed(cat))"})
     void measuresMayNameMetricsThatAreNotRead(String text) {
-        assertThat(Grammar.measure(text, OPEN)).hasToString(text);
-        assertThatThrownBy(() -> Grammar.measure(text, names())).isInstanceOf(InvalidExpression.class);
+        assertThat(Grammar.metric(text, OPEN)).hasToString(text);
+        assertThatThrownBy(() -> Grammar.metric(text, names())).isInstanceOf(InvalidExpression.class);
     }
 
     @Test
@@ -285,7 +285,7 @@ class GrammarTest {
             "quantile",
             "distance",
             "metric",
-            "messages",
+            "sentMessages",
             ",",
             "\"",
             "\"a b\"",
@@ -307,7 +307,7 @@ class GrammarTest {
                 assertThat(e.position()).as("seed %d", seed).isBetween(0, text.length());
             }
             try {
-                Grammar.measure(text.toString(), seed % 2 == 0 ? names() : OPEN);
+                Grammar.metric(text.toString(), seed % 2 == 0 ? names() : OPEN);
             } catch (InvalidExpression e) {
                 assertThat(e).as("seed %d", seed).hasMessageNotContaining("null");
             }

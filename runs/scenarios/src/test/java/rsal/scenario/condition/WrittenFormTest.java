@@ -37,6 +37,6 @@ class WrittenFormTest {
                 "max(batteryLevel(prey))"
             })
     void measuresAreAsTheyWereWritten(String text) {
-        assertThat(Grammar.measure(text, NAMES)).hasToString(text);
+        assertThat(Grammar.metric(text, NAMES)).hasToString(text);
     }
 }

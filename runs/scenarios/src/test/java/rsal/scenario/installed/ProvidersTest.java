@@ -43,7 +43,7 @@ class ProvidersTest {
     void saysWhichTwoHaveTheSameKey() {
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> agentsWith(SecondWanderer.class.getName()))
-                .withMessageContainingAll("rsal.testkit.example.Wanderer", "SecondWanderer", "both called (wanderer)");
+                .withMessageContainingAll("rsal.testkit.example.Wanderer", "SecondWanderer", "both called 'wanderer'");
     }
 
     /// All types of agents, as if one more were installed.

@@ -77,7 +77,7 @@ public final class CollectBench implements Bench {
     private static List<RunResult> runs(int collectors, String allotment, BenchmarkRequest assignment) {
         var options = RunOptions.NONE
                 .withConfiguration("watched")
-                .withArguments(Map.of("collectors", Integer.toString(collectors), "allotment", allotment));
+                .withArguments(Map.of("collectors", Integer.toString(collectors), "allocation", allotment));
         return SeededRuns.of("collect.%d.%s".formatted(collectors, allotment), SCENARIO, options, assignment);
     }
 }

@@ -56,7 +56,7 @@ public final class FormationBench implements Bench {
     private static Bar measure(String shape, BenchmarkRequest assignment) {
         var options = RunOptions.NONE.withConfiguration("formation").withArguments(Map.of("shape", shape));
         List<RunResult> runs = SeededRuns.of("formation." + shape, SCENARIO, options, assignment);
-        double[] apart = SeededRuns.values(runs, "forming", RunResult::simulatedSeconds);
+        double[] apart = SeededRuns.values(runs, "formationTime", RunResult::simulatedSeconds);
         Arrays.setAll(apart, i -> apart[i] / runs.get(i).simulatedSeconds());
         double[] arrived = SeededRuns.values(runs, "arrived", _ -> 0);
         Arrays.setAll(arrived, i -> arrived[i] / ROBOTS);

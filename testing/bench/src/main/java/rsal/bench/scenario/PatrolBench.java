@@ -89,6 +89,6 @@ public final class PatrolBench implements Bench {
     }
 
     private static double[] idleTimes(List<RunResult> runs, String what) {
-        return SeededRuns.values(runs, what + "IdleTime", _ -> Double.NaN);
+        return SeededRuns.values(runs, what + "Idleness", _ -> Double.NaN);
     }
 }

@@ -37,10 +37,10 @@ public final class SeededRuns {
     /// What was measured in each run.
     ///
     /// @param otherwise what counts for a run without
-    public static double[] values(List<RunResult> runs, String measure, ToDoubleFunction<RunResult> otherwise) {
+    public static double[] values(List<RunResult> runs, String metric, ToDoubleFunction<RunResult> otherwise) {
         return runs.stream()
                 .mapToDouble(run -> {
-                    OptionalDouble value = run.measures().getOrDefault(measure, OptionalDouble.empty());
+                    OptionalDouble value = run.metrics().getOrDefault(metric, OptionalDouble.empty());
                     return value.orElseGet(() -> otherwise.applyAsDouble(run));
                 })
                 .toArray();

@@ -479,7 +479,7 @@ public abstract class AgentHostContract extends ContractNetContract {
             run.stop("bob");
             run.until("who asked knows", () -> isLogged(2));
         }
-        assertThat(log).containsExactly("agreed", new ConversationResult.Silent<>("(bob) has ended.").toString());
+        assertThat(log).containsExactly("agreed", new ConversationResult.Silent<>("'bob' has ended.").toString());
     }
 
     @Test
@@ -717,7 +717,7 @@ public abstract class AgentHostContract extends ContractNetContract {
                 assertThat(run.society().look("nobody", Mind.View.class)).isEmpty();
                 assertThatThrownBy(() -> run.society().look("bob", Integer.class))
                         .isInstanceOf(IllegalArgumentException.class)
-                        .hasMessage("Agent (bob) can't be looked into: a secret");
+                        .hasMessage("Agent 'bob' can't be looked into: a secret");
             });
             assertThat(run.status("bob")).isEqualTo(Status.RUNNING);
         }

@@ -144,7 +144,7 @@ public abstract class ContractNetContract {
                 .containsExactly(new Round<>(
                         1,
                         List.of(new Proposal<>("amy", 3.0)),
-                        Map.of("bob", "(bob) has ended.", "dan", "(dan) has ended.", "eve", "busy"),
+                        Map.of("bob", "'bob' has ended.", "dan", "'dan' has ended.", "eve", "busy"),
                         Set.of()));
         assertThat(log).containsExactlyInAnyOrder("bob has bid", "dan thinks", "amy digs", "amy: Informed[result=dug]");
     }
@@ -181,8 +181,8 @@ public abstract class ContractNetContract {
                         "eve digs",
                         "amy: Informed[result=dug]",
                         "bob: Failed[why=no spade]",
-                        "dan: Silent[why=(dan) has ended.]",
-                        "eve: Silent[why=(eve) has ended.]");
+                        "dan: Silent[why='dan' has ended.]",
+                        "eve: Silent[why='eve' has ended.]");
         assertThat(log.getLast()).startsWith("eve: ");
     }
 
@@ -204,7 +204,7 @@ public abstract class ContractNetContract {
             run.until("it is given up", () -> isLogged(2));
         }
         assertThat(log.getFirst()).isEqualTo("amy digs");
-        assertThat(log.getLast()).startsWith("amy: Silent[why=Nothing was heard of (amy) for ");
+        assertThat(log.getLast()).startsWith("amy: Silent[why=Nothing was heard of 'amy' for ");
     }
 
     /// Bob's result crosses the news that nobody waits for it.
@@ -280,7 +280,7 @@ public abstract class ContractNetContract {
             assertThat(run.status("bob")).isEqualTo(Status.RUNNING);
         }
         assertThat(rounds).isEmpty();
-        assertThat(log).containsExactlyInAnyOrder("amy is rejected: (boss) has cancelled it.", "bob has bid");
+        assertThat(log).containsExactlyInAnyOrder("amy is rejected: 'boss' has cancelled it.", "bob has bid");
     }
 
     @Test

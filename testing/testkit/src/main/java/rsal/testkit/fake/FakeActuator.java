@@ -61,7 +61,7 @@ public final class FakeActuator extends FakeSensor<ActuatorState> implements Act
 
     private static void requireFinite(double value) {
         if (!Double.isFinite(value)) {
-            throw new IllegalArgumentException("An actuator is told something finite, not (%s).".formatted(value));
+            throw new IllegalArgumentException("An actuator is told something finite, not '%s'.".formatted(value));
         }
     }
 

@@ -66,7 +66,7 @@ public final class FakeDriveBase extends SensorCore<Odometry> implements DriveBa
     @Override
     public void command(Twist2d twist) {
         if (!twist.isFinite()) {
-            throw new IllegalArgumentException("A command must be finite, not (%s).".formatted(twist));
+            throw new IllegalArgumentException("A command must be finite, not '%s'.".formatted(twist));
         }
         commands.add(twist);
         wanted = model.drive().feasible(twist);

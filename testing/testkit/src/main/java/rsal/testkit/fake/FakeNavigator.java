@@ -51,7 +51,7 @@ public final class FakeNavigator extends DeviceCore implements Navigator {
     @Override
     public GoalHandle<Progress, Result> goTo(Pose2d mapFromGoal, Tolerance tolerance) {
         if (!mapFromGoal.isFinite()) {
-            throw new IllegalArgumentException("A goal must be finite, not (%s).".formatted(mapFromGoal));
+            throw new IllegalArgumentException("A goal must be finite, not '%s'.".formatted(mapFromGoal));
         }
         goals.add(mapFromGoal);
         if (drive != null) {

@@ -50,7 +50,7 @@ public final class FakePlaceFinder extends DeviceCore implements PlaceFinder {
         }
         return count > 0 && places.size() == count
                 ? new Result.Found(places)
-                : new Result.None("There are %d such places, not (%d).".formatted(places.size(), count));
+                : new Result.None("There are %d such places, not '%d'.".formatted(places.size(), count));
     }
 
     private static double nearest(Point2d place, List<Point2d> places, Point2d otherwise) {

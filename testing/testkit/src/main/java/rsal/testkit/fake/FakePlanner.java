@@ -49,7 +49,7 @@ public final class FakePlanner extends DeviceCore implements Planner {
 
     static Result straight(OccupancyGrid map, Pose2d mapFromStart, Pose2d mapFromGoal) {
         if (!map.isFree(mapFromGoal.x(), mapFromGoal.y())) {
-            return new Result.NoPath("The goal (%s) is not free.".formatted(mapFromGoal));
+            return new Result.NoPath("The goal '%s' is not free.".formatted(mapFromGoal));
         }
         double length = mapFromStart.distanceTo(mapFromGoal);
         int pieces = 1 + (int) (length / map.resolution() * 10);

@@ -53,7 +53,7 @@ public final class FakeSimulationControl extends DeviceCore implements Simulatio
         Optional<FakeDriveBase> base = base(entity);
         Optional<Thing> thing = things.find(entity);
         if (base.isEmpty() && thing.isEmpty()) {
-            return new Placement.Refused("Nothing is called (%s).".formatted(entity));
+            return new Placement.Refused("Nothing is called '%s'.".formatted(entity));
         }
         if (isOutside(mapFromEntity)) {
             return new Placement.Refused("That is outside.");
@@ -67,7 +67,7 @@ public final class FakeSimulationControl extends DeviceCore implements Simulatio
     public Placement placeAnyway(String thing, Pose2d mapFromThing, double height) {
         return things.find(thing).isPresent()
                 ? placeAnyway(thing, mapFromThing)
-                : new Placement.Refused("There is no thing (%s).".formatted(thing));
+                : new Placement.Refused("There is no thing '%s'.".formatted(thing));
     }
 
     private boolean isOutside(Pose2d pose) {
@@ -84,7 +84,7 @@ public final class FakeSimulationControl extends DeviceCore implements Simulatio
     @Override
     public Placement addAnyway(Thing thing) {
         if (entities().contains(thing.name())) {
-            return new Placement.Refused("Something is called (%s) already.".formatted(thing.name()));
+            return new Placement.Refused("Something is called '%s' already.".formatted(thing.name()));
         }
         if (isOutside(thing.mapFromThing())) {
             return new Placement.Refused("That is outside.");

@@ -154,8 +154,8 @@ public final class FakeSystem implements RobotSystem {
             case Part.Battery battery -> new FakeBattery(info, battery, base, world, scheduler);
             case Part.Light light -> new FakeLight(info, light, scheduler);
             case Part.Registered other ->
-                throw new IllegalArgumentException("(%s) is not faked.".formatted(other.name()));
-            case Part.Own own -> throw new IllegalArgumentException("(%s) is not faked.".formatted(own.name()));
+                throw new IllegalArgumentException("'%s' is not faked.".formatted(other.name()));
+            case Part.Own own -> throw new IllegalArgumentException("'%s' is not faked.".formatted(own.name()));
         };
     }
 

@@ -22,7 +22,7 @@ class FakePilotTest extends PilotContract {
         run.advance(Duration.ofSeconds(2));
         base.turn(new Health.Lost("unplugged by a test"));
         run.advance(Duration.ofSeconds(2));
-        assertThat(device().health()).isEqualTo(new Health.Stale("No reading of (r1/base)."));
+        assertThat(device().health()).isEqualTo(new Health.Stale("No reading of 'r1/base'."));
         assertThat(base.commands().getLast()).isEqualTo(Twist2d.STOP);
         base.turn(Health.ok());
         run.advance(Duration.ofSeconds(1));

@@ -22,7 +22,7 @@ import rsal.time.Phase;
 /// @param processors time of the processor that did, about
 /// @param topics what was said, by topic
 /// @param events how many there were of each kind, those too that are not kept
-public record Metrics(
+public record Performance(
         Duration time,
         Histogram steps,
         Map<Phase, Duration> phases,
@@ -30,10 +30,10 @@ public record Metrics(
         List<TopicTraffic> topics,
         Map<String, Long> events) {
     /// Of no run.
-    public static final Metrics NONE =
-            new Metrics(Duration.ZERO, Histogram.EMPTY, Map.of(), Map.of(), List.of(), Map.of());
+    public static final Performance NONE =
+            new Performance(Duration.ZERO, Histogram.EMPTY, Map.of(), Map.of(), List.of(), Map.of());
 
-    public Metrics {
+    public Performance {
         phases = all(phases);
         processors = all(processors);
         topics = List.copyOf(topics);
@@ -41,8 +41,8 @@ public record Metrics(
     }
 
     /// Those of both runs together. Topics that only the other one has are `…` where this has as many as one counts.
-    public Metrics plus(Metrics other) {
-        return new Metrics(
+    public Performance plus(Performance other) {
+        return new Performance(
                 time.plus(other.time),
                 steps.plus(other.steps),
                 both(phases, other.phases, Duration::plus),

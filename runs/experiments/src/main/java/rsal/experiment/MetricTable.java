@@ -7,26 +7,26 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import rsal.experiment.Manifest.Measure;
+import rsal.experiment.Manifest.MetricExpression;
 import rsal.experiment.statistics.KaplanMeier;
 import rsal.experiment.statistics.Mean;
 import rsal.experiment.statistics.Observation;
 
-/// What was measured of one measure in all runs, in values that can be averaged and compared.
+/// What was measured of one metric in all runs, in values that can be averaged and compared.
 ///
-/// Of a measure that tells when something happened, no run that went on is left out: until it happened, or the run
+/// Of a metric that tells when something happened, no run that went on is left out: until it happened, or the run
 /// ended ([Observation]). The mean is the one restricted to a horizon up to which all combinations are known, and
 /// each run has its share of it ([KaplanMeier#pseudoTimes]): the time itself, cut at the horizon, as long as no run
 /// ended before that otherwise. A run with the outcome `failure` is one in which it can never happen any more: it
 /// counts to the horizon.
 ///
-/// Of other measures, runs without a value are left out. So are, of all measures, runs that broke.
+/// Of other metrics, runs without a value are left out. So are, of all metrics, runs that broke.
 ///
 /// Immutable.
-public final class Measurements {
+public final class MetricTable {
     private static final String FAILURE = "failure";
 
-    private final Measure measure;
+    private final MetricExpression metric;
     private final OptionalDouble horizon;
     private final Map<Integer, Sample> samples; // by combination
 
@@ -35,35 +35,35 @@ public final class Measurements {
     /// @param reached runs with a value of their own
     private record Sample(int runs, Map<Integer, Double> values, int reached, Optional<KaplanMeier> curve) {}
 
-    private Measurements(Measure measure, OptionalDouble horizon, Map<Integer, Sample> samples) {
-        this.measure = measure;
+    private MetricTable(MetricExpression metric, OptionalDouble horizon, Map<Integer, Sample> samples) {
+        this.metric = metric;
         this.horizon = horizon;
         this.samples = samples;
     }
 
-    static Measurements of(Findings findings, Measure measure) {
+    static MetricTable of(Findings findings, MetricExpression metric) {
         var rows = new LinkedHashMap<Integer, List<Row>>();
         findings.rows()
                 .forEach(row -> rows.computeIfAbsent(row.combination(), _ -> new ArrayList<>())
                         .add(row));
-        return measure.isEventTime() ? ofTimes(findings, measure, rows) : ofValues(findings, measure, rows);
+        return metric.isEventTime() ? ofTimes(findings, metric, rows) : ofValues(findings, metric, rows);
     }
 
-    private static Measurements ofValues(Findings findings, Measure measure, Map<Integer, List<Row>> rows) {
+    private static MetricTable ofValues(Findings findings, MetricExpression metric, Map<Integer, List<Row>> rows) {
         var samples = new HashMap<Integer, Sample>();
         rows.forEach((combination, runs) -> {
             var values = new HashMap<Integer, Double>();
-            runs.forEach(row -> findings.value(row, measure).ifPresent(value -> values.put(row.run(), value)));
+            runs.forEach(row -> findings.value(row, metric).ifPresent(value -> values.put(row.run(), value)));
             samples.put(combination, new Sample(runs.size(), values, values.size(), Optional.empty()));
         });
-        return new Measurements(measure, OptionalDouble.empty(), samples);
+        return new MetricTable(metric, OptionalDouble.empty(), samples);
     }
 
-    private static Measurements ofTimes(Findings findings, Measure measure, Map<Integer, List<Row>> rows) {
+    private static MetricTable ofTimes(Findings findings, MetricExpression metric, Map<Integer, List<Row>> rows) {
         var observed = new LinkedHashMap<Integer, Map<Integer, Observation>>(); // by combination and run
         rows.forEach((combination, runs) -> {
             var here = new LinkedHashMap<Integer, Observation>();
-            runs.forEach(row -> observation(findings, row, measure).ifPresent(seen -> here.put(row.run(), seen)));
+            runs.forEach(row -> observation(findings, row, metric).ifPresent(seen -> here.put(row.run(), seen)));
             if (!here.isEmpty()) {
                 observed.put(combination, here);
             }
@@ -91,12 +91,12 @@ public final class Measurements {
                             curve.map(KaplanMeier::happened).orElse(0),
                             curve));
         });
-        return new Measurements(measure, horizon, samples);
+        return new MetricTable(metric, horizon, samples);
     }
 
     /// Nothing of a run that broke.
-    private static Optional<Observation> observation(Findings findings, Row row, Measure measure) {
-        OptionalDouble time = findings.value(row, measure);
+    private static Optional<Observation> observation(Findings findings, Row row, MetricExpression metric) {
+        OptionalDouble time = findings.value(row, metric);
         if (time.isPresent()) {
             return Optional.of(Observation.happened(time.getAsDouble()));
         }
@@ -121,8 +121,8 @@ public final class Measurements {
                         .max();
     }
 
-    public Measure measure() {
-        return measure;
+    public MetricExpression metric() {
+        return metric;
     }
 
     /// Up to when times count [s]; empty when it is no time of an event, or no run went on.

@@ -14,10 +14,10 @@ import rsal.scenario.RunOptions;
 import rsal.settings.InvalidSettings;
 
 /// What a scenario measures of distances, places, messages, and values that its own agents publish.
-class MeasuresTest {
+class MetricsObserverTest {
     private static final String SCENARIO = """
             rsal: 1
-            scenario: measures
+            scenario: metrics
             world: {map: office}
             robots:
               post: {model: pioneer2dx, pose: [-12, -1, 0]}
@@ -32,12 +32,12 @@ class MeasuresTest {
             run:
               clock: {speed: max}
               stop: [{when: time >= 10, outcome: success}]
-            measure:
+            metrics:
               - {name: near, from: 'min(distance(cart, post))'}
               - {name: inStart, from: 'mean(within(cart, start))'}
               - {name: came, from: 'last(visits(cart, start))'}
-              - {name: said, from: 'count(messages(speech))'}
-              - {name: all, from: count(messages)}
+              - {name: said, from: 'count(sentMessages(speech))'}
+              - {name: all, from: count(sentMessages)}
               - {name: last, from: last(metric(load))}
               - {name: mean, from: mean(metric(load))}
               - {name: weighted, from: timeWeightedMean(metric(load)), per: robot}
@@ -68,9 +68,9 @@ class MeasuresTest {
         assertThat(value(result, "mean")).isEqualTo(2);
         assertThat(value(result, "weighted.cart-1")).isCloseTo(0.8, within(0.1));
         assertThat(value(result, "weighted.cart-2")).isCloseTo(0.8, within(0.1));
-        assertThat(result.measures()).containsEntry("weighted.post", OptionalDouble.empty());
+        assertThat(result.metrics()).containsEntry("weighted.post", OptionalDouble.empty());
         assertThat(value(result, "high")).isCloseTo(2, within(0.3));
-        assertThat(result.measures()).containsEntry("never", OptionalDouble.empty());
+        assertThat(result.metrics()).containsEntry("never", OptionalDouble.empty());
         assertThat(Runs.result(plan).eventHash()).isEqualTo(result.eventHash());
     }
 
@@ -81,19 +81,19 @@ class MeasuresTest {
         assertThatThrownBy(() -> Runs.plan(
                         folder, SCENARIO.replace("visits(cart, start)", "visits(cart, strat)"), RunOptions.NONE))
                 .isInstanceOf(InvalidSettings.class)
-                .hasMessageContaining("No place is called (strat)")
+                .hasMessageContaining("No place is called 'strat'")
                 .hasMessageContaining("start");
         assertThatThrownBy(() ->
                         Runs.plan(folder, SCENARIO.replace("radius: 0.5", "within: [0, 0, 1, 1]"), RunOptions.NONE))
-                .hasMessageContaining("has both (at) and (within)");
+                .hasMessageContaining("has both 'at' and 'within'");
         assertThatThrownBy(() -> Runs.plan(
                         folder, SCENARIO.replace("at: [-9, -1], radius: 0.5", "radius: 0.5"), RunOptions.NONE))
-                .hasMessageContaining("needs (at) or (within)");
+                .hasMessageContaining("needs 'at' or 'within'");
         assertThatThrownBy(() -> Runs.plan(folder, SCENARIO.replace("-10.5, 3]", "-30, 3]"), RunOptions.NONE))
-                .hasMessageContaining("(within) must be [least x, least y, greatest x, greatest y]");
+                .hasMessageContaining("'within' must be [least x, least y, greatest x, greatest y]");
     }
 
     private static double value(RunResult result, String metric) {
-        return result.measures().get(metric).orElseThrow();
+        return result.metrics().get(metric).orElseThrow();
     }
 }

@@ -6,7 +6,7 @@ import java.util.stream.Stream;
 import rsal.metric.SignalType;
 
 /// What to measure over a whole run: `p95(poseError)`. As text it is as people write it.
-public sealed interface Measure {
+public sealed interface MetricExpression {
     /// Of which robots it is; empty for all, or when it is of none.
     default Optional<String> role() {
         return Optional.empty();
@@ -23,7 +23,7 @@ public sealed interface Measure {
     }
 
     /// `firstTime(allCaught(prey))`: when a condition held first [s]; nothing when it never did.
-    record FirstTime(Condition condition) implements Measure {
+    record FirstTime(Condition condition) implements MetricExpression {
         @Override
         public Stream<Quantity> quantities() {
             return condition.quantities();
@@ -36,7 +36,7 @@ public sealed interface Measure {
     }
 
     /// `count(collisions)`, `explored`: what a quantity is at the end; nothing when it is not known.
-    record Count(Quantity quantity) implements Measure {
+    record Count(Quantity quantity) implements MetricExpression {
         @Override
         public Stream<Quantity> quantities() {
             return Stream.of(quantity);
@@ -51,7 +51,7 @@ public sealed interface Measure {
     /// `distance`, `distance(hunter)`: the way that robots really made, all together [m].
     ///
     /// @param role empty for all robots
-    record Distance(Optional<String> role) implements Measure {
+    record Distance(Optional<String> role) implements MetricExpression {
         @Override
         public boolean canBePerRobot() {
             return true;
@@ -66,7 +66,7 @@ public sealed interface Measure {
     /// `p95(poseError)`, `max(poseError(hunter))`: of all samples of a signal; nothing without samples.
     ///
     /// @param role empty for all robots
-    record OfSignal(Aggregate aggregate, SignalType signal, Optional<String> role) implements Measure {
+    record OfSignal(Aggregate aggregate, SignalType signal, Optional<String> role) implements MetricExpression {
         @Override
         public boolean canBePerRobot() {
             return signal.isOfRobots();
@@ -80,7 +80,7 @@ public sealed interface Measure {
 
     /// `min(distance(prey, hunter))`, `quantile(0.9, metric(load))`: of what a quantity was after each step, or
     /// of each value that an agent published; nothing while it was not known.
-    record OfQuantity(Aggregate aggregate, Quantity quantity) implements Measure {
+    record OfQuantity(Aggregate aggregate, Quantity quantity) implements MetricExpression {
         /// Whether agents publish the values.
         public boolean isPublished() {
             return quantity.type().equals(RunQuantities.METRIC);
