@@ -190,7 +190,7 @@ class BridgeIT {
                         "1");
         assertThat(nobody.code()).isEqualTo(5);
         assertThat(nobody.err())
-                .contains("There is no Player server at (localhost:")
+                .contains("There is no Player server at 'localhost:")
                 .doesNotContain("went wrong");
     }
 
@@ -412,7 +412,7 @@ class BridgeIT {
         Files.writeString(folder.resolve("fast.cfg"), CONFIGURATION.replace("max_speed 0.4", "max_speed 400"));
         Ended fast = new Rsal(folder).run("bridge", "player", "fast.cfg", "--port", "0");
         assertThat(fast.code()).isEqualTo(3);
-        assertThat(fast.err()).contains("fast.cfg:11:13: ", "must be a number from 0.05 to 3 [m/s], not (400");
+        assertThat(fast.err()).contains("fast.cfg:11:13: ", "must be a number from 0.05 to 3 [m/s], not '400");
     }
 
     /// Whether odometry tells of the turn, in the next few hundred messages.
@@ -572,7 +572,7 @@ class BridgeIT {
             String port = Integer.toString(taken.getLocalPort());
             Ended inUse = new Rsal(folder).run("bridge", "player", "teleop", "--port", port);
             assertThat(inUse.code()).isEqualTo(5);
-            assertThat(inUse.err()).contains("Nobody may listen at (", port, "another 'rsal bridge'", "--port 0");
+            assertThat(inUse.err()).contains("Nobody may listen at '", port, "another 'rsal bridge'", "--port 0");
         }
     }
 }

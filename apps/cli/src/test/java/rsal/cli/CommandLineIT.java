@@ -217,7 +217,7 @@ class CommandLineIT {
                 .contains("Note: watch.yaml:3:", "'places' of agent 'patrol'", "(900.00, 0.00) is outside the map");
         assertThat(rsal.run("run", "watch.yaml", "--headless", "--set", "places=800 0")
                         .err())
-                .contains("Note: --set places=800 0: (places) of agent 'patrol'");
+                .contains("Note: --set places=800 0: 'places' of agent 'patrol'");
         assertThat(rsal.run("run", "watch.yaml", "--headless", "--set", "places=0 -1")
                         .err())
                 .doesNotContain("Note");
@@ -282,28 +282,28 @@ class CommandLineIT {
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', textBlock = """
-            frobnicate          | (frobnicate)
-            rum                 | Maybe (run)
+    @CsvSource(quoteCharacter = '`', delimiter = '|', textBlock = """
+            frobnicate          | 'frobnicate'
+            rum                 | Maybe 'run'
                                 | Say what to do
-            run --seed abc      | --seed': (abc) is not a whole number
-            run --seed 1.5      | (1.5)
-            run --sped 2        | (--sped)
-            run --speed fast    | (fast)
-            run --speed 0       | (0)
-            run --for -1        | (-1)
-            run --port 70000    | (70000)
-            run --set speed     | (NAME=VALUE): (speed) is not a name and its value
-            run --set =2        | (=2)
-            run a b             | (b)
+            run --seed abc      | --seed': 'abc' is not a whole number
+            run --seed 1.5      | '1.5'
+            run --sped 2        | '--sped'
+            run --speed fast    | 'fast'
+            run --speed 0       | '0'
+            run --for -1        | '-1'
+            run --port 70000    | '70000'
+            run --set speed     | (NAME=VALUE): 'speed' is not a name and its value
+            run --set =2        | '=2'
+            run a b             | 'b'
             validate            | SCENARIO
             list things         | things
-            bench sin           | Maybe (sim)
-            bench sim --only x9 | (x9)
+            bench sin           | Maybe 'sim'
+            bench sim --only x9 | 'x9'
             bench sim --only x9 | Names begin with sim.
-            bench --repeat 0    | (0)
-            bench --repeat x    | (x) is not a whole number
-            help rum            | Maybe (run)
+            bench --repeat 0    | '0'
+            bench --repeat x    | 'x' is not a whole number
+            help rum            | Maybe 'run'
             """)
     void refusesWhatItCannotUnderstand(String line, String expected) throws Exception {
         Ended ended = Rsal.inProcess(line == null ? new String[0] : line.split(" "));
@@ -390,17 +390,17 @@ class CommandLineIT {
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', textBlock = """
-            run nowhere                       | (nowhere)
+    @CsvSource(quoteCharacter = '`', delimiter = '|', textBlock = """
+            run nowhere                       | 'nowhere'
             run nowhere.yaml                  | nowhere.yaml
-            run guard.yaml:fast               | (fast)
-            run guard.yaml --set guards=9     | --set guards=9: (guards) must be a whole number from 1 to 4
-            run guard.yaml --set guards=x     | (x)
-            run guard.yaml --set gards=2      | Maybe (guards)
-            run guard.yaml --mas jsaon        | (jsaon)
-            run guard.yaml --mrs reality      | (reality)
-            show nowhere                      | (nowhere)
-            show amlc                         | Maybe (amcl)
+            run guard.yaml:fast               | 'fast'
+            run guard.yaml --set guards=9     | --set guards=9: 'guards' must be a whole number from 1 to 4
+            run guard.yaml --set guards=x     | 'x'
+            run guard.yaml --set gards=2      | Maybe 'guards'
+            run guard.yaml --mas jsaon        | 'jsaon'
+            run guard.yaml --mrs reality      | 'reality'
+            show nowhere                      | 'nowhere'
+            show amlc                         | Maybe 'amcl'
             show nowhere.yaml                 | nowhere.yaml
             """)
     void refusesWhatDoesNotFitTheScenario(String line, String expected) throws Exception {
@@ -584,8 +584,8 @@ class CommandLineIT {
         assertThat(mind.out())
                 .startsWith("Does\n")
                 .contains("\nBelieves\n", "\nWants\n", "ways: ", "\nMailbox\n")
-                .doesNotContain("tells no goals");
-        assertThat(rsal.run("agent", "mind", "follow-1", "--port", port).out()).contains("tells no goals");
+                .doesNotContain("shows no goals");
+        assertThat(rsal.run("agent", "mind", "follow-1", "--port", port).out()).contains("shows no goals");
         assertThat(mind.code()).isZero();
         assertThat(JsonMapper.shared()
                         .readTree(rsal.run("agent", "mind", "escape-1", "--port", port, "--json")
@@ -600,7 +600,7 @@ class CommandLineIT {
         Ended.of(process);
         Ended gone = rsal.run("agent", "mind", "escape-1", "--port", port);
         assertThat(gone.code()).isEqualTo(Exit.UNREACHABLE);
-        assertThat(gone.err()).contains("There is no run with a page at (http://127.0.0.1:" + port + ").");
+        assertThat(gone.err()).contains("There is no run with a page at 'http://127.0.0.1:" + port + "'.");
     }
 
     @Test
@@ -610,7 +610,7 @@ class CommandLineIT {
                 .containsPattern("\nWants\n(  .+\n)*  [a-z]+ +hunt \\(0\\)\n")
                 .containsPattern("\n +does: \\+!hunt: .+\n +ways: hunter\\.asl:\\d+")
                 .containsPattern("\nMailbox\n(  .+\n)*  [0-9.]+ s +escape-1 → all +pose +prey-1 is at ")
-                .doesNotContain("tells no goals");
+                .doesNotContain("shows no goals");
     }
 
     @Test
@@ -620,7 +620,7 @@ class CommandLineIT {
                         "\n(?:Wants|Does not want now)\n  [a-z ]+ +not be caught \\(\\d+\\)\n(  .+\n)* +ways: run\n")
                 .containsPattern("\n +does: (not be caught: run|explore: follow the wall)\n")
                 .containsPattern("\nMailbox\n(  .+\n)*  [0-9.]+ s +follow-1 → all +[a-z-]+ +.+\n")
-                .doesNotContain("tells no goals");
+                .doesNotContain("shows no goals");
     }
 
     /// What is told of it when it pursues something and has heard somebody.
@@ -1281,7 +1281,7 @@ class CommandLineIT {
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
             convert                              | 2 | FILE.world
-            convert none.world                   | 3 | There is no file (none.world)
+            convert none.world                   | 3 | There is no file 'none.world'
             convert broken.world                 | 3 | broken.world:1:
             convert guard.yaml                   | 3 | no file that can be converted
             convert good.world out.yaml          | 2 | must end with .world.yaml

@@ -210,21 +210,21 @@ class LocalizeIT {
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', textBlock = """
+    @CsvSource(quoteCharacter = '`', delimiter = '|', textBlock = """
             localize room.log                                            | --map                 | 2
             localize room.log --map a.yaml --map-from-half               | exclusive             | 2
-            localize room.log --map-from-half --odometry-noise 1         | (1)                   | 2
-            localize room.log --map-from-half --odometry-noise 1,-2,3    | (1,-2,3)              | 2
-            localize room.log --map-from-half --odometry-noise Infinity,1,1 | (Infinity,1,1)     | 2
+            localize room.log --map-from-half --odometry-noise 1         | '1'                   | 2
+            localize room.log --map-from-half --odometry-noise 1,-2,3    | '1,-2,3'              | 2
+            localize room.log --map-from-half --odometry-noise Infinity,1,1 | 'Infinity,1,1'     | 2
             localize room.log --map-from-half --pose NaN 0 0             | NaN                   | 2
             localize room.log --map-from-half --seeds 0                  | --seeds               | 2
-            localize room.log --map-from-half --seeds abc                | (abc) is not a whole  | 2
-            localize room.log --map-from-half --beams 0                  | --beams must be at least 5, not (0) | 2
+            localize room.log --map-from-half --seeds abc                | 'abc' is not a whole  | 2
+            localize room.log --map-from-half --beams 0                  | --beams must be at least 5, not '0' | 2
             localize room.log --map-from-half --min-particles 6000       | --min-particles (6000) | 2
             localize room.log --map-from-half --max-range -1             | --max-range must be   | 2
-            localize room.log --map-from-half --max-range far            | (far) is not a number | 2
-            localize room.log --map-from-half --field-of-view 400        | not (400.0)           | 2
-            localize room.log --map-from-half --model beam5              | Maybe (beam)          | 2
+            localize room.log --map-from-half --max-range far            | 'far' is not a number | 2
+            localize room.log --map-from-half --field-of-view 400        | not '400.0'           | 2
+            localize room.log --map-from-half --model beam5              | Maybe 'beam'          | 2
             localize room.log --map office --save-map x.yaml             | no other map          | 2
             localize room.log --map-from-half --save-map x.png           | must end with .yaml   | 2
             localize room.log --map-from-half --save-map nix/x.yaml      | There is no such folder | 3
@@ -232,7 +232,7 @@ class LocalizeIT {
             localize none.log --map-from-half                            | none.log              | 3
             localize room.log --map none.yaml                            | none.yaml             | 3
             localize room.log --map-from-half --reference none.log       | none.log              | 3
-            localize room.log --map-from-half --no-reference             | Nothing tells         | 3
+            localize room.log --map-from-half --no-reference             | no poses for its scans | 3
             """)
     void refusesWhatItCannotDo(String line, String expected, int code) throws Exception {
         Ended ended = rsal.run(line.split(" "));

@@ -71,7 +71,7 @@ class MapIT {
 
         assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
         assertThat(ended.err()).contains("The map is probably wrong: at (", "from scan '11' to '12'", "Maybe");
-        assertThat(ended.out()).contains("wheels, at most", "scans, at most", "no scan tells of 1 of 20 steps");
+        assertThat(ended.out()).contains("wheels, at most", "scans, at most", "no scan confirms 1 of 20 steps");
         Ended json = rsal.run("map", "carried.log", "--no-reference", "--out", "again", "--json");
         JsonNode strain = new JsonMapper().readTree(json.out()).path("strain");
         assertThat(strain.path("tooMuch").asBoolean()).isTrue();
@@ -214,7 +214,7 @@ class MapIT {
         assertThat(refused.code()).as(refused.err()).isEqualTo(Exit.INVALID);
         assertThat(refused.err())
                 .contains("other.log", "that of 'room.log'", "contradict", "at most 1.5%", "0.7 m")
-                .containsPattern("at \\(6\\.\\d, [12]\\.\\d\\), where \\(other.log\\) hit what \\(room.log\\) saw free")
+                .containsPattern("at \\(6\\.\\d, [12]\\.\\d\\), where 'other.log' hit what 'room.log' saw free")
                 .contains("--despite-contradictions");
         assertThat(folder.resolve("both")).doesNotExist();
 
@@ -241,7 +241,7 @@ class MapIT {
 
         assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.INVALID);
         assertThat(ended.err())
-                .contains("scan.log", "Nothing tells", "that of 'room.log'")
+                .contains("scan.log", "No place is found", "that of 'room.log'")
                 .doesNotContain("contradict");
     }
 
@@ -280,16 +280,16 @@ class MapIT {
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', textBlock = """
+    @CsvSource(quoteCharacter = '`', delimiter = '|', textBlock = """
             map room.log                                          | --out              | 2
             map --out x                                           | LOG                | 2
-            map room.log --out x --odometry-noise 1               | (1)                | 2
+            map room.log --out x --odometry-noise 1               | '1'                | 2
             map room.log --out x --resolution 0                   | --resolution       | 2
             map room.log room.log --out x --known-poses           | --known-poses      | 2
             map room.log --out x --known-poses --no-reference     | --no-reference     | 2
             map room.log room.log --out x --reference room.log    | --reference        | 2
             map room.log --out x --despite-contradictions         | --despite-contradictions | 2
-            map room.log --out x --seed 1.5                       | (1.5) is not a whole | 2
+            map room.log --out x --seed 1.5                       | '1.5' is not a whole | 2
             map room.log --out x --max-range 0                    | --max-range must be | 2
             map room.log --out /proc/x                            | /proc/x: Nothing can be written | 3
             map none.log --out x                                  | none.log           | 3

@@ -209,15 +209,15 @@ class NewIT {
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', textBlock = """
+    @CsvSource(quoteCharacter = '`', delimiter = '|', textBlock = """
             new                               | 2 | NAME
-            new chase --from hunt             | 3 | There is no scenario (hunt) to begin with.
-            new chase --from my.yaml          | 3 | There is no scenario (my.yaml) to begin with.
-            new chase --mas jsaon             | 2 | There is no multi-agent system (jsaon). Maybe (jason) was meant?
-            new chase --mas jade              | 2 | (jade) runs the same agents as (plain)
+            new chase --from hunt             | 3 | There is no scenario 'hunt' to begin with.
+            new chase --from my.yaml          | 3 | There is no scenario 'my.yaml' to begin with.
+            new chase --mas jsaon             | 2 | There is no multi-agent system 'jsaon'. Maybe 'jason' was meant?
+            new chase --mas jade              | 2 | 'jade' runs the same agents as 'plain'
             new chase --mas jason --from swarm | 2 | Leave --from swarm out.
-            new 2nd                           | 3 | A scenario can't be called (2nd).
-            new patrol                        | 3 | A scenario that comes with RSAL is called (patrol).
+            new 2nd                           | 3 | A scenario can't be called '2nd'.
+            new patrol                        | 3 | A scenario that comes with RSAL is called 'patrol'.
             new none/chase                    | 5 | There is no folder
             """)
     void refusesWhatItCannotMake(String line, int code, String expected) throws Exception {

@@ -116,7 +116,7 @@ final class Reference {
             text.append('\n').append(offered);
         }
         if (!kind.settings().isEmpty()) {
-            var table = new Markdown.Table(kind.kind().equals("agent") ? "argument" : "option", "", "left out", "");
+            var table = new Markdown.Table("parameter", "", "default", "");
             kind.settings()
                     .forEach(setting -> table.row(
                             Markdown.code(setting.name()),

@@ -26,7 +26,7 @@ final class SchemaTable {
         }
         List<String> required =
                 group.path("required").valueStream().map(JsonNode::asString).toList();
-        var table = new Markdown.Table("key", "", "left out", "");
+        var table = new Markdown.Table("key", "", "default", "");
         group.path("properties")
                 .propertyStream()
                 .forEach(property -> table.row(

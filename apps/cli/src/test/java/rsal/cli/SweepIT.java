@@ -141,17 +141,17 @@ class SweepIT {
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', textBlock = """
-            guard.yaml --vary guard=1,2            | 3 | Maybe (guards) was meant?
-            guard.yaml --vary guards=1,9           | 3 | from 1 to 4, not (9)
-            guard.yaml --vary guards               | 2 | (guards) is not a name and its value
-            guard.yaml --configuration shrt        | 3 | Maybe (short) was meant?
+    @CsvSource(quoteCharacter = '`', delimiter = '|', textBlock = """
+            guard.yaml --vary guard=1,2            | 3 | Maybe 'guards' was meant?
+            guard.yaml --vary guards=1,9           | 3 | from 1 to 4, not '9'
+            guard.yaml --vary guards               | 2 | 'guards' is not a name and its value
+            guard.yaml --configuration shrt        | 3 | Maybe 'short' was meant?
             guard.yaml:short --configuration short | 2 | either
             guard.yaml:real                        | 3 | real time
-            guard.yaml --repeat 0                  | 2 | (0)
+            guard.yaml --repeat 0                  | 2 | '0'
             guard.yaml --seeds five                | 2 | Maybe 20 seeds were meant (20)
             guard.yaml --seeds 5-4                 | 2 | (5-4) must go up
-            guard.yaml --jobs 0                    | 2 | (0)
+            guard.yaml --jobs 0                    | 2 | '0'
             guard.yaml --repeat 2 --seeds 1-2      | 2 | either --repeat or --seeds
             guard.yaml --resume                    | 3 | no sweep to go on with
             """)

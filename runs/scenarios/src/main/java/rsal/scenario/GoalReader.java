@@ -82,6 +82,10 @@ final class GoalReader {
     List<MetricDefinition> metrics(Section root) {
         var metrics = new ArrayList<MetricDefinition>();
         for (Section metric : Format.groups(root, "metrics")) {
+            if (metric.has("type") && !metric.has("name")) {
+                metric.problem("type", "A metric has no 'type'.", "Types of metrics are listed in 'metricTypes'.");
+                continue;
+            }
             String name = metric.text("name");
             if (!name.isEmpty() && !Format.NAME.matcher(name).matches()) {
                 metric.problem("name", "'%s' can't be the name of a metric.".formatted(name), "");

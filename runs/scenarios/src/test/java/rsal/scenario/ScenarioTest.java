@@ -363,6 +363,7 @@ class ScenarioTest {
                         "'args' is now called 'arguments'"),
                 List.of("parameters: {speed: 0.2}", "args: {speed: 0.2}", "'args' is now called 'parameters'"),
                 List.of("metrics:\n", "measure:\n", "'measure' is now called 'metrics'"),
+                List.of("metrics:\n", "metrics:\n  - {type: A.java}\n", "Types of metrics are listed in 'metricTypes'"),
                 List.of("first: {title: As it is}", "first: {scenario: better}", "'scenario' can't be changed"),
                 List.of("  run: {type", "  all: {type", "'all' can't be the name of an agent"),
                 List.of("  watch:", "  operator:", "'operator' can't be the name of an agent"),

@@ -78,7 +78,7 @@ public final class BenchCommand extends Subcommand {
     @Override
     protected int run() {
         OptionalInt often = repeats.stream().mapToInt(Integer::intValue).findFirst();
-        often.ifPresent(times -> check(times >= 1, "--repeat must be at least 1, not (%d).".formatted(times)));
+        often.ifPresent(times -> check(times >= 1, "--repeat must be at least 1, not '%d'.".formatted(times)));
         if (area.isEmpty()) {
             Area.all().forEach(a -> out().println(a.name()));
             out().flush();
@@ -90,7 +90,7 @@ public final class BenchCommand extends Subcommand {
         if (wanted.isEmpty()) {
             throw new ParameterException(
                     spec.commandLine(),
-                    "Nothing in area (%s) has (%s) in its name. Names begin with %s."
+                    "Nothing in area '%s' has '%s' in its name. Names begin with %s."
                             .formatted(chosen.name(), only, String.join(", ", beginnings(chosen))));
         }
         Optional<Path> publicData = publicData();
@@ -126,7 +126,7 @@ public final class BenchCommand extends Subcommand {
         named.filter(folder -> !Files.isDirectory(folder)).ifPresent(folder -> {
             throw new InvalidSettings(
                     Location.of(data.isPresent() ? "--data" : "RSAL_DATA"),
-                    "There is no folder (%s).".formatted(folder),
+                    "There is no folder '%s'.".formatted(folder),
                     "It is to have the folders logs, maps and barn.");
         });
         return named;
@@ -144,7 +144,7 @@ public final class BenchCommand extends Subcommand {
                 .findFirst()
                 .orElseThrow(() -> new ParameterException(
                         spec.commandLine(),
-                        "There is no area (%s). %s"
+                        "There is no area '%s'. %s"
                                 .formatted(
                                         name,
                                         Suggestion.among(

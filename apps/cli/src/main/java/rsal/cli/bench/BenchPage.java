@@ -44,7 +44,7 @@ final class BenchPage {
         Path folder = file.toAbsolutePath().getParent();
         if (Files.isDirectory(file) || folder == null || !Files.isWritable(folder)) {
             throw new Unreachable(
-                    "A page can't be written to (%s). Name a file in a folder that you may write to.".formatted(file));
+                    "A page can't be written to '%s'. Name a file in a folder that you may write to.".formatted(file));
         }
         Path script = Path.of(System.getProperty("rsal.page", "")).resolve("plots.js");
         try {

@@ -136,7 +136,7 @@ final class LogMapper {
             case Merge.Contradicted(Pose2d place, MapOverlap shared) ->
                 throw new InvalidSettings(
                         Location.of(file),
-                        "Its map fits that of '%s', moved by '%s', but they contradict each other: %s."
+                        "Its map fits that of '%s', moved by (%s), but they contradict each other: %s."
                                 .formatted(before, words(place), against(shared.against(), worst(shared))),
                         "Maybe these are two places that look alike. If something was moved there between the runs,"
                                 + " join them with --despite-contradictions.");
@@ -149,7 +149,7 @@ final class LogMapper {
             case Merge.Ambiguous(Pose2d one, Pose2d rival) ->
                 throw new InvalidSettings(
                         Location.of(file),
-                        "Its map fits that of '%s' in two ways: moved by '%s', or by '%s'."
+                        "Its map fits that of '%s' in two ways: moved by (%s), or by (%s)."
                                 .formatted(before, words(one), words(rival)),
                         "Maybe the place looks the same from two sides; let the robots see more of what tells them"
                                 + " apart, or map the logs one by one.");

@@ -240,7 +240,7 @@ public record InstalledKind(
 
     /// How to show it where what it shares its name with is shown.
     String alsoText() {
-        return "%n(%s) is also %s: rsal show %s:%s%n".formatted(name, title(), kind, name);
+        return "%n'%s' is also %s: rsal show %s:%s%n".formatted(name, title(), kind, name);
     }
 
     private String title() {
@@ -257,13 +257,15 @@ public record InstalledKind(
 
     private String howToSet() {
         return switch (kind) {
-            case "agent" -> "Arguments (agents: {NAME: {type: %s, parameters: {…}}})".formatted(name);
-            case "metric" -> "Arguments (metricTypes: [{type: %s, parameters: {…}}])".formatted(name);
-            case "device" -> "Settings of a part (a file with 'type: %s', 'period: SECONDS' and these)".formatted(name);
-            case "driver" -> "Options (devices: {NAME: {type: %s, …}})".formatted(name);
-            case "mas", "mrs" -> "Options (%s: {use: %s, …})".formatted(kind, name);
+            case "agent" -> "Parameters (agents: {NAME: {type: %s, parameters: {…}}})".formatted(name);
+            case "metric" -> "Parameters (metricTypes: [{type: %s, parameters: {…}}])".formatted(name);
+            case "device" ->
+                "Parameters of a part (a file with 'type: %s', 'period: SECONDS' and these)".formatted(name);
+            case "driver" -> "Parameters (devices: {NAME: {type: %s, …}})".formatted(name);
+            case "mas", "mrs" -> "Parameters (%s: {use: %s, …})".formatted(kind, name);
             default ->
-                "Options (devices: {NAME: {type: %s, %s: {type: %s, …}}})".formatted(makes.orElseThrow(), kind, name);
+                "Parameters (devices: {NAME: {type: %s, %s: {type: %s, …}}})"
+                        .formatted(makes.orElseThrow(), kind, name);
         };
     }
 

@@ -120,7 +120,7 @@ public record ShownAgent(
                 setting.value().map(Object::toString).orElse(""),
                 setting.expected(),
                 setting.description()));
-        section(text, "Arguments (agents: {NAME: {type: %s, parameters: {…}}})".formatted(name(file)), settable);
+        section(text, "Parameters (agents: {NAME: {type: %s, parameters: {…}}})".formatted(name(file)), settable);
         section(text, "Goals that it begins with", lines(goals));
         section(text, "Plans", lines(plans));
         section(

@@ -31,7 +31,7 @@ class ShowTest {
     void aScenarioComesBeforeAnAgentOfItsName(String name) {
         assertThat(show("show", name))
                 .contains("Configurations", "Metrics")
-                .endsWith("\n(%s) is also a type of agents: rsal show agent:%s\n".formatted(name, name));
+                .endsWith("\n'%s' is also a type of agents: rsal show agent:%s\n".formatted(name, name));
         assertThat(show("show", "agent:" + name))
                 .startsWith(name + ": a type of agents\n")
                 .doesNotContain("Metrics");

@@ -46,7 +46,7 @@ final class LocalizedFleet {
             Supplier<Beams> beams = () -> ride.beams.get(tick);
             PoseEstimate told = belief.moved(odomFromBase.inverse().compose(odometry));
             if (!told.isFinite()) {
-                throw new IllegalStateException("A robot is at (%s).".formatted(told));
+                throw new IllegalStateException("A robot is at '%s'.".formatted(told));
             }
             if (amcl.due(odometry, beams)) {
                 belief = amcl.update(odometry, beams.get());

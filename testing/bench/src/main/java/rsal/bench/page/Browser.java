@@ -73,14 +73,14 @@ final class Browser implements AutoCloseable {
                     "--user-data-dir=" + profile));
             browser = new Browser(new ProcessBuilder(command).start(), profile);
         } catch (IOException e) {
-            throw new UncheckedIOException("The browser (%s) does not start.".formatted(program), e);
+            throw new UncheckedIOException("The browser '%s' does not start.".formatted(program), e);
         }
         Runtime.getRuntime().addShutdownHook(browser.end);
         try {
             browser.attach();
         } catch (RuntimeException e) {
             browser.close();
-            throw new IllegalStateException("The browser (%s) can't be used.".formatted(program), e);
+            throw new IllegalStateException("The browser '%s' can't be used.".formatted(program), e);
         }
         return browser;
     }

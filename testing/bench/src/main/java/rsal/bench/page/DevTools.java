@@ -55,11 +55,11 @@ final class DevTools {
             questions.flush();
             JsonNode whole = answer.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
             if (whole.has("error")) {
-                throw new IllegalStateException("The browser refuses (%s): %s".formatted(method, whole.path("error")));
+                throw new IllegalStateException("The browser refuses '%s': %s".formatted(method, whole.path("error")));
             }
             return whole.path("result");
         } catch (IOException | ExecutionException | TimeoutException e) {
-            throw new IllegalStateException("The browser does not answer (%s).".formatted(method), e);
+            throw new IllegalStateException("The browser does not answer '%s'.".formatted(method), e);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new IllegalStateException("Interrupted while the browser was asked.", e);

@@ -91,7 +91,7 @@ public final class FleetBench implements Bench {
             RunResult result = run.result().toCompletableFuture().join();
             if (!result.outcome().equals("limit")) {
                 throw new IllegalStateException(
-                        "A run of (%s) ended as (%s) before its time.".formatted(one.configuration, result.outcome()));
+                        "A run of '%s' ended as '%s' before its time.".formatted(one.configuration, result.outcome()));
             }
             return seed == 0 ? Stopwatch.memory() : Double.NaN;
         }
