@@ -8,6 +8,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 
 /// In which order a [LockstepScheduler] runs what is due, and where its time stands then.
@@ -151,5 +152,105 @@ class InstantsTest {
         assertThat(ran).isEmpty();
         time.runPending();
         assertThat(ran).containsExactly("10 from outside");
+    }
+
+    @Test
+    void whatIsForgottenIsNeverComputedNorCompleted() {
+        time.execute(note("handed in")); // before the first advance: nobody knows whose thread the run's is
+        time.after(ms(10), Phase.WORLD, () -> {
+            time.compute(() -> "value").thenAccept(value -> note("computed").run());
+            time.execute(note("next"));
+            time.drop();
+        });
+        time.advance(ms(20));
+        assertThat(ran).containsExactly("0 handed in");
+    }
+
+    @Test
+    void aPeriodIsMoreThanNothing() {
+        assertThatThrownBy(() -> time.every(Duration.ZERO, note("never")))
+                .hasMessage("A period must be positive, not 'PT0S'.");
+        assertThatThrownBy(() -> time.every(ms(-1), note("never"))).isInstanceOf(IllegalArgumentException.class);
+    }
+
+    @Test
+    void severalComputationsAreHandedToWorkersAndOneAloneIsNot() {
+        var handedOver = new ArrayList<Runnable>();
+        var beside = new LockstepScheduler(Instant.EPOCH, handedOver::add); // workers that never come
+        var values = new ArrayList<Integer>();
+        beside.after(ms(10), () -> beside.compute(() -> 1).thenAccept(values::add));
+        beside.after(ms(20), () -> {
+            beside.compute(() -> 2).thenAccept(values::add);
+            beside.compute(() -> 3).thenAccept(values::add);
+        });
+        beside.advance(ms(10));
+        assertThat(handedOver).isEmpty();
+        assertThat(values).containsExactly(1);
+        beside.advance(ms(10));
+        assertThat(handedOver).hasSize(2);
+        assertThat(values).as("the run's own thread computes what nobody took").containsExactly(1, 2, 3);
+        handedOver.forEach(Runnable::run);
+        assertThat(values).as("each is computed once").containsExactly(1, 2, 3);
+    }
+
+    @Test
+    void anErrorOfAComputationIsItsAnswer() {
+        time.after(ms(10), () -> time.compute(() -> {
+                    throw new IllegalStateException("broken");
+                })
+                .exceptionally(error -> {
+                    note("failed").run();
+                    return "";
+                }));
+        time.advance(ms(10));
+        assertThat(ran).containsExactly("10 failed");
+    }
+
+    @Test
+    void whatComputationsLeadToRunsBeforeTheNextPhase() {
+        time.after(ms(10), Phase.DEVICES, () -> time.compute(() -> "1").thenAccept(_ -> {
+            time.execute(note("handed in"));
+            time.compute(() -> "2").thenAccept(_ -> note("computed again").run());
+        }));
+        time.after(ms(10), Phase.THINK, note("think"));
+        time.advance(ms(10));
+        assertThat(ran).containsExactly("10 handed in", "10 computed again", "10 think");
+    }
+
+    @Test
+    void aRunThatIsPausedComputesWhatOthersAskFor() {
+        CompletableFuture.runAsync(() -> time.execute(() -> time.compute(() -> "value")
+                        .thenAccept(value -> note("computed " + value).run())))
+                .join();
+        time.runPending();
+        assertThat(ran).containsExactly("0 computed value");
+    }
+
+    @Test
+    void anInterruptionIsKeptForWhoAsksForIt() {
+        time.after(ms(10), () -> {
+            time.compute(() -> "value").thenAccept(value -> note("computed " + value).run());
+            Thread.currentThread().interrupt();
+        });
+        time.advance(ms(10));
+        assertThat(ran).containsExactly("10 computed value");
+        assertThat(Thread.interrupted()).isTrue();
+    }
+
+    @Test
+    void eachPhaseIsToldTheTimeThatItTook() {
+        var clock = new AtomicLong();
+        var times = new PhaseTimes(clock::get, () -> 0);
+        var timed = new LockstepScheduler(Instant.EPOCH, Runnable::run, times);
+        clock.set(1_000); // before: counts for nobody
+        timed.after(ms(10), Phase.WORLD, () -> clock.addAndGet(5));
+        timed.after(ms(10), Phase.THINK, () -> clock.addAndGet(7));
+        timed.after(ms(20), Phase.WORLD, () -> clock.addAndGet(11));
+        timed.advance(ms(10));
+        clock.addAndGet(100); // between
+        timed.advanceToNext(ms(10));
+        assertThat(times.of(Phase.WORLD)).isEqualTo(Duration.ofNanos(16));
+        assertThat(times.of(Phase.THINK)).isEqualTo(Duration.ofNanos(7));
+        assertThat(times.of(Phase.OBSERVE)).isZero();
     }
 }

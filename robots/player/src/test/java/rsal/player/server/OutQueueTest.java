@@ -6,11 +6,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import rsal.player.message.Interface;
 import rsal.player.message.MapInterface;
 import rsal.player.message.Session;
@@ -166,11 +168,15 @@ class OutQueueTest {
             queue.awaitRoom();
             return true;
         });
-        assertThat(asking.copy()
+        assertWaits(asking);
+        return asking;
+    }
+
+    private static void assertWaits(CompletableFuture<Boolean> waiting) {
+        assertThat(waiting.copy()
                         .completeOnTimeout(false, 200, TimeUnit.MILLISECONDS)
                         .join())
                 .isFalse();
-        return asking;
     }
 
     @Test
@@ -212,5 +218,139 @@ class OutQueueTest {
         empty.close();
         assertThat(asking.join()).isTrue();
         assertThat(sending.join()).isTrue();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"data", "answer", "round", "push"})
+    void whoeverSendsIsWokenByWhatThereIsToSend(String what) throws Exception {
+        Packet packet = data(Interface.LASER, 1);
+        if (what.equals("push")) {
+            queue.mode(true);
+            queue.data(List.of(packet));
+        }
+        var taken = new AtomicReference<Packet>();
+        CompletableFuture<Boolean> sending = waiting(() -> {
+            queue.take().ifPresent(taken::set);
+            return true;
+        });
+        assertWaits(sending);
+        switch (what) {
+            case "data" -> queue.data(List.of(packet));
+            case "answer" -> queue.answer(ANSWER);
+            case "round" -> queue.round(ANSWER);
+            default -> queue.mode(false);
+        }
+        assertThat(sending.join()).isTrue();
+        assertThat(taken).hasValue(what.equals("answer") || what.equals("round") ? ANSWER : packet);
+    }
+
+    @Test
+    void aClientHas256RulesAtMost() {
+        var rule = new Session.ReplaceRule(4, 2, Session.ANY, Session.ANY, Session.IGNORE);
+        for (int i = 0; i < 256; i++) {
+            assertThat(queue.add(rule)).isTrue();
+        }
+        assertThat(queue.add(rule)).isFalse();
+    }
+
+    @Test
+    void anAnswerGoesAtOnceToWhoPullsWithAllThatCameBefore() throws Exception {
+        queue.mode(true);
+        queue.data(measured(1));
+        assertThat(queue.isIdle()).as("it has to ask for data").isTrue();
+        queue.answer(ANSWER);
+        queue.data(measured(2));
+        var all = new ArrayList<>(measured(1));
+        all.add(ANSWER);
+        assertThat(sent()).isEqualTo(all);
+    }
+
+    @Test
+    void whoIsPushedToGetsAllInTheOrderInWhichItCame() throws Exception {
+        queue.data(measured(1));
+        queue.answer(ANSWER);
+        queue.data(measured(2));
+        var all = new ArrayList<>(measured(1));
+        all.add(ANSWER);
+        all.addAll(measured(2));
+        assertThat(queue.isIdle()).isFalse();
+        assertThat(sent()).isEqualTo(all);
+    }
+
+    @Test
+    void whatIsMoreThan1024MessagesIsLostAndTheNextSynchCountsIt() throws Exception {
+        var at = new OutQueue(() -> 7.5);
+        at.mode(true);
+        for (int i = 0; i < OutQueue.MOST + 3; i++) {
+            at.data(List.of(data(Interface.LASER, i)));
+        }
+        at.round(ANSWER);
+        assertThat(at.take()).contains(ANSWER);
+        for (int i = 0; i < OutQueue.MOST; i++) {
+            assertThat(at.take()).contains(data(Interface.LASER, i));
+        }
+        Packet synch = at.take().orElseThrow();
+        assertThat(synch.header().kind()).isEqualTo(MessageKind.SYNCH);
+        assertThat(synch.header().subtype()).isEqualTo(Session.OVERFLOW);
+        assertThat(synch.header().time()).isEqualTo(7.5);
+        assertThat(synch.body(Session.Lost.class).messages()).isEqualTo(3);
+        at.data(measured(1));
+        at.round(ANSWER);
+        Packet next = null;
+        while (!at.isIdle()) {
+            next = at.take().orElseThrow();
+        }
+        assertThat(next).isNotNull();
+        assertThat(next.header().subtype()).as("nothing was lost since").isEqualTo(Session.COMPLETE);
+    }
+
+    @Test
+    void messagesThatGoAlreadyCountAmongTheMost() throws Exception {
+        queue.mode(true);
+        for (int i = 0; i < OutQueue.MOST; i++) {
+            queue.data(List.of(data(Interface.LASER, i)));
+        }
+        queue.answer(ANSWER); // all of it goes
+        queue.data(List.of(data(Interface.LASER, -1))); // and this is too much
+        assertThat(sent()).hasSize(OutQueue.MOST + 1).doesNotContain(data(Interface.LASER, -1));
+        queue.data(measured(1));
+        queue.round(ANSWER);
+        assertThat(sent()).contains(measured(1).toArray(Packet[]::new));
+    }
+
+    @Test
+    void aRoundWithoutDataWaitsAlsoWhereThereAreOtherMessages() throws Exception {
+        queue.mode(true);
+        Packet command = Packet.of(Address.of(4, 2), MessageKind.COMMAND, 7, 1);
+        queue.data(List.of(command));
+        queue.round(ANSWER);
+        assertThat(sent()).as("no synch").containsExactly(ANSWER, command);
+        queue.mode(false);
+        queue.data(measured(1));
+        assertThat(sent()).as("pushed: no round is wanted any more").isEqualTo(measured(1));
+    }
+
+    @Test
+    void aRefusalIsAnAnswerAndDataIsNone() throws Exception {
+        Packet refusal = Packet.of(Address.of(1, 0), MessageKind.NACK, Session.DEVICES, 0);
+        for (int i = 0; i < 256; i++) {
+            queue.awaitRoom();
+            queue.answer(refusal);
+        }
+        CompletableFuture<Boolean> asking = someoneWhoHasToWait();
+        assertThat(queue.take()).contains(refusal);
+        assertThat(asking.join()).isTrue();
+        queue.answer(refusal);
+        queue.data(measured(1));
+        while (queue.take().orElseThrow().header().kind() != MessageKind.DATA) {
+            // the answers before it
+        }
+        for (int i = 0; i < 255; i++) {
+            queue.answer(refusal);
+        }
+        queue.awaitRoom();
+        queue.answer(refusal);
+        someoneWhoHasToWait().cancel(true);
+        queue.close();
     }
 }
