@@ -137,4 +137,29 @@ class ChannelFaultsTest {
         assertThat(channelFaults.reaches(message, "amy")).isFalse();
         assertThat(channelFaults.reaches(message, "zoe")).isTrue();
     }
+
+    @Test
+    void blocksWhatIsLostForSureWhateverItIsAbout() {
+        assertThat(channelFaults.blocks("bob", "amy")).isFalse();
+        Subscription all = begin(all(1, new Mishap.Lost()));
+        assertThat(channelFaults.blocks("bob", "amy")).isTrue();
+        all.cancel();
+        begin(all(0.99, new Mishap.Lost()));
+        begin(all(1, new Mishap.Late(Span.of(1, 1))));
+        begin(new OfMessages(List.of("pose"), Optional.empty(), Optional.empty(), 1, new Mishap.Lost()));
+        assertThat(channelFaults.blocks("bob", "amy")).isFalse();
+        begin(new OfMessages(
+                List.of(), Optional.of(Set.of("bob")), Optional.of(Set.of("amy")), 1, new Mishap.Lost()));
+        assertThat(channelFaults.blocks("bob", "amy")).isTrue();
+        assertThat(channelFaults.blocks("amy", "bob")).isFalse();
+        assertThat(channelFaults.blocks("bob", "zoe")).isFalse();
+    }
+
+    @Test
+    void theSilentAreBlockedBothWays() {
+        channelFaults.silence(Set.of("zoe"));
+        assertThat(channelFaults.blocks("zoe", "amy")).isTrue();
+        assertThat(channelFaults.blocks("amy", "zoe")).isTrue();
+        assertThat(channelFaults.blocks("amy", "bob")).isFalse();
+    }
 }

@@ -17,6 +17,7 @@ import rsal.agent.message.Text;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.data.Walls;
+import rsal.engine.report.LossReason;
 import rsal.scenario.Communication;
 import rsal.scenario.fault.Span;
 
@@ -203,5 +204,102 @@ class RadioTest {
         }
         assertThat(waits).containsExactly(0L, 250L, 500L, 750L, 1000L);
         assertThat(radio.copies(from("amy", Instant.ofEpochSecond(9)), "bob")).containsExactly(Duration.ZERO);
+    }
+
+    @Test
+    void saysWhyAMessageWasLost() {
+        places.put("a", new Point2d(1, 1));
+        places.put("b", new Point2d(4, 1));
+        Radio far = radio(reaching(2, 1));
+        assertThat(copies(far)).isEmpty();
+        assertThat(far.why()).isEqualTo(LossReason.RANGE);
+        Radio noisy = radio(new Communication(6, 3, 1, Span.of(0, 0), Optional.empty(), 5));
+        assertThat(copies(noisy)).isEmpty();
+        assertThat(noisy.why()).isEqualTo(LossReason.CHANCE);
+        Radio slow = radio(new Communication(6, 3, 0, Span.of(0, 0), Optional.of(0.5), 5));
+        assertThat(copies(slow)).containsExactly(Duration.ZERO);
+        assertThat(copies(slow)).isEmpty();
+        assertThat(slow.why()).isEqualTo(LossReason.BANDWIDTH);
+    }
+
+    /// Bounds of ranges belong to them: 3 m are within 3 m, with a wall between and without.
+    @Test
+    void whoIsAsFarAwayAsTheRangeIsInRange() {
+        places.put("a", new Point2d(1, 1));
+        places.put("b", new Point2d(4, 1));
+        assertThat(copies(radio(reaching(3, 1)))).containsExactly(Duration.ZERO);
+        assertThat(copies(radio(reaching(2.999, 1)))).isEmpty();
+        places.put("a", new Point2d(4, 1));
+        places.put("b", new Point2d(7, 1)); // behind the wall
+        assertThat(copies(radio(reaching(6, 3)))).containsExactly(Duration.ZERO);
+        assertThat(copies(radio(reaching(6, 2.999)))).isEmpty();
+    }
+
+    @Test
+    void withoutLossDelaysTakeTheFirstNumbersOfTheStream() {
+        Span delay = Span.of(0.1, 0.9);
+        Radio radio = radio(new Communication(
+                Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 0, delay, Optional.empty(), 5));
+        var stream = new SplittableRandom(5);
+        for (int i = 0; i < 5; i++) {
+            assertThat(copies(radio)).containsExactly(delay.draw(stream));
+        }
+    }
+
+    @Test
+    void lossAndDelayTakeTheirNumbersInTurn() {
+        Span delay = Span.of(0.1, 0.9);
+        Radio radio = radio(new Communication(
+                Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 0.5, delay, Optional.empty(), 5));
+        var stream = new SplittableRandom(5);
+        for (int i = 0; i < 20; i++) {
+            boolean lost = stream.nextDouble() < 0.5;
+            assertThat(copies(radio)).isEqualTo(lost ? List.of() : List.of(delay.draw(stream)));
+        }
+    }
+
+    /// What is between two robots is looked at once, whoever of them says something.
+    @Test
+    void wallsStandInTheWayOfBoth() {
+        places.put("a", new Point2d(4, 1));
+        places.put("b", new Point2d(7, 1));
+        Radio radio = radio(reaching(6, 2));
+        assertThat(radio.copies(from("amy", Instant.EPOCH), "bob")).isEmpty();
+        assertThat(radio.copies(from("bob", Instant.EPOCH), "amy")).isEmpty();
+        places.put("b", new Point2d(3, 1)); // has moved, and is seen at the next instant only
+        assertThat(radio.copies(from("bob", Instant.EPOCH), "amy")).isEmpty();
+        assertThat(radio.copies(from("bob", Instant.EPOCH.plusMillis(100)), "amy"))
+                .containsExactly(Duration.ZERO);
+    }
+
+    @Test
+    void sendsWhatCanLeaveWithinASecond() {
+        Radio radio = radio(new Communication(6, 3, 0.9, Span.of(0, 0), Optional.of(1.0), 5));
+        assertThat(radio.sends("amy", Instant.EPOCH)).as("it said nothing yet").isTrue();
+        copies(radio);
+        assertThat(radio.sends("amy", Instant.EPOCH)).as("it waits for 1 s").isTrue();
+        copies(radio);
+        assertThat(radio.sends("amy", Instant.EPOCH)).as("it would wait for 2 s").isFalse();
+        assertThat(radio.sends("amy", Instant.EPOCH.plusMillis(999))).isFalse();
+        assertThat(radio.sends("amy", Instant.EPOCH.plusMillis(1000))).isTrue();
+        assertThat(radio.sends("bob", Instant.EPOCH)).as("it has a radio of its own").isTrue();
+        Radio dead = radio(new Communication(6, 3, 1, Span.of(0, 0), Optional.empty(), 5));
+        assertThat(dead.sends("amy", Instant.EPOCH)).as("all is lost").isFalse();
+    }
+
+    @Test
+    void reachesAsFarAsMessagesDoAndRemembersNothing() {
+        Radio radio = radio(reaching(6, 2));
+        Optional<Point2d> here = Optional.of(new Point2d(4, 1));
+        Optional<Point2d> behind = Optional.of(new Point2d(7, 1));
+        assertThat(radio.reaches(here, behind)).isFalse();
+        assertThat(radio.reaches(here, Optional.of(new Point2d(1, 1)))).isTrue();
+        assertThat(radio.reaches(Optional.of(new Point2d(4, 9.5)), Optional.of(new Point2d(7, 9.5))))
+                .as("past the wall's end")
+                .isTrue();
+        assertThat(radio.reaches(Optional.empty(), behind)).isTrue();
+        assertThat(radio.reaches(here, Optional.empty())).isTrue();
+        assertThat(radio.reaches(here, Optional.of(new Point2d(4, -6)))).isFalse();
+        assertThat(asked).isZero();
     }
 }
