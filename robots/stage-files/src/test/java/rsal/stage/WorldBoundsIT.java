@@ -14,7 +14,7 @@ class WorldBoundsIT {
         refused("model ( ".repeat(100_000), "'model' is more than 64 deep in others.");
         refused("model ( ".repeat(5000) + ") ".repeat(5000), "'model' is more than 64 deep in others.");
         refused("define a ".repeat(100_000), "'define' is incomplete.");
-        refused("( ".repeat(100_000), "Here a name was expected, not (().");
+        refused("( ".repeat(100_000), "Here a name was expected, not '('.");
         refused("a [ ".repeat(100_000), "'a' can't stand in a tuple.");
     }
 

@@ -73,7 +73,7 @@ class UrdfModelTest {
         UrdfModel unknown = made(CART.replace("<limit velocity=\"10\" effort=\"1\"/>", ""));
         assertThat(unknown.notes())
                 .extracting(Problem::message)
-                .anySatisfy(note -> assertThat(note).contains("does not tell how fast"));
+                .anySatisfy(note -> assertThat(note).contains("does not say how fast"));
         assertThat(model(unknown).drive().maxSpeed()).isEqualTo(0.5);
     }
 
