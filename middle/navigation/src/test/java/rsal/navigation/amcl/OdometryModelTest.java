@@ -5,10 +5,12 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.SplittableRandom;
+import java.util.random.RandomGenerator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Angles;
+import rsal.data.Covariance2d;
 import rsal.data.Pose2d;
 import rsal.navigation.amcl.OdometryModel.Base;
 
@@ -165,5 +167,84 @@ class OdometryModelTest {
         }
         particles.weighEqually();
         return particles;
+    }
+
+    /// Gaussian numbers as they are given, one after the other.
+    private static RandomGenerator gaussians(double... numbers) {
+        return new RandomGenerator() {
+            private int next;
+
+            @Override
+            public double nextGaussian() {
+                return numbers[next++];
+            }
+
+            @Override
+            public long nextLong() {
+                throw new IllegalStateException("Only Gaussian numbers are asked for.");
+            }
+        };
+    }
+
+    /// Probabilistic Robotics, table 5.6, with noise that grows with the root of way and angle.
+    @Test
+    void aWayIsATurnADriveAndATurnEachWithAnErrorOfItsOwn() {
+        var model = new OdometryModel(0.1, 0.2, 0.3);
+        Pose2d way = new Pose2d(0, 0, 0.5).compose(new Pose2d(2, 0, 0)).compose(new Pose2d(0, 0, -0.2));
+        double half = 0.2 * 0.2 * 2 / 2;
+        double first = 0.5 + 1.1 * Math.sqrt(half + 0.3 * 0.3 * 0.5);
+        double made = 2 - 0.7 * 0.1 * Math.sqrt(2);
+        double second = -0.2 + 0.4 * Math.sqrt(half + 0.3 * 0.3 * 0.2);
+        Pose2d start = new Pose2d(1, -2, 0.7);
+        Pose2d expected = start.compose(new Pose2d(0, 0, first))
+                .compose(new Pose2d(made, 0, 0))
+                .compose(new Pose2d(0, 0, second));
+        Pose2d found = model.sample(start, Pose2d.ORIGIN, way, gaussians(1.1, -0.7, 0.4));
+        assertThat(found.isNear(expected, 1e-9, 1e-9)).isTrue();
+    }
+
+    @Test
+    void aWayOfAnOmnidirectionalBaseErrsAlongAcrossAndInItsTurn() {
+        var model = new OdometryModel(0.1, 0.2, 0.3, 0.05, Base.OMNIDIRECTIONAL);
+        double bearing = -2;
+        var way = new Pose2d(2 * Math.cos(bearing), 2 * Math.sin(bearing), 0.4);
+        double along = 2 + 1.1 * 0.1 * Math.sqrt(2);
+        double across = -0.7 * 0.05 * Math.sqrt(2);
+        double wrong = 0.4 * Math.sqrt(0.2 * 0.2 * 2 + 0.3 * 0.3 * 0.4);
+        Pose2d start = new Pose2d(1, -2, 0.7);
+        Pose2d slid = start.compose(new Pose2d(0, 0, bearing + wrong / 2)).compose(new Pose2d(along, across, 0));
+        Pose2d found = model.sample(start, Pose2d.ORIGIN, way, gaussians(1.1, -0.7, 0.4));
+        assertThat(found.isNear(new Pose2d(slid.x(), slid.y(), 0.7 + 0.4 + wrong), 1e-9, 1e-9))
+                .isTrue();
+    }
+
+    @Test
+    void whoDrivesBackwardsDoesNotTurnAround() {
+        var turning = new OdometryModel(0, 0, 0.3);
+        Pose2d found = turning.sample(Pose2d.ORIGIN, Pose2d.ORIGIN, new Pose2d(-1, 0, 0), gaussians(1, 1, 1));
+        assertThat(found.isNear(new Pose2d(-1, 0, 0), 1e-9, 1e-9)).isTrue();
+    }
+
+    /// Less than a millimeter has no direction: half of the turn is before it, half after.
+    @Test
+    void onTheSpotTheTurnIsHalvedAndItsErrorsAreThoseOfBothHalves() {
+        var turning = new OdometryModel(0, 0, 0.3);
+        Pose2d found = turning.sample(Pose2d.ORIGIN, Pose2d.ORIGIN, new Pose2d(0, 0.0009, 1.2), gaussians(1, 0, -0.5));
+        double each = Math.sqrt(0.3 * 0.3 * 0.6);
+        assertThat(found.theta()).isCloseTo(1.2 + each - 0.5 * each, within(1e-9));
+        Pose2d far = turning.sample(Pose2d.ORIGIN, Pose2d.ORIGIN, new Pose2d(0, 0.001, 1.2), gaussians(1, 0, 0));
+        assertThat(far.theta()).as("of the turn to the way").isCloseTo(1.2 + 0.3 * Math.sqrt(Math.PI / 2), within(1e-9));
+    }
+
+    /// A way of length L and a turn of t: σ² = (δ² + σ²) L + α² L³/3 in position, α² L + τ² |t| in heading.
+    @Test
+    void uncertaintyGrowsWithTheWayAndTheTurn() {
+        var model = new OdometryModel(0.1, 0.2, 0.3, 0.05, Base.OMNIDIRECTIONAL);
+        Covariance2d grown = model.covariance(new Pose2d(3, -4, -0.5));
+        double position = 0.1 * 0.1 * 5 + 0.05 * 0.05 * 5 + 0.2 * 0.2 * 125 / 3;
+        assertThat(grown.xx()).isCloseTo(position, within(1e-12));
+        assertThat(grown.yy()).isCloseTo(position, within(1e-12));
+        assertThat(grown.xy()).isZero();
+        assertThat(grown.thetaTheta()).isCloseTo(0.2 * 0.2 * 5 + 0.3 * 0.3 * 0.5, within(1e-12));
     }
 }
