@@ -138,4 +138,87 @@ class ConesTest {
     private static double exact(Cones cones, Pose2d sensor) {
         return cones.exact(sensor.x(), sensor.y(), Math.cos(sensor.theta()), Math.sin(sensor.theta()), LIMIT);
     }
+
+    /// 6 m by 4 m, closed all around by walls of 0.1 m, with its corner at (-2, 3).
+    private static OccupancyGrid hall() {
+        byte[] cells = new byte[60 * 40];
+        for (int row = 0; row < 40; row++) {
+            for (int column = 0; column < 60; column++) {
+                boolean edge = row == 0 || column == 0 || row == 39 || column == 59;
+                cells[row * 60 + column] = edge ? OccupancyGrid.OCCUPIED : OccupancyGrid.FREE;
+            }
+        }
+        return new OccupancyGrid(60, 40, 0.1, -2, 3, cells);
+    }
+
+    @Test
+    void raysFill80PercentOfACone() {
+        assertThat(Cones.raysAside(0)).isZero();
+        assertThat(Cones.raysAside(Math.toRadians(30))).isEqualTo(4); // 12° to each side, in steps of 3°
+        assertThat(Cones.raysAside(Math.toRadians(60))).isEqualTo(8);
+    }
+
+    /// What a cell keeps is in steps of 4 cm from its middle; where in it the sensor is counts as it is.
+    @ParameterizedTest
+    @ValueSource(ints = {0, 90, 180, -90})
+    void aRayReachesAsFarAsFromTheMiddleOfItsCellInSteps(int degrees) {
+        DistanceField field = DistanceField.toOccupied(hall());
+        var cones = new Cones(field, 0);
+        var random = new SplittableRandom(3);
+        double cos = Math.cos(Math.toRadians(degrees));
+        double sin = Math.sin(Math.toRadians(degrees));
+        for (int i = 0; i < 300; i++) {
+            double x = random.nextDouble(-1.6, 3.6);
+            double y = random.nextDouble(3.4, 6.6);
+            double middleX = -2 + (Math.floor((x + 2) * 10) + 0.5) / 10;
+            double middleY = 3 + (Math.floor((y - 3) * 10) + 0.5) / 10;
+            double wall = field.firstHit(middleX, middleY, cos, sin, 10);
+            double expected = Math.floor(wall / 0.04 + 0.5) * 0.04 - cos * (x - middleX) - sin * (y - middleY);
+            for (int asked = 0; asked < 20; asked++) { // kept after the sixteenth time
+                assertThat(reach(cones, new Pose2d(x, y, Math.toRadians(degrees))))
+                        .as("from (%.3f, %.3f)", x, y)
+                        .isCloseTo(expected, within(1e-4));
+            }
+        }
+    }
+
+    @Test
+    void besideAWallItIsExact() {
+        var cones = new Cones(DistanceField.toOccupied(hall()), ASIDE);
+        for (Pose2d sensor : List.of(new Pose2d(3.83, 5.011, 2), new Pose2d(1.013, 3.12, 1), new Pose2d(-1.88, 4, 0))) {
+            assertThat(reach(cones, sensor)).isCloseTo(exact(cones, sensor), within(1e-5));
+        }
+    }
+
+    /// The nearest of all rays: to a wall straight ahead that is the middle one, from aside the outermost.
+    @Test
+    void aConeReachesAsFarAsItsNearestRay() {
+        var cones = new Cones(DistanceField.toOccupied(hall()), 4);
+        assertThat(exact(cones, new Pose2d(1.05, 5.05, 0))).isCloseTo(2.85, within(0.06));
+        double aside = Math.toRadians(40);
+        double nearest = 1.85 / Math.sin(aside + Math.toRadians(12));
+        assertThat(exact(cones, new Pose2d(1.05, 5.05, aside))).isCloseTo(nearest, within(0.07));
+        assertThat(exact(cones, new Pose2d(1.05, 5.05, -aside))).isCloseTo(1.95 / Math.sin(aside + Math.toRadians(12)), within(0.07));
+        assertThat(reach(cones, new Pose2d(1.05, 5.05, aside))).isCloseTo(nearest, within(0.1));
+    }
+
+    @Test
+    void whereNothingIsWithin10MetersItReachesForever() {
+        byte[] cells = new byte[300 * 10];
+        cells[5 * 300 + 150] = OccupancyGrid.OCCUPIED; // at 15 m
+        var cones = new Cones(DistanceField.toOccupied(new OccupancyGrid(300, 10, 0.1, 0, 0, cells)), 0);
+        for (int asked = 0; asked < 20; asked++) {
+            assertThat(reach(cones, new Pose2d(4.05, 0.55, 0))).isEqualTo(Double.POSITIVE_INFINITY);
+            assertThat(reach(cones, new Pose2d(6.05, 0.55, 0))).isBetween(8.9, 9.1);
+        }
+    }
+
+    @Test
+    void ofAMapThatIsTooLargeNothingIsKept() {
+        byte[] cells = new byte[400 * 401];
+        cells[50] = OccupancyGrid.OCCUPIED;
+        var cones = new Cones(DistanceField.toOccupied(new OccupancyGrid(400, 401, 1, 0, 0, cells)), 0);
+        var sensor = new Pose2d(43.217, 0.5, 0);
+        assertThat(reach(cones, sensor)).isCloseTo(exact(cones, sensor), within(1e-4));
+    }
 }

@@ -7,6 +7,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.navigation.grid.DistanceField;
 import rsal.testkit.DrawnMap;
@@ -95,5 +96,82 @@ class LikelihoodFieldTest {
                     .as("pose %d", i)
                     .isEqualTo(field.log(beams, particles.x[i], particles.y[i], particles.theta[i]));
         }
+    }
+
+    /// 3 m by 2 m, closed all around, with its corner at (-1, 2) and one wall inside, at (0.5, 3).
+    private static OccupancyGrid elsewhere() {
+        byte[] cells = new byte[30 * 20];
+        for (int row = 0; row < 20; row++) {
+            for (int column = 0; column < 30; column++) {
+                boolean edge = row == 0 || column == 0 || row == 19 || column == 29;
+                cells[row * 30 + column] = edge || row == 10 && column == 15 ? OccupancyGrid.OCCUPIED : OccupancyGrid.FREE;
+            }
+        }
+        return new OccupancyGrid(30, 20, 0.1, -1, 2, cells);
+    }
+
+    /// log(z_hit exp(-d² / 2 σ²) + z_rand), where z_hit = 1 - z_rand and d is how far the nearest wall is.
+    @Test
+    void eachCellHasTheLikelihoodOfItsDistance() {
+        OccupancyGrid map = elsewhere();
+        DistanceField toWall = DistanceField.toOccupied(map);
+        var field = new LikelihoodField(map, toWall, 0.04, 0.2);
+        for (int row = 0; row < 20; row++) {
+            for (int column = 0; column < 30; column++) {
+                double deviations = toWall.at(row * 30 + column) / 0.04;
+                double likelihood = deviations > 8 ? 0.2 : 0.8 * Math.exp(-deviations * deviations / 2) + 0.2;
+                assertThat(field.log(-1 + (column + 0.5) * 0.1, 2 + (row + 0.5) * 0.1))
+                        .as("column %d, row %d", column, row)
+                        .isCloseTo(Math.log(likelihood), within(1e-6));
+            }
+        }
+    }
+
+    /// Rotation, offset and cells by hand, for single poses and for all particles at once.
+    @Test
+    void aBeamCountsWhereItEnds() {
+        OccupancyGrid map = elsewhere();
+        var field = new LikelihoodField(map, DistanceField.toOccupied(map), 0.1, 0.05);
+        var random = new SplittableRandom(4);
+        int many = 300;
+        var particles = new Particles(many);
+        for (int i = 0; i < many; i++) {
+            particles.add(random.nextDouble(-0.8, 1.8), random.nextDouble(2.2, 3.8), random.nextDouble(-3, 3));
+        }
+        float[] beamX = {0.31f, -0.52f, 0.07f};
+        float[] beamY = {0.13f, 0.24f, -0.65f};
+        var beams = new Beams(beamX, beamY, new float[3], new float[3]);
+        var logs = new double[many];
+        field.logs(beams, particles, new PoseBlock(), logs);
+        for (int i = 0; i < many; i++) {
+            double cos = Math.cos(particles.theta[i]);
+            double sin = Math.sin(particles.theta[i]);
+            double sum = 0;
+            boolean isOnAnEdge = false; // where rounding decides in which cell it ends
+            for (int beam = 0; beam < 3; beam++) {
+                double x = particles.x[i] + cos * beamX[beam] - sin * beamY[beam];
+                double y = particles.y[i] + sin * beamX[beam] + cos * beamY[beam];
+                sum += field.log(x, y);
+                isOnAnEdge |= Math.abs(Math.IEEEremainder(x, 0.1)) < 1e-4 || Math.abs(Math.IEEEremainder(y, 0.1)) < 1e-4;
+            }
+            if (!isOnAnEdge) {
+                assertThat(field.log(beams, particles.x[i], particles.y[i], particles.theta[i]))
+                        .isCloseTo(sum, within(1e-4));
+                assertThat(logs[i]).isCloseTo(sum, within(1e-4));
+            }
+        }
+    }
+
+    @Test
+    void ofTurnedBeamsItLooksNoFurtherOnceTheSumIsTooLow() {
+        float[] none = {0, 0, 0};
+        float one = (float) FIELD.log(0.95, 0.35);
+        float[] far = {5, 5, 5}; // cells
+        assertThat(FIELD.log(far, none, 4.5f, 3.5f, Float.NEGATIVE_INFINITY)).isCloseTo(3 * one, within(1e-5f));
+        assertThat(FIELD.log(far, none, 4.5f, 3.5f, 1.5f * one)).isCloseTo(2 * one, within(1e-5f));
+        assertThat(FIELD.log(far, none, 4.5f, 3.5f, one)).isCloseTo(one, within(1e-5f));
+        assertThat(FIELD.log(far, none, 4.5f, 3.5f, 0)).isZero();
+        assertThat(FIELD.log(new float[] {-4, -3}, new float[] {0, 1}, 4.5f, 3.5f, -100))
+                .isCloseTo((float) (FIELD.log(0.05, 0.35) + FIELD.log(0.15, 0.45)), within(1e-5f));
     }
 }
