@@ -30,7 +30,7 @@ import rsal.settings.Parameter;
 /// there, until it or others have been at all of them; then at others. Goes to none where another is about to look.
 public final class Viewpoints {
     public static final Parameter<Integer> COUNT = Parameter.integer(
-            "viewpoints", 12, 1, 1000, "", "At how many places it looks around, when it roams between lookouts.");
+            "viewpoints", 12, 1, 1000, "", "At how many places it looks around, when it roams between viewpoints.");
 
     private static final double CLEARANCE = 0.45; // m
     private static final int MORE = 3; // places

@@ -261,7 +261,7 @@ final class VirtualStructure {
         places.forEach((robot, place) -> slots.put(robot, new FormationSlots.Slot(here.get(place), later.get(place))));
         String name = (column ? FormationShape.COLUMN : shape).word();
         self.publish(FormationSlots.TOPIC, new FormationSlots(name, formed, AHEAD, slots));
-        self.state("%s a %s of %d".formatted(formed ? "leading" : "formationTime", name, count));
+        self.state("%s a %s of %d".formatted(formed ? "leading" : "forming", name, count));
         self.show("way", String.format(Locale.ROOT, "%.0f of %.0f m", way, now.length()));
     }
 

@@ -18,7 +18,7 @@ public final class CollisionMonitor {
     private static final double HIDDEN = 0.4; // m; so large may be what is not seen of what may move
     private static final double REMEMBERED = 0.05; // m; what lies behind may be so much nearer than remembered
     private static final double AHEAD = 0.15; // m; what is seen there has little behind it that is not seen
-    private static final double ROUNDING = 1e-3; // m; so much nearer is not "minProgress"
+    private static final double ROUNDING = 1e-3; // m; so much nearer is not "nearer"
 
     private final FootprintOutline outline;
     private final double radius;
