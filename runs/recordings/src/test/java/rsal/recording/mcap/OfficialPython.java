@@ -52,7 +52,7 @@ public final class OfficialPython {
             if (System.getenv("CI") != null) {
                 throw e;
             }
-            abort("SKIPPED, NOT CHECKED by the official Python package: it can't be had here '%s'."
+            abort("SKIPPED, NOT CHECKED by the official Python package: it can't be had here (%s)."
                     .formatted(e.getMessage()));
         }
     }

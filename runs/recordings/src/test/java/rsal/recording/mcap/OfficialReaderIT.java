@@ -54,7 +54,7 @@ class OfficialReaderIT {
                 made.said().stream().filter(said -> said.topic().equals("/log")).count();
         assertThat(lines.get(3000)).isEqualTo("1500 5 1 1 1");
         assertThat(lines.get(3001)).contains("notes.txt");
-        assertThat(lines.get(3002)).isEqualTo("[''about', '7'']");
+        assertThat(lines.get(3002)).isEqualTo("[('about', '7')]");
         assertThat(lines.get(3003)).isEqualTo(Long.toString(log));
     }
 
