@@ -36,7 +36,7 @@ public final class SimulationLimits {
             axis(problems, "sideways", "m", drive.sideways());
         }
         for (Part part : model.sensors().values()) {
-            String its = "Its '%s''s ".formatted(part.name());
+            String its = "Part '%s': its ".formatted(part.name());
             switch (part) {
                 case Part.Laser laser -> {
                     positive(problems, its + "period [s]", seconds(laser.period()));

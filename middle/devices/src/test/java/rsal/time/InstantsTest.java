@@ -195,23 +195,29 @@ class InstantsTest {
 
     @Test
     void anErrorOfAComputationIsItsAnswer() {
-        time.after(ms(10), () -> time.compute(() -> {
-                    throw new IllegalStateException("broken");
-                })
-                .exceptionally(error -> {
-                    note("failed").run();
-                    return "";
-                }));
+        time.after(
+                ms(10),
+                () -> time.compute(() -> {
+                            throw new IllegalStateException("broken");
+                        })
+                        .exceptionally(error -> {
+                            note("failed").run();
+                            return "";
+                        }));
         time.advance(ms(10));
         assertThat(ran).containsExactly("10 failed");
     }
 
     @Test
     void whatComputationsLeadToRunsBeforeTheNextPhase() {
-        time.after(ms(10), Phase.DEVICES, () -> time.compute(() -> "1").thenAccept(_ -> {
-            time.execute(note("handed in"));
-            time.compute(() -> "2").thenAccept(_ -> note("computed again").run());
-        }));
+        time.after(
+                ms(10),
+                Phase.DEVICES,
+                () -> time.compute(() -> "1").thenAccept(_ -> {
+                    time.execute(note("handed in"));
+                    time.compute(() -> "2")
+                            .thenAccept(_ -> note("computed again").run());
+                }));
         time.after(ms(10), Phase.THINK, note("think"));
         time.advance(ms(10));
         assertThat(ran).containsExactly("10 handed in", "10 computed again", "10 think");
@@ -229,7 +235,8 @@ class InstantsTest {
     @Test
     void anInterruptionIsKeptForWhoAsksForIt() {
         time.after(ms(10), () -> {
-            time.compute(() -> "value").thenAccept(value -> note("computed " + value).run());
+            time.compute(() -> "value")
+                    .thenAccept(value -> note("computed " + value).run());
             Thread.currentThread().interrupt();
         });
         time.advance(ms(10));

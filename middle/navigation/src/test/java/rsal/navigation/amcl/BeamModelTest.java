@@ -4,7 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.data.RangeArray;
@@ -99,5 +103,141 @@ class BeamModelTest {
     private static double log(SensorModel model, Pose2d from, double range) {
         var beams = new Beams(new float[] {(float) range}, new float[1], new float[1], new float[1]);
         return model.log(beams, from.x(), from.y(), from.theta());
+    }
+
+    /// Probabilistic Robotics, section 6.3, without the normalizers: z_hit exp(-(z - z*)² / 2 σ²) + z_short exp(-λ z),
+    /// where z is less than z*, + z_rand.
+    @ParameterizedTest
+    @CsvSource({"2, 2", "1.95, 2", "2.05, 2", "1, 3", "3, 1", "0.2, 0.9", "4, Infinity"})
+    void aBeamHasTheLikelihoodOfItsLength(double measured, double expected) {
+        double hit = 0.85 * Math.exp(-(measured - expected) * (measured - expected) / (2 * 0.1 * 0.1));
+        double tooShort = measured < expected ? 0.1 * Math.exp(-0.3 * measured) : 0;
+        assertThat(MODEL.likelihood(measured, expected)).isCloseTo(hit + tooShort + 0.05, within(1e-12));
+    }
+
+    private static Beams around(double cone) {
+        float[] x = {1.4f, -0.9f, 0.2f, 0.6f};
+        float[] y = {0.3f, 0.5f, -1.1f, 0.9f};
+        float[] originX = {0.2f, -0.15f, 0.05f, 0.1f};
+        float[] originY = {0.1f, 0.05f, -0.2f, 0};
+        return new Beams(x, y, originX, originY, cone);
+    }
+
+    /// From where each sensor is, in the direction of its beam.
+    @Test
+    void allBeamsCountFromWhereTheirSensorsAre() {
+        DistanceField field = DistanceField.toOccupied(ROOM.grid());
+        var random = new SplittableRandom(2);
+        Beams beams = around(0);
+        int many = 50;
+        var particles = new Particles(many);
+        for (int i = 0; i < many; i++) {
+            particles.add(random.nextDouble(0.5, 4.5), random.nextDouble(0.5, 1), random.nextDouble(-3, 3));
+        }
+        var logs = new double[many];
+        MODEL.logs(beams, particles, new PoseBlock(), logs);
+        for (int i = 0; i < many; i++) {
+            double cos = Math.cos(particles.theta[i]);
+            double sin = Math.sin(particles.theta[i]);
+            double sum = 0;
+            for (int beam = 0; beam < beams.count(); beam++) {
+                double fromX = particles.x[i] + cos * beams.originX()[beam] - sin * beams.originY()[beam];
+                double fromY = particles.y[i] + sin * beams.originX()[beam] + cos * beams.originY()[beam];
+                double dx = beams.x()[beam] - beams.originX()[beam];
+                double dy = beams.y()[beam] - beams.originY()[beam];
+                double measured = Math.hypot(dx, dy);
+                double direction = particles.theta[i] + Math.atan2(dy, dx);
+                double wall = field.firstHit(fromX, fromY, Math.cos(direction), Math.sin(direction), 20);
+                sum += Math.log(MODEL.likelihood(measured, wall));
+            }
+            assertThat(MODEL.log(beams, particles.x[i], particles.y[i], particles.theta[i]))
+                    .isCloseTo(sum, within(2e-3));
+            assertThat(logs[i]).isCloseTo(sum, within(2e-3));
+        }
+    }
+
+    /// So many unlikely beams that their product is less than a number can hold.
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.5})
+    void manyBeamsCountAsOftenAsOne(double cone) {
+        Beams few = around(cone);
+        int times = 400;
+        var many = new Beams(
+                repeated(few.x(), times),
+                repeated(few.y(), times),
+                repeated(few.originX(), times),
+                repeated(few.originY(), times),
+                cone);
+        assertThat(log(few) * times).isLessThan(-1000);
+        assertThat(MODEL.log(many, 1.1, 0.8, 1)).isCloseTo(times * MODEL.log(few, 1.1, 0.8, 1), within(1e-4));
+        assertThat(log(many)).isCloseTo(times * log(few), within(1e-4));
+    }
+
+    private static float[] repeated(float[] values, int times) {
+        var all = new float[values.length * times];
+        for (int i = 0; i < all.length; i++) {
+            all[i] = values[i % values.length];
+        }
+        return all;
+    }
+
+    private static double log(Beams beams) {
+        var one = new Particles(1);
+        one.add(1.1, 0.8, 1);
+        var log = new double[1];
+        MODEL.logs(beams, one, new PoseBlock(), log);
+        return log[0];
+    }
+
+    /// As far as [Cones] say, from where each sensor is; the bell is read from a table.
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void conesCountAsFarAsTheyReach(boolean cutOff) {
+        OccupancyGrid map = (cutOff ? Seen.CUT_OFF : ROOM).grid();
+        DistanceField field = DistanceField.toOccupied(map);
+        OutOfMapModel around = OutOfMapModel.of(map);
+        BeamModel model = new BeamModel(field, around, 0.1, 0.05);
+        double cone = Math.toRadians(30);
+        var cones = new Cones(field, Cones.raysAside(cone));
+        Beams beams = around(cone);
+        var random = new SplittableRandom(2);
+        int many = PoseBlock.SIZE + 50;
+        var particles = new Particles(many);
+        for (int i = 0; i < many; i++) {
+            particles.add(random.nextDouble(0.5, 1.4), random.nextDouble(0.5, 1), random.nextDouble(-3, 3));
+        }
+        var logs = new double[many];
+        model.logs(beams, particles, new PoseBlock(), logs);
+        for (int i = 0; i < many; i++) {
+            double cos = Math.cos(particles.theta[i]);
+            double sin = Math.sin(particles.theta[i]);
+            double onMap = 0;
+            double beyond = 0;
+            int outside = 0;
+            for (int beam = 0; beam < beams.count(); beam++) {
+                double fromX = particles.x[i] + cos * beams.originX()[beam] - sin * beams.originY()[beam];
+                double fromY = particles.y[i] + sin * beams.originX()[beam] + cos * beams.originY()[beam];
+                double dx = beams.x()[beam] - beams.originX()[beam];
+                double dy = beams.y()[beam] - beams.originY()[beam];
+                double measured = Math.hypot(dx, dy);
+                double angle = particles.theta[i] + Math.atan2(dy, dx);
+                double reach = cones.reach(
+                        (float) ((fromX - cones.originX) * cones.cellsPerMeter),
+                        (float) ((fromY - cones.originY) * cones.cellsPerMeter),
+                        (float) Math.cos(angle),
+                        (float) Math.sin(angle),
+                        Math.floorMod(Math.round(angle / (2 * Math.PI) * Cones.DIRECTIONS), Cones.DIRECTIONS),
+                        measured + 0.4);
+                double log = Math.log(model.likelihood(measured, reach));
+                boolean leaves = reach == Double.POSITIVE_INFINITY
+                        && around.isUnknown()
+                        && !field.contains(fromX + measured * Math.cos(angle), fromY + measured * Math.sin(angle));
+                onMap += leaves ? 0 : log;
+                beyond += leaves ? log : 0;
+                outside += leaves ? 1 : 0;
+            }
+            double all = around.joined(onMap, beams.count() - outside, beyond, outside);
+            assertThat(logs[i]).as("pose %d", i).isCloseTo(all, within(0.02));
+        }
     }
 }

@@ -198,7 +198,8 @@ class ConesTest {
         double aside = Math.toRadians(40);
         double nearest = 1.85 / Math.sin(aside + Math.toRadians(12));
         assertThat(exact(cones, new Pose2d(1.05, 5.05, aside))).isCloseTo(nearest, within(0.07));
-        assertThat(exact(cones, new Pose2d(1.05, 5.05, -aside))).isCloseTo(1.95 / Math.sin(aside + Math.toRadians(12)), within(0.07));
+        assertThat(exact(cones, new Pose2d(1.05, 5.05, -aside)))
+                .isCloseTo(1.95 / Math.sin(aside + Math.toRadians(12)), within(0.07));
         assertThat(reach(cones, new Pose2d(1.05, 5.05, aside))).isCloseTo(nearest, within(0.1));
     }
 

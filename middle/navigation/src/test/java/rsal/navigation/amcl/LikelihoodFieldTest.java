@@ -104,7 +104,8 @@ class LikelihoodFieldTest {
         for (int row = 0; row < 20; row++) {
             for (int column = 0; column < 30; column++) {
                 boolean edge = row == 0 || column == 0 || row == 19 || column == 29;
-                cells[row * 30 + column] = edge || row == 10 && column == 15 ? OccupancyGrid.OCCUPIED : OccupancyGrid.FREE;
+                cells[row * 30 + column] =
+                        edge || row == 10 && column == 15 ? OccupancyGrid.OCCUPIED : OccupancyGrid.FREE;
             }
         }
         return new OccupancyGrid(30, 20, 0.1, -1, 2, cells);
@@ -152,7 +153,8 @@ class LikelihoodFieldTest {
                 double x = particles.x[i] + cos * beamX[beam] - sin * beamY[beam];
                 double y = particles.y[i] + sin * beamX[beam] + cos * beamY[beam];
                 sum += field.log(x, y);
-                isOnAnEdge |= Math.abs(Math.IEEEremainder(x, 0.1)) < 1e-4 || Math.abs(Math.IEEEremainder(y, 0.1)) < 1e-4;
+                isOnAnEdge |=
+                        Math.abs(Math.IEEEremainder(x, 0.1)) < 1e-4 || Math.abs(Math.IEEEremainder(y, 0.1)) < 1e-4;
             }
             if (!isOnAnEdge) {
                 assertThat(field.log(beams, particles.x[i], particles.y[i], particles.theta[i]))

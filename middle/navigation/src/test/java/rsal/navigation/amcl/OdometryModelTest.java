@@ -233,7 +233,9 @@ class OdometryModelTest {
         double each = Math.sqrt(0.3 * 0.3 * 0.6);
         assertThat(found.theta()).isCloseTo(1.2 + each - 0.5 * each, within(1e-9));
         Pose2d far = turning.sample(Pose2d.ORIGIN, Pose2d.ORIGIN, new Pose2d(0, 0.001, 1.2), gaussians(1, 0, 0));
-        assertThat(far.theta()).as("of the turn to the way").isCloseTo(1.2 + 0.3 * Math.sqrt(Math.PI / 2), within(1e-9));
+        assertThat(far.theta())
+                .as("of the turn to the way")
+                .isCloseTo(1.2 + 0.3 * Math.sqrt(Math.PI / 2), within(1e-9));
     }
 
     /// A way of length L and a turn of t: σ² = (δ² + σ²) L + α² L³/3 in position, α² L + τ² |t| in heading.

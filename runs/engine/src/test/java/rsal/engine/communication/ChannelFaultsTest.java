@@ -148,8 +148,7 @@ class ChannelFaultsTest {
         begin(all(1, new Mishap.Late(Span.of(1, 1))));
         begin(new OfMessages(List.of("pose"), Optional.empty(), Optional.empty(), 1, new Mishap.Lost()));
         assertThat(channelFaults.blocks("bob", "amy")).isFalse();
-        begin(new OfMessages(
-                List.of(), Optional.of(Set.of("bob")), Optional.of(Set.of("amy")), 1, new Mishap.Lost()));
+        begin(new OfMessages(List.of(), Optional.of(Set.of("bob")), Optional.of(Set.of("amy")), 1, new Mishap.Lost()));
         assertThat(channelFaults.blocks("bob", "amy")).isTrue();
         assertThat(channelFaults.blocks("amy", "bob")).isFalse();
         assertThat(channelFaults.blocks("bob", "zoe")).isFalse();

@@ -238,8 +238,8 @@ class RadioTest {
     @Test
     void withoutLossDelaysTakeTheFirstNumbersOfTheStream() {
         Span delay = Span.of(0.1, 0.9);
-        Radio radio = radio(new Communication(
-                Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 0, delay, Optional.empty(), 5));
+        Radio radio = radio(
+                new Communication(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 0, delay, Optional.empty(), 5));
         var stream = new SplittableRandom(5);
         for (int i = 0; i < 5; i++) {
             assertThat(copies(radio)).containsExactly(delay.draw(stream));
@@ -249,8 +249,8 @@ class RadioTest {
     @Test
     void lossAndDelayTakeTheirNumbersInTurn() {
         Span delay = Span.of(0.1, 0.9);
-        Radio radio = radio(new Communication(
-                Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 0.5, delay, Optional.empty(), 5));
+        Radio radio = radio(
+                new Communication(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 0.5, delay, Optional.empty(), 5));
         var stream = new SplittableRandom(5);
         for (int i = 0; i < 20; i++) {
             boolean lost = stream.nextDouble() < 0.5;
@@ -279,10 +279,14 @@ class RadioTest {
         copies(radio);
         assertThat(radio.sends("amy", Instant.EPOCH)).as("it waits for 1 s").isTrue();
         copies(radio);
-        assertThat(radio.sends("amy", Instant.EPOCH)).as("it would wait for 2 s").isFalse();
+        assertThat(radio.sends("amy", Instant.EPOCH))
+                .as("it would wait for 2 s")
+                .isFalse();
         assertThat(radio.sends("amy", Instant.EPOCH.plusMillis(999))).isFalse();
         assertThat(radio.sends("amy", Instant.EPOCH.plusMillis(1000))).isTrue();
-        assertThat(radio.sends("bob", Instant.EPOCH)).as("it has a radio of its own").isTrue();
+        assertThat(radio.sends("bob", Instant.EPOCH))
+                .as("it has a radio of its own")
+                .isTrue();
         Radio dead = radio(new Communication(6, 3, 1, Span.of(0, 0), Optional.empty(), 5));
         assertThat(dead.sends("amy", Instant.EPOCH)).as("all is lost").isFalse();
     }
