@@ -105,7 +105,7 @@ class LikelihoodFieldTest {
             for (int column = 0; column < 30; column++) {
                 boolean edge = row == 0 || column == 0 || row == 19 || column == 29;
                 cells[row * 30 + column] =
-                        edge || row == 10 && column == 15 ? OccupancyGrid.OCCUPIED : OccupancyGrid.FREE;
+                        edge || (row == 10 && column == 15) ? OccupancyGrid.OCCUPIED : OccupancyGrid.FREE;
             }
         }
         return new OccupancyGrid(30, 20, 0.1, -1, 2, cells);
