@@ -139,7 +139,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     await robot.fill('courier-1');
     await page.getByLabel('role', { exact: true }).fill('courier');
     await page.getByRole('button', { name: 'Say it' }).click();
-    await page.getByText('Field (mapFromBase) takes x, y [m] and heading [°]').waitFor();
+    await page.getByText("Field 'mapFromBase' takes x, y [m] and heading [°]").waitFor();
     await picture(page, 'say-light');
     await isAccessible(page);
     await page.getByLabel('mapFromBase').fill('1 2 90');
