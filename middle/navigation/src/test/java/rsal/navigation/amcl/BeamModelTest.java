@@ -123,6 +123,17 @@ class BeamModelTest {
         return new Beams(x, y, originX, originY, cone);
     }
 
+    /// A sensor that looks along one of the beams.
+    private static Pose2d baseFromSensor(Beams beams, int beam) {
+        double dx = beams.x()[beam] - beams.originX()[beam];
+        double dy = beams.y()[beam] - beams.originY()[beam];
+        return new Pose2d(beams.originX()[beam], beams.originY()[beam], Math.atan2(dy, dx));
+    }
+
+    private static double length(Beams beams, int beam) {
+        return Math.hypot(beams.x()[beam] - beams.originX()[beam], beams.y()[beam] - beams.originY()[beam]);
+    }
+
     /// From where each sensor is, in the direction of its beam.
     @Test
     void allBeamsCountFromWhereTheirSensorsAre() {
@@ -137,17 +148,12 @@ class BeamModelTest {
         var logs = new double[many];
         MODEL.logs(beams, particles, new PoseBlock(), logs);
         for (int i = 0; i < many; i++) {
-            double cos = Math.cos(particles.theta[i]);
-            double sin = Math.sin(particles.theta[i]);
+            var pose = new Pose2d(particles.x[i], particles.y[i], particles.theta[i]);
             double sum = 0;
             for (int beam = 0; beam < beams.count(); beam++) {
-                double fromX = particles.x[i] + cos * beams.originX()[beam] - sin * beams.originY()[beam];
-                double fromY = particles.y[i] + sin * beams.originX()[beam] + cos * beams.originY()[beam];
-                double dx = beams.x()[beam] - beams.originX()[beam];
-                double dy = beams.y()[beam] - beams.originY()[beam];
-                double measured = Math.hypot(dx, dy);
-                double direction = particles.theta[i] + Math.atan2(dy, dx);
-                double wall = field.firstHit(fromX, fromY, Math.cos(direction), Math.sin(direction), 20);
+                Pose2d from = pose.compose(baseFromSensor(beams, beam));
+                double measured = length(beams, beam);
+                double wall = field.firstHit(from.x(), from.y(), Math.cos(from.theta()), Math.sin(from.theta()), 20);
                 sum += Math.log(MODEL.likelihood(measured, wall));
             }
             assertThat(MODEL.log(beams, particles.x[i], particles.y[i], particles.theta[i]))
@@ -209,29 +215,26 @@ class BeamModelTest {
         var logs = new double[many];
         model.logs(beams, particles, new PoseBlock(), logs);
         for (int i = 0; i < many; i++) {
-            double cos = Math.cos(particles.theta[i]);
-            double sin = Math.sin(particles.theta[i]);
+            var pose = new Pose2d(particles.x[i], particles.y[i], particles.theta[i]);
             double onMap = 0;
             double beyond = 0;
             int outside = 0;
             for (int beam = 0; beam < beams.count(); beam++) {
-                double fromX = particles.x[i] + cos * beams.originX()[beam] - sin * beams.originY()[beam];
-                double fromY = particles.y[i] + sin * beams.originX()[beam] + cos * beams.originY()[beam];
-                double dx = beams.x()[beam] - beams.originX()[beam];
-                double dy = beams.y()[beam] - beams.originY()[beam];
-                double measured = Math.hypot(dx, dy);
-                double angle = particles.theta[i] + Math.atan2(dy, dx);
+                Pose2d from = pose.compose(baseFromSensor(beams, beam));
+                double measured = length(beams, beam);
                 double reach = cones.reach(
-                        (float) ((fromX - cones.originX) * cones.cellsPerMeter),
-                        (float) ((fromY - cones.originY) * cones.cellsPerMeter),
-                        (float) Math.cos(angle),
-                        (float) Math.sin(angle),
-                        Math.floorMod(Math.round(angle / (2 * Math.PI) * Cones.DIRECTIONS), Cones.DIRECTIONS),
+                        (float) ((from.x() - cones.originX) * cones.cellsPerMeter),
+                        (float) ((from.y() - cones.originY) * cones.cellsPerMeter),
+                        (float) Math.cos(from.theta()),
+                        (float) Math.sin(from.theta()),
+                        Math.floorMod(Math.round(from.theta() / (2 * Math.PI) * Cones.DIRECTIONS), Cones.DIRECTIONS),
                         measured + 0.4);
                 double log = Math.log(model.likelihood(measured, reach));
                 boolean leaves = reach == Double.POSITIVE_INFINITY
                         && around.isUnknown()
-                        && !field.contains(fromX + measured * Math.cos(angle), fromY + measured * Math.sin(angle));
+                        && !field.contains(
+                                from.x() + measured * Math.cos(from.theta()),
+                                from.y() + measured * Math.sin(from.theta()));
                 onMap += leaves ? 0 : log;
                 beyond += leaves ? log : 0;
                 outside += leaves ? 1 : 0;

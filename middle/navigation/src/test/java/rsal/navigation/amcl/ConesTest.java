@@ -139,16 +139,9 @@ class ConesTest {
         return cones.exact(sensor.x(), sensor.y(), Math.cos(sensor.theta()), Math.sin(sensor.theta()), LIMIT);
     }
 
-    /// 6 m by 4 m, closed all around by walls of 0.1 m, with its corner at (-2, 3).
+    /// 6 m by 4 m.
     private static OccupancyGrid hall() {
-        byte[] cells = new byte[60 * 40];
-        for (int row = 0; row < 40; row++) {
-            for (int column = 0; column < 60; column++) {
-                boolean edge = row == 0 || column == 0 || row == 39 || column == 59;
-                cells[row * 60 + column] = edge ? OccupancyGrid.OCCUPIED : OccupancyGrid.FREE;
-            }
-        }
-        return new OccupancyGrid(60, 40, 0.1, -2, 3, cells);
+        return Seen.hall(60, 40, -2, 3);
     }
 
     @Test

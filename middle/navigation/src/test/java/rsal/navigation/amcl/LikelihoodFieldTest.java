@@ -98,17 +98,9 @@ class LikelihoodFieldTest {
         }
     }
 
-    /// 3 m by 2 m, closed all around, with its corner at (-1, 2) and one wall inside, at (0.5, 3).
+    /// 3 m by 2 m, with a wall inside, at (0.5, 3).
     private static OccupancyGrid elsewhere() {
-        byte[] cells = new byte[30 * 20];
-        for (int row = 0; row < 20; row++) {
-            for (int column = 0; column < 30; column++) {
-                boolean edge = row == 0 || column == 0 || row == 19 || column == 29;
-                cells[row * 30 + column] =
-                        edge || (row == 10 && column == 15) ? OccupancyGrid.OCCUPIED : OccupancyGrid.FREE;
-            }
-        }
-        return new OccupancyGrid(30, 20, 0.1, -1, 2, cells);
+        return Seen.hall(30, 20, -1, 2, 10 * 30 + 15);
     }
 
     /// log(z_hit exp(-d² / 2 σ²) + z_rand), where z_hit = 1 - z_rand and d is how far the nearest wall is.

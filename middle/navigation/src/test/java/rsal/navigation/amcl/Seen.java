@@ -47,6 +47,25 @@ final class Seen {
     private final OccupancyGrid map;
     private final ObviousRays rays;
 
+    /// A hall with walls of one cell all around, in cells of 0.1 m.
+    ///
+    /// @param x of its lower left corner in the map [m]
+    /// @param y likewise
+    /// @param inside cells with a wall besides, row by row
+    static OccupancyGrid hall(int columns, int rows, double x, double y, int... inside) {
+        byte[] cells = new byte[columns * rows];
+        for (int cell = 0; cell < cells.length; cell++) {
+            int column = cell % columns;
+            int row = cell / columns;
+            boolean isWall = row == 0 || column == 0 || row == rows - 1 || column == columns - 1;
+            cells[cell] = isWall ? OccupancyGrid.OCCUPIED : OccupancyGrid.FREE;
+        }
+        for (int cell : inside) {
+            cells[cell] = OccupancyGrid.OCCUPIED;
+        }
+        return new OccupancyGrid(columns, rows, 0.1, x, y, cells);
+    }
+
     /// A map drawn with signs of 0.25 m, in cells of 0.05 m.
     static DrawnMap fine(String drawing) {
         DrawnMap drawn = DrawnMap.grid(0.25, drawing);
