@@ -19,7 +19,7 @@ public final class Suggestion {
     public static String among(String read, Collection<String> known) {
         return FormerNames.replacement(read, known)
                 .map(word -> "'%s' is now called '%s'.".formatted(read, word))
-                .or(() -> closest(read, known).map("Maybe '%s' was meant?"::formatted))
+                .or(() -> similar(read, known).map("Maybe '%s' was meant?"::formatted))
                 .orElseGet(() -> known.isEmpty() ? "Nothing is known here." : "Known are: " + listed(known) + ".");
     }
 
@@ -31,10 +31,10 @@ public final class Suggestion {
     /// The known word that replaces a former name; or that takes the fewest changes, if that is at most a third of its
     /// letters; else the only one that begins so, which somebody may call it for short.
     public static Optional<String> closest(String read, Collection<String> known) {
-        Optional<String> replacement = FormerNames.replacement(read, known);
-        if (replacement.isPresent()) {
-            return replacement;
-        }
+        return FormerNames.replacement(read, known).or(() -> similar(read, known));
+    }
+
+    private static Optional<String> similar(String read, Collection<String> known) {
         String lower = read.toLowerCase(Locale.ROOT);
         if (lower.length() > 100) {
             return Optional.empty();
