@@ -80,7 +80,7 @@ class ProseTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"anew, 40", "likewise, 14", "whoever, 46", "lest, 0", "by custom, 1", "sees to it, 1", "what came of, 9"
+    @CsvSource({"anew, 29", "likewise, 14", "whoever, 46", "lest, 0", "by custom, 1", "sees to it, 1", "what came of, 9"
     })
     void wordsThatReadersStumbleOverGetFewer(String word, int most) {
         Pattern whole = Pattern.compile("(?i)\\b%s\\b".formatted(word));

@@ -9,6 +9,6 @@ public enum Phase {
     DEVICES,
     /// Behaviors and agents decide.
     THINK,
-    /// The run itself looks at what came of it: stop conditions, measures.
+    /// The run evaluates its stop conditions and metrics.
     OBSERVE
 }

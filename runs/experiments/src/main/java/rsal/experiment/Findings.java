@@ -13,7 +13,7 @@ import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
-import rsal.experiment.Manifest.MetricExpression;
+import rsal.experiment.Manifest.MetricEntry;
 import rsal.experiment.statistics.Effect;
 import rsal.experiment.statistics.Effect.Pair;
 import rsal.settings.InvalidSettings;
@@ -56,7 +56,7 @@ public record Findings(Manifest manifest, List<Row> rows) {
 
     /// What was measured in a run; of a metric that each robot has, the mean over its robots, as those of
     /// one run are not independent of each other. Empty where there was nothing to measure.
-    public OptionalDouble value(Row row, MetricExpression metric) {
+    public OptionalDouble value(Row row, MetricEntry metric) {
         if (!metric.perRobot()) {
             return row.metrics().getOrDefault(metric.name(), OptionalDouble.empty());
         }
@@ -68,8 +68,8 @@ public record Findings(Manifest manifest, List<Row> rows) {
     }
 
     /// What was measured in all runs, as it can be averaged and compared.
-    public MetricTable measurements(MetricExpression metric) {
-        return MetricTable.of(this, metric);
+    public MetricSamples measurements(MetricEntry metric) {
+        return MetricSamples.of(this, metric);
     }
 
     /// What a report compares: other levels of each of [Design#compared].
@@ -80,7 +80,7 @@ public record Findings(Manifest manifest, List<Row> rows) {
     }
 
     /// What a change does to a metric: over all combinations of what is varied besides, by seed.
-    public Effect effect(Change change, MetricTable measurements) {
+    public Effect effect(Change change, MetricSamples measurements) {
         return Effect.of(blocks(change, measurements::of, _ -> true));
     }
 
@@ -91,7 +91,7 @@ public record Findings(Manifest manifest, List<Row> rows) {
     }
 
     /// What it does to a metric where another factor has some level.
-    public Effect effectWhere(Change change, Factor other, String level, MetricTable measurements) {
+    public Effect effectWhere(Change change, Factor other, String level, MetricSamples measurements) {
         return Effect.of(blocks(change, measurements::of, with(other, level)));
     }
 
@@ -124,7 +124,7 @@ public record Findings(Manifest manifest, List<Row> rows) {
 
     /// How much more a change does after the other one: the difference of two differences, by seed. D. Montgomery,
     /// Design and Analysis of Experiments, 8th edition, section 5.1.
-    public Effect effect(Interaction interaction, MetricTable measurements) {
+    public Effect effect(Interaction interaction, MetricSamples measurements) {
         Factor other = interaction.where().factor();
         List<List<Pair>> before = blocks(
                 interaction.change(),

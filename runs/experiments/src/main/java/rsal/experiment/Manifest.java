@@ -26,7 +26,7 @@ public record Manifest(
         Subject subject,
         String title,
         List<Argument> arguments,
-        List<MetricExpression> metrics,
+        List<MetricEntry> metrics,
         List<Session> sessions,
         String scenarioText) {
     static final int FORMAT = 1;
@@ -111,7 +111,7 @@ public record Manifest(
     /// @param perRobot whether each robot has a value of its own, called `<name>.<robot>`
     /// @param better `less`, `more` or `neither`
     /// @param kind [#VALUE] or [#EVENT_TIME]; empty in a file that is older than these, where all are values
-    public record MetricExpression(String name, String unit, boolean perRobot, String better, Optional<String> kind) {
+    public record MetricEntry(String name, String unit, boolean perRobot, String better, Optional<String> kind) {
         /// Something that there may be nothing of in a run.
         public static final String VALUE = "value";
 
@@ -122,8 +122,8 @@ public record Manifest(
             return kind.equals(Optional.of(EVENT_TIME));
         }
 
-        static MetricExpression of(MetricDefinition measured) {
-            return new MetricExpression(
+        static MetricEntry of(MetricDefinition measured) {
+            return new MetricEntry(
                     measured.name(),
                     measured.unit(),
                     measured.perRobot(),
@@ -180,7 +180,7 @@ public record Manifest(
                 sweep.scenario().arguments().stream()
                         .map(p -> new Argument(p.name(), p.unit(), p.description()))
                         .toList(),
-                sweep.metrics().stream().map(MetricExpression::of).toList(),
+                sweep.metrics().stream().map(MetricEntry::of).toList(),
                 List.of(session),
                 sweep.scenario().text());
     }

@@ -16,7 +16,7 @@ import rsal.scenario.RunPlan;
 /// How a recorded run ended, as metadata of its file.
 final class RecordedOutcome {
     static final String NAME = "rsal.result";
-    static final String MEASURE = "metric.";
+    static final String METRIC = "metric.";
     private static final String FAILED = "failed."; // and an agent's name
     private static final String END_POSE = "endPose."; // and a robot's name: x y theta
     private static final String UNHANDLED = "unhandledGoals.";
@@ -45,10 +45,10 @@ final class RecordedOutcome {
             if (name.startsWith(UNHANDLED)) {
                 unhandled.put(name.substring(UNHANDLED.length()), List.of(value.split("\n")));
             }
-            if (name.startsWith(MEASURE)) {
+            if (name.startsWith(METRIC)) {
                 double number = number(value);
                 metrics.put(
-                        name.substring(MEASURE.length()),
+                        name.substring(METRIC.length()),
                         Double.isNaN(number) ? OptionalDouble.empty() : OptionalDouble.of(number));
             }
         });
@@ -102,7 +102,7 @@ final class RecordedOutcome {
             entries.put("eventHash", ended.eventHash());
             ended.metrics()
                     .forEach((name, value) ->
-                            entries.put(MEASURE + name, value.isPresent() ? Double.toString(value.getAsDouble()) : ""));
+                            entries.put(METRIC + name, value.isPresent() ? Double.toString(value.getAsDouble()) : ""));
             entries.put("outOfBounds", String.join(" ", ended.outOfBounds()));
             ended.endPoses()
                     .forEach((robot, pose) ->

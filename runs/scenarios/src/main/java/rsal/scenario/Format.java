@@ -40,7 +40,7 @@ final class Format {
             "It is under GPL-3.0 and comes only when it is asked for. Maybe try RSAL_WITH=jadex ./rsal run hunt-and-prey"
                     + " --mas jadex --clock wall (docs/how-to/jadex.md).");
 
-    static final Parameter<String> TOUCH = Parameter.choice(
+    static final Parameter<String> ON_COLLISION = Parameter.choice(
             "onCollision",
             Touch.STALL.word(),
             Touch.words(),
@@ -91,7 +91,7 @@ final class Format {
             Parameter.number("radius", 1, 0.01, 1e6, "m", "How far from 'at' a place reaches.");
     static final Parameter<Double> WITHIN = Parameter.number(
             "within", 1, 0.1, 100, "m", "How far from a thing's middle a robot's may be, with no wall between.");
-    static final Parameter<Double> STAYS =
+    static final Parameter<Double> DURATION =
             Parameter.number("duration", 0, 0, 3600, "s", "For how long a robot must be there on end.");
 
     /// Stands for all robots where a role could stand.

@@ -17,7 +17,7 @@ record Needs(AgentType type, Optional<Arguments> arguments) {
         return arguments.map(type::needs).orElseGet(type::needs);
     }
 
-    /// In messages: `Agent (follow) with (sees: fiducials)`, with the arguments but for which it would need less of
+    /// In messages: `Agent 'follow' with 'sees: fiducials'`, with the arguments but for which it would need less of
     /// what is missing.
     String whose(List<Class<? extends Device>> missing) {
         String why = arguments.stream()

@@ -159,7 +159,7 @@ final class PlannedThingReader {
         String by = reach.text("by");
         double within = (Double) reach.value(Format.WITHIN).orElse(1.0);
         Duration stays = Duration.ofMillis(
-                Math.round(1000 * (Double) reach.value(Format.STAYS).orElse(0.0)));
+                Math.round(1000 * (Double) reach.value(Format.DURATION).orElse(0.0)));
         if (!by.isEmpty() && !by.equals(Format.ALL) && robots.role(by).isEmpty() && !robots.open()) {
             noRole(reach, "by", by);
         }

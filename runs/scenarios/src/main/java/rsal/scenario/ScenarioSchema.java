@@ -195,7 +195,7 @@ public final class ScenarioSchema {
     }
 
     private Map<String, Object> world(boolean partial) {
-        var touch = parameter(Format.TOUCH);
+        var touch = parameter(Format.ON_COLLISION);
         var either = fields("map", map(), "file", file(), "onCollision", touch);
         if (partial) {
             return group(either, List.of());
@@ -315,7 +315,7 @@ public final class ScenarioSchema {
                                                 fields(
                                                         "by", described(text(), "Role of the robots, or all."),
                                                         "within", parameter(Format.WITHIN),
-                                                        "duration", parameter(Format.STAYS)),
+                                                        "duration", parameter(Format.DURATION)),
                                                 partial ? List.of() : List.of("by")),
                                         "Which robots are to get to each.")),
                 partial ? List.of() : List.of("pose", "body"));

@@ -84,7 +84,9 @@ final class WorldReader {
     }
 
     private static Optional<Touch> touch(Section world) {
-        return world.has(Format.TOUCH.name()) ? world.value(Format.TOUCH).flatMap(Touch::of) : Optional.empty();
+        return world.has(Format.ON_COLLISION.name())
+                ? world.value(Format.ON_COLLISION).flatMap(Touch::of)
+                : Optional.empty();
     }
 
     private Scene scene(String path, Location at) {

@@ -20,7 +20,7 @@ import rsal.settings.Parameter;
 
 /// Looks for things of a color, and has others collect them.
 public final class Explore extends AgentTypeBase {
-    private static final String LOOKOUTS = "viewpoints";
+    private static final String VIEWPOINTS = "viewpoints";
     private static final double NARROW = 0; // rad, its view: it turns all around
 
     static final Parameter<String> COLOR =
@@ -31,7 +31,7 @@ public final class Explore extends AgentTypeBase {
     static final Parameter<String> ROAM = Parameter.choice(
             "roam",
             "walls",
-            List.of("walls", LOOKOUTS),
+            List.of("walls", VIEWPOINTS),
             "How it gets about: along the walls, or between places spread over the map, which takes a navigator and"
                     + " a device of type 'places'.");
 
@@ -45,7 +45,7 @@ public final class Explore extends AgentTypeBase {
 
     @Override
     protected List<Class<? extends Device>> needsBesides(Arguments arguments) {
-        return arguments.get(ROAM).equals(LOOKOUTS) ? List.of(Navigator.class, PlaceFinder.class) : List.of();
+        return arguments.get(ROAM).equals(VIEWPOINTS) ? List.of(Navigator.class, PlaceFinder.class) : List.of();
     }
 
     @Override
@@ -56,7 +56,7 @@ public final class Explore extends AgentTypeBase {
         var finds = new Detections(self);
         finds.begin();
         new Spotting(self, robot, reporter, Spotting.color(arguments, COLOR), arguments.get(RANGE), finds::see).begin();
-        if (arguments.get(ROAM).equals(LOOKOUTS)) {
+        if (arguments.get(ROAM).equals(VIEWPOINTS)) {
             roam(self, robot, reporter, arguments.get(Viewpoints.COUNT));
         } else {
             Roaming.alongWalls(self, robot).begin();

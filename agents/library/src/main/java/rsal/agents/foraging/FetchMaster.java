@@ -12,8 +12,8 @@ public final class FetchMaster extends AgentTypeBase {
             "allocation",
             "bids",
             List.of("bids", "first"),
-            "Who fetches what: so that all is done soon, by what ways would cost those who bid; or whoever is free what"
-                    + " was found first.");
+            "How the team divides things: by bids of what the paths cost, so that all is done soon; or a free robot"
+                    + " fetches what was found first.");
 
     public FetchMaster() {
         super("fetch", "Has a team fetch what others have found.", List.of(ALLOCATION), List.of());

@@ -9,8 +9,8 @@ import java.util.Optional;
 import rsal.cli.terminal.TextTable;
 import rsal.experiment.Combination;
 import rsal.experiment.Findings;
-import rsal.experiment.Manifest.MetricExpression;
-import rsal.experiment.MetricTable;
+import rsal.experiment.Manifest.MetricEntry;
+import rsal.experiment.MetricSamples;
 import rsal.experiment.Row;
 import rsal.experiment.SweepFolder;
 import rsal.experiment.report.Conclusions;
@@ -51,7 +51,7 @@ record SweepSummary(Findings findings, Path folder) {
             double mean,
             Optional<Double> low,
             Optional<Double> high) {
-        static Estimate of(MetricTable measurements, Combination combination, Mean mean) {
+        static Estimate of(MetricSamples measurements, Combination combination, Mean mean) {
             return new Estimate(
                     mean.count(),
                     measurements.reached(combination),
@@ -80,7 +80,7 @@ record SweepSummary(Findings findings, Path folder) {
         var outcomes = new LinkedHashMap<String, Long>();
         rows.forEach(row -> outcomes.merge(row.outcome(), 1L, Long::sum));
         var metrics = new LinkedHashMap<String, Estimate>();
-        for (MetricTable measured : measurements()) {
+        for (MetricSamples measured : measurements()) {
             measured.mean(combination)
                     .ifPresent(mean -> metrics.put(measured.metric().name(), Estimate.of(measured, combination, mean)));
         }
@@ -89,7 +89,7 @@ record SweepSummary(Findings findings, Path folder) {
 
     /// For people.
     String text() {
-        List<MetricTable> metrics = measurements();
+        List<MetricSamples> metrics = measurements();
         var table = new TextTable("");
         var head = new ArrayList<>(List.of("combination", "runs", "success"));
         metrics.forEach(measured -> head.add(head(measured.metric())));
@@ -108,18 +108,18 @@ record SweepSummary(Findings findings, Path folder) {
                         .formatted(folder.resolve(SweepFolder.TABLE), folder);
     }
 
-    private List<MetricTable> measurements() {
+    private List<MetricSamples> measurements() {
         return findings.manifest().metrics().stream()
                 .map(findings::measurements)
                 .toList();
     }
 
-    private static String head(MetricExpression metric) {
+    private static String head(MetricEntry metric) {
         return metric.unit().isEmpty() ? metric.name() : "%s [%s]".formatted(metric.name(), metric.unit());
     }
 
     /// `80 ± 22`, and in how many runs there was something to measure where that is not in all.
-    private static String cell(MetricTable measurements, Combination combination) {
+    private static String cell(MetricSamples measurements, Combination combination) {
         String mean = measurements.mean(combination).map(SweepSummary::words).orElse("–");
         int reached = measurements.reached(combination);
         int runs = measurements.runs(combination);

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import rsal.experiment.Combination;
 import rsal.experiment.Findings;
-import rsal.experiment.MetricTable;
+import rsal.experiment.MetricSamples;
 import rsal.experiment.Row;
 import rsal.experiment.statistics.BoxPlot;
 import rsal.experiment.statistics.ConfidenceInterval;
@@ -21,7 +21,7 @@ import rsal.server.message.Messages.SweepRunInfo;
 /// What came of a sweep so far, as the page shows it. The numbers are those of `rsal report`.
 record SweepDescription(int broken, List<SweepMetric> metrics, List<SweepCombination> combinations) {
     static SweepDescription of(Findings findings) {
-        List<MetricTable> metrics = findings.manifest().metrics().stream()
+        List<MetricSamples> metrics = findings.manifest().metrics().stream()
                 .map(findings::measurements)
                 .toList();
         List<String> outcomes =
@@ -34,7 +34,7 @@ record SweepDescription(int broken, List<SweepMetric> metrics, List<SweepCombina
                         .toList());
     }
 
-    private static SweepMetric metric(MetricTable measurements) {
+    private static SweepMetric metric(MetricSamples measurements) {
         return new SweepMetric(
                 measurements.metric().name(),
                 measurements.metric().unit(),
@@ -44,10 +44,10 @@ record SweepDescription(int broken, List<SweepMetric> metrics, List<SweepCombina
     }
 
     private static SweepCombination combination(
-            Findings findings, Combination combination, List<String> outcomes, List<MetricTable> metrics) {
+            Findings findings, Combination combination, List<String> outcomes, List<MetricSamples> metrics) {
         List<Row> rows = findings.of(combination);
         var estimates = new LinkedHashMap<String, SweepEstimate>();
-        for (MetricTable measurements : metrics) {
+        for (MetricSamples measurements : metrics) {
             measurements
                     .mean(combination)
                     .ifPresent(mean -> estimates.put(

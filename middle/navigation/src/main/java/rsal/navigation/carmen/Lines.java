@@ -93,7 +93,7 @@ final class Lines {
                     file, number, "The packed file ends early. Maybe it was cut short on its way; fetch it again.", e);
         } catch (ZipException e) {
             throw new BrokenLog(
-                    file, number, "The packed file is damaged here '%s'. Fetch it again.".formatted(e.getMessage()), e);
+                    file, number, "The packed file is damaged here (%s). Fetch it again.".formatted(e.getMessage()), e);
         }
         next = 0;
         return blockEnd > 0;

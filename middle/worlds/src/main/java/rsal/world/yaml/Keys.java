@@ -21,7 +21,7 @@ final class Keys {
     static final Parameter<Double> STEP =
             Parameter.number("step", 0.1, 0.01, 0.2, "s", "Time between two states of the world.");
     static final Parameter<Double> END = Parameter.number("end", 0, 0, 1e9, "s", "How long a run of it takes.");
-    static final Parameter<String> TOUCH = Parameter.choice(
+    static final Parameter<String> ON_COLLISION = Parameter.choice(
             "onCollision",
             Touch.STALL.word(),
             Touch.words(),

@@ -57,7 +57,7 @@ public final class SceneWriter {
         scene.step().ifPresent(step -> text.add("step", step.toNanos() / 1e9));
         scene.end().ifPresent(end -> text.add("end", end.toNanos() / 1e9));
         if (scene.touch() != Touch.STALL) {
-            text.add(Keys.TOUCH.name(), scene.touch().word());
+            text.add(Keys.ON_COLLISION.name(), scene.touch().word());
         }
         addIfAny("walls", scene.walls().stream().map(this::wall).toList());
         var things = new LinkedHashMap<String, Object>();

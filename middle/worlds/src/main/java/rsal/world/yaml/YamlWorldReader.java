@@ -62,7 +62,7 @@ final class YamlWorldReader {
         root.text("description", "");
         Optional<Duration> step = time(Keys.STEP);
         Optional<Duration> end = time(Keys.END);
-        Touch touch = root.value(Keys.TOUCH).flatMap(Touch::of).orElse(Touch.STALL);
+        Touch touch = root.value(Keys.ON_COLLISION).flatMap(Touch::of).orElse(Touch.STALL);
         double[] area = FloorPlace.area(root, "area").orElse(null);
         var names = new Names(problems);
         var walls = new WallReader(files, names);

@@ -258,7 +258,7 @@ class RadioTest {
         }
     }
 
-    /// What is between two robots is looked at once, whoever of them says something.
+    /// What is between two robots is looked at once, for messages both ways.
     @Test
     void wallsStandInTheWayOfBoth() {
         places.put("a", new Point2d(4, 1));

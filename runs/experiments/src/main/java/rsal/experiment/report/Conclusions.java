@@ -8,8 +8,8 @@ import rsal.experiment.Change;
 import rsal.experiment.Combination;
 import rsal.experiment.Findings;
 import rsal.experiment.Findings.Interaction;
-import rsal.experiment.Manifest.MetricExpression;
-import rsal.experiment.MetricTable;
+import rsal.experiment.Manifest.MetricEntry;
+import rsal.experiment.MetricSamples;
 import rsal.experiment.statistics.ConfidenceInterval;
 import rsal.experiment.statistics.Effect;
 import rsal.experiment.statistics.Mean;
@@ -29,8 +29,8 @@ public final class Conclusions {
     }
 
     /// One metric.
-    record Quantity(MetricTable measurements, List<Compared<Change>> changes, List<InPlaces> interactions) {
-        MetricExpression metric() {
+    record Quantity(MetricSamples measurements, List<Compared<Change>> changes, List<InPlaces> interactions) {
+        MetricEntry metric() {
             return measurements.metric();
         }
     }
@@ -74,8 +74,8 @@ public final class Conclusions {
         return outcomes.size() <= 2 ? outcomes.subList(0, outcomes.size() / 2) : outcomes;
     }
 
-    private static Quantity quantity(Findings findings, MetricExpression metric) {
-        MetricTable measurements = findings.measurements(metric);
+    private static Quantity quantity(Findings findings, MetricEntry metric) {
+        MetricSamples measurements = findings.measurements(metric);
         List<Compared<Interaction>> interactions =
                 Compared.together(findings.interactions(), each -> findings.effect(each, measurements));
         return new Quantity(
@@ -97,7 +97,7 @@ public final class Conclusions {
                         .toList());
     }
 
-    private static Effect where(Findings findings, Interaction interaction, String level, MetricTable measurements) {
+    private static Effect where(Findings findings, Interaction interaction, String level, MetricSamples measurements) {
         return findings.effectWhere(interaction.change(), interaction.where().factor(), level, measurements);
     }
 
@@ -141,7 +141,7 @@ public final class Conclusions {
                                 + each.subject().outcome(),
                         "")));
         for (Quantity quantity : quantities) {
-            MetricExpression metric = quantity.metric();
+            MetricEntry metric = quantity.metric();
             quantity.changes().stream()
                     .filter(each -> each.isKnown() && each.isClear() == clear)
                     .forEach(each -> sentences.add(sentence(
@@ -161,7 +161,7 @@ public final class Conclusions {
                 ": %s%s (%s)%s".formatted(NumberFormats.signed(compared.difference()), what, sure(compared), judged));
     }
 
-    private static Sentence sentence(MetricExpression metric, InPlaces places) {
+    private static Sentence sentence(MetricEntry metric, InPlaces places) {
         Interaction interaction = places.compared().subject();
         Change where = interaction.where();
         String factor = where.factor().argument();
@@ -199,7 +199,7 @@ public final class Conclusions {
                         p.startsWith("<") ? p : "= " + p);
     }
 
-    private static String judged(MetricExpression metric, double difference) {
+    private static String judged(MetricEntry metric, double difference) {
         return switch (metric.better()) {
             case "less" -> difference < 0 ? ": better" : ": worse";
             case "more" -> difference > 0 ? ": better" : ": worse";
@@ -207,7 +207,7 @@ public final class Conclusions {
         };
     }
 
-    private static String unit(MetricExpression metric) {
+    private static String unit(MetricEntry metric) {
         return metric.unit().isEmpty() ? "" : " " + metric.unit();
     }
 
@@ -222,7 +222,7 @@ public final class Conclusions {
                 .toList();
     }
 
-    static Optional<String> missing(MetricTable measurements, List<Combination> combinations) {
+    static Optional<String> missing(MetricSamples measurements, List<Combination> combinations) {
         int runs = combinations.stream().mapToInt(measurements::runs).sum();
         int used = combinations.stream().mapToInt(measurements::used).sum();
         int without =

@@ -12,8 +12,8 @@ import java.util.stream.Stream;
 import rsal.experiment.Change;
 import rsal.experiment.Combination;
 import rsal.experiment.Findings;
-import rsal.experiment.Manifest.MetricExpression;
-import rsal.experiment.MetricTable;
+import rsal.experiment.Manifest.MetricEntry;
+import rsal.experiment.MetricSamples;
 import rsal.experiment.Row;
 import rsal.experiment.report.Drawing.Align;
 import rsal.experiment.report.Drawing.Ink;
@@ -61,7 +61,7 @@ final class Figures {
         return (int) rows.stream().filter(row -> row.outcome().equals(outcome)).count();
     }
 
-    static String title(MetricExpression metric) {
+    static String title(MetricEntry metric) {
         String unit = metric.unit().isEmpty() ? "" : " [%s]".formatted(metric.unit());
         return metric.name() + unit + (metric.perRobot() ? ", mean over the robots of a run" : "");
     }
@@ -155,8 +155,8 @@ final class Figures {
     /// For each combination a box plot, and the mean with its interval.
     ///
     /// @param combinations that have values
-    static ReportFigure values(Findings findings, MetricTable measurements, List<Combination> combinations) {
-        MetricExpression metric = measurements.metric();
+    static ReportFigure values(Findings findings, MetricSamples measurements, List<Combination> combinations) {
+        MetricEntry metric = measurements.metric();
         var boxes = new ArrayList<BoxPlot>();
         var means = new ArrayList<Mean>();
         var numbers = new ArrayList<List<String>>();
@@ -243,7 +243,7 @@ final class Figures {
     /// In which share of runs it had happened by when: Kaplan-Meier curves, a few in each figure.
     ///
     /// @param combinations with a curve
-    static List<ReportFigure> curves(Findings findings, MetricTable measurements, List<Combination> combinations) {
+    static List<ReportFigure> curves(Findings findings, MetricSamples measurements, List<Combination> combinations) {
         int figures = (combinations.size() + CURVES.size() - 1) / CURVES.size();
         return IntStream.range(0, figures)
                 .mapToObj(i -> curves(
@@ -255,8 +255,8 @@ final class Figures {
     }
 
     private static ReportFigure curves(
-            Findings findings, MetricTable measurements, List<Combination> combinations, String part) {
-        MetricExpression metric = measurements.metric();
+            Findings findings, MetricSamples measurements, List<Combination> combinations, String part) {
+        MetricEntry metric = measurements.metric();
         double horizon = measurements.horizon().orElseThrow();
         var numbers = new ArrayList<List<String>>();
         for (Combination combination : combinations) {
@@ -306,7 +306,7 @@ final class Figures {
     private static void drawCurves(
             Drawing drawing,
             FigureLayout frame,
-            MetricTable measurements,
+            MetricSamples measurements,
             List<Combination> combinations,
             double horizon) {
         double bottom = frame.bottom(CURVES_HIGH);
@@ -365,7 +365,7 @@ final class Figures {
     /// For each change the mean difference with its interval.
     ///
     /// @param changes that are known
-    static ReportFigure effects(MetricExpression metric, List<Compared<Change>> changes) {
+    static ReportFigure effects(MetricEntry metric, List<Compared<Change>> changes) {
         List<Mean> means = changes.stream()
                 .map(change -> change.effect().difference().orElseThrow())
                 .toList();

@@ -21,7 +21,7 @@ import rsal.experiment.Factor;
 import rsal.experiment.Findings;
 import rsal.experiment.Manifest.Argument;
 import rsal.experiment.Manifest.Session;
-import rsal.experiment.MetricTable;
+import rsal.experiment.MetricSamples;
 import rsal.experiment.Recordings;
 import rsal.experiment.Row;
 import rsal.experiment.report.Conclusions.Quantity;
@@ -236,7 +236,7 @@ public final class Report {
     }
 
     private void quantity(Quantity quantity) {
-        MetricTable measurements = quantity.measurements();
+        MetricSamples measurements = quantity.measurements();
         html.append("<section>\n<h2>%s</h2>\n".formatted(text(Figures.title(quantity.metric()))));
         List<Combination> measured = combinations.stream()
                 .filter(combination -> measurements.used(combination) > 0)

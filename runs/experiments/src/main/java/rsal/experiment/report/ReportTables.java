@@ -9,7 +9,7 @@ import java.util.stream.Stream;
 import rsal.experiment.Change;
 import rsal.experiment.Combination;
 import rsal.experiment.Findings;
-import rsal.experiment.MetricTable;
+import rsal.experiment.MetricSamples;
 import rsal.experiment.Row;
 import rsal.experiment.report.Conclusions.Ending;
 import rsal.experiment.report.Conclusions.InPlaces;
@@ -217,7 +217,7 @@ final class ReportTables {
     }
 
     /// Of a metric that has a value in each run, or none.
-    static DataTable values(Findings findings, MetricTable measurements, List<Combination> combinations) {
+    static DataTable values(Findings findings, MetricSamples measurements, List<Combination> combinations) {
         var rows = new ArrayList<List<String>>();
         var exact = new ArrayList<List<String>>();
         for (Combination combination : combinations) {
@@ -254,7 +254,7 @@ final class ReportTables {
     }
 
     /// Of a metric that tells when something happened.
-    static DataTable times(Findings findings, MetricTable measurements, List<Combination> combinations) {
+    static DataTable times(Findings findings, MetricSamples measurements, List<Combination> combinations) {
         var rows = new ArrayList<List<String>>();
         var exact = new ArrayList<List<String>>();
         double horizon = measurements.horizon().orElse(0);

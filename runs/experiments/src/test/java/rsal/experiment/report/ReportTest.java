@@ -23,18 +23,18 @@ import rsal.experiment.Combination;
 import rsal.experiment.Factor;
 import rsal.experiment.Findings;
 import rsal.experiment.Manifest;
-import rsal.experiment.Manifest.MetricExpression;
-import rsal.experiment.MetricTable;
+import rsal.experiment.Manifest.MetricEntry;
+import rsal.experiment.MetricSamples;
 import rsal.experiment.Recordings;
 import rsal.experiment.Row;
 import rsal.experiment.Trial;
 import rsal.experiment.statistics.Effect;
 
 class ReportTest {
-    private static final MetricExpression TIME =
-            new MetricExpression("captureTime", "s", false, "less", Optional.of(MetricExpression.EVENT_TIME));
-    private static final MetricExpression ERROR =
-            new MetricExpression("error", "m", true, "neither", Optional.of(MetricExpression.VALUE));
+    private static final MetricEntry TIME =
+            new MetricEntry("captureTime", "s", false, "less", Optional.of(MetricEntry.EVENT_TIME));
+    private static final MetricEntry ERROR =
+            new MetricEntry("error", "m", true, "neither", Optional.of(MetricEntry.VALUE));
     private static final Factor HUNTERS = new Factor("hunters", List.of("2", "4"));
     private static final Change MORE_HUNTERS = new Change(HUNTERS, "2", "4");
     private static final Factor WORDS = new Factor("words", List.of("a", "b & <b>"));
@@ -109,7 +109,7 @@ class ReportTest {
 
     @Test
     void findsTheEffectThatIsThere() {
-        MetricTable times = findings.measurements(TIME);
+        MetricSamples times = findings.measurements(TIME);
         Effect effect = findings.effect(MORE_HUNTERS, times);
         assertThat(times.horizon()).hasValue(120);
         assertThat(effect.blocks()).isEqualTo(12);
@@ -125,7 +125,7 @@ class ReportTest {
     @Test
     void leavesNoRunOutForNotHavingGotThere() {
         Combination combination = findings.design().combinations().getLast();
-        MetricTable times = findings.measurements(TIME);
+        MetricSamples times = findings.measurements(TIME);
         assertThat(times.runs(combination)).isEqualTo(12);
         assertThat(times.used(combination)).isEqualTo(12);
         assertThat(times.reached(combination)).isEqualTo(11);
@@ -136,7 +136,7 @@ class ReportTest {
                 .orElseThrow();
         assertThat(times.mean(combination).orElseThrow().value()).isEqualTo(mean, within(1e-9));
 
-        MetricTable failed = new Findings(
+        MetricSamples failed = new Findings(
                         findings.manifest(),
                         findings.rows().stream().map(ReportTest::failedEarly).toList())
                 .measurements(TIME);

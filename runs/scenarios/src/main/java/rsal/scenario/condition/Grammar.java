@@ -23,7 +23,7 @@ import rsal.settings.Suggestion;
 /// all        = "all" and the word of a quantity that counts all, as in "allArrived"
 /// quantity   = word ["(" name {"," name} ")"]
 /// relation   = "<" | "<=" | ">" | ">=" | "==" | "!="
-/// metric    = "firstTime" "(" condition ")" | "count" "(" quantity ")" | "explored" | "distance" ["(" role ")"]
+/// metric     = "firstTime" "(" condition ")" | "count" "(" quantity ")" | "explored" | "distance" ["(" role ")"]
 ///            | function "(" sampled ")" | "quantile" "(" number "," sampled ")"
 /// function   = "last" | "min" | "mean" | "timeWeightedMean" | "rms" | "p50" | "p95" | "p99" | "max"
 /// sampled    = signal ["(" role ")"] | quantity
@@ -41,7 +41,7 @@ public final class Grammar {
     private static final Pattern UNKNOWN_ALL = Pattern.compile("all\\p{Upper}[\\w-]*");
     private static final Pattern TOKEN = Pattern.compile("\\s*(?:(?<word>" + QuantityType.WORD.pattern()
             + ")|(?<quoted>\"[^\"]+\")|(?<number>-?\\d+(?:\\.\\d+)?)" + "|(?<sign>[<>=!]=?|[(),]))");
-    private static final List<String> MEASURES = Stream.concat(
+    private static final List<String> METRICS = Stream.concat(
                     Stream.of("firstTime", "count", "explored", "distance", MetricExpression.Quantile.WORD),
                     Arrays.stream(MetricExpression.Function.values()).map(MetricExpression.Function::word))
             .toList();
@@ -264,7 +264,7 @@ public final class Grammar {
             return sampled(new MetricExpression.Quantile(share));
         }
         var function = word(List.of(MetricExpression.Function.values()), MetricExpression.Function::word)
-                .orElseThrow(() -> unknown("a metric", MEASURES));
+                .orElseThrow(() -> unknown("a metric", METRICS));
         take("(");
         return sampled(function);
     }

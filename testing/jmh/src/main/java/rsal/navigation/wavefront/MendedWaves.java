@@ -77,7 +77,7 @@ public class MendedWaves {
         for (int cell = 0; cell < without.ground().length; cell++) {
             if ((isThere ? with : without).isOpen(cell)) {
                 if (quick.at(cell) != slow.at(cell)) {
-                    throw new IllegalStateException("Cell '%d' costs '%d', '%d' by a wave that is spread anew."
+                    throw new IllegalStateException("Cell '%d' costs '%d', '%d' by a wave from the start."
                             .formatted(cell, quick.at(cell), slow.at(cell)));
                 }
                 reached += slow.at(cell) != Wave.UNREACHED ? 1 : 0;

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import rsal.experiment.Manifest.MetricExpression;
+import rsal.experiment.Manifest.MetricEntry;
 import rsal.experiment.statistics.KaplanMeier;
 import rsal.experiment.statistics.Mean;
 import rsal.experiment.statistics.Observation;
@@ -23,10 +23,10 @@ import rsal.experiment.statistics.Observation;
 /// Of other metrics, runs without a value are left out. So are, of all metrics, runs that broke.
 ///
 /// Immutable.
-public final class MetricTable {
+public final class MetricSamples {
     private static final String FAILURE = "failure";
 
-    private final MetricExpression metric;
+    private final MetricEntry metric;
     private final OptionalDouble horizon;
     private final Map<Integer, Sample> samples; // by combination
 
@@ -35,13 +35,13 @@ public final class MetricTable {
     /// @param reached runs with a value of their own
     private record Sample(int runs, Map<Integer, Double> values, int reached, Optional<KaplanMeier> curve) {}
 
-    private MetricTable(MetricExpression metric, OptionalDouble horizon, Map<Integer, Sample> samples) {
+    private MetricSamples(MetricEntry metric, OptionalDouble horizon, Map<Integer, Sample> samples) {
         this.metric = metric;
         this.horizon = horizon;
         this.samples = samples;
     }
 
-    static MetricTable of(Findings findings, MetricExpression metric) {
+    static MetricSamples of(Findings findings, MetricEntry metric) {
         var rows = new LinkedHashMap<Integer, List<Row>>();
         findings.rows()
                 .forEach(row -> rows.computeIfAbsent(row.combination(), _ -> new ArrayList<>())
@@ -49,17 +49,17 @@ public final class MetricTable {
         return metric.isEventTime() ? ofTimes(findings, metric, rows) : ofValues(findings, metric, rows);
     }
 
-    private static MetricTable ofValues(Findings findings, MetricExpression metric, Map<Integer, List<Row>> rows) {
+    private static MetricSamples ofValues(Findings findings, MetricEntry metric, Map<Integer, List<Row>> rows) {
         var samples = new HashMap<Integer, Sample>();
         rows.forEach((combination, runs) -> {
             var values = new HashMap<Integer, Double>();
             runs.forEach(row -> findings.value(row, metric).ifPresent(value -> values.put(row.run(), value)));
             samples.put(combination, new Sample(runs.size(), values, values.size(), Optional.empty()));
         });
-        return new MetricTable(metric, OptionalDouble.empty(), samples);
+        return new MetricSamples(metric, OptionalDouble.empty(), samples);
     }
 
-    private static MetricTable ofTimes(Findings findings, MetricExpression metric, Map<Integer, List<Row>> rows) {
+    private static MetricSamples ofTimes(Findings findings, MetricEntry metric, Map<Integer, List<Row>> rows) {
         var observed = new LinkedHashMap<Integer, Map<Integer, Observation>>(); // by combination and run
         rows.forEach((combination, runs) -> {
             var here = new LinkedHashMap<Integer, Observation>();
@@ -91,11 +91,11 @@ public final class MetricTable {
                             curve.map(KaplanMeier::happened).orElse(0),
                             curve));
         });
-        return new MetricTable(metric, horizon, samples);
+        return new MetricSamples(metric, horizon, samples);
     }
 
     /// Nothing of a run that broke.
-    private static Optional<Observation> observation(Findings findings, Row row, MetricExpression metric) {
+    private static Optional<Observation> observation(Findings findings, Row row, MetricEntry metric) {
         OptionalDouble time = findings.value(row, metric);
         if (time.isPresent()) {
             return Optional.of(Observation.happened(time.getAsDouble()));
@@ -121,7 +121,7 @@ public final class MetricTable {
                         .max();
     }
 
-    public MetricExpression metric() {
+    public MetricEntry metric() {
         return metric;
     }
 
