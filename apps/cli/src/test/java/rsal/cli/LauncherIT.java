@@ -320,7 +320,9 @@ class LauncherIT {
         assertThat(ended.code()).isEqualTo(1);
         assertThat(ended.out().strip()).isEqualTo("2 passed, 1 failed");
         assertThat(ended.err()).contains("Fetching the documentation's libraries failed", "npm error code EUSAGE\n");
-        assertThat(ended.err()).endsWith("rsal: FAILED a step without a test that failed, see above\n");
+        assertThat(ended.err())
+                .contains("rsal: FAILED a step without a test that failed:\n")
+                .endsWith("  npm error code EUSAGE\n");
     }
 
     @Test
