@@ -15,24 +15,36 @@ import rsal.time.Scheduler;
 /// Spreads places over the run's map, on the scheduler's threads for what takes long. Each question begins the same
 /// stream of random numbers, so that answers do not depend on what was asked before.
 final class MapPlaceFinder extends DeviceCore implements PlaceFinder {
-    /// What a ground is kept for.
-    record Key(OccupancyGrid map, double clearance) {}
+    /// What is kept for a team, since all of its robots ask for it: the ground around where it asked first, and what is
+    /// computed
+    /// of that for each number of places. Other parts of a map are looked at when they are asked for.
+    static final class Kept {
+        private record Ground(OccupancyGrid map, double clearance) {}
+
+        private record Places(ReachableSpace ground, int count) {}
+
+        private final ComputedOnce<Ground, ReachableSpace> grounds = new ComputedOnce<>();
+        private final ComputedOnce<Places, Spreader> spreaders = new ComputedOnce<>();
+
+        /// @throws IllegalArgumentException when there is no room for so many
+        private Spreader spreader(OccupancyGrid map, double clearance, Point2d start, int count) {
+            ReachableSpace ground =
+                    grounds.of(new Ground(map, clearance), _ -> ReachableSpace.around(map, clearance, start));
+            return ground.contains(start)
+                    ? spreaders.of(new Places(ground, count), _ -> new Spreader(ground, count))
+                    : new Spreader(ReachableSpace.around(map, clearance, start), count);
+        }
+    }
 
     private final OccupancyGrid map;
-    private final ComputedOnce<Key, ReachableSpace> grounds;
+    private final Kept kept;
     private final long seed;
     private final Scheduler scheduler;
 
-    /// @param grounds around where a team asked first; other parts of a map are looked at when they are asked for
-    MapPlaceFinder(
-            DeviceInfo info,
-            OccupancyGrid map,
-            ComputedOnce<Key, ReachableSpace> grounds,
-            long seed,
-            Scheduler scheduler) {
+    MapPlaceFinder(DeviceInfo info, OccupancyGrid map, Kept kept, long seed, Scheduler scheduler) {
         super(info);
         this.map = map;
-        this.grounds = grounds;
+        this.kept = kept;
         this.seed = seed;
         this.scheduler = scheduler;
     }
@@ -47,16 +59,11 @@ final class MapPlaceFinder extends DeviceCore implements PlaceFinder {
             return new Result.None("The start (%s, %s) is no place.".formatted(start.x(), start.y()));
         }
         try {
-            var spreader = new Spreader(ground(start, clearance), count);
+            Spreader spreader = kept.spreader(map, clearance, start, count);
             return new Result.Found(
                     spreader.spread(new SplittableRandom(seed), _ -> {}).places());
         } catch (IllegalArgumentException e) { // what can't be: each says why
             return new Result.None(String.valueOf(e.getMessage()));
         }
-    }
-
-    private ReachableSpace ground(Point2d start, double clearance) {
-        ReachableSpace kept = grounds.of(new Key(map, clearance), _ -> ReachableSpace.around(map, clearance, start));
-        return kept.contains(start) ? kept : ReachableSpace.around(map, clearance, start);
     }
 }

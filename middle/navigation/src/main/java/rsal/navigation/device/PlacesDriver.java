@@ -3,13 +3,12 @@ package rsal.navigation.device;
 import rsal.device.Device;
 import rsal.device.DeviceInfo;
 import rsal.device.PlaceFinder;
-import rsal.navigation.spread.ReachableSpace;
 import rsal.robot.DeviceDriver;
 import rsal.settings.Arguments;
 
 /// Makes place finders that spread places over the run's map ([rsal.navigation.spread.Spreader]).
 public final class PlacesDriver implements DeviceDriver {
-    private final ComputedOnce<MapPlaceFinder.Key, ReachableSpace> grounds = new ComputedOnce<>();
+    private final MapPlaceFinder.Kept kept = new MapPlaceFinder.Kept();
 
     @Override
     public String key() {
@@ -31,7 +30,7 @@ public final class PlacesDriver implements DeviceDriver {
         return new MapPlaceFinder(
                 new DeviceInfo(context.robot().id(), context.name(), key()),
                 context.map(),
-                grounds,
+                kept,
                 context.random().nextLong(),
                 context.scheduler());
     }

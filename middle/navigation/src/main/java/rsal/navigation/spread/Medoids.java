@@ -15,41 +15,24 @@ import java.util.random.RandomGenerator;
 ///
 /// Not safe for several threads at once.
 final class Medoids {
-    /// Memory and time grow with its square: 16 MB.
-    static final int MOST = 2000;
-
     private static final int MOST_ROUNDS = 50;
 
     private final int size;
     private final double[] weights;
-    private final float[] squares; // by pair
-    private final float beyond; // more than any
+    private final float[] squares;
+    private final float beyond;
     private final float[] nearest;
     private final float[] second;
     private final int[] nearestOf;
 
-    /// @param patches at most [#MOST]
-    Medoids(Patches patches) {
-        this.size = patches.count();
-        this.weights = new double[size];
-        this.squares = new float[size * size];
+    Medoids(PatchDistances distances) {
+        this.size = distances.size();
+        this.weights = distances.weights();
+        this.squares = distances.squares();
+        this.beyond = distances.beyond();
         this.nearest = new float[size];
         this.second = new float[size];
         this.nearestOf = new int[size];
-        var flood = new Flood(patches);
-        float most = 0;
-        for (int from = 0; from < size; from++) {
-            weights[from] = patches.weight(from);
-            flood.clear();
-            flood.source(from, 0);
-            flood.flood();
-            for (int to = 0; to < size; to++) {
-                float distance = flood.distance(to);
-                squares[from * size + to] = distance * distance;
-                most = Math.max(most, distance * distance);
-            }
-        }
-        this.beyond = 2 * most + 1;
     }
 
     /// Draws seeds.

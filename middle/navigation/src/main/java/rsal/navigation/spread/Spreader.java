@@ -26,7 +26,8 @@ import rsal.data.Point2d;
 /// tell apart begin each as far as can be from those before (T. Gonzalez, Clustering to minimize the maximum
 /// intercluster distance, Theoretical Computer Science 38, 1985) and go downhill from there.
 ///
-/// The same random numbers give the same places. Not safe for several threads at once.
+/// The same random numbers give the same places. Safe for several threads at once: what is computed of the ground never
+/// changes, and each call has arrays of its own.
 public final class Spreader {
     private static final int MOST_SWAPPED = 128;
     private static final int PATCHES_PER_PLACE = 32;
@@ -41,8 +42,7 @@ public final class Spreader {
     private final Optional<Coarse> coarse;
     private final boolean anywhere;
 
-    /// @param choice of which patch is which, and how to choose
-    private record Coarse(Patches patches, Medoids choice) {}
+    private record Coarse(Patches patches, PatchDistances distances) {}
 
     /// What was chosen on the coarse level, and the sum of its squares.
     private record Choice(int[] patches, double sum) {}
@@ -95,13 +95,15 @@ public final class Spreader {
     }
 
     private Optional<Coarse> coarse(int fineSide) {
-        int times = side(fine.count(), Medoids.MOST);
+        int times = side(fine.count(), PatchDistances.MOST);
         Patches patches = times == 1 ? fine : new Patches(ground, fineSide * times);
-        while (patches.count() > Medoids.MOST) {
+        while (patches.count() > PatchDistances.MOST) {
             times++;
             patches = new Patches(ground, fineSide * times); // blocks of whole blocks: no two places get the same
         }
-        return patches.count() >= number ? Optional.of(new Coarse(patches, new Medoids(patches))) : Optional.empty();
+        return patches.count() >= number
+                ? Optional.of(new Coarse(patches, PatchDistances.between(patches)))
+                : Optional.empty();
     }
 
     /// Side of blocks that cut so many cells into about so many pieces.
@@ -137,10 +139,11 @@ public final class Spreader {
 
     private List<int[]> chosen(Coarse level, RandomGenerator random, DoubleConsumer progress) {
         boolean[] may = mayStand(level.patches);
+        var medoids = new Medoids(level.distances);
         var choices = new Choice[STARTS];
         for (int i = 0; i < STARTS; i++) {
-            int[] chosen = level.choice.seed(number, may, random);
-            choices[i] = new Choice(chosen, level.choice.swap(chosen, may));
+            int[] chosen = medoids.seed(number, may, random);
+            choices[i] = new Choice(chosen, medoids.swap(chosen, may));
             progress.accept((i + 1.0) / (2 * STARTS));
         }
         return Arrays.stream(choices)
@@ -154,8 +157,9 @@ public final class Spreader {
     /// Exact medoids on the coarse level, then downhill on the fine one.
     public Spread lloyd(RandomGenerator random) {
         int[] at = coarse.map(level -> {
-                    int[] chosen = level.choice.anywhere(number, random);
-                    level.choice.lloyd(chosen);
+                    var medoids = new Medoids(level.distances);
+                    int[] chosen = medoids.anywhere(number, random);
+                    medoids.lloyd(chosen);
                     return finer(level.patches, chosen);
                 })
                 .orElseGet(() -> farFromEachOther(all(fine), random));
