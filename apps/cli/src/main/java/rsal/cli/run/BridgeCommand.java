@@ -49,7 +49,8 @@ public final class BridgeCommand extends Subcommand {
     @Parameters(
             index = "0",
             paramLabel = "PROTOCOL",
-            description = "player; player-3.0 for programs that were built for Player 3.0")
+            description = "One of those that 'rsal list bridges' names: player; player-3.0 for programs that were built"
+                    + " for Player 3.0")
     private String key = "";
 
     @Parameters(
