@@ -16,6 +16,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import rsal.testkit.LongTest;
 
 /// JADE's tables of agents, as a platform has them.
 @Timeout(60)
@@ -23,6 +24,7 @@ class AgentTablesTest {
     private static final int OTHERS = 500_000; // a hash map of so many is empty for 20 ms while it grows
 
     @Test
+    @LongTest
     void whoIsThereIsFoundWhileOthersComeAndGo() throws Exception {
         Platform platform = Platform.start();
         try {

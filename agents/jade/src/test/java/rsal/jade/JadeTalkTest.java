@@ -33,6 +33,7 @@ import rsal.agent.ServiceDescription;
 import rsal.agent.Topic;
 import rsal.agent.platform.AgentPlatform.Status;
 import rsal.agent.protocol.Request;
+import rsal.testkit.LongTest;
 import rsal.time.WallScheduler;
 
 /// What agents and tools of JADE's see of ours.
@@ -303,6 +304,7 @@ class JadeTalkTest {
     }
 
     @Test
+    @LongTest
     void anAgentThatNeverReturnsIsLeftAndLoggedAsTheRestIs() throws InterruptedException {
         awaitEnds(); // as above
         var said = new ByteArrayOutputStream();

@@ -17,6 +17,7 @@ import rsal.engine.report.Answer;
 import rsal.engine.report.RunResult;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
+import rsal.testkit.LongTest;
 
 /// The same scenarios on Jadex as on our own host, to ends that are quick to reach, in real time, so all at once; and
 /// hunters that think by Jadex.
@@ -48,6 +49,7 @@ class JadexIT {
     }
 
     @Test
+    @LongTest
     void huntersThatThinkByJadexCatchThePreyAndShowWhatTheyWant() throws Exception {
         RunOptions options = RunOptions.NONE.withSeed(4).withArguments(Map.of("catchDistance", "3.0", "hunters", "3"));
         try (var hunt = LiveRun.start(Scenario.load(HUNTERS).plan(options))) {

@@ -55,6 +55,7 @@ import rsal.robot.Robot;
 import rsal.settings.Arguments;
 import rsal.settings.InvalidSettings;
 import rsal.system.RobotSystemProvider;
+import rsal.testkit.Rounds;
 import rsal.testkit.contract.Ports;
 import rsal.testkit.contract.RobotBench;
 import rsal.testkit.fake.FakeBattery;
@@ -801,7 +802,7 @@ class AgentSpeakAgentTest extends RobotBench {
             ".nth(-1, [a], X)",
             "for (.member(X, 1)) { stop }"
         };
-        for (long seed = 1; seed <= 400; seed++) {
+        for (long seed = 1; seed <= Rounds.of(80, 400); seed++) {
             var random = new SplittableRandom(seed);
             var body = new ArrayList<String>();
             for (int i = random.nextInt(1, 8); i > 0; i--) {

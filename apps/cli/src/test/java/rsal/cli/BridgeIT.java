@@ -26,6 +26,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import rsal.testkit.LongTest;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -131,6 +132,7 @@ class BridgeIT {
     }
 
     @Test
+    @LongTest
     void aRunThatGoesAsFastAsItCanWaitsForWhoPulls() throws Exception {
         Process process =
                 new Rsal(folder).start("bridge", "player", "teleop", "--port", "0", "--json", "--speed", "max");
@@ -177,6 +179,7 @@ class BridgeIT {
     }
 
     @Test
+    @LongTest
     void serversThatAreNotThereCantBeReached() throws Exception {
         Ended nobody = new Rsal(folder)
                 .run(

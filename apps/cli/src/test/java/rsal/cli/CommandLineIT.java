@@ -38,6 +38,7 @@ import rsal.cli.terminal.Mistake;
 import rsal.map.Maps;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
+import rsal.testkit.LongTest;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -119,6 +120,7 @@ class CommandLineIT {
 
     /// Simulated motors are on anyway; that they were switched on is an event, which recordings have.
     @Test
+    @LongTest
     void armingAndSavingMapsHoldForTheScenarioThatWasTyped() throws Exception {
         Files.writeString(folder.resolve("explore.yaml"), EXPLORE);
         String[] line = {"--port", "0", "--speed", "2", "--arm", "--save-maps", "maps", "--record", "run.mcap"};
@@ -261,6 +263,7 @@ class CommandLineIT {
     }
 
     @Test
+    @LongTest
     void theSameProgramsInAgentSpeakAreMeasuredOnJasonWithUsAndWithout() throws Exception {
         Ended ended = rsal.run("bench", "mas", "--only", "jason.written.create.100", "--repeat", "1", "--json");
         assertThat(ended.code()).isEqualTo(Exit.SUCCESS);
@@ -573,6 +576,7 @@ class CommandLineIT {
     }
 
     @Test
+    @LongTest
     void anAgentIsLookedIntoFromOutside() throws Exception {
         Process process = rsal.withPage().start("run", "hunt-and-prey:advanced", "--port", "0", "--speed", "2");
         String url = process.errorReader().readLine().substring("Watch it at ".length());
@@ -614,6 +618,7 @@ class CommandLineIT {
     }
 
     @Test
+    @LongTest
     void aMindOnJadeIsLookedIntoFromOutside() throws Exception {
         assertThat(mind("escape-1", "follow-1 → all", "hunt-and-prey:advanced", "--mas", "jade", "--clock", "wall"))
                 .containsPattern(
@@ -1004,6 +1009,7 @@ class CommandLineIT {
     }
 
     @Test
+    @LongTest
     void whatNeedsMoreMemoryThanThereIsEndsAndSaysSo() throws Exception {
         var world = new StringBuilder(
                 "define bot position ( size [0.4 0.4 0.3] ranger ( sensor ( range [0 3] samples 12 ) ) ctrl \"wander\" )\n");

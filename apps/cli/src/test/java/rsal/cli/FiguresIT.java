@@ -38,7 +38,7 @@ class FiguresIT {
     private static final Pattern SEEDS = Pattern.compile("--seeds (\\d+)-\\d+");
     private static final String NOTHING = "–";
     private static final boolean UPDATE = Boolean.getBoolean("rsal.update");
-    private static final int OF_EACH_LANDING = 2; // READMEs; './rsal test --all' looks at all
+    private static final int OF_EACH_LANDING = 1; // README; './rsal test --all' looks at all
     private static final int LONGEST = 20; // min, of all seeds
 
     @TempDir

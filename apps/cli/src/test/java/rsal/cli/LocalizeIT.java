@@ -12,6 +12,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rsal.cli.terminal.Exit;
+import rsal.testkit.LongTest;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -150,6 +151,7 @@ class LocalizeIT {
 
     /// As of one whose cells were taken for meters, not centimeters. It was searched for hours.
     @Test
+    @LongTest
     void aMapThatIsTooLargeToBeSearchedIsRefusedUnlessAPoseIsGiven() throws Exception {
         Files.writeString(
                 folder.resolve("large.pgm"), "P2 50 50 255\n" + "254 ".repeat(49) + "0 " + "254 ".repeat(2450));

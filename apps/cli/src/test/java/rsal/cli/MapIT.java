@@ -18,6 +18,7 @@ import rsal.data.Pose2d;
 import rsal.map.Maps;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
+import rsal.testkit.LongTest;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -81,6 +82,7 @@ class MapIT {
     }
 
     @Test
+    @LongTest
     void warnsOfALaserThatIsUpsideDownAndReadsItRightWhenItIsToldSo() throws Exception {
         Files.writeString(folder.resolve("mirrored.log"), RoomLog.mirrored());
 
@@ -246,6 +248,7 @@ class MapIT {
     }
 
     @Test
+    @LongTest
     void tellsWhereEachOfThreeMapsLiesWhenAllAreJoined() throws Exception {
         Files.writeString(folder.resolve("second.log"), RoomLog.part(10, 40, new Pose2d(30, -7, 2)));
         Files.writeString(folder.resolve("third.log"), RoomLog.part(0, 30, new Pose2d(-8, 4, 1)));

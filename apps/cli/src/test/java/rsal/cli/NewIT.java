@@ -169,7 +169,7 @@ class NewIT {
                 "swarm",
                 "teleop"
             },
-            landing = 2)
+            landing = 1)
     void eachThatComesWithRsalCanBeTaken(String scenario) throws Exception {
         Ended ended = rsal.run("new", "mine", "--from", scenario);
         assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
@@ -187,14 +187,13 @@ class NewIT {
     @Test
     void itsFolderStandsForItsFile() throws Exception {
         rsal.run("new", "chase", "--from", "hunt-and-prey");
-        assertThat(rsal.run("validate", "chase", "chase:advanced", "chase:advnced")
-                        .out())
-                .contains("chase: valid, 10 configurations\n", "chase:advanced: valid\n")
-                .contains("chase:advnced: Scenario 'chase' has no configuration 'advnced'.", "Maybe 'advanced'");
-        assertThat(rsal.run("show", "chase:advanced").out()).contains("read from chase/chase.yaml");
-        Ended run = rsal.run("run", "chase:advanced", "--headless", "--speed", "max", "--for", "1");
-        assertThat(run.out()).as(run.err()).startsWith("chase:advanced, seed 42\n");
-        Ended sweep = rsal.run("sweep", "chase:advanced", "--seeds", "1-1", "--for", "1", "--out", "swept");
+        assertThat(rsal.run("validate", "chase", "chase:jason", "chase:jsaon").out())
+                .contains("chase: valid, 10 configurations\n", "chase:jason: valid\n")
+                .contains("chase:jsaon: Scenario 'chase' has no configuration 'jsaon'.", "Maybe 'jason'");
+        assertThat(rsal.run("show", "chase:jason").out()).contains("read from chase/chase.yaml");
+        Ended run = rsal.run("run", "chase:jason", "--headless", "--speed", "max", "--for", "1");
+        assertThat(run.out()).as(run.err()).startsWith("chase:jason, seed 42\n");
+        Ended sweep = rsal.run("sweep", "chase:jason", "--seeds", "1-1", "--for", "1", "--out", "swept");
         assertThat(sweep.code()).as(sweep.err()).isEqualTo(Exit.SUCCESS);
     }
 

@@ -27,6 +27,7 @@ import rsal.engine.LiveRun;
 import rsal.engine.report.RobotView;
 import rsal.engine.report.RunEvent;
 import rsal.engine.report.RunResult;
+import rsal.engine.report.Snapshot;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 import rsal.testkit.LongTest;
@@ -95,6 +96,7 @@ class PlayerRunIT {
     /// Of the prey and two hunters all are real, or the prey and a hunter, or a hunter alone.
     @Trials({"mixed, 0 1", "real, 0 1 2", "virtual-prey, 1"})
     @Execution(CONCURRENT)
+    @LongTest
     void huntersCatchTheirPrey(String configuration, String real) throws Exception {
         int[] robots =
                 Arrays.stream(real.split(" ")).mapToInt(Integer::parseInt).toArray();
@@ -119,6 +121,7 @@ class PlayerRunIT {
     /// The robots' simulation is gone with their server; a new one has them where they began.
     @Test
     @Execution(CONCURRENT)
+    @LongTest
     void aHuntGoesOnWhenItsServersWereKilledAndAreBack() throws Exception {
         var served = List.of("hunt-and-prey", "--seed", "7");
         int port = threeFree();
@@ -200,18 +203,17 @@ class PlayerRunIT {
     }
 
     /// The first robot once it is as it should be.
-    private static RobotView until(LiveRun run, Predicate<RobotView> isSo) throws InterruptedException {
-        while (true) {
-            Optional<RobotView> robot = run.snapshot().robots().stream()
-                    .filter(each -> each.id().equals("robot-1"))
-                    .filter(isSo)
-                    .findFirst();
-            if (robot.isPresent()) {
-                return robot.get();
-            }
-            assertThat(run.result().toCompletableFuture()).isNotDone();
-            Thread.sleep(10);
-        }
+    private static RobotView until(LiveRun run, Predicate<RobotView> isSo) {
+        return run.when(snapshot -> first(snapshot).filter(isSo).isPresent())
+                .thenApply(snapshot -> first(snapshot).orElseThrow())
+                .toCompletableFuture()
+                .join();
+    }
+
+    private static Optional<RobotView> first(Snapshot snapshot) {
+        return snapshot.robots().stream()
+                .filter(each -> each.id().equals("robot-1"))
+                .findFirst();
     }
 
     @Test
@@ -236,7 +238,7 @@ class PlayerRunIT {
     }
 
     /// Where that of the first robot is once it is as it should be.
-    private static Pose2d standIn(LiveRun run, Predicate<Pose2d> isSo) throws InterruptedException {
+    private static Pose2d standIn(LiveRun run, Predicate<Pose2d> isSo) {
         return standIn(until(run, robot -> standIn(robot).filter(isSo).isPresent()))
                 .orElseThrow();
     }
@@ -245,11 +247,10 @@ class PlayerRunIT {
         return robot.real().flatMap(RobotView.Real::standIn);
     }
 
-    private static void until(LiveRun run, Predicate<RunEvent> isSo, int times) throws InterruptedException {
-        while (run.events(0).stream().filter(isSo).count() < times) {
-            assertThat(run.result().toCompletableFuture()).isNotDone();
-            Thread.sleep(10);
-        }
+    private static void until(LiveRun run, Predicate<RunEvent> isSo, int times) {
+        run.when(_ -> run.events(0).stream().filter(isSo).count() >= times)
+                .toCompletableFuture()
+                .join();
     }
 
     /// The first of three ports that nobody has just now.

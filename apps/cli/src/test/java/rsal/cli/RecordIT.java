@@ -25,6 +25,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.cli.terminal.Exit;
+import rsal.testkit.LongTest;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -83,6 +84,7 @@ class RecordIT {
     }
 
     @Test
+    @LongTest
     void foxgloveIsToldWhereToLook() throws Exception {
         Ended plain = rsal.run("run", "--headless", "--speed", "max", "--seed", "7", "--for", "2", "--json");
         Ended run = rsal.run(
@@ -161,6 +163,7 @@ class RecordIT {
 
     /// Who watches sees it as it is recorded, and changes neither.
     @Test
+    @LongTest
     void aRunThatIsWatchedIsRecordedAsAnyOther() throws Exception {
         Ended alone = rsal.run("run", "--headless", "--speed", "max", "--seed", "7", "--for", "20", "--json");
         Process process = rsal.withPage()

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rsal.cli.terminal.Exit;
+import rsal.testkit.LongTest;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -164,6 +165,7 @@ class SweepIT {
     }
 
     @Test
+    @LongTest
     void eachRunIsRecordedWhereThatIsWanted() throws Exception {
         String[] plain = {"sweep", "guard.yaml:short", "--repeat", "3", "--jobs", "2", "--out", "plain"};
         String[] recorded = {"sweep", "guard.yaml:short", "--repeat", "3", "--jobs", "2", "--out", "s", "--record"};
@@ -189,6 +191,7 @@ class SweepIT {
     }
 
     @Test
+    @LongTest
     void theReportIsOnePage() throws Exception {
         rsal.run("sweep", "guard.yaml:short", "--vary", "guards=1,2", "--repeat", "3", "--out", "s");
         Ended ended = rsal.run("report", "s");

@@ -14,6 +14,7 @@ import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.cli.terminal.Exit;
+import rsal.testkit.LongTest;
 
 /// Does what the tutorials say, and sees what they say.
 class TutorialIT {
@@ -25,6 +26,7 @@ class TutorialIT {
     Path folder;
 
     @Test
+    @LongTest
     void aScenarioDoesWhatItsTutorialShows() throws Exception {
         String tutorial = tutorial("first-scenario.md");
         Files.writeString(
@@ -43,6 +45,7 @@ class TutorialIT {
     }
 
     @Test
+    @LongTest
     void aHostDoesWhatItsHowToShows() throws Exception {
         String page = Files.readString(TUTORIALS.resolve("../how-to/another-mas.md"));
         compile(blocks(page, "java").stream()
@@ -76,6 +79,7 @@ class TutorialIT {
     }
 
     @Test
+    @LongTest
     void anAgentInAgentSpeakDoesWhatItsTutorialShows() throws Exception {
         String tutorial = tutorial("first-agentspeak-robot.md");
         String sentry = blocks(tutorial, "asl").getFirst();
@@ -100,6 +104,7 @@ class TutorialIT {
     }
 
     @Test
+    @LongTest
     void faultsAreAsTheirReferenceShows() throws Exception {
         String reference = Files.readString(TUTORIALS.resolve("../reference/faults.md"));
         Files.writeString(

@@ -10,6 +10,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Predicate;
 import java.util.stream.StreamSupport;
+import org.awaitility.Awaitility;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -23,6 +24,7 @@ import rsal.engine.report.Answer;
 import rsal.engine.report.Snapshot;
 import rsal.scenario.RunOptions;
 import rsal.server.RawHttp.Response;
+import rsal.testkit.LongTest;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.ObjectMapper;
 
@@ -75,10 +77,7 @@ class CommunicationApiTest {
 
     /// Waits for what the server does by its own clock.
     private static void await(Callable<Boolean> wanted) throws Exception {
-        for (int looks = 0; !wanted.call(); looks++) {
-            assertThat(looks).as("looks, in vain").isLessThan(1000);
-            Thread.sleep(20);
-        }
+        Awaitility.await().atMost(Duration.ofSeconds(20)).until(wanted);
     }
 
     private static List<JsonNode> each(JsonNode list) {
@@ -303,6 +302,7 @@ class CommunicationApiTest {
     }
 
     @Test
+    @LongTest
     void whoAsksABusyRunIsToldSoInTheEnd() throws Exception {
         var free = new CountDownLatch(1);
         try (var _ = server.run().onSnapshot(() -> await(free))) { // on the run's thread

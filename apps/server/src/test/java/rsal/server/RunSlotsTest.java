@@ -17,6 +17,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.function.Predicate;
+import org.awaitility.Awaitility;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -234,13 +235,9 @@ class RunSlotsTest {
             blocked.await();
             Future<Response> restarted = people.submit(() -> post("/api/run/restart", "{}"));
             LiveRun old = run(1);
-            while (!isEnding()) {
-                Thread.onSpinWait();
-            }
+            Awaitility.await().until(RunSlotsTest::isEnding);
             Future<Response> stopped = people.submit(() -> post("/api/run/estop", ""));
-            while (server.seats().stops() == 0) {
-                Thread.onSpinWait();
-            }
+            Awaitility.await().until(() -> server.seats().stops() > 0);
             released.countDown();
             stopped.get();
             assertThat(restarted.get().status()).isEqualTo(409);

@@ -1,6 +1,7 @@
 package rsal.server;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
 import static rsal.server.Errand.TOKEN;
 
 import java.net.URI;
@@ -69,9 +70,7 @@ class RunsThatChangeTest {
                     command(home, "add-robot", "{\"robot\": \"courier-1\", \"x\": 1, \"y\": 1, \"heading\": 0}");
                     command(home, "remove", "{\"name\": \"courier-1\"}");
                     int seen = answered.get();
-                    while (answered.get() < seen + 40) {
-                        Thread.onSpinWait();
-                    }
+                    await().until(() -> answered.get() >= seen + 40);
                     command(home, "restart", "{}");
                 }
             } finally {

@@ -16,6 +16,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
+import org.awaitility.Awaitility;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -124,13 +125,7 @@ class SweepApiTest {
     }
 
     private SweepInfo await(Predicate<SweepInfo> wanted) throws Exception {
-        while (true) {
-            SweepInfo now = state().newest().orElseThrow();
-            if (wanted.test(now)) {
-                return now;
-            }
-            Thread.sleep(20);
-        }
+        return Awaitility.await().until(() -> state().newest().orElseThrow(), wanted);
     }
 
     private SweepInfo awaitEnd() throws Exception {
@@ -344,10 +339,9 @@ class SweepApiTest {
     void endsWithTheServer() throws Exception {
         post("", wish(List.of("slow"), Map.of(), "20"));
         server.close();
-        while (Thread.getAllStackTraces().keySet().stream()
-                .anyMatch(thread -> thread.getName().equals("sweep"))) {
-            Thread.sleep(20); // a run that only begins is waited for no longer than half a second
-        }
+        Awaitility.await()
+                .until(() -> Thread.getAllStackTraces().keySet().stream() // no longer than half a second
+                        .noneMatch(thread -> thread.getName().equals("sweep")));
         assertThat(Findings.read(Errand.sweeps(directory).resolve("guard-1")).isComplete())
                 .isFalse();
     }

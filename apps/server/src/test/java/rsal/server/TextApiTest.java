@@ -33,6 +33,7 @@ import rsal.server.message.Messages.TextCheck;
 import rsal.server.message.Messages.TextMistake;
 import rsal.server.message.Messages.TextToCheck;
 import rsal.server.message.Messages.TextToSave;
+import rsal.testkit.LongTest;
 
 class TextApiTest {
     private static final String WITH_TOKEN = "Authorization: Bearer " + TOKEN;
@@ -180,6 +181,7 @@ class TextApiTest {
     }
 
     @Test
+    @LongTest
     void checksFewTextsAtOnceSoThatOthersAreAnswered() throws Exception {
         String many = IntStream.range(0, 150)
                 .mapToObj(i -> "  many%d: {robots: {one: {count: 9, pose: {free: true}}}}\n".formatted(i))

@@ -18,6 +18,7 @@ import rsal.scene.Block;
 import rsal.scene.Entity;
 import rsal.scene.SolidRaster;
 import rsal.scene.Surface;
+import rsal.testkit.Rounds;
 import rsal.world.Overlaps.Overlap;
 
 class OverlapsTest {
@@ -42,7 +43,7 @@ class OverlapsTest {
         int found = 0;
         int apart = 0;
         int barely = 0; // between the places of the grid
-        for (long seed = 0; seed < 100; seed++) {
+        for (long seed = 0; seed < Rounds.of(25, 100); seed++) {
             var random = new SplittableRandom(seed);
             var solid = new BitSet();
             for (int i = 0; i < 6400; i++) {

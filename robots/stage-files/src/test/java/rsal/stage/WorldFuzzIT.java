@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Problem;
+import rsal.testkit.Rounds;
 
 /// Whatever is in a world file: it is read, or refused in words. It never hangs, nor throws anything else.
 @Timeout(300)
@@ -114,7 +115,7 @@ class WorldFuzzIT {
 
     @Test
     void aDamagedWorldIsReadOrRefused() {
-        for (long seed = 0; seed < 4000; seed++) {
+        for (long seed = 0; seed < Rounds.of(1000, 4000); seed++) {
             var random = new Random(seed);
             var text = new StringBuilder(GOOD);
             for (int change = 0; change <= random.nextInt(6); change++) {
@@ -139,7 +140,7 @@ class WorldFuzzIT {
 
     @Test
     void aSoupOfWordsIsReadOrRefused() {
-        for (long seed = 0; seed < 6000; seed++) {
+        for (long seed = 0; seed < Rounds.of(1500, 6000); seed++) {
             var random = new Random(seed);
             var text = new StringBuilder(random.nextBoolean() ? "include \"parts.inc\"\n" : "");
             int words = random.nextInt(120);
@@ -152,7 +153,7 @@ class WorldFuzzIT {
 
     @Test
     void worldsGrownFromTheGrammarAreReadOrRefused() {
-        for (long seed = 0; seed < 2000; seed++) {
+        for (long seed = 0; seed < Rounds.of(500, 2000); seed++) {
             var random = new Random(seed);
             var text = new StringBuilder("include \"parts.inc\"\n");
             for (int i = 0; i < 8; i++) {
@@ -196,7 +197,7 @@ class WorldFuzzIT {
 
     @Test
     void noiseIsReadOrRefused() {
-        for (long seed = 0; seed < 2000; seed++) {
+        for (long seed = 0; seed < Rounds.of(500, 2000); seed++) {
             var bytes = new byte[new Random(seed).nextInt(300)];
             new Random(seed).nextBytes(bytes);
             readOrRefuse("seed " + seed, worlds("").and("test.world", bytes));
@@ -208,7 +209,7 @@ class WorldFuzzIT {
     @Test
     void aDamagedImageIsReadOrRefused() {
         byte[] image = "P5 # gray\n4 3\n255\nabcdefghijkl".getBytes(StandardCharsets.ISO_8859_1);
-        for (long seed = 0; seed < 3000; seed++) {
+        for (long seed = 0; seed < Rounds.of(750, 3000); seed++) {
             var random = new Random(seed);
             byte[] damaged = Arrays.copyOf(image, random.nextInt(image.length) + 1);
             for (int i = random.nextInt(4); i > 0; i--) {

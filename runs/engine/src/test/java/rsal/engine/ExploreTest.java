@@ -13,6 +13,7 @@ import rsal.engine.report.RunResult;
 import rsal.map.RosMap;
 import rsal.scenario.RunOptions;
 import rsal.testkit.DrawnMap;
+import rsal.testkit.LongTest;
 
 @Timeout(120)
 class ExploreTest {
@@ -60,6 +61,7 @@ class ExploreTest {
     private Path folder;
 
     @Test
+    @LongTest
     void aRobotThatHasMappedAllSaysSoAndEndsTheRun() throws IOException {
         OccupancyGrid room = DrawnMap.grid(0.5, """
                 ################

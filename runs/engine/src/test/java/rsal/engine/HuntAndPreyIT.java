@@ -132,6 +132,7 @@ class HuntAndPreyIT {
     }
 
     @Trials({"1", "2", "3"})
+    @LongTest
     void thePreyOfAHunterThatIsGoneIsSoonAnothers(long seed) {
         Hunt hunt = hunt("faulty", seed);
         assertThat(hunt.result.outcome()).isEqualTo("success");
@@ -177,6 +178,7 @@ class HuntAndPreyIT {
     }
 
     @Test
+    @LongTest
     void withoutAnyHuntersItEndsWhenTimeIsUp() throws IOException {
         String scenario = Files.readString(
                         Path.of("../scenarios/src/main/resources/rsal/scenarios/hunt-and-prey/scenario.yaml"))
@@ -220,6 +222,7 @@ class HuntAndPreyIT {
     }
 
     @Trials({"1", "2", "3", "4", "5"})
+    @LongTest
     void preyThatTellNobodyWhereTheyAreAreSeenAndCaught(long seed) {
         Hunt hunt = hunt("unseen", seed);
         assertThat(hunt.result.outcome()).isEqualTo("success");

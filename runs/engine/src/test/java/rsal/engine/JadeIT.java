@@ -13,20 +13,27 @@ import rsal.engine.report.RunEvent;
 import rsal.engine.report.RunResult;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
+import rsal.testkit.LongTest;
 
 /// The same scenarios on JADE as on our own host, to ends that are quick to reach. In real time, so all at once.
 @Timeout(600)
 class JadeIT {
     @Test
-    void threeScenariosSideBySideReachTheirEnds() {
+    void scenariosSideBySideReachTheirEnds() {
         var quickHunt = Map.of("catchDistance", "3.0", "hunters", "3");
         try (var hunt = start("hunt-and-prey", jade(3).withArguments(quickHunt));
-                var distribution = start("distribution", jade(5).withArguments(Map.of("robots", "3")));
-                var collection = start("find-and-collect", jade(1))) {
+                var distribution = start("distribution", jade(5).withArguments(Map.of("robots", "3")))) {
             List<ReceivedMessage> mail = await(Runs.mail(hunt, "follow-1", "pose"));
             assertThat(mail).anySatisfy(letter -> assertThat(letter.from()).isNotEqualTo("follow-1"));
             assertSuccess(hunt);
             assertSuccess(distribution);
+        }
+    }
+
+    @Test
+    @LongTest
+    void aCanIsBroughtToItsDepot() {
+        try (var collection = start("find-and-collect", jade(1))) {
             assertThat(await(firstDelivery(collection)).subject()).startsWith("can-");
         }
     }

@@ -95,6 +95,7 @@ class PatrolIT {
     }
 
     @Trials({"1", "2", "3"})
+    @LongTest
     void guardsWhoseBatteriesRunLowAreChargedAndGoOn(long seed) {
         Watch watch = watch("recharging", seed, 900);
         assertThat(watch.metric("collisions")).isZero();
@@ -106,6 +107,7 @@ class PatrolIT {
     }
 
     @Trials({"1", "2", "3"})
+    @LongTest
     void anIntruderIsMetWhileOthersWatchAndPatrolsGoOn(long seed) {
         Watch watch = watch("intruder", seed, 600);
         assertThat(watch.metric("collisions")).isZero();
@@ -137,6 +139,7 @@ class PatrolIT {
 
     /// Every minute, which leaves less time to watch.
     @Trials({"1", "2", "3"})
+    @LongTest
     void whoDoesNotAnswerIsNotWaitedForWhenTheOthersSpread(long seed) {
         Watch watch = watch(RunOptions.NONE
                 .withConfiguration("faulty")

@@ -105,6 +105,7 @@ class SwarmIT {
     }
 
     @Test
+    @LongTest
     void aThousandBegin() {
         RunResult result = run("thousand", 1, 1, 1);
         assertThat(metric(result, "messages")).isEqualTo(3000); // a greeting each, and where they are
@@ -114,6 +115,7 @@ class SwarmIT {
     }
 
     @Test
+    @LongTest
     void allGoToPlacesOfTheirOwnWhenDistributionJoins() {
         var options = RunOptions.NONE
                 .withJoined("distribution:found")
@@ -175,6 +177,7 @@ class SwarmIT {
     }
 
     @Trials({"1", "2", "3"})
+    @LongTest
     void theOthersCloseRanksWithinFourSecondsWhenSomeStopAndFallSilent(long seed) {
         Marched marched = march("faulty", seed, "wedge");
         assertThat(marched.result.outcome()).isEqualTo("success");

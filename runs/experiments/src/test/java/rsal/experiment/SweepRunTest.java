@@ -27,6 +27,7 @@ import rsal.engine.LiveRun;
 import rsal.experiment.example.Endless;
 import rsal.scenario.Scenario;
 import rsal.settings.InvalidSettings;
+import rsal.testkit.LongTest;
 
 class SweepRunTest {
     @TempDir
@@ -270,6 +271,7 @@ class SweepRunTest {
 
     @Test
     @Timeout(value = 60, threadMode = ThreadMode.SEPARATE_THREAD)
+    @LongTest
     void anAgentThatNeverReturnsIsLeftBehindWhenTheSweepIsGivenUp() throws Exception {
         Sweep stuck = Sweep.of(withAgent("endless"), thatAndShort(1L));
         try (var opened = create(stuck)) {

@@ -42,6 +42,7 @@ import rsal.recording.Playback.Told;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
+import rsal.testkit.Rounds;
 
 class PlaybackTest {
     private static final String HUNT = "hunt-and-prey";
@@ -53,7 +54,7 @@ class PlaybackTest {
     void whatWasSeenOfARunIsSeenAgain() throws Exception {
         for (String scenario : List.of(HUNT, "find-and-collect")) {
             Path file = folder.resolve(scenario + ".mcap");
-            RunPlan plan = Recorded.plan(scenario, 7, 20);
+            RunPlan plan = Recorded.plan(scenario, 7, Rounds.of(8, 20));
             Seen seen = record(plan, file);
             try (Playback playback = open(file)) {
                 assertThat(playback.until()).isEqualTo(seen.snapshots.getLast().time());

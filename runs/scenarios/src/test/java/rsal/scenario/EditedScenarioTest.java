@@ -13,6 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
+import rsal.testkit.Rounds;
 
 class EditedScenarioTest {
     private static final String OWN = """
@@ -117,7 +118,7 @@ class EditedScenarioTest {
     @MethodSource("rsal.scenario.Scenario#builtInNames")
     void survivesAnyEdit(String name) {
         String whole = Scenario.written(name);
-        for (int seed = 0; seed < 12; seed++) {
+        for (int seed = 0; seed < Rounds.of(3, 12); seed++) {
             String text = scribbled(whole, new SplittableRandom(seed));
             try {
                 Scenario.edited(name, text).check();

@@ -27,6 +27,7 @@ import rsal.data.Pose2d;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.scenario.fault.Span;
 import rsal.settings.InvalidSettings;
+import rsal.testkit.Rounds;
 
 class ScenarioTest {
     static final String GOOD = """
@@ -892,7 +893,7 @@ class ScenarioTest {
             "|",
             "3.5"
         };
-        for (long seed = 0; seed < 400; seed++) {
+        for (long seed = 0; seed < Rounds.of(100, 400); seed++) {
             var random = new SplittableRandom(seed);
             var text = new StringBuilder(GOOD);
             for (int i = random.nextInt(4); i >= 0; i--) {

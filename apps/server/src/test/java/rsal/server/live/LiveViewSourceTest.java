@@ -1,6 +1,7 @@
 package rsal.server.live;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
 
 import java.time.Duration;
 import org.junit.jupiter.api.Test;
@@ -60,10 +61,10 @@ class LiveViewSourceTest {
         }
     }
 
-    private static void lookUntil(LiveViewSource showing, boolean fast) throws InterruptedException {
-        while (showing.isFast() != fast) {
-            Thread.sleep(20);
+    private static void lookUntil(LiveViewSource showing, boolean fast) {
+        await().until(() -> {
             showing.look(1);
-        }
+            return showing.isFast() == fast;
+        });
     }
 }

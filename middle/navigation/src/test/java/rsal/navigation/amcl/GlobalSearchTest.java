@@ -7,11 +7,13 @@ import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Test;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
+import rsal.testkit.LongTest;
 
 class GlobalSearchTest {
     private static final ThreadMXBean THREADS = ManagementFactory.getPlatformMXBean(ThreadMXBean.class);
 
     @Test
+    @LongTest
     void aMapThatIsTooLargeIsNotSearched() {
         Beams beams = new Seen(Seen.ROOM).beams(Seen.ROOM.pose('a', 30), 30);
         for (int side : new int[] {290, 310}) {

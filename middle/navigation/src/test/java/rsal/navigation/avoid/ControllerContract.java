@@ -26,6 +26,7 @@ import rsal.navigation.wavefront.Plan;
 import rsal.navigation.wavefront.Route;
 import rsal.navigation.wavefront.Wavefront;
 import rsal.testkit.DrawnMap;
+import rsal.testkit.Trials;
 
 /// What every controller keeps to.
 public abstract class ControllerContract {
@@ -152,8 +153,9 @@ public abstract class ControllerContract {
         assertThat(drive.pose.position().distanceTo(new Point2d(3.5, 0))).isLessThan(0.4);
     }
 
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3, 4})
+    @Trials(
+            value = {"1", "2", "3", "4"},
+            landing = 2)
     void touchesNothingBySonarsAlone(long seed) {
         var random = new SplittableRandom(seed);
         var posts = new ArrayList<Point2d>();
@@ -243,8 +245,9 @@ public abstract class ControllerContract {
         assertThat(drive.pose.position().distanceTo(new Point2d(0, 0))).isLessThan(0.01);
     }
 
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3, 4, 5, 6})
+    @Trials(
+            value = {"1", "2", "3", "4", "5", "6"},
+            landing = 3)
     void neverTouchesAnything(long seed) {
         var random = new SplittableRandom(seed);
         var posts = new ArrayList<Point2d>();
@@ -260,8 +263,9 @@ public abstract class ControllerContract {
     }
 
     /// People walk to and fro. They turn around before a robot that is in their way.
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3, 4})
+    @Trials(
+            value = {"1", "2", "3", "4"},
+            landing = 2)
     void touchesNobodyWhoWalksAbout(long seed) {
         var random = new SplittableRandom(seed);
         Drive drive = new Drive(seed % 2 == 0 ? BOX : WEDGE, List.of());

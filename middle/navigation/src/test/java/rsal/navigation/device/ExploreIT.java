@@ -7,8 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.concurrent.Executors;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
@@ -20,6 +18,7 @@ import rsal.navigation.wavefront.Wavefront;
 import rsal.robot.RobotSpec;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
+import rsal.testkit.Trials;
 
 /// Robots that map the office from scratch, each time within a time that one robot less could not keep to.
 /// `rsal bench navigation --only explore` measures how long they take, with two robots and other starts, too.
@@ -29,8 +28,7 @@ class ExploreIT {
     private static final CostMap ROOM_TO_DRIVE =
             CostMap.of(OFFICE, DistanceField.toNotFree(OFFICE), new CostMap.Clearance(0.35, 0.7, 3));
 
-    @ParameterizedTest
-    @CsvSource({"1, 1, 45", "3, 1, 16"})
+    @Trials({"3, 1, 16", "1, 1, 45"})
     void theOfficeIsMappedFromScratch(int robots, long seed, int atMost) {
         var random = new SplittableRandom(seed);
         Pose2d first = start(random);

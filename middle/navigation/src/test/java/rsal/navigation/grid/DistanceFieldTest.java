@@ -26,14 +26,17 @@ class DistanceFieldTest {
         var toOccupied = DistanceField.toOccupied(map);
         var toNotFree = DistanceField.toNotFree(map);
         var toFace = DistanceField.toFace(map, deepest);
+        int[] occupied = cells(map, other -> isOccupied(map, other));
+        int[] notFree = cells(map, other -> map.cells()[other] != OccupancyGrid.FREE);
+        int[] faces = cells(map, other -> isOccupied(map, other) && !isAmidOccupied(map, other));
         for (int cell = 0; cell < width * height; cell++) {
             assertThat((double) toOccupied.at(cell))
                     .as("seed %d, cell %d", seed, cell)
-                    .isCloseTo(nearest(map, cell, other -> isOccupied(map, other)), within(1e-5));
+                    .isCloseTo(nearest(map, cell, occupied), within(1e-5));
             assertThat((double) toNotFree.at(cell))
                     .as("seed %d, cell %d", seed, cell)
-                    .isCloseTo(nearest(map, cell, other -> map.cells()[other] != OccupancyGrid.FREE), within(1e-5));
-            double face = nearest(map, cell, other -> isOccupied(map, other) && !isAmidOccupied(map, other));
+                    .isCloseTo(nearest(map, cell, notFree), within(1e-5));
+            double face = nearest(map, cell, faces);
             assertThat((double) toFace.at(cell))
                     .as("seed %d, cell %d", seed, cell)
                     .isCloseTo(isOccupied(map, cell) ? Math.min(deepest, face) : face, within(1e-5));
@@ -104,14 +107,16 @@ class DistanceFieldTest {
                 .allMatch(other -> isOccupied(map, other));
     }
 
-    private static double nearest(OccupancyGrid map, int cell, IntPredicate target) {
+    private static int[] cells(OccupancyGrid map, IntPredicate which) {
+        return IntStream.range(0, map.cells().length).filter(which).toArray();
+    }
+
+    private static double nearest(OccupancyGrid map, int cell, int[] targets) {
         double nearest = Double.POSITIVE_INFINITY;
-        for (int other = 0; other < map.cells().length; other++) {
-            if (target.test(other)) {
-                int dx = other % map.width() - cell % map.width();
-                int dy = other / map.width() - cell / map.width();
-                nearest = Math.min(nearest, map.resolution() * Math.hypot(dx, dy));
-            }
+        for (int other : targets) {
+            int dx = other % map.width() - cell % map.width();
+            int dy = other / map.width() - cell / map.width();
+            nearest = Math.min(nearest, map.resolution() * Math.hypot(dx, dy));
         }
         return nearest;
     }

@@ -25,6 +25,7 @@ import rsal.navigation.grid.DistanceField;
 import rsal.navigation.grid.RandomMaps;
 import rsal.navigation.wavefront.CostMap.Clearance;
 import rsal.testkit.DrawnMap;
+import rsal.testkit.LongTest;
 
 class WavefrontTest {
     private static final DrawnMap ROOMS = DrawnMap.grid(0.1, """
@@ -96,6 +97,7 @@ class WavefrontTest {
     }
 
     @Test
+    @LongTest
     void refusesWaysThatAreTooLongToCount() {
         var wave = new Wave(meander(4400, 4203));
         wave.start(4401);
@@ -106,6 +108,7 @@ class WavefrontTest {
 
     /// No way to there is known, and why: whoever asked goes on.
     @Test
+    @LongTest
     void aWayThatIsTooLongToCountIsNone() {
         CostMap map = meander(4400, 4203);
         var ways = new Wavefront(map);

@@ -16,7 +16,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import rsal.data.OccupancyGrid;
 import rsal.data.Stamped;
@@ -28,6 +27,7 @@ import rsal.player.message.Version30;
 import rsal.player.wire.Address;
 import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
+import rsal.testkit.Trials;
 
 /// Maps of servers that say what a test has them say.
 @Timeout(60)
@@ -114,8 +114,9 @@ class PlayerMapTest extends ScriptedBench {
         return ours;
     }
 
-    @ParameterizedTest
-    @CsvSource({"1, 1, 1", "3, 2, 1", "1259, 312, 1", "4000, 4001, 3", "9000000, 2, 4"})
+    @Trials(
+            value = {"1, 1, 1", "3, 2, 1", "1259, 312, 1", "4000, 4001, 3", "9000000, 2, 4"},
+            landing = 4)
     void theWholeMapIsPutTogetherOfTiles(int width, int height, int tiles) throws IOException {
         begin();
         byte[] cells = random(width * height);

@@ -31,6 +31,7 @@ import rsal.player.wire.Layout;
 import rsal.player.wire.MalformedException;
 import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
+import rsal.testkit.Trials;
 import tools.jackson.databind.JsonNode;
 
 class ProtocolTest {
@@ -197,10 +198,10 @@ class ProtocolTest {
                 .containsExactly(0.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 0.5);
     }
 
-    /// A million messages in all: bodies and headers, whole and cut off, at once and byte by byte. Nothing of them
-    /// stays.
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3, 4})
+    /// A million messages in all, a quarter of them at each landing: bodies and headers, whole and cut off, at once and
+    /// byte by
+    /// byte. Nothing of them stays.
+    @Trials({"1", "2", "3", "4"})
     void noiseIsReadOrRefused(long seed) throws IOException {
         var random = new SplittableRandom(seed);
         List<byte[]> messages = new ArrayList<>();

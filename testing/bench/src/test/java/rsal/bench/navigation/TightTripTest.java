@@ -6,6 +6,7 @@ import java.time.Duration;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import rsal.bench.navigation.TightTrip.Outcome;
+import rsal.testkit.LongTest;
 
 class TightTripTest {
     @Test
@@ -31,6 +32,7 @@ class TightTripTest {
 
     /// The simulator refuses robots that would touch something.
     @Test
+    @LongTest
     void startsHaveRoom() {
         for (long seed = 2; seed < 12; seed++) {
             assertThat(TightTrip.besideThings(10, seed))

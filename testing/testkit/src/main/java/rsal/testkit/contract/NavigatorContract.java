@@ -169,7 +169,10 @@ public abstract class NavigatorContract extends DeviceContract<Navigator> {
             endings.add(endings(device().goTo(WORLD.pose(place, 0), Tolerance.position(0.4))));
             advance(1.5);
         }
-        advance(90);
+        for (int second = 0; second < 90 && endings.getLast().isEmpty(); second++) {
+            advance(1);
+        }
+        advance(2); // a second ending would come now
         assertThat(endings).allSatisfy(e -> assertThat(e).hasSize(1));
         assertThat(endings.getLast().getFirst()).isInstanceOf(Result.Reached.class);
     }
