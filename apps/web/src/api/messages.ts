@@ -372,7 +372,7 @@ export interface OutcomeShare {
 
 export interface PastNumbers {
   times: number[];
-  values: 'number | null'[];
+  values: (number | null)[];
 }
 
 export interface PieceInfo {

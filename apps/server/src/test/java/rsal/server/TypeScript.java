@@ -96,7 +96,7 @@ final class TypeScript {
         AnnotatedType[] arguments = type.getAnnotatedActualTypeArguments();
         if (raw == List.class) {
             String element = name(arguments[0]);
-            return (element.contains(" | ") ? "'%s'" : "%s").formatted(element) + "[]";
+            return (element.contains(" | ") ? "(%s)" : "%s").formatted(element) + "[]";
         }
         if (raw == Optional.class) {
             return name(arguments[0]) + " | null";
