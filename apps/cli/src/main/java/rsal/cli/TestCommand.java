@@ -1,13 +1,23 @@
 package rsal.cli;
 
+import java.util.List;
+import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
 import rsal.cli.terminal.Subcommand;
 import rsal.cli.terminal.Unreachable;
 
 /// Listed here for the help; the launcher does it, because it builds what it tests.
 @Command(name = "test", description = "Build everything and run all tests, those of the page in a browser, too.")
 final class TestCommand extends Subcommand {
+    @Parameters(
+            paramLabel = "TEST",
+            arity = "0..*",
+            description =
+                    "Only these, without checks and within seconds: a class such as ContractNetTest, or CLASS#METHOD.")
+    private List<String> tests = List.of();
+
     @Option(
             names = "--all",
             description = "Also what takes too long for each change: all seeds, comparisons over many runs.")
@@ -23,6 +33,7 @@ final class TestCommand extends Subcommand {
     protected int run() {
         throw new Unreachable("Tests are run by the launcher in the project's folder: ./rsal test"
                 + (all ? " --all" : "")
-                + (mutation ? " --mutation" : ""));
+                + (mutation ? " --mutation" : "")
+                + tests.stream().map(test -> " " + test).collect(Collectors.joining()));
     }
 }

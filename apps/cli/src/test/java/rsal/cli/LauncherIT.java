@@ -310,6 +310,46 @@ class LauncherIT {
     }
 
     @Test
+    void testsThatAreNamedRunAloneAndUnchecked() throws Exception {
+        for (String test :
+                List.of("robots/sim/src/test/java/rsal/ATest.java", "apps/cli/src/test/java/rsal/BIT.java")) {
+            Files.createDirectories(project.resolve(test).getParent());
+            Files.createFile(project.resolve(test));
+        }
+
+        assertThat(run("test", "ATest#turns").code()).isZero();
+        assertThat(project.resolve("arguments"))
+                .content()
+                .contains("-Dfast", "-pl robots/sim -am -Dtest=ATest#turns", "useIncrementalCompilation=false")
+                .endsWith(" test -Dmaven.compiler.useIncrementalCompilation=false\n");
+
+        assertThat(run("test", "ATest", "BIT").code()).isZero();
+        assertThat(project.resolve("arguments"))
+                .content()
+                .contains("-pl robots/sim,apps/cli -am -Dtest=ATest", " verify -DskipITs=false -Dit.test=BIT")
+                .contains("--offline");
+
+        Ended unknown = run("test", "CTest");
+        assertThat(unknown.code()).isEqualTo(Exit.USAGE);
+        assertThat(unknown.err()).contains("There is no test 'CTest'.");
+    }
+
+    /// A class that has not changed may call what has.
+    @Test
+    void namedTestsThatFailAreTriedAgainWithWholeModules() throws Exception {
+        Path test = project.resolve("robots/sim/src/test/java/rsal/ATest.java");
+        Files.createDirectories(test.getParent());
+        Files.createFile(test);
+        Files.createFile(project.resolve("broken"));
+
+        Ended ended = run("test", "ATest");
+
+        assertThat(ended.code()).isEqualTo(1);
+        assertThat(ended.err()).contains("A class may be older than what it calls");
+        assertThat(project.resolve("arguments")).content().endsWith(" test\n");
+    }
+
+    @Test
     void countsAStepThatBreaksWithoutATest() throws Exception {
         Files.writeString(project.resolve("report.xml"), "<testsuite name=\"rsal.A\" tests=\"2\"/>");
         layOutPage("#!/bin/sh\n");
