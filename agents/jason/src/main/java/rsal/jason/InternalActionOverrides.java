@@ -53,6 +53,8 @@ import rsal.robot.LineOfSight;
 
 /// Internal actions of Jason's that would read the machine's clock, make up random numbers, start threads, or write to
 /// the console, done by what the run gives an agent instead. They take what Jason's take.
+///
+/// Longer than 500 lines, since it is a list: a class for each action.
 final class InternalActionOverrides {
     static final Set<String> NAMES = Set.of(
             ".wait",

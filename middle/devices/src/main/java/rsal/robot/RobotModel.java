@@ -18,9 +18,10 @@ import rsal.device.LaserScanner;
 import rsal.device.SonarArray;
 import rsal.settings.Arguments;
 
-/// What a kind of robot is like: a file in `rsal/model/models`, read by the module `models`. All that actuators carry
-/// is
-/// told where it is while they are at home.
+/// What a kind of robot is like: a file in `rsal/model/models`, read by the module `models`. Places of what actuators
+/// carry hold while the actuators are at home.
+///
+/// Longer than 500 lines, since the parts of a model are values inside it: drive, body, sensors, actuators.
 ///
 /// @param name `pioneer2dx`
 /// @param title for people: `Pioneer 2-DX`

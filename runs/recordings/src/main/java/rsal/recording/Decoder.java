@@ -57,6 +57,8 @@ import rsal.scene.Entity;
 
 /// Makes snapshots of what [Encoder] wrote. What is none of its kind is left out: a file may be from anywhere. For one
 /// thread.
+///
+/// Longer than 500 lines, since it is a list: a method for each topic of a recording.
 final class Decoder {
     private static final Pattern UNFIT = Pattern.compile("[/\\\\\"\\p{Cntrl}]");
     private static final long SECOND = 1_000_000_000;

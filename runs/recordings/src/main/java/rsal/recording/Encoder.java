@@ -43,6 +43,8 @@ import rsal.recording.proto.MessageType;
 import rsal.recording.proto.ProtoWriter;
 
 /// Writes what is seen of a run as messages, each reading once. For one thread.
+///
+/// Longer than 500 lines, since it is a list: a method for each topic of a recording.
 public final class Encoder {
     private static final long SECOND = 1_000_000_000;
     private static final String MAP = "map";

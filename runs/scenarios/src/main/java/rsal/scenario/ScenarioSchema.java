@@ -24,6 +24,8 @@ import tools.jackson.databind.json.JsonMapper;
 /// The scenario format as a JSON Schema (2020-12), for editors. It knows what can be named in this installation,
 /// and which settings that takes. What one part of a scenario says about another (roles, arguments, poses and
 /// walls) is beyond it: that is checked by [Scenario#check].
+///
+/// Longer than 500 lines, since it is a list: a method for each section of a scenario.
 public final class ScenarioSchema {
     private static final String ARGUMENT = "#/$defs/argument";
     private static final String DEVICE = "#/$defs/device";

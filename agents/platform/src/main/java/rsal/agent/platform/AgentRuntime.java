@@ -40,6 +40,8 @@ import rsal.time.Task;
 
 /// One agent's life and the fence around it: all code of the agent runs inside [#act], so that what it throws
 /// ends this agent alone, and its end takes with it whatever it listens to, has scheduled and holds.
+///
+/// Longer than 500 lines, since each method of [AgentContext] is fenced here, and nowhere else.
 final class AgentRuntime implements AgentContext {
     /// How many messages and tasks an agent may set off within [#WINDOW], answers to what it says to one included.
     /// A run with two agents that answer each other for ever would never see the next instant.

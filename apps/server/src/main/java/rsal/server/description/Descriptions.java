@@ -91,6 +91,8 @@ import rsal.server.message.Messages.Wanted;
 import rsal.settings.Parameter;
 
 /// Puts a run into messages.
+///
+/// Longer than 500 lines, since it is a list: a method for each message.
 public final class Descriptions {
     private static final Duration TOO_SILENT = Duration.ofSeconds(1);
     private static final int MOST_OF_A_MIND = 50; // beliefs, and goals

@@ -8,6 +8,8 @@ import org.jspecify.annotations.Nullable;
 
 /// What travels as JSON. The page's `api/messages.ts` is generated from these records. SI units and radians, as
 /// everywhere; what is absent is `null`.
+///
+/// Longer than 500 lines, since it is a list: a record for each message.
 public final class Messages {
     private Messages() {}
 

@@ -31,6 +31,8 @@ import rsal.navigation.scanmatch.Match;
 /// The first scan kept is where the odometry says; the map's frame begins there. The same input gives the
 /// same map. It keeps at most [Settings#mostFrames] scans, and after that only finds its way, by those that it
 /// kept near where it is: beyond them it is lost ([Tracking]). Not safe for several threads.
+///
+/// Longer than 500 lines, since each step works on all of its state: the graph, the frames and where it is.
 public final class Slam {
     private static final double LEAST_SCORE = 0.35; // of a search, to be worth refining
     private static final double LEAST_PAIRS = 0.35; // of a scan, to be believed

@@ -55,7 +55,6 @@ import rsal.time.Scheduler;
 /// The agents of a run: starts them, asks them for people, and journals what they say and what becomes of them. All
 /// calls on the run's thread.
 public final class Agents implements AutoCloseable {
-    private static final int MOST_UNHANDLED = 10; // goals of an agent that are told
     private static final int LAST_MESSAGES = 5;
     private static final String OPERATOR = "operator"; // who speaks for people
     public static final int MOST_BY_HAND = 500; // starts that people ask for, of a run
@@ -74,8 +73,8 @@ public final class Agents implements AutoCloseable {
     private final Map<String, Deque<String>> lastMessages = new HashMap<>(); // in words
     private final Map<String, Instant> lastSaid = new HashMap<>(); // when
     private final Map<String, String> lastWords = new HashMap<>();
-    private final Map<String, List<String>> unhandledGoals = new TreeMap<>(); // by agent
-    private final Map<String, Sending> sendings = new HashMap<>(); // where the operator wants robots
+    private final UnhandledGoals unhandledGoals;
+    private final SentRobots sent;
     private final Conversations conversations = new Conversations();
     private final ConversationLog talks;
     private final Mailboxes mailboxes;
@@ -110,6 +109,8 @@ public final class Agents implements AutoCloseable {
         this.beliefHistory = new BeliefHistory(scheduler);
         this.links = new Links(scheduler, this::robotOf);
         this.turns = turns;
+        this.sent = new SentRobots(eventLog);
+        this.unhandledGoals = new UnhandledGoals(eventLog);
     }
 
     /// Makes their society; from now on agents can be started.
@@ -244,7 +245,7 @@ public final class Agents implements AutoCloseable {
 
     /// A robot has left: its agents end as they would at the end of the run.
     public void leave(String robot) {
-        sendings.remove(robot);
+        sent.forget(robot);
         society.ifPresent(agents -> agents.directory().agents().stream()
                 .filter(agent -> agent.robot().equals(robot))
                 .forEach(agent -> agents.stop(agent.name())));
@@ -259,22 +260,12 @@ public final class Agents implements AutoCloseable {
                 .anyMatch(agent -> all.listens(agent.name(), NewGoal.TOPIC));
     }
 
-    /// @param again whether it was on its way there when it was sent; an end of that way is none of this one
-    private record Sending(Pose2d mapFromGoal, boolean again, Consumer<GoalReached> onEnd) {
-        Sending withoutAgain() {
-            return new Sending(mapFromGoal, false, onEnd);
-        }
-    }
-
     /// Asks those who take such orders to have a robot drive somewhere.
     ///
     /// @param onEnd told how that ended, unless it is sent elsewhere before
     public void ask(String robot, Pose2d mapFromGoal, Consumer<GoalReached> onEnd) {
         eventLog.event(OPERATOR, robot, "sent to " + mapFromGoal.rounded());
-        boolean again = Optional.ofNullable(sendings.get(robot))
-                .filter(before -> before.mapFromGoal().equals(mapFromGoal))
-                .isPresent();
-        sendings.put(robot, new Sending(mapFromGoal, again, onEnd));
+        sent.send(robot, mapFromGoal, onEnd);
         society.orElseThrow().publish(OPERATOR, NewGoal.TOPIC, new NewGoal(robot, mapFromGoal));
     }
 
@@ -306,7 +297,7 @@ public final class Agents implements AutoCloseable {
                                 kind -> eventLog.event(kind, message, words), () -> eventLog.routine(message, words));
                 observer.heard(message.sender(), content);
                 if (content instanceof GoalReached end) {
-                    ended(end);
+                    sent.ended(end);
                 }
             }
         }
@@ -437,29 +428,6 @@ public final class Agents implements AutoCloseable {
         return minds;
     }
 
-    /// The operator hears when a robot did not get where it was sent last. A goal that is cancelled may have given
-    /// way to the same place again; of one that is silent more may be heard.
-    private void ended(GoalReached end) {
-        Sending sending = sendings.get(end.robot());
-        if (sending == null || !end.mapFromGoal().equals(sending.mapFromGoal())) {
-            return;
-        }
-        if (end.cancelled() && sending.again()) {
-            sendings.put(end.robot(), sending.withoutAgain());
-            return;
-        }
-        if (!end.silent()) {
-            sendings.remove(end.robot());
-            sending.onEnd().accept(end);
-        }
-        if (!end.reached() && !end.cancelled()) {
-            eventLog.event(
-                    "unreached",
-                    end.robot(),
-                    "can't get to %s: %s".formatted(end.mapFromGoal().rounded(), end.outcome()));
-        }
-    }
-
     private void changed(AgentPlatform.View view) {
         String words = switch (view.status()) {
             case RUNNING -> view.state().isEmpty() ? "has started" : view.state();
@@ -490,20 +458,14 @@ public final class Agents implements AutoCloseable {
     }
 
     private void unhandled(AgentPlatform.Unhandled goal) {
-        List<String> all = unhandledGoals.computeIfAbsent(goal.agent(), _ -> new ArrayList<>());
-        if (closed || all.contains(goal.goal())) {
-            return;
+        if (!closed) {
+            unhandledGoals.note(goal);
         }
-        if (all.size() < MOST_UNHANDLED) {
-            all.add(goal.goal());
-        }
-        String where = goal.where().isEmpty() ? "" : " at " + goal.where();
-        eventLog.event("fault", goal.agent(), "has no plan for goal '%s'%s".formatted(goal.goal(), where));
     }
 
     /// Goals for which agents had no plan at all, by their names; the first ten of each.
     public Map<String, List<String>> unhandledGoals() {
-        return unhandledGoals;
+        return unhandledGoals.byAgent();
     }
 
     /// What went wrong with those that have failed, by name.

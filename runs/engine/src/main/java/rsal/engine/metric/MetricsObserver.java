@@ -14,7 +14,6 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
-import java.util.function.Predicate;
 import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
@@ -46,7 +45,6 @@ import rsal.scenario.RunPlan.MetricDefinition;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.scenario.condition.Facts;
 import rsal.scenario.condition.MetricExpression;
-import rsal.scenario.condition.MetricExpression.Aggregate;
 import rsal.scenario.condition.Quantity;
 import rsal.scenario.condition.RunQuantities;
 
@@ -456,7 +454,9 @@ public final class MetricsObserver implements Facts {
     }
 
     private int robots(String role) {
-        return (int) records.values().stream().filter(of(Optional.of(role))).count();
+        return (int) records.values().stream()
+                .filter(own -> own.hasRole(Optional.of(role)))
+                .count();
     }
 
     private int things(String group) {
@@ -483,62 +483,7 @@ public final class MetricsObserver implements Facts {
 
     /// What was measured so far, in the scenario's order.
     public List<Finding> findings() {
-        var findings = new ArrayList<Finding>();
-        for (MetricDefinition measured : plan.metrics()) {
-            if (measured.perRobot()) {
-                records.forEach((id, own) -> {
-                    if (of(measured.from().role()).test(own)) {
-                        findings.add(finding(measured, measured.nameOf(id), List.of(own), Optional.of(id)));
-                    }
-                });
-            } else {
-                var all = records.values().stream()
-                        .filter(of(measured.from().role()))
-                        .toList();
-                findings.add(finding(measured, measured.name(), all, Optional.empty()));
-            }
-        }
-        return findings;
-    }
-
-    /// @param robot whose it is; empty for all
-    private Finding finding(MetricDefinition measured, String name, List<RobotRecord> from, Optional<String> robot) {
-        OptionalDouble value = switch (measured.from()) {
-            case MetricExpression.FirstTime _ -> firstTimes.getOrDefault(measured, OptionalDouble.empty());
-            case MetricExpression.Count(var quantity) -> known(value(quantity));
-            case MetricExpression.Distance _ ->
-                from.stream().anyMatch(RobotRecord::seen)
-                        ? OptionalDouble.of(
-                                from.stream().mapToDouble(RobotRecord::distance).sum())
-                        : OptionalDouble.empty();
-            case MetricExpression.OfSignal(var aggregate, var signal, var _) ->
-                signal.isOfRobots()
-                        ? value(
-                                aggregate,
-                                from.stream().map(own -> own.samples(signal)).toList())
-                        : ofRun.getOrDefault(signal.word(), new Samples()).value(aggregate, time());
-            case MetricExpression.OfQuantity of ->
-                of.isPublished()
-                        ? value(
-                                of.aggregate(),
-                                published.samples(of.quantity().names().getFirst(), robot))
-                        : quantities.getOrDefault(of.quantity(), new Samples()).value(of.aggregate(), time());
-        };
-        boolean inBounds =
-                value.isEmpty() || (value.getAsDouble() >= measured.min() && value.getAsDouble() <= measured.max());
-        return new Finding(name, value, inBounds);
-    }
-
-    private OptionalDouble value(Aggregate aggregate, List<Samples> several) {
-        return Samples.together(several, time()).value(aggregate, time());
-    }
-
-    private static OptionalDouble known(double value) {
-        return Double.isNaN(value) ? OptionalDouble.empty() : OptionalDouble.of(value);
-    }
-
-    private static Predicate<RobotRecord> of(Optional<String> role) {
-        return own -> role.isEmpty() || role.get().equals(own.role());
+        return new MetricFindings(this, records, quantities, ofRun, published, firstTimes, time()).of(plan.metrics());
     }
 
     /// @param value empty when there was nothing to measure

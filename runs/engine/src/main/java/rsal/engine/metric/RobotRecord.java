@@ -6,6 +6,7 @@ import java.util.Deque;
 import java.util.HashMap;
 import java.util.Iterator;
 import java.util.Map;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
@@ -31,6 +32,11 @@ final class RobotRecord {
 
     String role() {
         return role;
+    }
+
+    /// @param asked empty for any
+    boolean hasRole(Optional<String> asked) {
+        return asked.isEmpty() || asked.get().equals(role);
     }
 
     /// Where it really is now.

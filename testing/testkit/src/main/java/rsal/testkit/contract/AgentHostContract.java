@@ -44,6 +44,8 @@ import rsal.time.Task;
 /// What every agent host owes to agents and to the run: they start, hear, wait, talk and end alike, each on its lane,
 /// one at a time, and when all is over nothing of the host is left. Tested in simulated time where the host follows
 /// that, else in real time, in which only orders count, not instants.
+///
+/// Longer than 500 lines, since it is a list: a test for each thing that is owed.
 public abstract class AgentHostContract extends ContractNetContract {
     private static final Parameter<String> GREETING = Parameter.text("words", "hello", "What it says.");
     private static final Topic<Integer> NUMBERS = new Topic<>("numbers", Integer.class);
