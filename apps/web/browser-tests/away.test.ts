@@ -1,10 +1,10 @@
 import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
-import { describe, expect, it } from 'vitest';
+import { describe, expect } from 'vitest';
 import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
-import { visits } from './visits';
+import { longTest, visits } from './visits';
 
 const OTHER = fileURLToPath(new URL('wander.yaml', import.meta.url));
 
@@ -33,41 +33,44 @@ describe.skipIf(!chromium)('a server that goes away', () => {
     return { asked, faults };
   }
 
-  it('is left in peace until it is back, and what is there then is not asked for what was', async () => {
-    const first = await Rsal.run('hunt-and-prey', '--port', '0');
-    const page = await openRun(first.url, { mayFail: true, viewport: { width: 1400, height: 900 } });
-    for (const name of ['Blobs', 'Links', 'Costs']) {
-      await layer(page, name).click();
-    }
-    await page.locator('tr[data-robot="hunter-1"]').click();
-    await page.locator('[data-reading]').first().waitFor();
-    const before = listen(page);
-    for (const polled of ['blobs', 'links', 'readings', 'agent']) {
-      const isAsked = () => before.asked.some((url) => url.includes(`/api/${polled}?`));
-      await eventually(() => Promise.resolve(isAsked()), `${polled} are asked for`);
-    }
-    expect(before.faults).toEqual([]);
+  longTest(
+    'is left in peace until it is back, and what is there then is not asked for what was',
+    async () => {
+      const first = await Rsal.run('hunt-and-prey', '--port', '0');
+      const page = await openRun(first.url, { mayFail: true, viewport: { width: 1400, height: 900 } });
+      for (const name of ['Blobs', 'Links', 'Costs']) {
+        await layer(page, name).click();
+      }
+      await page.locator('tr[data-robot="hunter-1"]').click();
+      await page.locator('[data-reading]').first().waitFor();
+      const before = listen(page);
+      for (const polled of ['blobs', 'links', 'readings', 'agent']) {
+        const isAsked = () => before.asked.some((url) => url.includes(`/api/${polled}?`));
+        await eventually(() => Promise.resolve(isAsked()), `${polled} are asked for`);
+      }
+      expect(before.faults).toEqual([]);
 
-    await first.end();
-    await gone(page).waitFor();
-    const { asked, faults } = listen(page);
-    await page.waitForTimeout(2500);
-    expect(asked).toEqual([]);
+      await first.end();
+      await gone(page).waitFor();
+      const { asked, faults } = listen(page);
+      await page.waitForTimeout(2500);
+      expect(asked).toEqual([]);
 
-    const second = await Rsal.run(`${OTHER}:lasting`, '--port', first.port);
-    await gone(page).waitFor({ state: 'hidden' });
-    await page.locator('tr[data-robot="guard-1"][data-x]').waitFor();
-    await eventually(() => Promise.resolve(asked.some((url) => url.includes('/api/links?'))), 'it goes on');
-    await page.locator('tr[data-robot="guard-1"]').click();
-    await page.locator('[data-reading]').first().waitFor();
-    await page.getByText('by no costs').waitFor({ state: 'attached' }); // another hint may have its place
-    await page.waitForTimeout(1000);
-    expect(asked.filter((url) => /hunter|prey/.test(url))).toEqual([]);
-    expect(faults).toEqual([]);
-    await second.end();
-  });
+      const second = await Rsal.run(`${OTHER}:lasting`, '--port', first.port);
+      await gone(page).waitFor({ state: 'hidden' });
+      await page.locator('tr[data-robot="guard-1"][data-x]').waitFor();
+      await eventually(() => Promise.resolve(asked.some((url) => url.includes('/api/links?'))), 'it goes on');
+      await page.locator('tr[data-robot="guard-1"]').click();
+      await page.locator('[data-reading]').first().waitFor();
+      await page.getByText('by no costs').waitFor({ state: 'attached' }); // another hint may have its place
+      await page.waitForTimeout(1000);
+      expect(asked.filter((url) => /hunter|prey/.test(url))).toEqual([]);
+      expect(faults).toEqual([]);
+      await second.end();
+    },
+  );
 
-  it('may answer about a robot of a run that is not there any more', async () => {
+  longTest('may answer about a robot of a run that is not there any more', async () => {
     const rsal = await Rsal.run('hunt-and-prey', '--port', '0');
     const page = await openRun(rsal.url);
     const { faults } = listen(page);

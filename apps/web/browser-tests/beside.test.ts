@@ -1,13 +1,12 @@
 import { setTimeout } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
-import { AxeBuilder } from '@axe-core/playwright';
 import type { Page } from 'playwright-core';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import type { SideBySide } from '../src/api/messages';
 import { chromium } from './chromium';
 import { eventually, settled } from './eventually';
 import { Rsal } from './rsal';
-import { expectNoViolation, picture, visits } from './visits';
+import { expectNoViolation, longTest, picture, violations, visits } from './visits';
 import { timeOn } from './world';
 
 const OWN = fileURLToPath(new URL('beside.yaml', import.meta.url));
@@ -71,8 +70,8 @@ describe.skipIf(!chromium)('runs side by side', () => {
 
   /** In the frames, too; each of these has landmarks of its own, as the page of one run has. */
   async function expectAccessible(page: Page) {
-    await expectNoViolation(new AxeBuilder({ page }).exclude('iframe'));
-    await expectNoViolation(new AxeBuilder({ page }).disableRules('landmark-unique'));
+    await expectNoViolation(violations(page).exclude('iframe'));
+    await expectNoViolation(violations(page).disableRules('landmark-unique'));
   }
 
   it('are begun by a click, go on, stop together by the space key, and are closed', async () => {
@@ -135,7 +134,7 @@ describe.skipIf(!chromium)('runs side by side', () => {
     await areStopped(page, 1);
   });
 
-  it('stop together from the page of one that is over, or was closed', async () => {
+  longTest('stop together from the page of one that is over, or was closed', async () => {
     await rsal.beside({ configuration: 'three' });
     await rsal.beside({ configuration: 'three' });
     const page = await open(rsal.url);
@@ -161,7 +160,7 @@ describe.skipIf(!chromium)('runs side by side', () => {
     await eventually(() => isStopped(4), 'run 4 stands');
   });
 
-  it('are controlled by one person at a time, in all frames', async () => {
+  longTest('are controlled by one person at a time, in all frames', async () => {
     await rsal.beside({ configuration: 'three' });
     const page = await open(rsal.url);
     await page.locator('tr[data-robot="guard-1"]').waitFor();
@@ -192,7 +191,7 @@ describe.skipIf(!chromium)('runs side by side', () => {
     await page.unrouteAll({ behavior: 'ignoreErrors' });
   });
 
-  it('are told together, and begin again with one seed', async () => {
+  longTest('are told together, and begin again with one seed', async () => {
     const page = await open(rsal.url, { colorScheme: 'dark' });
     await page.locator('tr[data-robot="guard-1"]').waitFor();
     await beside(page, { configuration: 'three' }, { configuration: 'rooms' });
@@ -248,7 +247,7 @@ describe.skipIf(!chromium)('runs side by side', () => {
     );
   });
 
-  it('have a page each, which says when its run was closed', async () => {
+  longTest('have a page each, which says when its run was closed', async () => {
     await rsal.beside({ configuration: 'three' });
     const page = await open(rsal.url.replace('/#', '/beside/2/#'));
     await page.locator('tr[data-robot="guard-3"]').waitFor();
@@ -258,7 +257,7 @@ describe.skipIf(!chromium)('runs side by side', () => {
     await page.getByText('This run was closed.').waitFor();
   });
 
-  it('stand one below the other where there is little room', async () => {
+  longTest('stand one below the other where there is little room', async () => {
     const page = await open(rsal.url, { viewport: { width: 480, height: 800 } });
     await page.locator('tr[data-robot="guard-1"]').waitFor();
     await beside(page, { configuration: 'three' });

@@ -1,10 +1,10 @@
 import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
-import { beforeAll, describe, expect, it } from 'vitest';
+import { beforeAll, describe, expect } from 'vitest';
 import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
-import { expectAccessible, picture, visits } from './visits';
+import { longTest, expectAccessible, picture, visits } from './visits';
 
 const WANDER = fileURLToPath(new URL('wander.yaml', import.meta.url));
 
@@ -42,7 +42,7 @@ describe.skipIf(!chromium)('panels that lie one above the other', () => {
     await page.mouse.up();
   }
 
-  it.each([
+  longTest.each([
     ['Border between robots and agents', 0],
     ['Border between agents and events', 1],
   ] as const)('share their height by the %s', async (name, at) => {

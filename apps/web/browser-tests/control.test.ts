@@ -3,7 +3,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
-import { expectAccessible, picture, visits } from './visits';
+import { expectAccessible, longTest, picture, visits } from './visits';
 
 describe.skipIf(!chromium)('control, of several who have the token', () => {
   const { openRun } = visits();
@@ -76,23 +76,26 @@ describe.skipIf(!chromium)('control, of several who have the token', () => {
     await eventually(async () => !(await pause(ann).isEnabled()), 'Ann only watches');
   });
 
-  it('stays with the first of two tabs when it is duplicated, which takes along all that it keeps', async () => {
-    const kept = await bob.evaluate(() => Object.entries(sessionStorage) as [string, string][]);
-    const twin = await bob.context().newPage();
-    await twin.addInitScript((all) => {
-      if (sessionStorage.length === 0) {
-        all.forEach(([name, value]) => sessionStorage.setItem(name, value));
-      }
-    }, kept);
-    await twin.goto(rsal.origin);
-    await twin.getByRole('button', { name: 'Bob has control' }).waitFor();
-    await twin.waitForTimeout(3000); // in which both ask again
-    await twin.close();
-    await bob.getByRole('button', { name: /^Give control back/ }).waitFor();
-    await ann.getByRole('button', { name: 'Bob has control' }).waitFor();
-  });
+  longTest(
+    'stays with the first of two tabs when it is duplicated, which takes along all that it keeps',
+    async () => {
+      const kept = await bob.evaluate(() => Object.entries(sessionStorage) as [string, string][]);
+      const twin = await bob.context().newPage();
+      await twin.addInitScript((all) => {
+        if (sessionStorage.length === 0) {
+          all.forEach(([name, value]) => sessionStorage.setItem(name, value));
+        }
+      }, kept);
+      await twin.goto(rsal.origin);
+      await twin.getByRole('button', { name: 'Bob has control' }).waitFor();
+      await twin.waitForTimeout(3000); // in which both ask again
+      await twin.close();
+      await bob.getByRole('button', { name: /^Give control back/ }).waitFor();
+      await ann.getByRole('button', { name: 'Bob has control' }).waitFor();
+    },
+  );
 
-  it('is given back, also by closing the page', async () => {
+  longTest('is given back, also by closing the page', async () => {
     await ann.keyboard.press('p');
     const why = ann.getByText('Bob has control: all you may do is to watch');
     await why.waitFor();

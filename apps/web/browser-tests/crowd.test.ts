@@ -4,7 +4,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
-import { expectAccessible, picture, visits } from './visits';
+import { expectAccessible, longTest, picture, visits } from './visits';
 import { drawnOn } from './world';
 
 const CROWD = fileURLToPath(new URL('crowd.yaml', import.meta.url));
@@ -43,7 +43,7 @@ describe.skipIf(!chromium)('a crowd of robots', () => {
     await page.locator('[data-agent="rover-1"]').waitFor();
   });
 
-  it('shows who is chosen on the map in the list, wherever that is', async () => {
+  longTest('shows who is chosen on the map in the list, wherever that is', async () => {
     await scroll('Robots', 1);
     await row(ROBOTS).waitFor();
     const [x, y] = await Promise.all(['data-x', 'data-y'].map((name) => row(ROBOTS).getAttribute(name)));
@@ -87,7 +87,7 @@ describe.skipIf(!chromium)('a crowd of robots', () => {
     await picture(page, 'crowd');
   });
 
-  it('has links of the one that is selected, as all would be too many', async () => {
+  longTest('has links of the one that is selected, as all would be too many', async () => {
     const hint = page.getByText('So many robots');
     await page.getByRole('button', { name: 'Links', exact: true }).click();
     await hint.waitFor();
@@ -99,7 +99,7 @@ describe.skipIf(!chromium)('a crowd of robots', () => {
     await hint.waitFor({ state: 'detached' });
   });
 
-  it('leaves the page accessible', async () => {
+  longTest('leaves the page accessible', async () => {
     await expectAccessible(page);
   });
 });

@@ -4,7 +4,7 @@ import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
-import { expectAccessible, looks, visits } from './visits';
+import { expectAccessible, longTest, looks, visits } from './visits';
 import { poseOf } from './world';
 
 const WORLD = fileURLToPath(new URL('driving.world', import.meta.url));
@@ -96,7 +96,7 @@ describe.skipIf(!chromium)('robots of a world', () => {
     await moved('roamer');
   });
 
-  it('go sideways when they can', async () => {
+  longTest('go sideways when they can', async () => {
     await take('glider');
     const start = await pose('glider');
     await page.keyboard.down('q');
@@ -131,7 +131,7 @@ describe.skipIf(!chromium)('robots of a world', () => {
     expect((await pose('idle')).x).toBeLessThan(there.x + 3); // long before the wall
   });
 
-  it('stand when they are taken again after a refusal, though a key was down then', async () => {
+  longTest('stand when they are taken again after a refusal, though a key was down then', async () => {
     await take('idle');
     await page.keyboard.down('w');
     await moved('idle');
@@ -177,7 +177,7 @@ describe.skipIf(!chromium)('robots of a world', () => {
     await other.getByText('Another page drives it.').waitFor({ state: 'hidden' });
   });
 
-  it('are driven by a finger on the pad, as fast as the slider says', async () => {
+  longTest('are driven by a finger on the pad, as fast as the slider says', async () => {
     await take('idle');
     await page.getByLabel('Part of its full speed').fill('100');
     await page.waitForTimeout(300); // the map's bar may still wrap
@@ -252,7 +252,7 @@ describe.skipIf(!chromium)('robots of a world', () => {
     expect(await watching.getByText('You drive').count()).toBe(0);
   });
 
-  it('drive in a hunt, too', async () => {
+  longTest('drive in a hunt, too', async () => {
     const hunt = await Rsal.run('hunt-and-prey', '--port', '0', '--seed', '42');
     page = await openRun(hunt.url);
     await moved('hunter-1');

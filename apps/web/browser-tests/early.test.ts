@@ -7,7 +7,7 @@ import { decodeFrame } from '../src/live/frame';
 import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
-import { visits } from './visits';
+import { longTest, visits } from './visits';
 import { timeOn } from './world';
 
 const LATE_MILLIS = 3000;
@@ -69,7 +69,7 @@ describe.skipIf(!chromium)('a page whose code comes late', () => {
     expect(lines).toEqual([`${running.origin.replace('http', 'ws')}/api/live`]);
   });
 
-  it('has one of the runs side by side, where that one is', async () => {
+  longTest('has one of the runs side by side, where that one is', async () => {
     const url = running.url.replace('/#', '/beside/2/#');
     const page = await open(url);
     const { lines } = await late(page, url);
@@ -77,7 +77,7 @@ describe.skipIf(!chromium)('a page whose code comes late', () => {
     expect(lines).toEqual([`${running.origin.replace('http', 'ws')}/beside/2/api/live`]);
   });
 
-  it('has a recording from its beginning', async () => {
+  longTest('has a recording from its beginning', async () => {
     const page = await open(recorded.url);
     const { lines, times } = await late(page, recorded.url);
     await isThere(page, 'robot-1');
@@ -88,7 +88,7 @@ describe.skipIf(!chromium)('a page whose code comes late', () => {
     expect(lines).toHaveLength(1);
   });
 
-  it('tries again when the line was refused before the code was there', async () => {
+  longTest('tries again when the line was refused before the code was there', async () => {
     const page = await open(running.url);
     let asked = 0;
     await page.routeWebSocket(/\/api\/live$/, (line) => {

@@ -4,7 +4,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { chromium } from './chromium';
 import { eventually, settled } from './eventually';
 import { Rsal } from './rsal';
-import { picture, visits } from './visits';
+import { longTest, picture, visits } from './visits';
 import { timeOn } from './world';
 
 const SCENARIO = fileURLToPath(new URL('../../../docs/examples/explore.yaml', import.meta.url));
@@ -61,7 +61,7 @@ describe.skipIf(!chromium)('robots that explore', () => {
     ).toBe('PK');
   });
 
-  it('are asked for ever more seldom where there is none', async () => {
+  longTest('are asked for ever more seldom where there is none', async () => {
     const page = await open('about:blank', { mayFail: true });
     const asked: number[] = []; // when
     await page.route(/\/api\/drawn\//, (route) => {

@@ -4,7 +4,7 @@ import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
-import { picture, visits } from './visits';
+import { longTest, picture, visits } from './visits';
 
 const SCENARIO = fileURLToPath(new URL('faulty.yaml', import.meta.url));
 
@@ -44,7 +44,7 @@ describe.skipIf(!chromium)('a robot that is gone', () => {
     expect(asked).toBe(0);
   });
 
-  it('is said for how long it has been so, and when its agent was heard last', async () => {
+  longTest('is said for how long it has been so, and when its agent was heard last', async () => {
     await isGone('stays');
     const age = async (text: Promise<string>) => Number(/(\d+) s/.exec(await text)?.[1] ?? NaN);
     const agent = page.locator('[data-agent] .age');
@@ -57,7 +57,7 @@ describe.skipIf(!chromium)('a robot that is gone', () => {
     await eventually(async () => !(await says('vanishes')).includes('gone'), 'the other one is there again');
   });
 
-  it('can be told something again once it is back', async () => {
+  longTest('can be told something again once it is back', async () => {
     await isGone('vanishes');
     await row('vanishes').click();
     await page.locator('.card .gone').waitFor();

@@ -4,7 +4,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
-import { expectAccessible, picture, visits } from './visits';
+import { expectAccessible, longTest, picture, visits } from './visits';
 
 const TEAM = fileURLToPath(new URL('talk.yaml', import.meta.url));
 
@@ -90,7 +90,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     await isAccessible(page);
   });
 
-  it('tells by topic what was said, heard and lost, and why', async () => {
+  longTest('tells by topic what was said, heard and lost, and why', async () => {
     const page = await opened(1000, 900, 'light');
     await page.getByRole('button', { name: 'By topic' }).click();
     const pose = page.locator('[data-topic="pose"]');
@@ -102,7 +102,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     await pose.waitFor({ state: 'detached' });
   });
 
-  it('fits into a narrow window', async () => {
+  longTest('fits into a narrow window', async () => {
     const page = await opened(480, 900, 'dark');
     await page.locator('tr[data-robot="prey"]').first().click();
     await page.locator('[data-goal]').first().waitFor();
@@ -216,7 +216,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     await isAccessible(page);
   });
 
-  it('stays known when the run is over, with what devices told last', async () => {
+  longTest('stays known when the run is over, with what devices told last', async () => {
     await rsal.post('stop');
     const page = await opened(1400, 900, 'light');
     await page.getByTestId('outcome').waitFor();

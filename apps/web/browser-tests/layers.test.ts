@@ -4,7 +4,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
-import { picture, visits } from './visits';
+import { picture, visits, trials } from './visits';
 import { poseOf, type Place } from './world';
 import type { Mounts } from '../src/api/messages';
 import { texts } from '../src/texts';
@@ -237,38 +237,41 @@ describe.skipIf(!chromium)('each layer of the map', () => {
     }, 'the map stays as it is');
   }
 
-  it.each(Object.keys(texts.layers) as (keyof typeof texts.layers)[])('is drawn: %s', async (name) => {
-    const { at, within, colors } = expected[name];
-    const chip = page.getByRole('button', { name: texts.layers[name], exact: true });
-    const isOn = (await chip.getAttribute('aria-pressed')) === 'true';
-    await keep(isOn ? 'shown' : 'without');
-    await chip.click();
-    await eventually(async () => {
-      await keep('now');
-      return (await differences(isOn ? 'shown' : 'without', 'now')).length > 20;
-    }, 'it is seen');
-    await settled();
-    await picture(page, `layer-${name}`);
-    await keep(isOn ? 'without' : 'shown');
-    const changed = await differences('without', 'shown');
+  it.each(trials(Object.keys(texts.layers) as (keyof typeof texts.layers)[], 8))(
+    'is drawn: %s',
+    async (name) => {
+      const { at, within, colors } = expected[name];
+      const chip = page.getByRole('button', { name: texts.layers[name], exact: true });
+      const isOn = (await chip.getAttribute('aria-pressed')) === 'true';
+      await keep(isOn ? 'shown' : 'without');
+      await chip.click();
+      await eventually(async () => {
+        await keep('now');
+        return (await differences(isOn ? 'shown' : 'without', 'now')).length > 20;
+      }, 'it is seen');
+      await settled();
+      await picture(page, `layer-${name}`);
+      await keep(isOn ? 'without' : 'shown');
+      const changed = await differences('without', 'shown');
 
-    for (const place of at) {
-      expect(
-        changed.some((pixel) => distance(pixel, place) < 0.03),
-        `it is seen at (${String(place.x)}, ${String(place.y)})`,
-      ).toBe(true);
-    }
-    expect(changed.filter((place) => !within(place)).slice(0, 3), 'elsewhere nothing changes').toEqual([]);
-    const some = changed.filter((_, i) => i % Math.ceil(changed.length / 3000) === 0);
-    const odd = some.filter((pixel) => !colors.some((group) => isMixed(pixel, floor, group)));
-    expect(odd.length / some.length, `such as ${JSON.stringify(odd.slice(0, 3))}`).toBeLessThan(0.03);
+      for (const place of at) {
+        expect(
+          changed.some((pixel) => distance(pixel, place) < 0.03),
+          `it is seen at (${String(place.x)}, ${String(place.y)})`,
+        ).toBe(true);
+      }
+      expect(changed.filter((place) => !within(place)).slice(0, 3), 'elsewhere nothing changes').toEqual([]);
+      const some = changed.filter((_, i) => i % Math.ceil(changed.length / 3000) === 0);
+      const odd = some.filter((pixel) => !colors.some((group) => isMixed(pixel, floor, group)));
+      expect(odd.length / some.length, `such as ${JSON.stringify(odd.slice(0, 3))}`).toBeLessThan(0.03);
 
-    await chip.click();
-    await eventually(async () => {
-      await keep('again');
-      return (await differences(isOn ? 'shown' : 'without', 'again')).length === 0;
-    }, 'all is as it was');
-  });
+      await chip.click();
+      await eventually(async () => {
+        await keep('again');
+        return (await differences(isOn ? 'shown' : 'without', 'again')).length === 0;
+      }, 'all is as it was');
+    },
+  );
 });
 
 /**

@@ -4,7 +4,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
-import { expectAccessible, picture, visits } from './visits';
+import { expectAccessible, longTest, picture, visits } from './visits';
 import { drawnOn } from './world';
 import type { Links } from '../src/api/messages';
 
@@ -82,7 +82,7 @@ describe.skipIf(!chromium)('who hears whom', () => {
     await page.locator('[data-past=false]').waitFor();
   });
 
-  it('looks well in the dark, and is accessible', async () => {
+  longTest('looks well in the dark, and is accessible', async () => {
     const page = await opened('dark');
     await layer(page).click();
     await page.waitForTimeout(2500);

@@ -4,7 +4,7 @@ import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { chromium } from './chromium';
 import { eventually, settled } from './eventually';
 import { Rsal } from './rsal';
-import { expectAccessible, looks, visits } from './visits';
+import { expectAccessible, longTest, looks, visits } from './visits';
 import { drag, onScreen, poseOf, timeOn } from './world';
 
 const SEED = '42';
@@ -158,7 +158,7 @@ describe.skipIf(!chromium)('the page', () => {
     }, 'the hunter is on its way');
   });
 
-  it('says when a robot cannot get where it is sent', async () => {
+  longTest('says when a robot cannot get where it is sent', async () => {
     await rsal.post('goal', { robot: 'hunter-1', x: -31, y: -7.55, heading: 0 }); // in a corner
     await page.getByRole('alert').getByText("hunter-1 can't get to (-31.00, -7.55, 0°): no path.").waitFor();
     const late = await opened(rsal.url);
@@ -211,7 +211,7 @@ describe.skipIf(!chromium)('the page', () => {
     }, 'the prey moves again');
   });
 
-  it('stays stopped when the emergency stop is clicked twice', async () => {
+  longTest('stays stopped when the emergency stop is clicked twice', async () => {
     const [stop, emergencyStop] = ['Stop', 'Emergency stop'].map((name) =>
       page.getByRole('button', { name, exact: true }),
     ) as [Locator, Locator];
@@ -301,7 +301,7 @@ describe.skipIf(!chromium)('the page', () => {
     }
   });
 
-  it('keeps what is selected when Esc empties and leaves a filter', async () => {
+  longTest('keeps what is selected when Esc empties and leaves a filter', async () => {
     await page.locator('tr[data-robot="prey-1"]').click();
     const card = page.getByText('Place, copy, remove');
     await card.waitFor();
@@ -316,7 +316,7 @@ describe.skipIf(!chromium)('the page', () => {
     await card.waitFor({ state: 'detached' });
   });
 
-  it('makes an enlarged panel small again by Esc, however it was enlarged', async () => {
+  longTest('makes an enlarged panel small again by Esc, however it was enlarged', async () => {
     const enlarge = page.getByRole('button', { name: 'Enlarge' }).first();
     await enlarge.click();
     await page.locator('.panel.large').waitFor();
@@ -332,7 +332,7 @@ describe.skipIf(!chromium)('the page', () => {
     await page.getByRole('button', { name: 'Arm', exact: true }).click();
   });
 
-  it('keeps the emergency stop in sight where the page is higher than the window', async () => {
+  longTest('keeps the emergency stop in sight where the page is higher than the window', async () => {
     await page.setViewportSize({ width: 800, height: 600 });
     await page.mouse.move(400, 400);
     await page.evaluate(() => document.scrollingElement!.scrollTo(0, 10_000));
@@ -390,7 +390,7 @@ describe.skipIf(!chromium)('the page', () => {
     );
   });
 
-  it('shows the next run from its beginning to who looks back on the last', async () => {
+  longTest('shows the next run from its beginning to who looks back on the last', async () => {
     await eventually(async () => (await time()) > 3, 'there is something to look back on');
     await page.keyboard.press(',');
     const past = page.locator('.timeline[data-past="true"]');
@@ -411,7 +411,7 @@ describe.skipIf(!chromium)('the page', () => {
     await eventually(async () => (await time()) > now, 'and goes on');
   });
 
-  it('offers the present speed for the next run, unless nobody could watch it', async () => {
+  longTest('offers the present speed for the next run, unless nobody could watch it', async () => {
     const offered = async () => {
       await page.keyboard.press('r');
       const dialog = page.getByRole('dialog');
@@ -483,7 +483,7 @@ describe.skipIf(!chromium)('the page', () => {
     );
   });
 
-  it('explains what is out of bounds', async () => {
+  longTest('explains what is out of bounds', async () => {
     const bounded = await Rsal.run(fileURLToPath(new URL('bounded.yaml', import.meta.url)), '--port', '0');
     page = await open(bounded.url, { mayFail: true });
     await page.getByText(/^Out of bounds: way is [\d.]+ m; the scenario allows at least 1000 m\.$/).waitFor();
@@ -491,7 +491,7 @@ describe.skipIf(!chromium)('the page', () => {
     await page.close();
   });
 
-  it('begins the chart with what there is: in this hunt nobody has conversations', async () => {
+  longTest('begins the chart with what there is: in this hunt nobody has conversations', async () => {
     await page.getByText('hunter-1 goes for prey-1').first().waitFor();
     await page.getByRole('button', { name: 'Chart', exact: true }).click();
     await page.locator('.arrow.all', { hasText: 'hunter-1 goes for prey-1' }).first().waitFor();
@@ -612,7 +612,7 @@ describe.skipIf(!chromium)('the page', () => {
     await page.getByText('Place, copy, remove').waitFor({ state: 'detached' }); // of another run
   });
 
-  it('has notices that are put away over a dialog, too', async () => {
+  longTest('has notices that are put away over a dialog, too', async () => {
     const before = await pose('prey-1');
     await drag(page, before, { x: 0, y: 7.75 }); // a wall
     const notice = page.locator('.notices p').first();

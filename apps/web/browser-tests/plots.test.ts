@@ -5,7 +5,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
-import { expectAccessible, picture, visits } from './visits';
+import { expectAccessible, longTest, picture, visits } from './visits';
 
 const TEAM = fileURLToPath(new URL('talk.yaml', import.meta.url));
 const SPEED = 'courier-1: base velocity.vx';
@@ -83,7 +83,7 @@ describe.skipIf(!chromium)('plots', () => {
     expect(await span().locator('option:checked').innerText()).toBe('60 s');
   });
 
-  it('leave the wheel to the panel that is scrolled by it', async () => {
+  longTest('leave the wheel to the panel that is scrolled by it', async () => {
     const scroller = page.locator('.panel', { hasText: 'Robots' }).locator('.body').first();
     await scroller.evaluate((node) => node.scrollTo({ top: 0 }));
     const at = (await scroller.boundingBox())!;
@@ -101,7 +101,7 @@ describe.skipIf(!chromium)('plots', () => {
     expect(await span().locator('option:checked').innerText()).toBe('60 s');
   });
 
-  it('show what was dragged over, and where the pointer is in it', async () => {
+  longTest('show what was dragged over, and where the pointer is in it', async () => {
     await box().scrollIntoViewIfNeeded();
     const at = (await box().boundingBox())!;
     await page.mouse.move(at.x + 0.25 * at.width, at.y + 30);

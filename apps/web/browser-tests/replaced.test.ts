@@ -1,13 +1,13 @@
-import { describe, expect, it } from 'vitest';
+import { describe, expect } from 'vitest';
 import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
-import { visits } from './visits';
+import { longTest, visits } from './visits';
 
 describe.skipIf(!chromium)('a run that is replaced', () => {
   const { openRun } = visits({ refusals: false });
 
-  it('is asked no more about the robot that was selected in it, its agent and its plots', async () => {
+  longTest('is asked no more about the robot that was selected in it, its agent and its plots', async () => {
     const rsal = await Rsal.run('find-and-collect', '--port', '0');
     const page = await openRun(rsal.url);
     const restart = (collectors: string) => rsal.post('restart', { arguments: { collectors } });

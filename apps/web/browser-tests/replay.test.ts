@@ -7,7 +7,7 @@ import type { Readings } from '../src/api/messages';
 import { chromium } from './chromium';
 import { eventually, settled } from './eventually';
 import { Rsal } from './rsal';
-import { expectAccessible, picture, visits } from './visits';
+import { expectAccessible, longTest, picture, visits } from './visits';
 import { timeOn } from './world';
 
 describe.skipIf(!chromium)('looking back', () => {
@@ -185,7 +185,7 @@ describe.skipIf(!chromium)('looking back', () => {
     await running.post('motors', { robot: 'hunter-1', on: true });
   });
 
-  it('tells what devices told and agents had in mind, as far as it was recorded', async () => {
+  longTest('tells what devices told and agents had in mind, as far as it was recorded', async () => {
     await look(recorded.url);
     await button('Pause').click();
     await button('Resume').waitFor();
@@ -213,33 +213,36 @@ describe.skipIf(!chromium)('looking back', () => {
     await page.locator('figure path[d*="L"]').waitFor();
   });
 
-  it('begins a plot with what was before it was opened, wherever in the recording that is', async () => {
-    await look(recorded.url);
-    await button('Pause').click();
-    await button('Resume').waitFor();
-    await cursor().fill('30');
-    await shows(29.9, 30.1);
-    await page.locator('tr[data-robot="hunter-1"]').click();
-    await page.locator('[data-reading="navigator"]').getByText('goal').waitFor();
-    await page.getByText('Plots', { exact: true }).click();
-    await page.getByLabel('Plot a number…').selectOption({ label: 'speed ahead [m/s]' });
-    const line = () =>
-      page
-        .locator('figure .lines path')
-        .evaluateAll((paths) => paths.map((path) => path.getAttribute('d')).join(''));
-    const points = async () => (await line()).match(/[ML][\d.-]+ [\d.-]+/g) ?? [];
-    await eventually(async () => (await points()).length > 100, 'what was before is drawn');
-    expect(parseFloat((await points())[0]!.slice(1))).toBeLessThan(5);
-    await picture(page, 'replay-plot');
-    await cursor().fill('10');
-    await shows(9.9, 10.1);
-    await cursor().fill('25');
-    await shows(24.9, 25.1);
-    await eventually(async () => (await points()).length > 100, 'it is there after jumps');
-    expect((await line()).match(/M/g)).toHaveLength(1);
-  });
+  longTest(
+    'begins a plot with what was before it was opened, wherever in the recording that is',
+    async () => {
+      await look(recorded.url);
+      await button('Pause').click();
+      await button('Resume').waitFor();
+      await cursor().fill('30');
+      await shows(29.9, 30.1);
+      await page.locator('tr[data-robot="hunter-1"]').click();
+      await page.locator('[data-reading="navigator"]').getByText('goal').waitFor();
+      await page.getByText('Plots', { exact: true }).click();
+      await page.getByLabel('Plot a number…').selectOption({ label: 'speed ahead [m/s]' });
+      const line = () =>
+        page
+          .locator('figure .lines path')
+          .evaluateAll((paths) => paths.map((path) => path.getAttribute('d')).join(''));
+      const points = async () => (await line()).match(/[ML][\d.-]+ [\d.-]+/g) ?? [];
+      await eventually(async () => (await points()).length > 100, 'what was before is drawn');
+      expect(parseFloat((await points())[0]!.slice(1))).toBeLessThan(5);
+      await picture(page, 'replay-plot');
+      await cursor().fill('10');
+      await shows(9.9, 10.1);
+      await cursor().fill('25');
+      await shows(24.9, 25.1);
+      await eventually(async () => (await points()).length > 100, 'it is there after jumps');
+      expect((await line()).match(/M/g)).toHaveLength(1);
+    },
+  );
 
-  it('stays where somebody jumps to who has just paused', async () => {
+  longTest('stays where somebody jumps to who has just paused', async () => {
     await look(recorded.url);
     const begin = await time();
     await eventually(async () => (await time()) > begin + 0.5, 'it plays');
@@ -255,22 +258,25 @@ describe.skipIf(!chromium)('looking back', () => {
     await shows(19.9, 20.1);
   });
 
-  it('asks where robots went before each moment that is jumped to, also while it is paused', async () => {
-    await look(recorded.url);
-    await button('Pause').click();
-    await button('Resume').waitFor();
-    const asked: string[] = [];
-    page.on('request', (request) => asked.push(request.url()));
-    for (const seconds of [20, 40, 30]) {
-      await cursor().fill(String(seconds));
-      await shows(seconds - 0.1, seconds + 0.1);
-      await eventually(
-        () => Promise.resolve(asked.some((url) => url.endsWith(`/api/trails?time=${String(seconds)}`))),
-        `of ${String(seconds)} s it is asked`,
-      );
-    }
-    await picture(page, 'replay-trails');
-  });
+  longTest(
+    'asks where robots went before each moment that is jumped to, also while it is paused',
+    async () => {
+      await look(recorded.url);
+      await button('Pause').click();
+      await button('Resume').waitFor();
+      const asked: string[] = [];
+      page.on('request', (request) => asked.push(request.url()));
+      for (const seconds of [20, 40, 30]) {
+        await cursor().fill(String(seconds));
+        await shows(seconds - 0.1, seconds + 0.1);
+        await eventually(
+          () => Promise.resolve(asked.some((url) => url.endsWith(`/api/trails?time=${String(seconds)}`))),
+          `of ${String(seconds)} s it is asked`,
+        );
+      }
+      await picture(page, 'replay-trails');
+    },
+  );
 
   it('tells of a run that goes on what devices had told and agents had in mind at each moment', async () => {
     await running.post('restart', { configuration: 'virtual', seed: '5' });

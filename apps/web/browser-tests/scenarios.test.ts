@@ -4,7 +4,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
-import { expectAccessible, picture, visits } from './visits';
+import { expectAccessible, longTest, picture, visits } from './visits';
 
 const OWN = fileURLToPath(new URL('talk.yaml', import.meta.url));
 
@@ -71,7 +71,7 @@ describe.skipIf(!chromium)('the choice of a scenario', () => {
     await eventually(async () => !(await page.getByTestId('rate').innerText()).includes('paused'), 'it runs');
   });
 
-  it('is there by a key, and takes another host for the agents', async () => {
+  longTest('is there by a key, and takes another host for the agents', async () => {
     const page = await opened(rsal.url.replace('&choose', ''), 'dark', 480);
     await page.locator('tr[data-robot]').first().waitFor();
     await page.keyboard.press('c');

@@ -7,7 +7,7 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { chromium } from './chromium';
 import { eventually, settled } from './eventually';
 import { Rsal } from './rsal';
-import { expectAccessible, picture, visits } from './visits';
+import { expectAccessible, longTest, picture, visits } from './visits';
 
 const OWN = fileURLToPath(new URL('wander.yaml', import.meta.url));
 
@@ -116,7 +116,7 @@ describe.skipIf(!chromium)('a sweep', () => {
     await picture(report, 'sweep-report');
   });
 
-  it('is stopped without half a row, and gone on with by the command that it shows', async () => {
+  longTest('is stopped without half a row, and gone on with by the command that it shows', async () => {
     const page = await opened(rsal.url);
     await choose(page);
     await form(page).getByLabel('brief: Five seconds').uncheck();
@@ -148,7 +148,7 @@ describe.skipIf(!chromium)('a sweep', () => {
     expect(rows()).toHaveLength(48);
   });
 
-  it('of a server that is gone is gone on with', async () => {
+  longTest('of a server that is gone is gone on with', async () => {
     const left = join(folder, 'wander-9');
     cpSync(join(folder, 'wander-2'), left, { recursive: true });
     const rows = readFileSync(join(left, 'rows.jsonl'), 'utf8').split('\n').slice(0, 40);
@@ -167,7 +167,7 @@ describe.skipIf(!chromium)('a sweep', () => {
     expect(new Set(all.map((row) => (JSON.parse(row) as { run: number }).run)).size).toBe(48);
   });
 
-  it('can be looked at by a key and without the token, and not be touched then', async () => {
+  longTest('can be looked at by a key and without the token, and not be touched then', async () => {
     const page = await opened(rsal.url.split('#')[0]!, 'dark');
     await page.locator('tr[data-robot]').first().waitFor();
     await page.keyboard.press('x');

@@ -4,7 +4,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { chromium } from './chromium';
 import { eventually, settled } from './eventually';
 import { Rsal } from './rsal';
-import { expectAccessible, picture, visits } from './visits';
+import { expectAccessible, longTest, picture, visits } from './visits';
 
 const TEAM = fileURLToPath(new URL('talk.yaml', import.meta.url));
 
@@ -132,7 +132,7 @@ describe.skipIf(!chromium)('what people work with', () => {
     expect(await plot.count()).toBe(0);
   });
 
-  it('plots go on whichever robot is selected, and show what was when one looks back', async () => {
+  longTest('plots go on whichever robot is selected, and show what was when one looks back', async () => {
     await page.locator('tr[data-robot="courier-1"] button').click(); // until now it was selected
     expect(await page.locator('tr.card').count()).toBe(0);
     await page.locator('tr[data-robot="courier-2"]').click();
@@ -256,7 +256,7 @@ describe.skipIf(!chromium)('what people work with', () => {
     expect(await page.locator('#map').boundingBox()).toEqual(before);
   });
 
-  it('has one hint at a time on the map, which fits in there', async () => {
+  longTest('has one hint at a time on the map, which fits in there', async () => {
     await page.locator('tr[data-robot="courier-1"] button[aria-expanded="true"]').click();
     await page.setViewportSize({ width: 700, height: 700 });
     const layer = (name: string) => page.getByRole('button', { name, exact: true });
@@ -361,7 +361,7 @@ describe.skipIf(!chromium)('what people work with', () => {
     });
   });
 
-  it('the list of robots is as wide as its panel, also while motors are off', async () => {
+  longTest('the list of robots is as wide as its panel, also while motors are off', async () => {
     await page.getByRole('button', { name: 'Emergency stop', exact: true }).first().click();
     await told('no robot moves until they are armed');
     await page.locator('tr[data-robot] .off').first().waitFor();
@@ -381,7 +381,7 @@ describe.skipIf(!chromium)('what people work with', () => {
     await page.locator('tr[data-robot] .off').first().waitFor({ state: 'detached' });
   });
 
-  it('a plot of a run that is over ends there, and tells what was before', async () => {
+  longTest('a plot of a run that is over ends there, and tells what was before', async () => {
     const plot = page.locator('[data-plot="courier-1: base odomFromBase.x"]');
     if ((await page.locator('tr.card').count()) === 0) {
       await page.locator('tr[data-robot="courier-1"]').click();

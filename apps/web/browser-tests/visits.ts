@@ -6,7 +6,7 @@ import {
   type BrowserContextOptions,
   type Page,
 } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, beforeEach, expect } from 'vitest';
+import { afterAll, afterEach, beforeAll, beforeEach, expect, it } from 'vitest';
 import { chromium, flags } from './chromium';
 import { Rsal } from './rsal';
 
@@ -16,15 +16,24 @@ const PICTURES = process.env.PICTURES;
 /** What the server answers when people ask for what can't be: no mistake of the page, where a test does that. */
 const REFUSED = /status of 4(09|22)/;
 
-/** Colors and sizes that pages are looked at in: each of them at each landing, all pairs by `./rsal test --all`. */
-export const looks = (
-  [
-    ['light', 1280, 720],
-    ['dark', 820, 1180],
-    ['light', 820, 1180],
-    ['dark', 1280, 720],
-  ] as const
-).slice(0, process.env.RSAL_TEST_ALL === 'true' ? 4 : 2);
+/** Whether `./rsal test --all` runs this, for which what takes too long for each landing is left. */
+const all = process.env.RSAL_TEST_ALL === 'true';
+
+/** A test that takes too long for each landing. */
+export const longTest = it.runIf(all);
+
+/** What a test tries: the first ones at each landing, all by `./rsal test --all`. */
+export function trials<T>(values: readonly T[], landing = 1): readonly T[] {
+  return all ? values : values.slice(0, landing);
+}
+
+/** Colors and sizes that pages are looked at in. */
+export const looks = trials([
+  ['light', 1280, 720],
+  ['dark', 820, 1180],
+  ['light', 820, 1180],
+  ['dark', 1280, 720],
+] as const);
 
 interface Visit extends BrowserContextOptions {
   /** Of a server that may be gone at times: what goes wrong then is no mistake of the page. */
@@ -121,8 +130,13 @@ export async function picture(page: Page, name: string) {
  * @param within a selector, when the rest is not to be looked at
  */
 export async function expectAccessible(page: Page, within?: string, what?: string) {
-  const axe = new AxeBuilder({ page });
+  const axe = violations(page).setLegacyMode(); // in the page itself, which has no frames of other origins
   await expectNoViolation(within === undefined ? axe : axe.include(within), what);
+}
+
+/** Finds what breaks a rule; what keeps one is not described, which takes most of the time. */
+export function violations(page: Page): AxeBuilder {
+  return new AxeBuilder({ page }).options({ resultTypes: ['violations'] });
 }
 
 export async function expectNoViolation(axe: AxeBuilder, what?: string) {

@@ -4,7 +4,7 @@ import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
-import { expectAccessible, picture, visits } from './visits';
+import { expectAccessible, longTest, picture, visits } from './visits';
 import { colorAt, drag, onScreen, poseOf, type Place } from './world';
 
 const HALL = fileURLToPath(new URL('driving.world', import.meta.url));
@@ -69,7 +69,7 @@ describe.skipIf(!chromium)('the view of the world', () => {
     expect(await numberOf('turn')).toBe(0);
   });
 
-  it('is turned by dragging with Alt, around the robot that is followed, too', async () => {
+  longTest('is turned by dragging with Alt, around the robot that is followed, too', async () => {
     await page.locator('tr[data-robot="idle"]').click();
     await page.keyboard.press('f');
     const box = (await map().boundingBox())!;
@@ -189,7 +189,7 @@ describe.skipIf(!chromium)('the view of the world', () => {
     );
   });
 
-  it('shows the frames of the selected robot, in any view', async () => {
+  longTest('shows the frames of the selected robot, in any view', async () => {
     await rsal.post('pause');
     await page.locator('tr[data-robot="idle"]').click();
     const { x, y } = await pose('idle'); // it looks along the x axis of the map
@@ -212,7 +212,7 @@ describe.skipIf(!chromium)('the view of the world', () => {
     await picture(page, 'frames');
   });
 
-  it('fits a narrow screen, at an angle and in the dark', async () => {
+  longTest('fits a narrow screen, at an angle and in the dark', async () => {
     await close();
     page = await opened(480, 900, 'dark');
     await page.keyboard.press('v');
