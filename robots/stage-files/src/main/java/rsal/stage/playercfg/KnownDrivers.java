@@ -59,7 +59,7 @@ final class KnownDrivers {
     private static final Map<String, String> NEVER_READ = Map.of(
             "amcl laser_pose", "Where the laser is, the driver asks the laser.",
             "amcl laser_range_max", "How far the laser sees, the driver asks the laser.",
-            "wavefront cspace_file", "The driver works that out anew each time.");
+            "wavefront cspace_file", "The driver computes that each time.");
 
     private static final Map<String, String> INSTEAD_OF = Map.of(
             "amcl odom_drift[0]", "How much its odometry drifts, the robot's model says.",

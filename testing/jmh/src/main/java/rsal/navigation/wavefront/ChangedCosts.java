@@ -41,7 +41,7 @@ public class ChangedCosts {
         costs = CostMap.of(cave, toNotFree, CLEARANCE);
         changed = changed();
         if (!Arrays.equals(kernel().ground(), slow().ground()) || !Arrays.equals(kernel().shore(), slow().shore())) {
-            throw new IllegalStateException("What is taken over is not what is reckoned anew.");
+            throw new IllegalStateException("The costs that were taken over differ from those computed again.");
         }
     }
 
