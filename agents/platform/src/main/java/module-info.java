@@ -4,11 +4,7 @@ module rsal.agent.platform {
     requires transitive rsal.agent.api;
     requires static org.jspecify;
 
-    exports rsal.agent.bare to
-            rsal.bench,
-            rsal.jade,
-            rsal.jadex,
-            rsal.jason;
+    exports rsal.agent.bare;
     exports rsal.agent.bdi;
     exports rsal.agent.board;
     exports rsal.agent.message;
