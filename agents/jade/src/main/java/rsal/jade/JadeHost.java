@@ -43,7 +43,7 @@ final class JadeHost implements AgentHost, MessageTransport {
     static JadeHost start(Scheduler run, Set<Tool> tools) {
         if (!tools.isEmpty() && !hasDisplay()) {
             throw new UncheckedIOException(new IOException(
-                    "JADE's windows need a display, and there is none. Maybe leave %s out.".formatted(tools)));
+                    "JADE's windows need a display, and there is none. Maybe remove %s.".formatted(tools)));
         }
         var host = new JadeHost(run, Platform.start());
         try {

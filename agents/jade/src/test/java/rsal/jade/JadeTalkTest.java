@@ -356,7 +356,7 @@ class JadeTalkTest {
             assertThatExceptionOfType(UncheckedIOException.class)
                     .isThrownBy(() -> JadeHost.start(time, Set.of(Tool.SNIFFER)))
                     .havingCause()
-                    .withMessage("JADE's windows need a display, and there is none. Maybe leave [sniffer] out.");
+                    .withMessage("JADE's windows need a display, and there is none. Maybe remove [sniffer].");
         }
     }
 }

@@ -26,6 +26,7 @@ class JadexIT {
     private static final String HUNTERS = "../../docs/examples/jadex-hunters.yaml";
 
     @Test
+    @LongTest
     void threeScenariosSideBySideReachTheirEnds() throws Exception {
         try (var hunt = start("hunt-and-prey", 3, Map.of("catchDistance", "3.0", "hunters", "3"));
                 var distribution = start("distribution", 5, Map.of("robots", "3"));

@@ -71,7 +71,7 @@ record Program(String path, Map<String, String> texts) {
                             askedAt,
                             "File '%s' can't be included: '%s' is a folder of Jason's or JaCaMo's own, which is not here."
                                     .formatted(file, file.replaceFirst("/.*", "")),
-                            "Copy the file into the folder of the agent, or leave the line out.");
+                            "Copy the file into the folder of the agent, or remove the line.");
                 }
                 return files.text(file, MAX_BYTES, askedAt);
             } catch (InvalidSettings e) {

@@ -114,7 +114,7 @@ final class NewCommand extends Subcommand {
         if (kind != Own.agent) {
             check(
                     from == null && mas == null,
-                    "--kind %s begins with a scenario of its own. Leave --from and --mas out.".formatted(kind));
+                    "--kind %s begins with a scenario of its own. Remove --from and --mas.".formatted(kind));
             return Template.withPlugin(kind.name());
         }
         if (mas == null || mas.equals(PLAIN)) {
@@ -128,9 +128,9 @@ final class NewCommand extends Subcommand {
         Template template = Template.inLanguage(mas)
                 .orElseThrow(() -> new ParameterException(
                         spec.commandLine(),
-                        "Multi-agent system '%s' runs the same agents as '%s'. Leave --mas out here, and say it to 'rsal run'."
+                        "Multi-agent system '%s' runs the same agents as '%s'. Remove --mas here, and say it to 'rsal run'."
                                 .formatted(mas, PLAIN)));
-        check(from == null, "--mas %s begins with a scenario of its own. Leave --from %s out.".formatted(mas, from));
+        check(from == null, "--mas %s begins with a scenario of its own. Remove --from %s.".formatted(mas, from));
         return template;
     }
 

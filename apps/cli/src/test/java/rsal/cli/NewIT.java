@@ -214,7 +214,7 @@ class NewIT {
             new chase --from my.yaml          | 3 | There is no scenario 'my.yaml' to begin with.
             new chase --mas jsaon             | 2 | There is no multi-agent system 'jsaon'. Maybe 'jason' was meant?
             new chase --mas jade              | 2 | 'jade' runs the same agents as 'plain'
-            new chase --mas jason --from swarm | 2 | Leave --from swarm out.
+            new chase --mas jason --from swarm | 2 | Remove --from swarm.
             new 2nd                           | 3 | A scenario can't be called '2nd'.
             new patrol                        | 3 | A scenario that comes with RSAL is called 'patrol'.
             new none/chase                    | 5 | There is no folder

@@ -87,7 +87,7 @@ public final class SimulationLimits {
                 case Part.Registered other -> positive(problems, its + "period [s]", seconds(other.period()));
                 case Part.Own own ->
                     problems.add("Simulated robots have no computers of their own, and so no '%s'. %s"
-                            .formatted(own.name(), INSTEAD.getOrDefault(own.makes(), "Leave it out.")));
+                            .formatted(own.name(), INSTEAD.getOrDefault(own.makes(), "Remove it.")));
             }
         }
         return problems;

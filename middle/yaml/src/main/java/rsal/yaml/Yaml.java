@@ -174,8 +174,7 @@ public final class Yaml {
         } catch (NumberFormatException _) {
             throw new InvalidSettings(place, "'%s' is no %s that can be read here.".formatted(text, name(tag)), "");
         }
-        throw new InvalidSettings(
-                place, "Tags '%s' are not read here.".formatted(tag.getValue()), "Leave the tag out.");
+        throw new InvalidSettings(place, "Tags '%s' are not read here.".formatted(tag.getValue()), "Remove the tag.");
     }
 
     private static String name(Tag tag) {
@@ -212,7 +211,7 @@ public final class Yaml {
             throw new InvalidSettings(
                     place,
                     "Tags '%s' are not read here.".formatted(node.getTag().getValue()),
-                    "Leave the tag out.");
+                    "Remove the tag.");
         }
     }
 

@@ -88,7 +88,7 @@ final class Macros {
             throw findings.fatal(
                     location,
                     "'%s' builds upon more than %d macros.".formatted(WorldProblems.shortened(name), MAX_DEPTH),
-                    "Leave some out.");
+                    "Remove some.");
         }
         macros.put(name, macro);
     }

@@ -167,7 +167,7 @@ public final class RobotMaker {
             } else {
                 findings.warn(
                         device.model().location(),
-                        "A part of '%s' is left out. %s"
+                        "A part of '%s' is ignored. %s"
                                 .formatted(WorldProblems.shortened(base.macro()), String.join(" ", problems)),
                         "");
             }

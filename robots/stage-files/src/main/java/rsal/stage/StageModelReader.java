@@ -197,7 +197,7 @@ final class StageModelReader {
         } else if (Types.DISPENSABLE.contains(type)) {
             findings.warn(
                     entity.location(),
-                    "%s a type that later versions of Stage dropped; it is left out.".formatted(what),
+                    "%s a type that later versions of Stage dropped; it is ignored.".formatted(what),
                     "");
         } else if (file.complete() // else what was not included may define it
                 && !file.known().contains(type)) { // else its definition was told to be wrong
@@ -213,7 +213,7 @@ final class StageModelReader {
         } else {
             findings.warn(
                     entity.location(),
-                    message + "; it is left out with all that is in it.",
+                    message + "; it is ignored with all that is in it.",
                     "Maybe an include is missing.");
         }
     }

@@ -205,7 +205,7 @@ final class TraitsReader implements KindReader.Paint {
             findings.warn(
                     fields.locationOf("bitmap"),
                     "'bitmap' names no file and has no effect.",
-                    "Name an image, or leave it out.");
+                    "Name an image, or remove it.");
         }
         file.flatMap(name -> bitmap(name, fields.locationOf("bitmap"))).ifPresent(builder::bitmap);
         if (!blocks.isEmpty()) {

@@ -423,7 +423,7 @@ class StageFormatTest {
                 .singleElement()
                 .asString()
                 .startsWith("test.world:1:")
-                .contains("left out", "range [m]");
+                .contains("ignored", "range [m]");
     }
 
     @Test

@@ -347,7 +347,7 @@ class WorldMistakesTest {
     void aBitmapWithoutANameIsToldToHaveNoEffect() {
         assertThat(Worlds.of("model ( bitmap \"\" )").warnings())
                 .containsExactly("test.world:1:9: 'bitmap' names no file and has no effect.\n"
-                        + "    Name an image, or leave it out.");
+                        + "    Name an image, or remove it.");
     }
 
     @Test
@@ -367,9 +367,9 @@ class WorldMistakesTest {
         assertThat(worlds.names()).containsExactly("model:0", "model:0.model:0");
         assertThat(worlds.warnings())
                 .containsExactly(
-                        "test.world:1:9: 'teleporter' is neither a type nor a macro; it is left out with all that is"
+                        "test.world:1:9: 'teleporter' is neither a type nor a macro; it is ignored with all that is"
                                 + " in it.\n    Maybe an include is missing.",
-                        "test.world:2:1: 'speech' is a type that later versions of Stage dropped; it is left out.");
+                        "test.world:2:1: 'speech' is a type that later versions of Stage dropped; it is ignored.");
     }
 
     @ParameterizedTest

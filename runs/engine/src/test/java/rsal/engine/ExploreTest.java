@@ -87,6 +87,7 @@ class ExploreTest {
     }
 
     @Test
+    @LongTest
     void aMapThatLiesNobodyKnowsHowHasNoErrorAndNoShare() {
         String anywhere = TWO_EXPLORERS.replaceAll("\\s+pose: .*", "") + """
                 metrics:

@@ -223,6 +223,7 @@ class FindAndCollectIT {
     }
 
     @Trials({"1", "2", "3"})
+    @LongTest
     void cansThatComeLaterAreCollectedByRobotsThatMindTheirBatteries(long seed) {
         Collection all = collect("advanced", seed);
         assertTidy(all);

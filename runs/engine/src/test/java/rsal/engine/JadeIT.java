@@ -18,13 +18,22 @@ import rsal.testkit.LongTest;
 /// The same scenarios on JADE as on our own host, to ends that are quick to reach. In real time, so all at once.
 @Timeout(600)
 class JadeIT {
+    private static final RunOptions QUICK_HUNT = jade(3).withArguments(Map.of("catchDistance", "3.0", "hunters", "3"));
+
     @Test
-    void scenariosSideBySideReachTheirEnds() {
-        var quickHunt = Map.of("catchDistance", "3.0", "hunters", "3");
-        try (var hunt = start("hunt-and-prey", jade(3).withArguments(quickHunt));
-                var distribution = start("distribution", jade(5).withArguments(Map.of("robots", "3")))) {
+    void aHuntReachesItsEnd() {
+        try (var hunt = start("hunt-and-prey", QUICK_HUNT)) {
             List<ReceivedMessage> mail = await(Runs.mail(hunt, "follow-1", "pose"));
             assertThat(mail).anySatisfy(letter -> assertThat(letter.from()).isNotEqualTo("follow-1"));
+            assertSuccess(hunt);
+        }
+    }
+
+    @Test
+    @LongTest
+    void scenariosSideBySideReachTheirEnds() {
+        try (var hunt = start("hunt-and-prey", QUICK_HUNT);
+                var distribution = start("distribution", jade(5).withArguments(Map.of("robots", "3")))) {
             assertSuccess(hunt);
             assertSuccess(distribution);
         }

@@ -158,6 +158,7 @@ class PatrolIT {
     }
 
     @Test
+    @LongTest
     void placesCanBeFound() {
         Watch watch = watch("found", 1, 300);
         assertThat(watch.guards(0)).hasSize(4);

@@ -89,6 +89,7 @@ class RescueIT {
     }
 
     @Trials({"1", "2"})
+    @LongTest
     void othersTakeOverWhenSomeAreGoneAndMessagesAreLost(long seed) {
         Rescue rescue = run("faulty", seed);
         assertThat(rescue.result.outcome()).isEqualTo("success");

@@ -212,7 +212,7 @@ final class AgentReader {
                         at,
                         "Agents '%s' and '%s' both drive robot '%s': each would take it from the other."
                                 .formatted(other, agent.name(), agent.robot().orElseThrow()),
-                        "Leave one out, or give it another robot. 'yields: true' says of one that it leaves the robot to"
+                        "Remove one, or give it another robot. 'yields: true' says of one that it leaves the robot to"
                                 + " the other as long as that drives it.");
             }
         }

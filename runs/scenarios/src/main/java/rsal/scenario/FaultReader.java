@@ -102,7 +102,7 @@ final class FaultReader {
                         section.problem(
                                 "kind",
                                 "'%s' can't be '%s': %s".formatted(target.name(), draft.fault.kind(), refusal.get()),
-                                "Name others in 'robots' or 'devices', or leave this fault out.");
+                                "Name others in 'robots' or 'devices', or remove this fault.");
                         break;
                     }
                 }

@@ -97,7 +97,7 @@ final class GoalReader {
             Optional<MetricExpression> from = expression(metric, "from", Grammar::metric);
             boolean perRobot = "robot".equals(metric.value(Format.PER).orElse(""));
             if (perRobot && from.isPresent() && !from.get().canBePerRobot()) {
-                metric.problem("per", "A metric of the whole run has no value per robot.", "Leave 'per' out.");
+                metric.problem("per", "A metric of the whole run has no value per robot.", "Remove 'per'.");
             }
             Better better = Format.of(
                     Better.values(), Better::word, metric.value(Format.BETTER).orElse(""));

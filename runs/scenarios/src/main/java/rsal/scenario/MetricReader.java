@@ -69,7 +69,7 @@ final class MetricReader {
             }
             read.ifPresent(type -> {
                 if (!named.add(type.key())) {
-                    section.problem("type", "Metric '%s' is named twice.".formatted(type.key()), "Leave one out.");
+                    section.problem("type", "Metric '%s' is named twice.".formatted(type.key()), "Remove one.");
                 }
                 if (PluginReader.isNotRun(type)) {
                     section.has(Format.PARAMETERS);

@@ -91,7 +91,7 @@ final class RobotChecker {
             problems.add(
                     thingsAt,
                     "%s simulates no world that 'things' could be put into.".formatted(mrs.name()),
-                    "Leave 'things' out, or use robot system 'sim'.");
+                    "Remove 'things', or use robot system 'sim'.");
         }
         if (!refused) {
             checkMixed(robots, simulated);
@@ -113,13 +113,12 @@ final class RobotChecker {
             String id = robot.spec().id();
             Location at = placeOf(id, Format.PROXY.name());
             if (robot.proxy() && simulated.contains(robot.mrs())) {
-                problems.add(
-                        at, "Robot '%s' is simulated itself and has no proxy.".formatted(id), "Leave 'proxy' out.");
+                problems.add(at, "Robot '%s' is simulated itself and has no proxy.".formatted(id), "Remove 'proxy'.");
             } else if (robot.proxy() && simulated.isEmpty()) {
                 problems.add(
                         at,
                         "There is no simulated world for a proxy of robot '%s'.".formatted(id),
-                        "Leave 'proxy' out, or let the scenario use robot system 'sim'.");
+                        "Remove 'proxy', or let the scenario use robot system 'sim'.");
             }
         }
     }
@@ -131,18 +130,17 @@ final class RobotChecker {
         String id = robot.spec().id();
         Location at = placeOf(id, Format.OVERLAY.name());
         if (simulated.contains(robot.mrs())) {
-            problems.add(
-                    at, "Robot '%s' is simulated itself and sees its world.".formatted(id), "Leave 'overlay' out.");
+            problems.add(at, "Robot '%s' is simulated itself and sees its world.".formatted(id), "Remove 'overlay'.");
         } else if (simulated.isEmpty()) {
             problems.add(
                     at,
                     "There is no simulated world that robot '%s' could see.".formatted(id),
-                    "Leave 'overlay' out, or let the scenario use robot system 'sim'.");
+                    "Remove 'overlay', or let the scenario use robot system 'sim'.");
         } else if (!DeviceSelector.has(robot.spec().model(), RangeSensor.class)) {
             problems.add(
                     at,
                     "Robot '%s' has no laser and no sonars by which it could see what is simulated.".formatted(id),
-                    "Add one to its 'devices', or leave 'overlay' out.");
+                    "Add one to its 'devices', or remove 'overlay'.");
         }
     }
 

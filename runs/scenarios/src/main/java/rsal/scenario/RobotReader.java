@@ -233,7 +233,7 @@ final class RobotReader {
             section.problem(
                     COUNT,
                     "'%s' can't be said where robots are named one by one.".formatted(section.path(COUNT)),
-                    "Leave it out: there are as many as 'members'.");
+                    "Remove it: there are as many as 'members'.");
         }
         Value.Mapping common = section.mapping().without(MEMBERS).without(COUNT);
         if (common.find("pose").filter(RobotReader::isListOfPoses).isPresent()) {

@@ -190,7 +190,7 @@ public final class ScenarioSchema {
                                         "robots",
                                         described(
                                                 named(text()),
-                                                "Which role here stands for one of its own; may be left out"
+                                                "Which role here plays one of its roles; may be absent"
                                                         + " where there is one role.")),
                                 List.of("scenario")))),
                 "A scenario that joins this one: its agents without a robot come along.");

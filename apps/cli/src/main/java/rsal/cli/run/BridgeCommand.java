@@ -95,7 +95,7 @@ public final class BridgeCommand extends Subcommand {
 
     @Option(
             names = "--no-agents",
-            description = "Leave out the scenario's agents and its end: nobody but the programs drives the robots.")
+            description = "Run without the scenario's agents and its end: only the programs drive the robots.")
     private boolean noAgents;
 
     /// @param limit empty when there is none

@@ -235,7 +235,7 @@ public final class LogReader {
         double rangeMax = fields.finite("longest range");
         fields.skip(2);
         int count = readingCount(fields);
-        if (step == 0 && count > 1) { // some drivers leave it out
+        if (step == 0 && count > 1) { // some drivers omit it
             step = fieldOfView / (count - 1);
         }
         if (!(rangeMax > 0)

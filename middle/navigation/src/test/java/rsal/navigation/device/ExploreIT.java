@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.concurrent.Executors;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
@@ -18,7 +20,7 @@ import rsal.navigation.wavefront.Wavefront;
 import rsal.robot.RobotSpec;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
-import rsal.testkit.Trials;
+import rsal.testkit.LongTest;
 
 /// Robots that map the office from scratch, each time within a time that one robot less could not keep to.
 /// `rsal bench navigation --only explore` measures how long they take, with two robots and other starts, too.
@@ -28,7 +30,9 @@ class ExploreIT {
     private static final CostMap ROOM_TO_DRIVE =
             CostMap.of(OFFICE, DistanceField.toNotFree(OFFICE), new CostMap.Clearance(0.35, 0.7, 3));
 
-    @Trials({"3, 1, 16", "1, 1, 45"})
+    @LongTest
+    @ParameterizedTest
+    @CsvSource({"1, 1, 45", "3, 1, 16"})
     void theOfficeIsMappedFromScratch(int robots, long seed, int atMost) {
         var random = new SplittableRandom(seed);
         Pose2d first = start(random);

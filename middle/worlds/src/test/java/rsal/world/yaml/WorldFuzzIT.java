@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import rsal.scene.Scene;
 import rsal.settings.InvalidSettings;
+import rsal.testkit.LongTest;
 import rsal.testkit.Rounds;
 
 /// Whatever is in a world's file: it is read, or refused in words. It never hangs, nor throws anything else.
@@ -218,6 +219,7 @@ class WorldFuzzIT {
     }
 
     @Test
+    @LongTest
     void muchOfAThingIsReadOrRefused() {
         var many = new StringBuilder("rsal: 1\nrobots:\n");
         for (int i = 0; i < 10_000; i++) {

@@ -161,7 +161,7 @@ public final class RemoteServer implements AutoCloseable {
         try {
             return over.protocol().readAsNewest(packet);
         } catch (MalformedException e) {
-            LOG.log(System.Logger.Level.DEBUG, "What a Player server says is left out.", e);
+            LOG.log(System.Logger.Level.DEBUG, "A message of a Player server is ignored.", e);
             return Optional.empty();
         }
     }

@@ -112,7 +112,7 @@ final class ConfigReader {
             findings.error(
                     block.location(),
                     "'%s' has two ports.".formatted(WorldProblems.shortened(name.get())),
-                    "Leave one 'server' out.");
+                    "Remove one 'server'.");
         } else if (file.root().children().stream().noneMatch(other -> isIn(name.get(), other.location()))) {
             findings.error(
                     block.location(),
@@ -141,7 +141,7 @@ final class ConfigReader {
             if (close.isPresent()) {
                 findings.error(block.location(), message + ".", "Maybe '%s' was meant?".formatted(close.get()));
             } else {
-                findings.warn(block.location(), message + "; it is left out.", "Maybe an include is missing.");
+                findings.warn(block.location(), message + "; it is ignored.", "Maybe an include is missing.");
             }
         }
     }

@@ -35,10 +35,10 @@ final class Interfaces {
             "sonar", "Provide a 'ranger'.",
             "map", "Add driver ( name \"mapfile\" ... ).",
             "localize", "Add driver ( name \"amcl\" ... ).",
-            "power", "Leave it out.",
-            "dio", "Leave it out.",
-            "ptz", "Leave it out.",
-            "wifi", "Leave it out.");
+            "power", "Remove it.",
+            "dio", "Remove it.",
+            "ptz", "Remove it.",
+            "wifi", "Remove it.");
 
     private Interfaces() {}
 

@@ -110,7 +110,7 @@ public final class PlayerFormat implements SceneFormat {
                 findings.error(
                         address.location(),
                         "Stage does not serve the interface '%s'.".formatted(address.type()),
-                        Interfaces.DROPPED.getOrDefault(address.type(), "Leave it out."));
+                        Interfaces.DROPPED.getOrDefault(address.type(), "Remove it."));
             }
         }
     }

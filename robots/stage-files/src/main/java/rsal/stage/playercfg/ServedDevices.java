@@ -371,7 +371,7 @@ final class ServedDevices {
                                         type,
                                         use(base, type, new HashSet<>()).isPresent() ? " left" : "",
                                         address.device()),
-                        "Add one to it in the world, or leave the interface out.");
+                        "Add one to it in the world, or remove the interface.");
             }
             model.flatMap(found -> Optional.ofNullable(parts.get(found.name())))
                     .ifPresent(part -> part.device()

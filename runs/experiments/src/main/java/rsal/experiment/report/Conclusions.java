@@ -232,9 +232,9 @@ public final class Conclusions {
             return Optional.empty();
         }
         if (measurements.horizon().isPresent()) {
-            String left = used < runs ? " %d runs broke and are left out.".formatted(runs - used) : "";
+            String left = used < runs ? " %d runs broke and are not counted.".formatted(runs - used) : "";
             return Optional.of(
-                    "%s: in %d of %d runs it did not happen. They count as long as they went on, up to %s%s, and no seed is left out for it.%s"
+                    "%s: in %d of %d runs it did not happen. They count as long as they went on, up to %s%s, and every seed is counted.%s"
                             .formatted(
                                     name,
                                     without - (runs - used),
@@ -244,7 +244,7 @@ public final class Conclusions {
                                     left));
         }
         return Optional.of(
-                "%s: %d of %d runs have no value and are left out. When they have none because they failed, what is left flatters: compare how runs ended first."
+                "%s: %d of %d runs have no value and are not counted. If they have none because they failed, the others look too good: compare first how runs ended."
                         .formatted(name, without, runs));
     }
 }

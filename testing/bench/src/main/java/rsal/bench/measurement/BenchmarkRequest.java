@@ -80,7 +80,7 @@ public record BenchmarkRequest(
     public Optional<Path> data(String name) {
         Optional<Path> file = data.map(folder -> folder.resolve(name)).filter(Files::isReadable);
         if (file.isEmpty()) {
-            notes.accept("Left out what needs '%s': name the folder of the public data by '--data'.".formatted(name));
+            notes.accept("Skipped what needs '%s': name the folder of the public data by '--data'.".formatted(name));
         }
         return file;
     }

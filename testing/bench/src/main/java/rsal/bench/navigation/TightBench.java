@@ -101,7 +101,7 @@ public final class TightBench implements Bench {
         if (seconds.length > 0) {
             assignment.tell(Result.less(names.get(1), "s", seconds));
         } else {
-            assignment.notes().accept("Left out (%s): no trip got there.".formatted(names.get(1)));
+            assignment.notes().accept("Skipped '%s': no trip got there.".formatted(names.get(1)));
         }
         assignment.tell(Result.less(
                 names.get(2),

@@ -128,7 +128,7 @@ public final class PageBench implements Bench {
         if (page.isEmpty() || program.isEmpty()) {
             assignment
                     .notes()
-                    .accept("Left out the page: it needs the built page, which './rsal bench page' has, and Chromium.");
+                    .accept("Skipped the page: it needs the built page, which './rsal bench page' has, and Chromium.");
             return;
         }
         if (assignment.wants(SIZE)) {
