@@ -11,7 +11,7 @@ public record Fan(Pose2d baseFromSensor, double first, double increment, int cou
 
     public Fan {
         if (!(Double.isFinite(first) && increment >= 0 && count >= 1 && (count - 1) * increment < WIDEST)) {
-            throw new IllegalArgumentException("A fan can't have '%d' rays that are (%s rad) apart from (%s rad) on."
+            throw new IllegalArgumentException("A fan can't have %d rays that are %s rad apart from %s rad on."
                     .formatted(count, increment, first));
         }
     }

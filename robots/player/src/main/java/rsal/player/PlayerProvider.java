@@ -167,7 +167,7 @@ public final class PlayerProvider implements RobotSystemProvider {
             int port = settings.get(PORT);
             if (port + robots.size() - 1 > Session.LAST_PORT) {
                 throw new IllegalArgumentException(
-                        "There are no '%d' ports from '%d' on.".formatted(robots.size(), port));
+                        "There are fewer than %d ports from %d on.".formatted(robots.size(), port));
             }
             all = ServerAddress.from(settings.get(HOST), port, settings.get(INDEX), robots.size());
         }

@@ -492,7 +492,7 @@ class PlayerSystemTest {
         assertThatExceptionOfType(InvalidRobots.class)
                 .isThrownBy(() ->
                         create(Map.of("port", 65535), spec(), spec("r2", "pioneer2dx", Map.of("laser", "urg04lx"))))
-                .withMessageContaining("There are no '2' ports from '65535' on.");
+                .withMessageContaining("There are fewer than 2 ports from 65535 on.");
         assertThatExceptionOfType(InvalidRobots.class)
                 .isThrownBy(() -> create(Map.of("simulation", "yes"), spec()))
                 .withMessageContaining("'yes' is no server.");

@@ -192,7 +192,7 @@ final class AgentRuntime implements AgentContext {
         passOn();
         if (++setOff > LIMIT) {
             throw new IllegalStateException(
-                    "Agent '%s' set off more than '%d' messages, answers to them and tasks within %d ms, which would stop the run."
+                    "Agent '%s' set off more than %d messages, answers to them and tasks within %d ms, which would stop the run."
                             .formatted(name(), LIMIT, WINDOW.toMillis()));
         }
     }

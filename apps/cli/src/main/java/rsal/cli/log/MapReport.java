@@ -82,10 +82,10 @@ final class MapReport {
 
     private void warn(GraphResidual.Step step, Slam slam) {
         Pose2d place = slam.poses().get(step.to());
-        err.println(("The map is probably wrong: at (%.1f, %.1f), from scan '%d' to '%d' of those kept, it is off"
-                        + " all that was told of the robot's way, by (%.2f m) and (%.0f°) at least, %.0f times as much"
-                        + " as that errs. Maybe places that look alike were taken for one: look at picture.png, and map"
-                        + " the log in parts. Or the robot was carried there; then the map may be right.")
+        err.println(("The map is probably wrong: at (%.1f, %.1f), from keyframe %d to %d, it differs from all"
+                        + " measurements of the robot's way by at least %.2f m and %.0f°, %.0f times their error. Maybe"
+                        + " places that look alike were taken for one: look at picture.png, and map the log in parts."
+                        + " Or the robot was carried there; then the map may be right.")
                 .formatted(
                         place.x(),
                         place.y(),
@@ -114,7 +114,7 @@ final class MapReport {
     private void warn(FreeSpaceViolation most, Slam slam) {
         Pose2d from = slam.poses().get(most.from());
         Pose2d to = slam.poses().get(most.to());
-        err.println(("The map is probably wrong: from (%.1f, %.1f) to (%.1f, %.1f), scans '%d' to '%d' of those kept,"
+        err.println(("The map is probably wrong: from (%.1f, %.1f) to (%.1f, %.1f), scans %d to %d of those kept,"
                         + " %.0f%% of the beams go through what others saw as walls, so parts of the place were laid onto"
                         + " each other. Maybe the robot was carried, or places that look alike were taken for one: look"
                         + " at picture.png, and map the log in parts.")
@@ -124,7 +124,7 @@ final class MapReport {
     private void tell(Strained strain) {
         tell("wheels, at most", strain.wheels());
         tell("scans, at most", strain.scans());
-        tell("all that was told", strain.all());
+        tell("all of them, at least", strain.all());
         if (strain.blind() > 0) {
             out.println("  no scan confirms %d of %d steps: there the map is only as accurate as the odometry"
                     .formatted(strain.blind(), strain.steps()));

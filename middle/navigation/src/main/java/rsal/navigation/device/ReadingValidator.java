@@ -123,7 +123,7 @@ final class ReadingValidator {
 
     private Optional<String> otherCount(int count) {
         return sameCount && beams > 0 && count != beams
-                ? Optional.of("it has '%d' beams, those before had '%d'".formatted(count, beams))
+                ? Optional.of("it has %d beams, those before had %d".formatted(count, beams))
                 : Optional.empty();
     }
 

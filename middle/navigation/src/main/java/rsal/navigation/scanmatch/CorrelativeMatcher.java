@@ -29,7 +29,7 @@ public final class CorrelativeMatcher {
         public Settings {
             if (!(resolution > 0 && blur > 0 && depth >= 0 && depth <= 10)) {
                 throw new IllegalArgumentException(
-                        "Resolution '%s' and blur '%s' must be more than 0, depth '%d' 0 to 10."
+                        "Resolution '%s' and blur '%s' must be more than 0, depth %d 0 to 10."
                                 .formatted(resolution, blur, depth));
             }
         }

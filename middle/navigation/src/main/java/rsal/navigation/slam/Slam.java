@@ -97,7 +97,7 @@ public final class Slam {
             if (!(maxRange > 0 && everyMeters > 0 && everyRadians > 0 && recent >= 1 && mostFrames >= 2)) {
                 throw new IllegalArgumentException(
                         ("The longest range '%s', distance '%s' and turn '%s' between scans must be more than 0, the"
-                                        + " scans to match with '%d' at least 1 and those kept '%d' 2.")
+                                        + " scans to match with %d at least 1 and those kept %d 2.")
                                 .formatted(maxRange, everyMeters, everyRadians, recent, mostFrames));
             }
         }
@@ -452,7 +452,7 @@ public final class Slam {
 
     private Merge merge(Slam other, boolean despiteContradictions) {
         if (frames.size() + other.frames.size() > settings.mostFrames()) {
-            throw new IllegalArgumentException("The maps hold '%d' and '%d' scans; together at most '%d'."
+            throw new IllegalArgumentException("The maps hold %d and %d scans; together at most %d."
                     .formatted(frames.size(), other.frames.size(), settings.mostFrames()));
         }
         if (frames.isEmpty() || other.frames.isEmpty()) {

@@ -210,7 +210,7 @@ public final class Spreader {
     private static IllegalArgumentException noRoom(ReachableSpace ground, int number) {
         return new IllegalArgumentException(String.format(
                 Locale.ROOT,
-                "There is no room for '%d' places: on %.2f m² some would be nearer to each other than twice the clearance"
+                "There is no room for %d places: on %.2f m² some would be nearer to each other than twice the clearance"
                         + " (%.2f m). Maybe fewer will do, or a smaller clearance.",
                 number,
                 ground.area(),

@@ -214,7 +214,7 @@ final class Wave {
 
     private TooFar tooFar() {
         return new TooFar("""
-                Ways over a map of (%d × %d) cells get too long: they cost more than '%d' cells far from everything.
+                Ways over a map of (%d × %d) cells get too long: they cost more than %d cells far from everything.
                 Maybe the map can be drawn with larger cells, or the robot be given a smaller clearance.""".formatted(width, field.length / width, (FARTHEST - SOURCE) / SIDE));
     }
 

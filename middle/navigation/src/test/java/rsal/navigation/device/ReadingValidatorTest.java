@@ -51,7 +51,7 @@ class ReadingValidatorTest {
         assertThat(scrutiny.accepts(scan(1.1, -1, ranges(3, Float.NaN)))).isFalse();
         assertThat(scrutiny.told()).contains("1,").contains("NaN");
         assertThat(scrutiny.accepts(scan(1.2, -1, 2, 2))).isFalse();
-        assertThat(scrutiny.told()).contains("2,").contains("'2' beams").contains("'3'");
+        assertThat(scrutiny.told()).contains("2,").contains("2 beams").contains("had 3");
         assertThat(scrutiny.accepts(scan(1.3, -1))).isFalse();
         assertThat(scrutiny.accepts(scan(1.4, Double.NaN, 2, 2, 2))).isFalse();
         assertThat(scrutiny.told()).contains("direction");

@@ -268,7 +268,7 @@ class SilenceTest {
         assertThat(mapper.health())
                 .isInstanceOfSatisfying(
                         Health.Stale.class,
-                        stale -> assertThat(stale.reason()).contains("No scan", "Skipped", "'3' beams"));
+                        stale -> assertThat(stale.reason()).contains("No scan", "Skipped", "3 beams"));
     }
 
     /// Someone turns the robot and its wheels don't: what it maps then is believed until a loop closes, which bends the

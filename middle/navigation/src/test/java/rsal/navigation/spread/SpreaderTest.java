@@ -163,10 +163,10 @@ class SpreaderTest {
                 .hasMessageContaining("Maybe");
         assertThatThrownBy(() -> new Spreader(ground, 100_000))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("no room for '100000' places")
+                .hasMessageContaining("no room for 100000 places")
                 .hasMessageContaining("Maybe");
         assertThatThrownBy(() -> spread(ground, 320, 1))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("no room for '320' places");
+                .hasMessageContaining("no room for 320 places");
     }
 }

@@ -148,7 +148,7 @@ final class MapReader {
         int count = asked.width() * asked.height();
         byte[] theirs = inflated(tile.cells(), count)
                 .or(() -> Optional.of(tile.cells()).filter(raw -> raw.length == count))
-                .orElseThrow(() -> refused("The '%d' bytes of %s are not its cells, packed or not."
+                .orElseThrow(() -> refused("The %d bytes of %s are not its cells, packed or not."
                         .formatted(tile.cells().length, words(asked))));
         int range = Math.max(1, tile.range());
         var ours = new byte[count];

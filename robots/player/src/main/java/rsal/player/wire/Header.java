@@ -19,7 +19,7 @@ public record Header(Address address, MessageKind kind, int subtype, double time
         var header = new Header(
                 address, MessageKind.of(from.getInt()), from.getInt(), from.getDouble(), from.getInt(), from.getInt());
         if (header.size < 0 || header.size > MOST) {
-            throw new MalformedException("A message can't have '%s' bytes; at most %d."
+            throw new MalformedException("A message can't have %s bytes; at most %d."
                     .formatted(Integer.toUnsignedString(header.size), MOST));
         }
         return header;

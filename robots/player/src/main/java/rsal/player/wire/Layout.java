@@ -132,7 +132,7 @@ public final class Layout<T extends Record> {
         var from = ByteBuffer.wrap(body);
         T value = read(from);
         if (from.hasRemaining()) {
-            throw new MalformedException("A body of '%d' bytes is too long: %s has %d."
+            throw new MalformedException("A body of %d bytes is too long: %s has %d."
                     .formatted(body.length, type.getSimpleName(), body.length - from.remaining()));
         }
         return value;

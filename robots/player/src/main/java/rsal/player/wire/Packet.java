@@ -47,7 +47,7 @@ public record Packet(Header header, byte[] body) {
         Header header = Header.read(ByteBuffer.wrap(head));
         if (header.size() > most) {
             throw new MalformedException(
-                    "A message of '%d' bytes is too large; at most %d.".formatted(header.size(), most));
+                    "A message of %d bytes is too large; at most %d.".formatted(header.size(), most));
         }
         byte[] body = from.readNBytes(header.size());
         checkLength(body, header.size());

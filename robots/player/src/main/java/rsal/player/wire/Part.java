@@ -85,7 +85,7 @@ sealed interface Part {
         public void write(Object value, ByteBuffer to) {
             if (elements.count(value) != times) {
                 throw new IllegalArgumentException(
-                        "An array of '%d' can't be sent; it has %d.".formatted(elements.count(value), times));
+                        "An array of %d can't be sent; it has %d.".formatted(elements.count(value), times));
             }
             elements.write(value, to);
         }
@@ -111,7 +111,7 @@ sealed interface Part {
             int count = once ? first : from.getInt();
             long room = elements.least() == 0 ? 0 : from.remaining() / elements.least();
             if (count != first || count < 0 || count > room) {
-                throw new MalformedException("An array can't have (%s, %s) elements in '%d' bytes."
+                throw new MalformedException("An array can't have (%s, %s) elements in %d bytes."
                         .formatted(Integer.toUnsignedString(first), Integer.toUnsignedString(count), from.remaining()));
             }
             return elements.read(count, from);
@@ -161,7 +161,7 @@ sealed interface Part {
         @Override
         public Object read(int count, ByteBuffer from) throws MalformedException {
             if (from.remaining() < filled(count)) {
-                throw new MalformedException("An array of '%d' bytes is not filled up.".formatted(count));
+                throw new MalformedException("An array of %d bytes is not filled up.".formatted(count));
             }
             var bytes = new byte[count];
             from.get(bytes);

@@ -232,14 +232,14 @@ class PlayerMapTest extends ScriptedBench {
                         tile -> new MapInterface.Tile(1, 0, 4, 3, 12, 1, new byte[12]),
                         "(4 × 3) cells from (1, 0)"),
                 tampered("larger", tile -> new MapInterface.Tile(0, 0, 5, 3, 15, 1, new byte[15]), "(5 × 3) cells"),
-                tampered("too short", tile -> answer(tile, 1, new byte[11]), "The '11' bytes of (4 × 3) cells"),
+                tampered("too short", tile -> answer(tile, 1, new byte[11]), "The 11 bytes of (4 × 3) cells"),
                 tampered("packed, too short", tile -> answer(tile, 1, packed(new byte[11])), "are not its cells"),
                 tampered("packed, too long", tile -> answer(tile, 1, packed(new byte[13])), "are not its cells"),
                 tampered("a bomb", tile -> answer(tile, 1, packed(new byte[20_000_000])), "are not its cells"),
                 tampered(
                         "cut off",
                         tile -> answer(tile, 1, Arrays.copyOf(packed(new byte[12]), 9)),
-                        "The '9' bytes of (4 × 3) cells"));
+                        "The 9 bytes of (4 × 3) cells"));
     }
 
     private static Arguments tampered(String what, UnaryOperator<MapInterface.Tile> answer, String why) {

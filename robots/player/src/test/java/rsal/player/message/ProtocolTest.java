@@ -308,11 +308,11 @@ class ProtocolTest {
         var bytes = ByteBuffer.allocate(Header.BYTES).putInt(36, Header.MOST + 1);
         assertThatExceptionOfType(MalformedException.class)
                 .isThrownBy(() -> Packet.read(new ByteArrayInputStream(bytes.array())))
-                .withMessageContaining("'33554433' bytes");
+                .withMessageContaining("33554433 bytes");
         bytes.putInt(36, -1);
         assertThatExceptionOfType(MalformedException.class)
                 .isThrownBy(() -> Packet.read(new ByteArrayInputStream(bytes.array())))
-                .withMessageContaining("'4294967295' bytes");
+                .withMessageContaining("4294967295 bytes");
     }
 
     @Test

@@ -53,12 +53,12 @@ public class TimeFields {
                 double time = quick.at(map.x(cell % SIDE), map.y(cell / SIDE));
                 if (!(Math.abs(time - slow[cell]) <= 0.02 + 0.02 * slow[cell])) {
                     throw new IllegalStateException(
-                            "Cell '%d': (%f) s, by the slow one (%f) s.".formatted(cell, time, slow[cell]));
+                            "Cell %d: (%f) s, by the slow one (%f) s.".formatted(cell, time, slow[cell]));
                 }
             }
         }
         if (compared < SIDE * SIDE / 2) {
-            throw new IllegalStateException("Only '%d' cells were reached.".formatted(compared));
+            throw new IllegalStateException("Only %d cells were reached.".formatted(compared));
         }
     }
 

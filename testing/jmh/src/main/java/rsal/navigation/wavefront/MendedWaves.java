@@ -77,14 +77,14 @@ public class MendedWaves {
         for (int cell = 0; cell < without.ground().length; cell++) {
             if ((isThere ? with : without).isOpen(cell)) {
                 if (quick.at(cell) != slow.at(cell)) {
-                    throw new IllegalStateException("Cell '%d' costs '%d', '%d' by a wave from the start."
+                    throw new IllegalStateException("Cell %d costs %d, %d by a wave from the start."
                             .formatted(cell, quick.at(cell), slow.at(cell)));
                 }
                 reached += slow.at(cell) != Wave.UNREACHED ? 1 : 0;
             }
         }
         if (reached < without.ground().length / 3) {
-            throw new IllegalStateException("Only '%d' cells were reached.".formatted(reached));
+            throw new IllegalStateException("Only %d cells were reached.".formatted(reached));
         }
     }
 
