@@ -63,7 +63,7 @@ class MapIT {
     }
 
     @Test
-    void warnsWhenTheMapIsOffAllThatWasToldOfTheWay() throws Exception {
+    void warnsWhenTheMapDiffersFromAllMeasurementsOfTheWay() throws Exception {
         Pose2d carried = new Pose2d(0, 1, 0); // as the wheels tell it, by more than scans are searched for
         Files.writeString(
                 folder.resolve("carried.log"), RoomLog.part(0, 22, Pose2d.ORIGIN) + RoomLog.part(23, 40, carried));
@@ -71,7 +71,7 @@ class MapIT {
         Ended ended = rsal.run("map", "carried.log", "--no-reference", "--out", "carried");
 
         assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
-        assertThat(ended.err()).contains("The map is probably wrong: at (", "from scan '11' to '12'", "Maybe");
+        assertThat(ended.err()).contains("The map is probably wrong: at (", "from keyframe 11 to 12", "Maybe");
         assertThat(ended.out()).contains("wheels, at most", "scans, at most", "no scan confirms 1 of 20 steps");
         Ended json = rsal.run("map", "carried.log", "--no-reference", "--out", "again", "--json");
         JsonNode strain = new JsonMapper().readTree(json.out()).path("strain");

@@ -114,7 +114,7 @@ final class MapReport {
     private void warn(FreeSpaceViolation most, Slam slam) {
         Pose2d from = slam.poses().get(most.from());
         Pose2d to = slam.poses().get(most.to());
-        err.println(("The map is probably wrong: from (%.1f, %.1f) to (%.1f, %.1f), scans %d to %d of those kept,"
+        err.println(("The map is probably wrong: from (%.1f, %.1f) to (%.1f, %.1f), keyframes %d to %d,"
                         + " %.0f%% of the beams go through what others saw as walls, so parts of the place were laid onto"
                         + " each other. Maybe the robot was carried, or places that look alike were taken for one: look"
                         + " at picture.png, and map the log in parts.")
