@@ -5,9 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import rsal.bench.navigation.ExploreRun.Reached;
+import rsal.testkit.LongTest;
 
 class ExploreRunIT {
     @Test
+    @LongTest
     void threeRobotsMapMoreThanOneInTheSameTime() {
         double alone = mapped(1);
         double together = mapped(3);

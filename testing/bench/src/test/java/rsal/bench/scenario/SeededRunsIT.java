@@ -15,6 +15,7 @@ import rsal.bench.measurement.Result;
 import rsal.engine.report.RunResult;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
+import rsal.testkit.LongTest;
 
 class SeededRunsIT {
     private final List<Result> results = new ArrayList<>();
@@ -48,6 +49,7 @@ class SeededRunsIT {
     }
 
     @Test
+    @LongTest
     void huntersThatBidAreComparedWithThoseThatDoNot() {
         var bench = new HuntBench();
         bench.measure(assignment(bench.names(), 2));
