@@ -6,11 +6,9 @@ import static rsal.server.Errand.TOKEN;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
-import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Predicate;
 import java.util.stream.StreamSupport;
-import org.awaitility.Awaitility;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -73,11 +71,6 @@ class CommunicationApiTest {
 
     private Snapshot reached(Predicate<Snapshot> wanted) {
         return server.run().when(wanted).toCompletableFuture().join();
-    }
-
-    /// Waits for what the server does by its own clock.
-    private static void await(Callable<Boolean> wanted) throws Exception {
-        Awaitility.await().atMost(Duration.ofSeconds(20)).until(wanted);
     }
 
     private static List<JsonNode> each(JsonNode list) {
@@ -341,7 +334,7 @@ class CommunicationApiTest {
     void whatWasKnownAtTheEndIsToldAfterwards() throws Exception {
         advanceTo(2);
         String numbers = "/api/numbers/past?robot=prey&device=laser&number=ranges.least";
-        await(() -> !get(numbers).get("times").isEmpty());
+        ServerClock.await().until(() -> !get(numbers).get("times").isEmpty());
         advanceTo(5);
         server.run().stop();
         server.run().result().toCompletableFuture().join();
@@ -366,8 +359,9 @@ class CommunicationApiTest {
         advanceTo(3);
         Known then = known("");
         String asked = "&time=3";
-        await(() -> get("/api/numbers?robot=prey" + asked).get("time").asDouble() == 3
-                && !get("/api/agent?name=evade" + asked).get("mind").isNull());
+        ServerClock.await()
+                .until(() -> get("/api/numbers?robot=prey" + asked).get("time").asDouble() == 3
+                        && !get("/api/agent?name=evade" + asked).get("mind").isNull());
         advanceTo(12);
         assertThat(known("")).isNotEqualTo(then);
         assertThat(known(asked)).isEqualTo(then);
@@ -401,8 +395,11 @@ class CommunicationApiTest {
     void whatIsKnownWhereARunIsPausedIsKept() throws Exception {
         for (double seconds : new double[] {3, 3.1, 3.2}) {
             advanceTo(seconds);
-            await(() ->
-                    get("/api/numbers?robot=prey&time=" + seconds).get("time").asDouble() == seconds);
+            ServerClock.await()
+                    .until(() -> get("/api/numbers?robot=prey&time=" + seconds)
+                                    .get("time")
+                                    .asDouble()
+                            == seconds);
         }
     }
 
@@ -424,7 +421,8 @@ class CommunicationApiTest {
     @Test
     void whatIsKnownOfAMomentIsAsOldAsItWasThen() throws Exception {
         advanceTo(3);
-        await(() -> get("/api/numbers?robot=prey&time=3").get("time").asDouble() == 3);
+        ServerClock.await()
+                .until(() -> get("/api/numbers?robot=prey&time=3").get("time").asDouble() == 3);
         advanceTo(3.3);
         JsonNode then = get("/api/readings?robot=prey&time=3.2").get("readings");
         assertThat(each(then))

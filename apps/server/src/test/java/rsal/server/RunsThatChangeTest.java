@@ -1,8 +1,8 @@
 package rsal.server;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.awaitility.Awaitility.await;
 import static rsal.server.Errand.TOKEN;
+import static rsal.server.ServerClock.await;
 
 import java.net.URI;
 import java.net.http.HttpClient;

@@ -16,7 +16,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
-import org.awaitility.Awaitility;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -125,7 +124,7 @@ class SweepApiTest {
     }
 
     private SweepInfo await(Predicate<SweepInfo> wanted) throws Exception {
-        return Awaitility.await().until(() -> state().newest().orElseThrow(), wanted);
+        return ServerClock.await().until(() -> state().newest().orElseThrow(), wanted);
     }
 
     private SweepInfo awaitEnd() throws Exception {
@@ -339,7 +338,7 @@ class SweepApiTest {
     void endsWithTheServer() throws Exception {
         post("", wish(List.of("slow"), Map.of(), "20"));
         server.close();
-        Awaitility.await()
+        ServerClock.await()
                 .until(() -> Thread.getAllStackTraces().keySet().stream() // no longer than half a second
                         .noneMatch(thread -> thread.getName().equals("sweep")));
         assertThat(Findings.read(Errand.sweeps(directory).resolve("guard-1")).isComplete())
