@@ -22,7 +22,7 @@ import rsal.experiment.Row;
 import rsal.experiment.report.NumberFormats;
 import rsal.experiment.statistics.Mean;
 import rsal.scenario.text.NumberText;
-import rsal.testkit.LongTest;
+import rsal.testkit.Rounds;
 
 /// The figures in READMEs of scenarios are what a sweep tells, a row for each seed. The first row is run again here.
 /// `-Drsal.update=true` runs all, and writes them again:
@@ -38,7 +38,7 @@ class FiguresIT {
     private static final Pattern SEEDS = Pattern.compile("--seeds (\\d+)-\\d+");
     private static final String NOTHING = "–";
     private static final boolean UPDATE = Boolean.getBoolean("rsal.update");
-    private static final int OF_EACH_LANDING = 1; // README; './rsal test --all' looks at all
+    private static final int OF_EACH_LANDING = 1; // README
     private static final int LONGEST = 20; // min, of all seeds
 
     @TempDir
@@ -53,7 +53,7 @@ class FiguresIT {
         }
         all.removeIf(file -> !text(file).contains("<!-- figures: "));
         assertThat(all).isNotEmpty();
-        return all.stream().limit(Boolean.getBoolean(LongTest.PROPERTY) || UPDATE ? all.size() : OF_EACH_LANDING);
+        return all.stream().limit(UPDATE ? all.size() : Rounds.of(OF_EACH_LANDING, all.size()));
     }
 
     private static String text(Path file) {

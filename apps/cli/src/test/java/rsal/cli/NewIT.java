@@ -158,18 +158,7 @@ class NewIT {
         assertThat(rsal.run("show", "chase/hunter.asl").out()).contains("+!hunt");
     }
 
-    @Trials(
-            value = {
-                "hunt-and-prey",
-                "foraging",
-                "distribution",
-                "find-and-collect",
-                "patrol",
-                "rescue",
-                "swarm",
-                "teleop"
-            },
-            landing = 1)
+    @Trials({"hunt-and-prey", "foraging", "distribution", "find-and-collect", "patrol", "rescue", "swarm", "teleop"})
     void eachThatComesWithRsalCanBeTaken(String scenario) throws Exception {
         Ended ended = rsal.run("new", "mine", "--from", scenario);
         assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);

@@ -1,6 +1,6 @@
 package rsal.testkit;
 
-/// How often a test tries random input: each landing tries less than `./rsal test --all`.
+/// How often a test tries something: each landing tries less than `./rsal test --all`.
 public final class Rounds {
     private Rounds() {}
 

@@ -36,7 +36,7 @@ public @interface Trials {
         public Stream<Arguments> provideArguments(ParameterDeclarations parameters, ExtensionContext context) {
             Trials trials = context.getRequiredTestMethod().getAnnotation(Trials.class);
             return Stream.of(trials.value())
-                    .limit(Boolean.getBoolean(LongTest.PROPERTY) ? Long.MAX_VALUE : trials.landing())
+                    .limit(Rounds.of(trials.landing(), trials.value().length))
                     .map(trial -> Arguments.of((Object[]) trial.split(", ", -1)));
         }
     }

@@ -15,6 +15,7 @@ import rsal.device.Navigator;
 import rsal.device.Navigator.Progress;
 import rsal.device.Navigator.Result;
 import rsal.device.Navigator.Tolerance;
+import rsal.testkit.Rounds;
 
 /// What every [Navigator] owes.
 public abstract class NavigatorContract extends DeviceContract<Navigator> {
@@ -172,7 +173,7 @@ public abstract class NavigatorContract extends DeviceContract<Navigator> {
         for (int second = 0; second < 90 && endings.getLast().isEmpty(); second++) {
             advance(1);
         }
-        advance(2); // a second ending would come now
+        advance(Rounds.of(2, 60)); // in which a second ending would come
         assertThat(endings).allSatisfy(e -> assertThat(e).hasSize(1));
         assertThat(endings.getLast().getFirst()).isInstanceOf(Result.Reached.class);
     }
