@@ -237,41 +237,40 @@ describe.skipIf(!chromium)('each layer of the map', () => {
     }, 'the map stays as it is');
   }
 
-  it.each(trials(Object.keys(texts.layers) as (keyof typeof texts.layers)[], 8))(
-    'is drawn: %s',
-    async (name) => {
-      const { at, within, colors } = expected[name];
-      const chip = page.getByRole('button', { name: texts.layers[name], exact: true });
-      const isOn = (await chip.getAttribute('aria-pressed')) === 'true';
-      await keep(isOn ? 'shown' : 'without');
-      await chip.click();
-      await eventually(async () => {
-        await keep('now');
-        return (await differences(isOn ? 'shown' : 'without', 'now')).length > 20;
-      }, 'it is seen');
-      await settled();
-      await picture(page, `layer-${name}`);
-      await keep(isOn ? 'without' : 'shown');
-      const changed = await differences('without', 'shown');
+  const names = trials(Object.keys(texts.layers) as (keyof typeof texts.layers)[], 8);
 
-      for (const place of at) {
-        expect(
-          changed.some((pixel) => distance(pixel, place) < 0.03),
-          `it is seen at (${String(place.x)}, ${String(place.y)})`,
-        ).toBe(true);
-      }
-      expect(changed.filter((place) => !within(place)).slice(0, 3), 'elsewhere nothing changes').toEqual([]);
-      const some = changed.filter((_, i) => i % Math.ceil(changed.length / 3000) === 0);
-      const odd = some.filter((pixel) => !colors.some((group) => isMixed(pixel, floor, group)));
-      expect(odd.length / some.length, `such as ${JSON.stringify(odd.slice(0, 3))}`).toBeLessThan(0.03);
+  it.each(names)('is drawn: %s', async (name) => {
+    const { at, within, colors } = expected[name];
+    const chip = page.getByRole('button', { name: texts.layers[name], exact: true });
+    const isOn = (await chip.getAttribute('aria-pressed')) === 'true';
+    await keep(isOn ? 'shown' : 'without');
+    await chip.click();
+    await eventually(async () => {
+      await keep('now');
+      return (await differences(isOn ? 'shown' : 'without', 'now')).length > 20;
+    }, 'it is seen');
+    await settled();
+    await picture(page, `layer-${name}`);
+    await keep(isOn ? 'without' : 'shown');
+    const changed = await differences('without', 'shown');
 
-      await chip.click();
-      await eventually(async () => {
-        await keep('again');
-        return (await differences(isOn ? 'shown' : 'without', 'again')).length === 0;
-      }, 'all is as it was');
-    },
-  );
+    for (const place of at) {
+      expect(
+        changed.some((pixel) => distance(pixel, place) < 0.03),
+        `it is seen at (${String(place.x)}, ${String(place.y)})`,
+      ).toBe(true);
+    }
+    expect(changed.filter((place) => !within(place)).slice(0, 3), 'elsewhere nothing changes').toEqual([]);
+    const some = changed.filter((_, i) => i % Math.ceil(changed.length / 3000) === 0);
+    const odd = some.filter((pixel) => !colors.some((group) => isMixed(pixel, floor, group)));
+    expect(odd.length / some.length, `such as ${JSON.stringify(odd.slice(0, 3))}`).toBeLessThan(0.03);
+
+    await chip.click();
+    await eventually(async () => {
+      await keep('again');
+      return (await differences(isOn ? 'shown' : 'without', 'again')).length === 0;
+    }, 'all is as it was');
+  });
 });
 
 /**

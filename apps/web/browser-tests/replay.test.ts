@@ -38,6 +38,13 @@ describe.skipIf(!chromium)('looking back', () => {
     await cursor().waitFor();
   }
 
+  /** The same, where it stands still at once. */
+  async function lookPaused(url: string) {
+    await look(url);
+    await button('Pause').click();
+    await button('Resume').waitFor();
+  }
+
   const cursor = () => page.getByRole('slider', { name: 'Time that is shown' });
   const button = (name: string) => page.getByRole('button', { name, exact: true });
 
@@ -94,9 +101,7 @@ describe.skipIf(!chromium)('looking back', () => {
   });
 
   it('scrubs to and fro, and shows the same again', async () => {
-    await look(recorded.url);
-    await button('Pause').click();
-    await button('Resume').waitFor();
+    await lookPaused(recorded.url);
     await cursor().fill('20');
     await shows(19.9, 20.1);
     await page.waitForTimeout(400);
@@ -186,9 +191,7 @@ describe.skipIf(!chromium)('looking back', () => {
   });
 
   longTest('tells what devices told and agents had in mind, as far as it was recorded', async () => {
-    await look(recorded.url);
-    await button('Pause').click();
-    await button('Resume').waitFor();
+    await lookPaused(recorded.url);
     await cursor().fill('20');
     await shows(19.9, 20.1);
     await page.locator('tr[data-robot="hunter-1"]').click();
@@ -216,9 +219,7 @@ describe.skipIf(!chromium)('looking back', () => {
   longTest(
     'begins a plot with what was before it was opened, wherever in the recording that is',
     async () => {
-      await look(recorded.url);
-      await button('Pause').click();
-      await button('Resume').waitFor();
+      await lookPaused(recorded.url);
       await cursor().fill('30');
       await shows(29.9, 30.1);
       await page.locator('tr[data-robot="hunter-1"]').click();
@@ -261,9 +262,7 @@ describe.skipIf(!chromium)('looking back', () => {
   longTest(
     'asks where robots went before each moment that is jumped to, also while it is paused',
     async () => {
-      await look(recorded.url);
-      await button('Pause').click();
-      await button('Resume').waitFor();
+      await lookPaused(recorded.url);
       const asked: string[] = [];
       page.on('request', (request) => asked.push(request.url()));
       for (const seconds of [20, 40, 30]) {
