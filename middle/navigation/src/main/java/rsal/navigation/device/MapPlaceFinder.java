@@ -15,9 +15,8 @@ import rsal.time.Scheduler;
 /// Spreads places over the run's map, on the scheduler's threads for what takes long. Each question begins the same
 /// stream of random numbers, so that answers do not depend on what was asked before.
 final class MapPlaceFinder extends DeviceCore implements PlaceFinder {
-    /// What is kept for a team, since all of its robots ask for it: the ground around where it asked first, and what is
-    /// computed
-    /// of that for each number of places. Other parts of a map are looked at when they are asked for.
+    /// What is kept for a team, since all of its robots ask for it: the ground around where it asked first, and what
+    /// is computed of that for each number of places. Other parts of a map are looked at when they are asked for.
     static final class Kept {
         private record Ground(OccupancyGrid map, double clearance) {}
 
