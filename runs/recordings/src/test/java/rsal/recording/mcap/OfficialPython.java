@@ -1,9 +1,12 @@
 package rsal.recording.mcap;
 
+import static java.nio.file.StandardOpenOption.CREATE;
+import static java.nio.file.StandardOpenOption.WRITE;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.abort;
 
 import java.io.IOException;
+import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -14,7 +17,7 @@ import java.util.concurrent.TimeUnit;
 
 /// The packages that those publish who make MCAP and its well-known schemas, in a Python of their own in the module's
 /// `target` folder: made the first time, which needs Python and its registry. Where they can't be had, a test is
-/// skipped and says so; in CI it fails.
+/// skipped and says so; in CI it fails. Tests run in several processes: one of them installs, the others wait for it.
 public final class OfficialPython {
     private static final List<String> PACKAGES =
             List.of("mcap==1.6.0", "mcap-protobuf-support==0.6.0", "foxglove-schemas-protobuf==0.4.0");
@@ -42,7 +45,12 @@ public final class OfficialPython {
         if (Files.exists(done)) {
             return;
         }
-        try {
+        Files.createDirectories(HOME);
+        try (var turn = FileChannel.open(HOME.resolve("lock"), CREATE, WRITE)) {
+            turn.lock(); // until it is closed
+            if (Files.exists(done)) {
+                return;
+            }
             ended(List.of("python3", "-m", "venv", HOME.toString()));
             var install = new ArrayList<>(List.of(python().toString(), "-m", "pip", "install", "--quiet"));
             install.addAll(PACKAGES);
