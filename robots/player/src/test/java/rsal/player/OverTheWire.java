@@ -14,9 +14,9 @@ import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import org.awaitility.Awaitility;
 import rsal.device.Navigator.Tolerance;
 import rsal.device.SimulationControl;
 import rsal.device.Subscription;
@@ -45,7 +45,7 @@ import rsal.time.Scheduler;
 final class OverTheWire implements RobotSystemProvider {
     private static final Duration SETTLING = Duration.ofMillis(10);
     private static final Duration FIRST_STEP = Duration.ofMillis(100);
-    private static final long PATIENCE = 20; // s
+    private static final Duration PATIENCE = Duration.ofSeconds(20);
 
     private final RobotSystemProvider player = new PlayerProvider();
     private final RobotSystemProvider sim;
@@ -160,8 +160,8 @@ final class OverTheWire implements RobotSystemProvider {
                                 Arguments.of(parameters(), settings), config.scene(), config.robots(), config.seed()),
                         scheduler);
                 opened.addFirst(remote);
-                List<Robot> found = await(remote.discover(), scheduler::runPending);
-                scheduler.every(SETTLING, Phase.OBSERVE, () -> await(remote.settled(), () -> {}));
+                List<Robot> found = found(remote, scheduler);
+                scheduler.every(SETTLING, Phase.OBSERVE, () -> settle(remote));
                 return CompletableFuture.completedStage(found);
             } catch (IOException e) {
                 throw new UncheckedIOException(e);
@@ -214,18 +214,27 @@ final class OverTheWire implements RobotSystemProvider {
                     .port();
         }
 
-        /// Waits in real time; simulated time stands still.
-        private <T> T await(CompletionStage<T> stage, Runnable meanwhile) {
-            CompletableFuture<T> future = stage.toCompletableFuture();
-            long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE);
-            while (!future.isDone()) {
-                if (System.nanoTime() > end) {
-                    throw new IllegalStateException("Nothing comes over the wire.");
-                }
-                meanwhile.run();
-                LockSupport.parkNanos(50_000);
-            }
-            return future.join();
+        /// The robots that are found, in real time. What the servers say is taken on this thread, as by a run.
+        private static List<Robot> found(PlayerSystem remote, LockstepScheduler scheduler) {
+            CompletableFuture<List<Robot>> robots = remote.discover().toCompletableFuture();
+            Awaitility.await("robots of Player's servers")
+                    .atMost(PATIENCE)
+                    .pollInSameThread()
+                    .pollDelay(Duration.ZERO)
+                    .pollInterval(Duration.ofMillis(1))
+                    .until(() -> {
+                        scheduler.runPending();
+                        return robots.isDone();
+                    });
+            return robots.join();
+        }
+
+        /// Waits in real time until nothing is under way; simulated time stands still.
+        private static void settle(PlayerSystem remote) {
+            remote.settled()
+                    .toCompletableFuture()
+                    .orTimeout(PATIENCE.toSeconds(), TimeUnit.SECONDS)
+                    .join();
         }
 
         @Override

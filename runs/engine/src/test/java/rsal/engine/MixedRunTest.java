@@ -8,7 +8,6 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -146,11 +145,12 @@ class MixedRunTest {
         try (var run = LiveRun.start(plan(watched.replace("speed: max", "speed: 1")))) {
             Pose2d there = new Pose2d(-2, -1, 0);
             assertThat(answer(run.operator().place("real", there))).isEqualTo(new Answer.Done());
-            while (run.snapshot().robots().stream()
-                    .flatMap(view -> view.truth().stream())
-                    .noneMatch(truth -> truth.distanceTo(there) < 0.5)) {
-                LockSupport.parkNanos(1_000_000); // snapshots come some times a second
-            }
+            run.when(now -> now.robots().stream()
+                            .flatMap(view -> view.truth().stream())
+                            .anyMatch(truth -> truth.distanceTo(there) < 0.5))
+                    .toCompletableFuture()
+                    .orTimeout(20, TimeUnit.SECONDS)
+                    .join();
             assertThat(answer(run.operator().remove("real")))
                     .isEqualTo(
                             new Answer.Refused("Robot 'real' is real: it can't be taken out of the simulated world."));

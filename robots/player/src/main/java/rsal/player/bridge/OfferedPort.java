@@ -7,9 +7,11 @@ import rsal.device.Subscription;
 import rsal.player.message.Protocol;
 import rsal.player.server.Port;
 import rsal.system.Bridge.Offer;
+import rsal.time.AllowedToReadWallClock;
 import rsal.time.Scheduler;
 
 /// A port and what is offered there. Lives on the scheduler's thread.
+@AllowedToReadWallClock("Clients live in real time.")
 final class OfferedPort implements AutoCloseable {
     private final Port port;
     private final List<Offered> offered;
@@ -24,7 +26,8 @@ final class OfferedPort implements AutoCloseable {
             throws IOException {
         this.offered = List.copyOf(offered);
         try {
-            this.port = new Port(at, offered, protocol, () -> Offered.seconds(scheduler.instant()), scheduler);
+            this.port = new Port(
+                    at, offered, protocol, () -> Offered.seconds(scheduler.instant()), System::nanoTime, scheduler);
         } catch (IOException e) {
             throw new IOException(
                     "Nobody may listen at '%s:%d': %s.".formatted(at.getHostString(), at.getPort(), e.getMessage()), e);

@@ -10,18 +10,17 @@ import java.util.Optional;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.DoubleSupplier;
+import java.util.function.LongSupplier;
 import rsal.player.message.Session;
 import rsal.player.message.Session.ReplaceRule;
 import rsal.player.wire.Header;
 import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
-import rsal.time.AllowedToReadWallClock;
 
 /// What one client is to be sent, as Player has it: pushed, all as soon as it can be; pulled, in rounds that the
 /// client asks for, each of which ends with a synch once there was data in it. What came about at the same time is
 /// never torn apart: it is all in one round. Data is dropped when there is too much, answers never: whoever asks
 /// waits until there is [room][#awaitRoom]. May be used on any thread.
-@AllowedToReadWallClock("Clients live in real time.")
 final class OutQueue {
     static final int MOST = 1024; // messages, as Player has it
     private static final int MOST_ANSWERS = 256;
@@ -32,6 +31,7 @@ final class OutQueue {
     private final ReentrantLock lock = new ReentrantLock();
     private final Condition changed = lock.newCondition();
     private final DoubleSupplier time;
+    private final LongSupplier clock; // real time [ns]
     private final Deque<Packet> going = new ArrayDeque<>(); // before all others, as they are
     private final Deque<Packet> queue = new ArrayDeque<>(); // what came since
     private final List<ReplaceRule> rules = new ArrayList<>();
@@ -45,8 +45,10 @@ final class OutQueue {
     private boolean closed;
 
     /// @param time of the server, for a synch [s]
-    OutQueue(DoubleSupplier time) {
+    /// @param clock of real time, in which clients live [ns], such as `System::nanoTime`
+    OutQueue(DoubleSupplier time, LongSupplier clock) {
         this.time = time;
+        this.clock = clock;
     }
 
     void mode(boolean pull) {
@@ -152,7 +154,7 @@ final class OutQueue {
             going.addLast(ack);
             count(ack, 1);
             asked = true;
-            askedAt = System.nanoTime();
+            askedAt = clock.getAsLong();
             endRound();
             changed.signalAll();
         } finally {
@@ -233,7 +235,7 @@ final class OutQueue {
                     && !wanted
                     && !closed
                     && !queue.isEmpty()
-                    && System.nanoTime() - askedAt < PATIENCE.toNanos();
+                    && clock.getAsLong() - askedAt < PATIENCE.toNanos();
         } finally {
             lock.unlock();
         }

@@ -24,11 +24,9 @@ import rsal.player.wire.Header;
 import rsal.player.wire.MalformedException;
 import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
-import rsal.time.AllowedToReadWallClock;
 
 /// A client of one port. One thread reads what it wants, one writes what it gets. Whatever it does wrong is its
 /// own loss: what can't be understood is left out, and what is no message ends the connection.
-@AllowedToReadWallClock("Clients live in real time.")
 final class Peer {
     private static final int LARGEST = 1 << 20; // bytes of a body; no client has more to say
     private static final int CAPABILITY = 255; // a request to any device
@@ -42,12 +40,13 @@ final class Peer {
     private final Semaphore asking = new Semaphore(MOST_ASKED);
     private final AtomicBoolean over = new AtomicBoolean();
     private volatile Protocol protocol; // as far as it has shown
-    private volatile long heardAt = System.nanoTime(); // last
+    private volatile long heardAt; // last [ns]
 
     Peer(Socket socket, Port port) {
         this.socket = socket;
         this.port = port;
-        this.out = new OutQueue(port::time);
+        this.out = new OutQueue(port::time, port::now);
+        this.heardAt = port.now();
         this.protocol = port.protocol();
     }
 
@@ -92,7 +91,7 @@ final class Peer {
         try (InputStream in = new BufferedInputStream(socket.getInputStream())) {
             Optional<Packet> packet = Packet.read(in, LARGEST);
             while (packet.isPresent()) {
-                heardAt = System.nanoTime();
+                heardAt = port.now();
                 out.awaitRoom();
                 take(packet.get());
                 packet = Packet.read(in, LARGEST);

@@ -22,6 +22,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executor;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.DoubleSupplier;
+import java.util.function.LongSupplier;
 import rsal.player.message.Interface;
 import rsal.player.message.Protocol;
 import rsal.player.message.Session;
@@ -40,6 +41,7 @@ public final class Port implements AutoCloseable {
     private final ServerSocket listening;
     private final Protocol protocol;
     private final DoubleSupplier time;
+    private final LongSupplier clock; // real time [ns]
     private final Executor afterwards;
     private final int host;
     private final Map<Address, ServedDevice> devices = new LinkedHashMap<>(); // by address without host and port
@@ -52,6 +54,7 @@ public final class Port implements AutoCloseable {
     /// @param at where; port 0 for any that is free
     /// @param protocol of clients that don't show another
     /// @param time of the server, which its messages carry [s]
+    /// @param clock of real time, in which clients live [ns], such as `System::nanoTime`
     /// @param afterwards runs what is to be done once the task that publishes something is over
     /// @throws IOException when nobody may listen there
     public Port(
@@ -59,10 +62,12 @@ public final class Port implements AutoCloseable {
             List<? extends ServedDevice> devices,
             Protocol protocol,
             DoubleSupplier time,
+            LongSupplier clock,
             Executor afterwards)
             throws IOException {
         this.protocol = protocol;
         this.time = time;
+        this.clock = clock;
         this.afterwards = afterwards;
         devices.forEach(device -> {
             if (this.devices.put(Address.of(device.interf().code(), device.index()), device) != null) {
@@ -108,7 +113,7 @@ public final class Port implements AutoCloseable {
     }
 
     private boolean makeRoom() {
-        long now = System.nanoTime();
+        long now = now();
         Optional<Peer> idle = peers.stream()
                 .filter(peer -> !peer.commands() && peer.silence(now) > IDLE.toNanos())
                 .max(Comparator.comparing((Peer peer) -> !peer.uses()).thenComparingLong(peer -> peer.silence(now)));
@@ -174,6 +179,11 @@ public final class Port implements AutoCloseable {
 
     Protocol protocol() {
         return protocol;
+    }
+
+    /// Real time [ns], of which only differences mean something.
+    long now() {
+        return clock.getAsLong();
     }
 
     double time() {

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -24,7 +25,8 @@ import rsal.player.wire.Packet;
 class OutQueueTest {
     private static final Packet ANSWER = Packet.of(Address.of(1, 0), MessageKind.ACK, Session.DEVICES, 0);
 
-    private final OutQueue queue = new OutQueue(() -> 0);
+    private final AtomicLong now = new AtomicLong(); // [ns]
+    private final OutQueue queue = new OutQueue(() -> 0, now::get);
 
     private static Packet data(Interface of, double time) {
         return Packet.of(Address.of(of.code(), 0), MessageKind.DATA, 1, time);
@@ -60,7 +62,11 @@ class OutQueueTest {
         queue.data(measured(1));
         assertThat(queue.isBehind()).as("it waits for more itself").isFalse();
         queue.data(measured(1));
+        now.addAndGet(999_999_999);
         assertThat(queue.isBehind()).isTrue();
+        now.incrementAndGet();
+        assertThat(queue.isBehind()).as("it has asked for nothing for a second").isFalse();
+        now.decrementAndGet();
         queue.close();
         assertThat(queue.isBehind()).isFalse();
     }
@@ -212,7 +218,7 @@ class OutQueueTest {
             queue.awaitRoom();
             return true;
         });
-        var empty = new OutQueue(() -> 0);
+        var empty = new OutQueue(() -> 0, now::get);
         CompletableFuture<Boolean> sending = waiting(() -> empty.take().isEmpty());
         queue.close();
         empty.close();
@@ -279,7 +285,7 @@ class OutQueueTest {
 
     @Test
     void whatIsMoreThan1024MessagesIsLostAndTheNextSynchCountsIt() throws Exception {
-        var at = new OutQueue(() -> 7.5);
+        var at = new OutQueue(() -> 7.5, now::get);
         at.mode(true);
         for (int i = 0; i < OutQueue.MOST + 3; i++) {
             at.data(List.of(data(Interface.LASER, i)));

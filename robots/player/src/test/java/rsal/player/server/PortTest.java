@@ -2,6 +2,7 @@ package rsal.player.server;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
 
 import java.io.BufferedInputStream;
 import java.io.IOException;
@@ -20,6 +21,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -44,11 +46,13 @@ import rsal.player.wire.Packet;
 @Timeout(60)
 class PortTest {
     private static final Address PLAYER = Address.of(Interface.PLAYER.code(), 0);
+    private static final long SILENT_FOR_LONG = TimeUnit.MILLISECONDS.toNanos(1200);
     private static final Address BASE = Address.of(Interface.POSITION2D.code(), 0);
 
     private final Base base = new Base();
     private final BlockingQueue<Packet> data = new LinkedBlockingQueue<>();
     private final List<AutoCloseable> open = new ArrayList<>();
+    private final AtomicLong now = new AtomicLong(); // real time, as the port has it [ns]
     private Port port;
 
     /// A base that notes what it is told.
@@ -125,6 +129,7 @@ class PortTest {
                 List.of(base),
                 Protocol.V3_1,
                 () -> 12.5,
+                now::get,
                 Runnable::run);
         port.start();
         open.add(port);
@@ -266,8 +271,8 @@ class PortTest {
                     Packet.of(BASE, MessageKind.REQUEST, Position2d.SPEED_PROFILE, 0, new Position2d.SpeedProfile(1, 1))
                             .bytes());
         }
-        TimeUnit.MILLISECONDS.sleep(300);
-        assertThat(base.asked).hasSize(64);
+        await().until(() -> base.asked.size() >= 64);
+        await().during(200, TimeUnit.MILLISECONDS).until(() -> base.asked.size() == 64);
         base.asked.forEach(answer -> answer.complete(new ServedDevice.Answer.Done()));
         for (int i = 0; i < 64; i++) {
             assertThat(raw.next().header().kind()).isEqualTo(MessageKind.ACK);
@@ -458,11 +463,10 @@ class PortTest {
         raw.nextAnswer();
         assertThat(base.users).as("a client counts once").hasValue(1);
         raw.close();
-        for (int i = 0; i < 500 && (port.clients() > 0 || base.users.get() > 0); i++) {
-            TimeUnit.MILLISECONDS.sleep(10);
-        }
-        assertThat(base.users).hasValue(0);
-        assertThat(port.clients()).isZero();
+        await().untilAsserted(() -> {
+            assertThat(base.users).hasValue(0);
+            assertThat(port.clients()).isZero();
+        });
     }
 
     @Test
@@ -533,16 +537,20 @@ class PortTest {
         Raw good = subscribed();
         var bad = new Raw();
         bad.socket.setSoTimeout(1000);
+        var asked = new AtomicInteger();
         Thread flood = Thread.ofVirtual().start(() -> {
             try {
                 while (!bad.socket.isClosed()) {
                     bad.ask(Session.DEVICES);
+                    asked.incrementAndGet();
                 }
             } catch (IOException e) {
                 // closed
             }
         });
-        TimeUnit.MILLISECONDS.sleep(500);
+        var before = new AtomicInteger(-1);
+        await().pollInterval(200, TimeUnit.MILLISECONDS)
+                .until(() -> before.getAndSet(asked.get()) == asked.get() && asked.get() > 0); // nothing more is taken
         publish(1);
         assertThat(x(good.next())).isEqualTo(1);
         bad.close();
@@ -553,11 +561,12 @@ class PortTest {
     void whoOnlyHoldsAPlaceLosesItToSomebodyNewAndWhoUsesADeviceDoesNot() throws Exception {
         Raw user = subscribed();
         var first = new Raw();
+        now.incrementAndGet(); // it is silent longest
         while (port.clients() < 64) {
             new Raw();
         }
         assertThat(isServed()).as("all have just come").isFalse();
-        TimeUnit.MILLISECONDS.sleep(1200);
+        now.addAndGet(SILENT_FOR_LONG);
         assertThat(isServed()).isTrue();
         assertThat(port.clients()).isEqualTo(64);
         assertThat(first.in.read())
@@ -575,14 +584,16 @@ class PortTest {
                 .bytes());
         assertThat(base.commands.poll(10, TimeUnit.SECONDS)).isNotNull();
         Raw viewer = subscribed();
+        now.incrementAndGet(); // it is silent longest
         var idle = new Raw();
+        now.incrementAndGet();
         while (port.clients() < 64) {
             subscribed();
         }
-        TimeUnit.MILLISECONDS.sleep(1200);
+        now.addAndGet(SILENT_FOR_LONG);
         assertThat(isServed()).isTrue();
         assertThat(idle.in.read()).as("it uses no device").isEqualTo(-1);
-        TimeUnit.MILLISECONDS.sleep(1200);
+        now.addAndGet(SILENT_FOR_LONG);
         new Raw(); // takes the place of the one that was served, which uses no device either
         assertThat(isServed()).isTrue();
         publish(1);
@@ -606,6 +617,7 @@ class PortTest {
                         List.of(base, new Base()),
                         Protocol.V3_1,
                         () -> 0,
+                        now::get,
                         Runnable::run))
                 .hasMessageContaining("two devices 'position2d:0'");
     }
