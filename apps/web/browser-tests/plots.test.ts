@@ -155,7 +155,9 @@ describe.skipIf(!chromium)('plots', () => {
       .split('\r\n');
     expect(rows[0]).toBe('time [s],courier-1: base speed ahead [m/s],"courier-1: laser distance, mean [m]"');
     const numbers = rows.slice(1).map((row) => row.split(',').map(Number));
-    expect(numbers.length).toBeGreaterThan(120); // a minute, at least twice a second
+    const seconds = numbers.at(-1)![0]! - numbers[0]![0]!;
+    expect(seconds).toBeGreaterThan(30);
+    expect(numbers.length).toBeGreaterThan(seconds); // more often than once a second
     numbers.forEach((row, i) => {
       expect(row).toHaveLength(3);
       expect(row[0]).toBeGreaterThan(i === 0 ? -1 : numbers[i - 1]![0]!);
