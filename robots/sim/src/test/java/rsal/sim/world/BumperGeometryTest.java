@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
@@ -60,6 +62,17 @@ class BumperGeometryTest {
         world.remove(paper);
         world.add("box", List.of(bar(0, Surface.PLAIN)), beside, 0);
         assertThat(feeler.isPressed(world, robot, Shift.NONE)).isTrue();
+    }
+
+    /// At 0.1 m, half a centimeter up and down.
+    @ParameterizedTest
+    @CsvSource({"0.104, true", "0.106, false", "-0.106, false", "-0.104, true"})
+    void isAsHighAsItIsDeep(double bottom, boolean pressed) {
+        var world = new World(List.of(), new Extent(0, 0, 4, 4));
+        Body robot = world.add("r1", CollisionShape.of(BOX), new Pose2d(2, 2, 0), 0);
+        world.add("bar", List.of(bar(bottom, Surface.PLAIN)), new Pose2d(2.405, 2, 0), 0); // 0.2 m high
+        assertThat(new BumperGeometry(new Pose2d(0.2, 0, 0), LENGTH, 0.1).isPressed(world, robot, Shift.NONE))
+                .isEqualTo(pressed);
     }
 
     private static Surface unsolid() {
