@@ -1,10 +1,14 @@
 package rsal.navigation.vfh;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
@@ -16,6 +20,9 @@ import rsal.navigation.avoid.Obstacles;
 
 class VfhTest {
     private static final Footprint BOX = Footprint.box(0.44, 0.38, new Point2d(-0.04, 0));
+    /// Its largest circle has a radius of 0.18 m.
+    private static final Footprint SQUARE = Footprint.box(0.36, 0.36, new Point2d(0, 0));
+
     private static final DriveLimits LIMITS = new DriveLimits(0.4, 1.2, 0.8, 3);
 
     private final Vfh vfh = new Vfh(BOX, LIMITS, Vfh.Settings.of(1.4, 0.1, 0.3), 0.2);
@@ -143,6 +150,149 @@ class VfhTest {
         assertThat(slow.drive(obstacles, ahead, new Motion(Pose2d.ORIGIN, Twist2d.STOP))
                         .vx())
                 .isBetween(0.05, 0.1);
+    }
+
+    @Test
+    void forgetsWhatWasClosedWhenItIsReset() {
+        obstacles.add(1.5, 0); // which closes what is ahead
+        assertThat(drive(obstacles, 0, 3, false, 0).omega()).isNotZero();
+        obstacles.clear();
+        obstacles.add(1.7, 0); // which keeps it closed, and would not close it
+        assertThat(drive(obstacles, 0, 3, false, 0).omega()).isNotZero();
+        vfh.reset();
+        assertThat(drive(obstacles, 0, 3, false, 0).omega()).isZero();
+    }
+
+    /// No driving while 60° are missing, linear before.
+    @ParameterizedTest
+    @CsvSource({"15, 0.3", "-30, 0.2", "45, 0.1", "-60, 0", "70, 0"})
+    void drivesSlowerTheMoreItHasToTurn(double degrees, double speed) {
+        assertThat(drive(obstacles, Math.toRadians(degrees), 3, false, 0.2).vx())
+                .isCloseTo(speed, within(1e-9));
+    }
+
+    /// Both sides are as far from the target.
+    @ParameterizedTest
+    @ValueSource(doubles = {0.6, -0.6})
+    void ofTwoSidesTakesTheOneThatItHasToTurnLessFor(double bearing) {
+        Point2d post = Pose2d.polar(0.8, bearing).position();
+        obstacles.add(post.x(), post.y());
+        double turn = turnOf(agile(Vfh.Turning.ANY_RATE, 1.4), bearing, 0);
+        assertThat(Math.abs(turn)).isLessThan(0.6);
+    }
+
+    /// Rays of posts leave a narrow opening from 20° to 110°, of which asin(grown / 1 m) is closed at each side.
+    @ParameterizedTest
+    @ValueSource(ints = {1, -1})
+    void takesTheMiddleOfANarrowOpening(int side) {
+        for (int degrees = 110; degrees <= 360 + 20; degrees += 2) {
+            Point2d post = Pose2d.polar(1, side * Math.toRadians(degrees)).position();
+            obstacles.add(post.x(), post.y());
+        }
+        assertThat(turnOf(agile(Vfh.Turning.ANY_RATE, 1.4), 0, 0))
+                .isCloseTo(side * Math.toRadians(65), within(Math.toRadians(2.6)));
+    }
+
+    /// Section 2.3: at 0.4 m/s it drives circles of 1 m at least, around (0, 1) and (0, -1). What is within such a
+    /// circle,
+    /// grown by the radius and the safety distance, bars all directions beyond it on that side.
+    @ParameterizedTest
+    @CsvSource({
+        "0.5, 0.5, true",
+        "0.9, 0.9, true",
+        "1.2, 1, true",
+        "1.35, 1, false",
+        "0.2, 2.2, true",
+        "0.2, 2.4, false",
+        "-0.5, 0.6, false"
+    })
+    void cannotTurnThroughWhatItsCircleMeets(double x, double y, boolean barred) {
+        Vfh fast = agile(new Vfh.Turning(6, 6, 15), 0.1);
+        for (int side = -1; side <= 1; side += 2) {
+            obstacles.clear();
+            fast.reset();
+            obstacles.add(x, side * y);
+            double beyond = Math.min(Math.PI - 0.1, Math.atan2(y, x) + 0.4);
+            double turn = side * turnOf(fast, side * beyond, 0.4);
+            if (barred) {
+                assertThat(turn).as("to side %d", side).isBetween(Math.atan2(y, x) - 0.8, Math.atan2(y, x));
+            } else {
+                assertThat(turn).as("to side %d", side).isCloseTo(beyond, within(1e-9));
+            }
+            fast.reset();
+            assertThat(side * turnOf(fast, side * beyond, 0)).as("standing").isCloseTo(beyond, within(1e-9));
+            fast.reset();
+            assertThat(side * turnOf(fast, -side * beyond, 0.4))
+                    .as("to the other side")
+                    .isCloseTo(-beyond, within(1e-9));
+        }
+    }
+
+    /// As fast as the room beside the way allows: (room / safetyDistancePerSpeed)² + acceleration × what is ahead, its
+    /// square
+    /// root.
+    @ParameterizedTest
+    @CsvSource({"0.3, 0.4", "0.3, -0.4", "0.25, 0.45", "0.35, -0.38", "0.32, 0.5"})
+    void theRoomBesideTheWayLimitsTheSpeed(double ahead, double beside) {
+        double perSpeed = 2;
+        for (double bearing : new double[] {0, 0.2, -0.2}) {
+            var careful = new Vfh(SQUARE, LIMITS, Vfh.Settings.of(0.1, 0.1, perSpeed), 0.2);
+            obstacles.clear();
+            Point2d post = Pose2d.polar(Math.hypot(ahead, beside), bearing + Math.atan2(beside, ahead))
+                    .position();
+            obstacles.add(post.x(), post.y());
+            double room = Math.abs(beside) - 0.18 - 0.1 - obstacles.room(0);
+            double allowed = Math.max(0.08, room / perSpeed);
+            double speed = Math.sqrt(allowed * allowed + 0.8 * Math.max(0, ahead - 0.18));
+            var target = Target.at(Pose2d.polar(3, bearing).position(), false);
+            Twist2d command = careful.drive(obstacles, target, new Motion(Pose2d.ORIGIN, Twist2d.STOP));
+            assertThat(command.vx())
+                    .as("to %s", bearing)
+                    .isCloseTo(speed * (1 - Math.abs(bearing) / Math.toRadians(60)), within(1e-6));
+        }
+    }
+
+    @Test
+    void whatIsBehindOrFarBesideLimitsNoSpeed() {
+        var careful = new Vfh(SQUARE, LIMITS, Vfh.Settings.of(0.1, 0.1, 2), 0.2);
+        obstacles.add(-0.3, 0.35);
+        obstacles.add(0.4, 1.1);
+        obstacles.add(0.4, -1.1);
+        var ahead = Target.at(new Point2d(3, 0), false);
+        assertThat(careful.drive(obstacles, ahead, new Motion(Pose2d.ORIGIN, Twist2d.STOP)))
+                .isEqualTo(Twist2d.drive(0.4, 0));
+    }
+
+    @Test
+    void onlyTheTargetHasToWeigh() {
+        assertThat(new Vfh.Weights(0.1, 0, 0).heading()).isZero();
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new Vfh.Weights(4, 2, 2))
+                .withMessageContaining("'4.0'");
+        assertThatIllegalArgumentException().isThrownBy(() -> new Vfh.Weights(4, -0.1, 2));
+    }
+
+    /// One that turns so fast that its turn rate shows where it is heading for.
+    private static Vfh agile(Vfh.Turning turning, double lookahead) {
+        return new Vfh(
+                SQUARE,
+                new DriveLimits(0.4, 6.3, 0.8, 100),
+                new Vfh.Settings(
+                        lookahead,
+                        0.1,
+                        0.3,
+                        Math.toRadians(5),
+                        Vfh.Openings.ANY_SPEED,
+                        turning,
+                        new Vfh.Weights(5, 2, 2)),
+                0.2);
+    }
+
+    /// How far it is heading from where it is [rad]; it turns by twice that a second.
+    private double turnOf(Vfh planner, double bearing, double speed) {
+        var target = Target.at(Pose2d.polar(3, bearing).position(), false);
+        Twist2d command = planner.drive(obstacles, target, new Motion(Pose2d.ORIGIN, Twist2d.drive(speed, 0)));
+        return command.omega() / 2;
     }
 
     @Test
