@@ -3,8 +3,12 @@ package rsal.navigation.nd;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.navigation.avoid.Obstacles;
 import rsal.navigation.nd.NearnessDiagram.Region;
@@ -55,6 +59,60 @@ class NearnessDiagramTest {
         arc(20, 130, 1); // 0.7 m
         assertThat(region(5, 3))
                 .hasValueSatisfying(region -> assertThat(region.goal()).isTrue());
+    }
+
+    /// Between two posts 1 m ahead, the robot has 0.5 m of width.
+    @ParameterizedTest
+    @CsvSource({"0.28, true", "0.22, false", "0.6, true"})
+    void goesBetweenPostsThatItFitsBetween(double beside, boolean fits) {
+        obstacles.add(1, beside);
+        obstacles.add(1, -beside);
+        assertThat(region(0, 2).map(Region::goal).orElse(false)).isEqualTo(fits);
+    }
+
+    /// It is a circle of 0.25 m, and what is beyond the goal or behind the robot is in nobody's way.
+    @ParameterizedTest
+    @CsvSource({
+        "0.9, 0.2, false",
+        "0.9, -0.2, false",
+        "0.85, 0.32, true",
+        "1.06, 0.2, true",
+        "-0.3, 0.1, true",
+        "-0.1, -0.3, true",
+        "0.5, 0.3, true"
+    })
+    void needsRoomAtTheGoal(double x, double y, boolean fits) {
+        obstacles.add(x, y);
+        assertThat(region(0, 1).map(Region::goal).orElse(false)).isEqualTo(fits);
+    }
+
+    @Test
+    void tellsWhereSomethingIs() {
+        Point2d post = Pose2d.polar(0.6, Math.toRadians(-60)).position();
+        obstacles.add(post.x(), post.y()); // a circle of 0.02 m, which is 1.9° to each side
+        diagram.fill(obstacles);
+        var told = new ArrayList<Double>();
+        diagram.forEach((direction, distance) -> {
+            assertThat(distance).isCloseTo(0.6, within(1e-6));
+            told.add(Math.toDegrees(direction));
+        });
+        assertThat(told).hasSize(3);
+        assertThat(told.stream().mapToDouble(Double::doubleValue).sum()).isCloseTo(-180, within(1e-6));
+    }
+
+    /// The robot's width is 0.5 m, and so is the least jump of nearness.
+    @ParameterizedTest
+    @CsvSource({"1.4, false", "1.6, true"})
+    void aGapIsWhereNearnessJumpsByMoreThanTheRobotIsWide(double far, boolean gap) {
+        arc(-180, 180, far);
+        arc(-40, 40, 1);
+        assertThat(region(0, 3).isPresent()).isEqualTo(gap);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, -1, 0.5, 0.75", "1, 1, 0.5, 1.25", "3.1, 1, 0.4, -2.9831853", "-3, -1, 1, 2.7831853"})
+    void theMiddleOfARegionIsHalfItsWidthFromItsCorner(double corner, int side, double width, double middle) {
+        assertThat(new Region(corner, false, corner, 1, side, width).middle()).isCloseTo(middle, within(1e-6));
     }
 
     private Optional<Region> region(double goalDegrees, double distance) {
