@@ -75,7 +75,9 @@ class MapTest {
     void beamsThatHitNothingDrawNoFreeFloorThroughWalls() throws IOException {
         Mapped mapped = map("max8191");
         mapped.assertWhole();
-        assertThat(mapped.err()).isEmpty();
+        assertThat(mapped.err().lines())
+                .filteredOn(line -> !line.endsWith("places known again so far")) // the progress, on a slow machine
+                .isEmpty();
     }
 
     @Test
