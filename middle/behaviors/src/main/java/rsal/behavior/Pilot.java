@@ -71,7 +71,7 @@ public final class Pilot extends SensorCore<Decision> implements Locomotion {
         return stack != null;
     }
 
-    /// Stands still and keeps its stack, without asking it. Whoever engages or releases it meanwhile finds that done
+    /// Stands still and keeps its stack, without asking it. Those that engage or release it meanwhile find that done
     /// after [#resume].
     public void pause() {
         if (!paused && stack != null) {
@@ -97,7 +97,7 @@ public final class Pilot extends SensorCore<Decision> implements Locomotion {
                 if (health() instanceof Health.Stale) {
                     health(Health.ok());
                 }
-                percept(now); // whoever is engaged next must know what is beside the tail
+                percept(now); // the behavior that is engaged next must know what is beside the tail
             }
             return;
         }

@@ -4,7 +4,7 @@ package rsal.data;
 ///
 /// @param resolution side of a cell [m]
 /// @param originX where the lower left corner of the lower left cell is, in the map frame [m]
-/// @param originY likewise [m]
+/// @param originY the same [m]
 /// @param cells [#FREE], [#OCCUPIED] or [#UNKNOWN], `width · height` of them; handed over, not shared. Of a
 /// grid of costs also what lies between
 public record OccupancyGrid(int width, int height, double resolution, double originX, double originY, byte[] cells) {

@@ -6,7 +6,7 @@ import java.util.Optional;
 ///
 /// @param shape in the body's frame
 /// @param bottom of the piece above the floor [m], when the body stands there
-/// @param top likewise [m]
+/// @param top the same [m]
 /// @param color as cameras see it; empty when it is that of the whole body
 public record Prism(Shape shape, double bottom, double top, Optional<Rgb> color) {
     public Prism {

@@ -98,7 +98,7 @@ public interface Navigator extends Device, Locomotion {
 
         /// @param why who or what called it off: for people
         record Cancelled(String why) implements Result {
-            /// By whoever has the goal's handle.
+            /// By those that have the goal's handle.
             public static Cancelled asked() {
                 return new Cancelled("The agent that set the goal canceled it.");
             }

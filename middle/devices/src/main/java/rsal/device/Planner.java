@@ -39,7 +39,7 @@ public interface Planner extends Device {
         return Optional.empty();
     }
 
-    /// A question about one place, or about what ways to several cost, and what came of it.
+    /// A question about one place, or about what ways to several cost, and the result.
     ///
     /// @param mapFromStart where the way begins
     /// @param mapFromGoal the place; of several the one that it costs least to get to, or the first where no

@@ -71,7 +71,7 @@ public interface SimulationControl extends Device {
     /// world's sensors saw them last; +∞ for a ray that meets none. They pass through walls. For robots that are
     /// elsewhere to see what is here.
     ///
-    /// @param mapFromBase of whoever looks
+    /// @param mapFromBase of the one that looks
     /// @param height of the rays above the floor [m]
     /// @param reach how far they go [m]
     /// @param through names of those that they pass through
@@ -111,7 +111,7 @@ public interface SimulationControl extends Device {
     /// @param devices by name
     /// @param pieces of its [#body], by number from 0
     /// @param baseFromMoved where the base would be if all of the robot had moved like that
-    /// @param rise likewise, upwards [m]
+    /// @param rise the same, upwards [m]
     record Carried(List<String> devices, List<Integer> pieces, Pose2d baseFromMoved, double rise) {}
 
     /// Something that is no robot: a box, a ball, a marker, a charging station.

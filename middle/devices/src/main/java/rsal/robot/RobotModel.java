@@ -151,7 +151,7 @@ public record RobotModel(
             return forward.acceleration().reach();
         }
 
-        /// Likewise, turning [rad/s²].
+        /// The same, turning [rad/s²].
         public double maxTurnAcceleration() {
             return turn.acceleration().reach();
         }

@@ -9,9 +9,9 @@ import rsal.data.OccupancyGrid;
 /// @param height [cells]
 /// @param solid row by row from the lower left cell; handed over, not shared
 /// @param left of the lower left corner, in the map frame [m]
-/// @param bottom likewise [m]
+/// @param bottom the same [m]
 /// @param cellX size of a cell [m]
-/// @param cellY likewise [m]
+/// @param cellY the same [m]
 /// @param lowest underside above the floor [m]; −∞ where heights don't matter
 /// @param highest top above the floor [m]; +∞ where heights don't matter
 /// @param fenced whether no robot leaves it

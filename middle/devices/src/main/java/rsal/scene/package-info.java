@@ -1,5 +1,5 @@
 /// What a world is like before anything moves in it: walls, things and robots, as told by a map or a world file,
-/// whoever simulates it. Values only.
+/// no matter what simulates it. Values only.
 @NullMarked
 package rsal.scene;
 

@@ -21,7 +21,7 @@ public interface RobotSystem extends AutoCloseable {
     /// The truth of a simulated world; empty where there is only reality.
     Optional<SimulationControl> simulation();
 
-    /// Where its robots really are, whoever simulates or watches them, and a way to put them elsewhere; empty
+    /// Where its robots really are, no matter who simulates or watches them, and a way to put them elsewhere; empty
     /// where nobody knows. A world that this program does not simulate takes no things, and may be late.
     default Optional<SimulationControl> truth() {
         return simulation();

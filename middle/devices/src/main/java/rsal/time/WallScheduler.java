@@ -29,7 +29,7 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
     private final ReentrantLock lock = new ReentrantLock();
     private final Condition changed = lock.newCondition();
     private final ReentrantLock turn =
-            new ReentrantLock(); // of whoever runs something; never wanted while `lock` is held
+            new ReentrantLock(); // of the thread that runs something; never wanted while `lock` is held
     private final PriorityQueue<Entry> due = new PriorityQueue<>();
     private final Consumer<? super Throwable> onFailure;
     private final Executor workers;
@@ -125,7 +125,7 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
                     interrupted = true;
                 }
             }
-            run(Phase.WORLD, () -> {}); // whoever runs something exclusively is done with it by then
+            run(Phase.WORLD, () -> {}); // the thread that runs something exclusively is done with it by then
             if (interrupted) {
                 Thread.currentThread().interrupt();
             }
@@ -235,7 +235,7 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
             this.task = task;
         }
 
-        /// Whoever had the turn before may have cancelled it.
+        /// The one that had the turn before may have cancelled it.
         void runUnlessCancelled() {
             if (!cancelled) {
                 task.run();

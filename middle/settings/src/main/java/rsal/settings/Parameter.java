@@ -90,7 +90,7 @@ public record Parameter<T>(
         return new Parameter<>(name, Kind.TEXT, Optional.of(fallback), -inf(), inf(), options, "", description);
     }
 
-    /// Whoever knows the robots refuses what names none of them, the fallback too.
+    /// Those that know the robots refuse what names none of them, the fallback too.
     ///
     /// @param others words that mean something else, as `all`
     public static Parameter<String> robots(String name, String fallback, List<String> others, String description) {

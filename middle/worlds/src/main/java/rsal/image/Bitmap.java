@@ -52,7 +52,7 @@ public record Bitmap(int width, int height, BitSet solid) {
     /// too.
     ///
     /// @param most how many are enough; the list ends after one more
-    /// @return for each its first column, the column behind its last, and likewise its rows
+    /// @return for each its first column, the column behind its last, and the same of its rows
     public List<int[]> rectangles(int most) {
         var found = new ArrayList<int[]>();
         var left = (BitSet) solid.clone();

@@ -25,7 +25,7 @@ final class AlternativeHypotheses {
     /// How far around a rival the robot may be [m].
     static final double DEVIATION = 0.1;
 
-    /// Likewise of its heading [rad].
+    /// The same of its heading [rad].
     static final double TURN_DEVIATION = 0.05;
 
     private static final Covariance2d SPREAD = Covariance2d.ofDeviations(DEVIATION, DEVIATION, TURN_DEVIATION);

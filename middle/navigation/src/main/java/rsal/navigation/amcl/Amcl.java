@@ -38,7 +38,7 @@ import rsal.data.PoseEstimate.Quality;
 ///
 /// Confidence is the share of the belief that is here times how likely scans make the pose, and 0.97 for each
 /// update in a row that has seen nothing; half of that where it is ambiguous, a tenth where it is lost. So it
-/// is 0.75 to 1 for localized, up to 0.5 for ambiguous and up to 0.1 for lost: whoever has more of it has the
+/// is 0.75 to 1 for localized, up to 0.5 for ambiguous and up to 0.1 for lost: the one that has more of it has the
 /// better word.
 ///
 /// Not safe for several threads at once; the map is shared.
@@ -48,7 +48,7 @@ public final class Amcl {
     private static final int MOST_UPDATES_BETWEEN_SEARCHES = 10;
     private static final double NEWEST = 0.1; // share of the newest scan in what is followed
     private static final double NO_MISFIT = 0.02; // share of beams; as many may go through walls anywhere
-    private static final double MOST_MISFIT = 0.2; // likewise, of one scan, or a moment would do
+    private static final double MOST_MISFIT = 0.2; // the same, of one scan, or a moment would do
     private static final double DOUBTFUL = 0.5; // sum of misfits
     private static final int SCANS_COMPARED = 5; // while the wheels stand, one of so many
     private static final double CONTRADICTED = 0.3; // share of beams through walls, by a scan alone
@@ -59,14 +59,14 @@ public final class Amcl {
     private static final int ENOUGH_OUTLASTED = 3; // sonars always find places that fit by chance
     private static final double LEAST_FIT_NOW = 0.3; // of one scan alone
     private static final double NEAR = 0.5; // m; one hypothesis
-    private static final double NEARLY = 0.35; // rad, likewise
+    private static final double NEARLY = 0.35; // rad, the same
     private static final double SURE = 0.9; // of the belief
     private static final double PRECISE = 0.5; // m, standard deviation
     private static final int BLIND_AND_SURE = 5; // updates in a row without anything seen
-    private static final int BLIND_AND_LOST = 30; // likewise
+    private static final int BLIND_AND_LOST = 30; // the same
     private static final double BLIND_TRUST = 0.97; // that is left by each of them
     private static final double MOST_AMBIGUOUS = 0.5; // of confidence
-    private static final double MOST_LOST = 0.1; // likewise
+    private static final double MOST_LOST = 0.1; // the same
 
     /// @param minParticles tracked with at least
     /// @param maxParticles never more than

@@ -8,9 +8,9 @@ import rsal.data.RangeArray;
 /// and where the sensors were.
 ///
 /// @param x of the end points
-/// @param y likewise
+/// @param y the same
 /// @param originX of the sensor that sent the beam, in the base frame [m]
-/// @param originY likewise
+/// @param originY the same
 /// @param cone opening angle of the beams [rad]; 0 for those of a laser
 public record Beams(float[] x, float[] y, float[] originX, float[] originY, double cone) {
 

@@ -75,9 +75,9 @@ final class Cones {
     /// How far a cone should reach [m], +∞ when nothing is in it.
     ///
     /// @param column of the sensor, in cells from the origin
-    /// @param row likewise
+    /// @param row the same
     /// @param cos of the cone's middle
-    /// @param sin likewise
+    /// @param sin the same
     /// @param direction the same in steps, rounded
     /// @param limit [m] beyond which it may as well be +∞
     double reach(float column, float row, float cos, float sin, int direction, double limit) {
@@ -161,7 +161,7 @@ final class Cones {
     /// The same from where the sensor is, by all rays of the cone.
     ///
     /// @param x in the map frame [m]
-    /// @param y likewise
+    /// @param y the same
     double exact(double x, double y, double cos, double sin, double limit) {
         double nearest = toOccupied.firstHit(x, y, cos, sin, limit);
         for (int ray = 1; ray <= raysAside; ray++) {

@@ -103,7 +103,7 @@ final class GlobalSearch {
     }
 
     /// @param cos of the heading
-    /// @param sin likewise
+    /// @param sin the same
     Verdict verdict(Beams beams, int beam, Pose2d mapFromBase, double cos, double sin) {
         return verdict(beams, beam, mapFromBase, cos, sin, map.deviation);
     }

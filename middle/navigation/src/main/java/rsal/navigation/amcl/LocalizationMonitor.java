@@ -11,7 +11,7 @@ package rsal.navigation.amcl;
 /// against the pose only when seven of ten beams do, as a robot among robots is right, too.
 final class LocalizationMonitor {
     private static final double RIGHT = 0.04; // of the beams that tell go through walls
-    private static final double WRONG = 0.16; // likewise
+    private static final double WRONG = 0.16; // the same
     private static final double HIT = Math.log((1 - RIGHT) / (1 - WRONG));
     private static final double THROUGH = Math.log(RIGHT / WRONG);
     private static final double SHORT = -0.4 * HIT;

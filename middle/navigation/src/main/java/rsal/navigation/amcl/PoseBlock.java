@@ -10,7 +10,7 @@ final class PoseBlock {
     final float[] x = new float[SIZE];
     final float[] y = new float[SIZE];
     final float[] cos = new float[SIZE]; // times cells per meter
-    final float[] sin = new float[SIZE]; // likewise
+    final float[] sin = new float[SIZE]; // the same
     final int[] cell = new int[SIZE]; // where a beam ends
     final float[] sum = new float[SIZE]; // of logarithms
     final int[] outside = new int[SIZE]; // how many beams end outside the map

@@ -21,7 +21,7 @@ final class Refinement {
     private static final double DONE_METERS = 1e-4;
     private static final double DONE_RADIANS = 1e-4;
     private static final double FARTHEST = 0.5; // m, from the start
-    private static final double MOST_TURN = 0.3; // rad, likewise
+    private static final double MOST_TURN = 0.3; // rad, the same
 
     private final DistanceField toWall;
     private final double deviation;

@@ -34,7 +34,7 @@ public final class MultiPointTurn {
     private static final double AROUND = 0.5; // m
     private static final int MOST_POSES = 30_000;
     private static final double TURNING = 0.15; // m that turning by 1 rad is as dear as
-    private static final double REVERSING = 0.2; // m, likewise
+    private static final double REVERSING = 0.2; // m, the same
     private static final double TURNED = Math.toRadians(10);
     private static final double MARGIN = 0.02; // m; it goes slowly, and what is around stands
     private static final double BEHIND = 0.02; // m more from what lies behind, as that is remembered, not seen

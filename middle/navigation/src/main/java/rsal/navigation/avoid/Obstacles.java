@@ -10,7 +10,7 @@ import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.RangeArray;
 
-/// Points around a robot that are not free, in its base frame [m], and how far it sees. Filled anew for each step;
+/// Points around a robot that are not free, in its base frame [m], and how far it sees. Filled again for each step;
 /// reused, so that nothing is allocated.
 public final class Obstacles {
     private static final double APART = 0.03; // m; points that are nearer to each other say nothing new

@@ -20,7 +20,7 @@ import rsal.navigation.carmen.LogEntry.Scan;
 /// A whole log in memory: at most [#MOST_READINGS] readings.
 ///
 /// @param scans in the order of the file, times never going back but where the clock was
-/// @param motions likewise
+/// @param motions the same
 /// @param skipped what was not used
 /// @param rangeMax from here on readings hit nothing [m], as the log itself shows it or the reader was told
 /// @param wandering how far the poses that the log tells of the laser move about on the robot, where they do: then they
@@ -52,7 +52,7 @@ public record CarmenLog(
     /// How far a laser moves on its robot, as a log has it.
     ///
     /// @param meters at most, from where it is for most
-    /// @param radians likewise
+    /// @param radians the same
     public record Wandering(double meters, double radians) {}
 
     public CarmenLog {

@@ -10,7 +10,7 @@ final class Headings {
     private static final double TWO_TURNS = 4 * Math.PI; // rad
     private static final double LARGE = 1; // rad
     private static final int MANY = 5; // large steps
-    private static final double MANY_OF_ALL = 0.02; // likewise
+    private static final double MANY_OF_ALL = 0.02; // the same
 
     private double last = Double.NaN;
     private double most;

@@ -57,7 +57,7 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     private Instant lastRanges;
     private Instant lastOdometry;
 
-    /// What came of an update.
+    /// The result of an update.
     private record Corrected(PoseEstimate estimate, ParticleCloud particles) {}
 
     /// What is believed, and where odometry was then.

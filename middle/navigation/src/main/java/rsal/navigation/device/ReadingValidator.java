@@ -139,7 +139,7 @@ final class ReadingValidator {
         return noReading(scan.count(), scan::distance);
     }
 
-    /// Likewise of what sonars say.
+    /// The same of what sonars say.
     static Optional<String> fault(RangeArray ranges) {
         if (ranges.count() == 0) {
             return Optional.of("it has no ranges");

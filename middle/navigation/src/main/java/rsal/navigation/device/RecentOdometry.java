@@ -19,7 +19,7 @@ final class RecentOdometry {
 
     private final Deque<Stamped<Odometry>> readings = new ArrayDeque<>(); // oldest first
 
-    /// @param odometry no older than those before; an older one begins anew, as its clock was set
+    /// @param odometry no older than those before; an older one begins again, as its clock was set
     void add(Stamped<Odometry> odometry) {
         if (!readings.isEmpty() && odometry.time().isBefore(readings.getLast().time())) {
             readings.clear();

@@ -5,7 +5,7 @@ import rsal.data.OccupancyGrid;
 /// A rectangle of cells of a map, which may reach beyond it.
 ///
 /// @param endColumn first one behind it
-/// @param endRow likewise
+/// @param endRow the same
 public record CellWindow(int firstColumn, int firstRow, int endColumn, int endRow) {
     /// All of a map.
     public static CellWindow of(OccupancyGrid map) {

@@ -124,7 +124,7 @@ public final class DistanceField {
         return originX;
     }
 
-    /// Likewise.
+    /// The same.
     public double originY() {
         return originY;
     }
@@ -207,7 +207,7 @@ public final class DistanceField {
     /// The same in the direction of a vector of length 1.
     ///
     /// @param cos of the direction
-    /// @param sin likewise
+    /// @param sin the same
     public double firstHit(double x, double y, double cos, double sin, double limit) {
         double range = ray(x, y, cos, sin, limit);
         return range == 0 || (range < limit && contains(x + cos * range, y + sin * range))

@@ -7,7 +7,7 @@ import rsal.data.OccupancyGrid;
 /// How a map lies on one from before whose cells are on the same lattice; either may reach beyond the other.
 ///
 /// @param columns by which a cell's column is larger in the map of now
-/// @param rows likewise
+/// @param rows the same
 public record MapOverlay(OccupancyGrid before, OccupancyGrid now, int columns, int rows) {
     private static final double ALIGNED = 1e-6; // of a cell
 
@@ -61,7 +61,7 @@ public record MapOverlay(OccupancyGrid before, OccupancyGrid now, int columns, i
     ///
     /// @param row of the map of now
     /// @param before what cells of the map from before hold
-    /// @param now likewise
+    /// @param now the same
     public void eachMismatch(int row, byte[] before, byte[] now, CellVisitor visitor) {
         CellWindow shared = shared();
         int cell = row * now().width() + shared.firstColumn();
@@ -83,12 +83,12 @@ public record MapOverlay(OccupancyGrid before, OccupancyGrid now, int columns, i
         return isSameSize() ? field.clone() : copied(field, new float[now.cells().length]);
     }
 
-    /// Likewise.
+    /// The same.
     public byte[] moved(byte[] field) {
         return isSameSize() ? field.clone() : copied(field, new byte[now.cells().length]);
     }
 
-    /// Likewise.
+    /// The same.
     public int[] moved(int[] field) {
         return copied(field, new int[now.cells().length]);
     }

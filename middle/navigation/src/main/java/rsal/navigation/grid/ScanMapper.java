@@ -27,7 +27,7 @@ public final class ScanMapper {
     private final float surest;
     private Bounds bounds = Bounds.NONE;
     private long left; // columns from the map frame's origin to the first one
-    private long low; // likewise rows
+    private long low; // the same of rows
     private int width;
     private int height;
     private float[] logOdds = {};

@@ -52,7 +52,7 @@ public final class Mpc implements Controller {
     // of the highest speed, not backward, where robots seldom look
     private static final double[] SPEEDS = {1, 0.6, 0.3, 0.1, 0};
     private static final double[] TURNS = {-1, -0.6, -0.3, -0.12, 0, 0.12, 0.3, 0.6, 1}; // of the highest turn rate
-    private static final double[] THEN = {-0.6, -0.2, 0, 0.2, 0.6}; // likewise, from the second knot on
+    private static final double[] THEN = {-0.6, -0.2, 0, 0.2, 0.6}; // the same, from the second knot on
 
     private static final double HOPELESS = 1e3; // cost of touching anything
     private static final double TOO_FAST = 3; // per m/s and s

@@ -12,7 +12,7 @@ import rsal.navigation.avoid.Obstacles;
 ///
 /// Differs from the paper in that a place counts as reachable when no two obstacles to the left and to the right of
 /// the straight way to it are nearer to each other than the robot is wide; the paper follows corridors in the
-/// configuration space. Filled anew for each step.
+/// configuration space. Filled again for each step.
 public final class NearnessDiagram {
     private static final int SECTORS = 240;
     private static final double SECTOR = 2 * Math.PI / SECTORS;

@@ -25,7 +25,7 @@ public final class Replay {
             return stop.mapFromBase().map(estimate.mapFromBase()::distanceTo);
         }
 
-        /// Likewise of the heading, not less than 0 [rad].
+        /// The same of the heading, not less than 0 [rad].
         public Optional<Double> headingError() {
             return stop.mapFromBase()
                     .map(pose -> Math.abs(Angles.difference(

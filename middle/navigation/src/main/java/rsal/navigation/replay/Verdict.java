@@ -13,7 +13,7 @@ import rsal.data.PoseEstimate.Quality;
 /// [#HELD], or all the while when there are not so many, and sure of it before it was wrong again, since who is near
 /// by chance knows nothing; empty when it never was
 /// @param errors of positions from there on, ascending [m]; none when it never was right
-/// @param headingRmse likewise [rad]; NaN when it never was right
+/// @param headingRmse the same [rad]; NaN when it never was right
 /// @param near share from there on within [#NEAR] and [#NEARLY]
 /// @param falselySure scans, of all, for which it said to be localized and was not near
 public record Verdict(
@@ -21,7 +21,7 @@ public record Verdict(
     /// How far off is still near [m].
     public static final double NEAR = 0.5;
 
-    /// Likewise of the heading: 15° [rad].
+    /// The same of the heading: 15° [rad].
     public static final double NEARLY = Math.toRadians(15);
 
     /// How many scans in a row must be near for it to have converged.
@@ -44,12 +44,12 @@ public record Verdict(
         return rootMeanSquare(errors);
     }
 
-    /// Likewise, what 95 % of the errors are below [m].
+    /// The same, what 95 % of the errors are below [m].
     public double p95() {
         return percentile(errors, 0.95);
     }
 
-    /// Likewise, the largest error [m].
+    /// The same, the largest error [m].
     public double worst() {
         return percentile(errors, 1);
     }

@@ -40,7 +40,7 @@ public final class CorrelativeMatcher {
     /// @param meters so far in x and in y
     /// @param radians so far in heading
     /// @param trust in the guess: what places at the rim lose of their score for being there, and headings
-    /// likewise; stands for Olson's prior (equation 1)
+    /// the same; stands for Olson's prior (equation 1)
     public record Window(double meters, double radians, double trust) {
         public Window {
             if (!(meters >= 0 && radians >= 0 && meters < 1e4 && trust >= 0)) {
@@ -152,7 +152,7 @@ public final class CorrelativeMatcher {
         private final Window window;
         private final @Nullable Spot butFor;
         private final int cells; // to either side
-        private final int turns; // likewise
+        private final int turns; // the same
         private final double step; // of a turn [rad]; moves no point by more than a cell
 
         Search(Cloud scan, Pose2d guess, Window window, @Nullable Spot butFor) {

@@ -32,7 +32,7 @@ public final class LineMatcher {
     /// Deviation along what has no structure [m].
     public static final double VAGUE_METERS = 1;
 
-    /// Likewise of a heading [rad].
+    /// The same of a heading [rad].
     public static final double VAGUE_RADIANS = 0.5;
 
     private static final int STEPS = 30;
@@ -66,7 +66,7 @@ public final class LineMatcher {
         return match(scan, guess, FARTHEST);
     }
 
-    /// Likewise for a guess that is better than that.
+    /// The same for a guess that is better than that.
     ///
     /// @param farthest that points of a pair may be apart at first [m]
     public Optional<Match> match(Cloud scan, Pose2d guess, double farthest) {

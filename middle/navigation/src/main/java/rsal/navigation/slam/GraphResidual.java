@@ -11,7 +11,7 @@ import rsal.data.Pose2d;
 /// was bent by loops, and of these some are wrong, or the robot was carried where it saw nothing.
 ///
 /// @param wheels the step that is farthest off what the wheels say
-/// @param scans likewise of what scans say
+/// @param scans the same of what scans say
 /// @param all the step that is farthest off all that was told of it, with what it is least off
 /// @param steps of the way
 /// @param blind of them, told by wheels alone
@@ -24,9 +24,9 @@ public record GraphResidual(Optional<Step> wheels, Optional<Step> scans, Optiona
     ///
     /// @param from number of a frame
     /// @param to number of the next
-    /// @param deviations by which the step is off, as whoever told it errs
-    /// @param meters likewise
-    /// @param radians likewise, not negative
+    /// @param deviations by which the step is off, as its source errs
+    /// @param meters the same
+    /// @param radians the same, not negative
     public record Step(int from, int to, double deviations, double meters, double radians) {
         private static final Comparator<Step> BY_DEVIATIONS = Comparator.comparingDouble(Step::deviations);
 

@@ -10,7 +10,7 @@ final class LocalMap {
     private LocalMap() {}
 
     /// @param first number of a frame; those below 0 are left out
-    /// @param last likewise; those that aren't there are left out
+    /// @param last the same; those that aren't there are left out
     static Cloud of(List<GraphNode> frames, List<Pose2d> poses, int first, int last, int seenFrom) {
         return of(
                 frames, poses, IntStream.rangeClosed(Math.max(0, first), Math.min(frames.size() - 1, last)), seenFrom);

@@ -182,7 +182,7 @@ final class LoopCloser {
     /// Those loops that put the newer frame of one where that one does.
     ///
     /// @param meters how far off that may be
-    /// @param radians likewise
+    /// @param radians the same
     static List<Relation> agreeing(
             Relation one, List<Relation> loops, List<Pose2d> poses, double meters, double radians) {
         Pose2d place = poses.get(one.to());

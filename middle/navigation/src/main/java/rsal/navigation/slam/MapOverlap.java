@@ -21,7 +21,7 @@ public record MapOverlap(double squareMeters, double against, double through, Op
     /// A place at which one hit something, and the other saw free floor.
     ///
     /// @param x of the middle of what was hit, in the map as it is when both are laid onto each other [m]
-    /// @param y likewise
+    /// @param y the same
     /// @param hitBy number of a scan that hit it; those of the second map follow on those of the first
     /// @param freeBy number of a scan of the other that saw through it
     public record Clash(double x, double y, int hitBy, int freeBy) {}

@@ -10,7 +10,7 @@ import rsal.data.Pose2d;
 ///
 /// @param count relations looked at
 /// @param meters mean length of the errors; NaN without any
-/// @param radians mean angle of them; likewise
+/// @param radians mean angle of them; the same
 public record RelationError(int count, double meters, double radians) {
     /// Of each pose and the next.
     public static RelationError ofNext(List<Pose2d> right, List<Pose2d> judged) {

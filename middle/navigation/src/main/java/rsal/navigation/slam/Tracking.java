@@ -99,7 +99,7 @@ public record Tracking(
         return matched.plus(driven());
     }
 
-    /// Likewise against what was mapped before the robot drove blindly.
+    /// The same against what was mapped before the robot drove blindly.
     private Covariance2d whole() {
         return covariance().plus(ground);
     }

@@ -43,7 +43,7 @@ public final class ReachableSpace {
     /// The part that can be reached from a place, which may be up to 1 m off it.
     ///
     /// @param clearance as for the [#largest]
-    /// @throws IllegalArgumentException likewise, or when a robot can be nowhere near the start
+    /// @throws IllegalArgumentException the same, or when a robot can be nowhere near the start
     public static ReachableSpace around(OccupancyGrid map, double clearance, Point2d start) {
         var parts = new ConnectedComponents(map, clearance);
         orNowhere(parts, parts.largest());
@@ -60,7 +60,7 @@ public final class ReachableSpace {
     /// The part in which most of some places are, of several the larger one; the largest when none is in any.
     ///
     /// @param clearance as for the [#largest]
-    /// @throws IllegalArgumentException likewise
+    /// @throws IllegalArgumentException the same
     public static ReachableSpace holding(OccupancyGrid map, double clearance, List<Point2d> places) {
         var parts = new ConnectedComponents(map, clearance);
         orNowhere(parts, parts.largest());

@@ -7,7 +7,7 @@ import java.util.Arrays;
 ///
 /// A cell keeps what it holds as long as one of its neighbors that costs less leads to it for no more; those that
 /// none leads to any more are forgotten, the cheapest first, as each may be what others of its neighbors hold on to.
-/// Cells beside those that were forgotten or have changed are the borders from which the wave spreads anew; where
+/// Cells beside those that were forgotten or have changed are the borders from which the wave spreads again; where
 /// ways have become cheaper it overwrites what cells hold. (G. Ramalingam, T. Reps, An Incremental Algorithm for a
 /// Generalization of the Shortest-Path Problem, J. Algorithms 21, 1996, for several changes at once as in their
 /// section 4; here changed are cells, thus all steps from, to and beside them. They reckon what each forgotten cell

@@ -29,7 +29,7 @@ import org.jspecify.annotations.Nullable;
 /// cheapest ways to that cell depends neither on the guide nor on the order in which it gets there, for it goes
 /// on until all of them are found.
 ///
-/// Starts anew without allocating. When the map has changed a little it is mended rather than started anew
+/// Starts again without allocating. When the map has changed a little it is mended rather than started again
 /// ([#over], [IncrementalRepair]). Not safe for several threads at once.
 final class Wave {
     /// The value of a cell that the wave did not reach.

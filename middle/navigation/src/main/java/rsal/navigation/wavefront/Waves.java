@@ -29,7 +29,7 @@ final class Waves {
     private final Map<Integer, Asked> waiting = new LinkedHashMap<>(); // goals without a wave, oldest first
     private final ArrayDeque<Wave> lent = new ArrayDeque<>();
     private final long askedAtFirst; // what was asked by then when this map came
-    private final long askedBefore; // likewise of the map before
+    private final long askedBefore; // the same of the map before
     private long asked;
 
     /// When a goal was asked for: the last times, as many as count.
@@ -71,7 +71,7 @@ final class Waves {
         }
     }
 
-    /// A wave that is kept. Whoever looks at it or lets it spread holds its lock: that of the map before may still be
+    /// A wave that is kept. Those that look at it or let it spread hold its lock: that of the map before may still be
     /// asked by somebody.
     private static final class Lasting {
         private @Nullable Wave wave; // none while it is mended, so that none is left half mended

@@ -30,16 +30,16 @@ class NdLawTest {
 
     private Twist2d drive(double goalDegrees, double distance) {
         var nd = new Nd(SQUARE, LIMITS, new Nd.Settings(AVOID, MARGIN), 0.2);
-        var target = Target.at(
-                Pose2d.polar(distance, Math.toRadians(goalDegrees)).position(), false);
+        var target =
+                Target.at(Pose2d.polar(distance, Math.toRadians(goalDegrees)).position(), false);
         return nd.drive(obstacles, target, new Motion(Pose2d.ORIGIN, Twist2d.STOP));
     }
 
     /// @param degrees a multiple of 1.5, as directions are told apart
     /// @param room 0 at the robot's edge, 1 at the security distance
     private void post(double degrees, double room) {
-        Point2d place = Pose2d.polar(RADIUS + room * AVOID, Math.toRadians(degrees))
-                .position();
+        Point2d place =
+                Pose2d.polar(RADIUS + room * AVOID, Math.toRadians(degrees)).position();
         obstacles.add(place.x(), place.y());
     }
 

@@ -30,8 +30,8 @@ class SndLawTest {
 
     private Twist2d drive(double goalDegrees, double distance) {
         var snd = new Snd(SQUARE, LIMITS, SETTINGS, 0.2);
-        var target = Target.at(
-                Pose2d.polar(distance, Math.toRadians(goalDegrees)).position(), false);
+        var target =
+                Target.at(Pose2d.polar(distance, Math.toRadians(goalDegrees)).position(), false);
         return snd.drive(obstacles, target, new Motion(Pose2d.ORIGIN, Twist2d.STOP));
     }
 
@@ -52,7 +52,8 @@ class SndLawTest {
         assertThat(command.vx()).isCloseTo(LIMITS.speed() * share * (1 - Math.abs(degrees) / 90), within(1e-4));
     }
 
-    /// A post at a distance d is a threat of (0.6 + 0.25 - d) / 0.6, and turns the robot towards where the post is not by
+    /// A post at a distance d is a threat of (0.6 + 0.25 - d) / 0.6, and turns the robot towards where the post is not
+    /// by
     /// that share of the angle.
     @ParameterizedTest
     @CsvSource({"60, 0.6", "-60, 0.6", "90, 0.55", "-75, 0.7", "120, 0.5", "60, 0.84", "45, 1"})

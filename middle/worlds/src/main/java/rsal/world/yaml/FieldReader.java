@@ -166,7 +166,7 @@ final class FieldReader {
     /// Makes up the obstacles.
     ///
     /// @param map of what is there already
-    /// @param room likewise; the obstacles are added
+    /// @param room the same; the obstacles are added
     /// @param seed for fields that have none
     /// @param warnings about fields that found no room for all of it
     List<Entity> grow(OccupancyGrid map, Room room, long seed, List<Problem> warnings) {

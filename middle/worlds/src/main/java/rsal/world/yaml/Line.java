@@ -105,7 +105,7 @@ final class Line {
     }
 
     /// @param along in halves of the thickness
-    /// @param left likewise
+    /// @param left the same
     private Point2d beside(Point2d point, double direction, double along, double left) {
         double cos = half * Math.cos(direction);
         double sin = half * Math.sin(direction);
