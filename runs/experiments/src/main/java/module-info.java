@@ -1,4 +1,4 @@
-/// Experiments: many runs of a scenario with other arguments, configurations and seeds, what came of each,
+/// Experiments: many runs of a scenario with other arguments, configurations and seeds, the result of each,
 /// and what that says. Knows nothing of robots and agents beyond what a run's result tells.
 module rsal.experiments {
     requires transitive rsal.engine;

@@ -45,7 +45,7 @@ final class JadeAgent extends Agent implements Executor {
     private boolean leaving;
 
     /// @param name of our agent
-    /// @param gone told, on a thread of JADE's, when it has ended, whoever wanted it, and its name is free
+    /// @param gone told, on a thread of JADE's, when it has ended, no matter who wanted it, and its name is free
     JadeAgent(String name, Scheduler run, Consumer<JadeAgent> gone) {
         this.name = name;
         this.run = run;
@@ -143,7 +143,7 @@ final class JadeAgent extends Agent implements Executor {
         addBehaviour(work);
     }
 
-    /// Whoever wanted its end, the facilitator is told; it would keep what it was told before.
+    /// No matter who wanted its end, the facilitator is told; it would keep what it was told before.
     @Override
     protected void takeDown() {
         run.exclusively(() -> {
@@ -174,7 +174,7 @@ final class JadeAgent extends Agent implements Executor {
                 own.interrupt();
             }
         } catch (InterruptedException _) {
-            Thread.currentThread().interrupt(); // whoever wants it to end waits no more
+            Thread.currentThread().interrupt(); // those that want it to end wait no more
         }
     }
 

@@ -9,7 +9,7 @@ import java.util.logging.Logger;
 import org.jspecify.annotations.Nullable;
 
 /// What the interpreter of one agent complains of: plans that fail or are missing are logged, as the author's affair;
-/// what would make it begin anew with an empty mind is kept for the agent to fail of.
+/// what would make it begin again with an empty mind is kept for the agent to fail of.
 final class Diagnostics extends Handler {
     private static final System.Logger LOG = System.getLogger("rsal.jason");
     private static final String BEGINS_ANEW = "*** ERROR in the transition system";

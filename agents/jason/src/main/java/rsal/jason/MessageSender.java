@@ -30,7 +30,7 @@ final class MessageSender {
         return prefix + ++sent;
     }
 
-    /// @throws JasonException when nobody has that name, so that whoever says it can do something else
+    /// @throws JasonException when nobody has that name, so that the one that says it can do something else
     void send(Message message) throws JasonException {
         String to = Terms.unquoted(message.getReceiver());
         if (self.directory().find(to).isEmpty()) {

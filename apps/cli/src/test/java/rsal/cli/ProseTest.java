@@ -19,7 +19,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /// Holds what has been reached of plain English: words that readers stumble over do not come back into documentation
-/// and messages; long sentences of the documentation may only get fewer. Who makes them fewer lowers the limit here.
+/// and messages, some not into comments; long sentences of the documentation may only get fewer. Who makes them fewer
+/// lowers the limit here.
 class ProseTest {
     private static final Path ROOT = Path.of("../..");
     private static final int LONG = 35; // words of a sentence
@@ -30,6 +31,7 @@ class ProseTest {
     private static final Pattern LINK = Pattern.compile("\\[([^\\]]*)]\\([^)]*\\)");
     private static final Pattern SENTENCE = Pattern.compile("(?<=[.!?:;])\\s+");
     private static final Pattern TEXT = Pattern.compile("\"((?:[^\"\\\\\n]|\\\\.)*)\"");
+    private static final Pattern COMMENT = Pattern.compile("(?m)//[/ ]+(?:@param \\w+ )?(.*)$");
     private static final Pattern SPACES = Pattern.compile("\\s+");
     private static final Pattern SPELLING =
             Pattern.compile("(?i)\\b(colour|metre|centre|behaviour|neighbour)(s|ed|ing)?\\b");
@@ -50,6 +52,17 @@ class ProseTest {
                 .results()
                 .map(text -> text.group(1))
                 .filter(text -> text.contains(" "))
+                .collect(Collectors.joining("\n"));
+    }
+
+    /// Comments of these sources, without the names of parameters.
+    private static final Map<Path, String> COMMENTS =
+            HouseTest.SOURCES.stream().collect(Collectors.toMap(Function.identity(), ProseTest::comments));
+
+    private static String comments(Path file) {
+        return COMMENT.matcher(HouseTest.read(file))
+                .results()
+                .map(comment -> comment.group(1))
                 .collect(Collectors.joining("\n"));
     }
 
@@ -105,11 +118,20 @@ class ProseTest {
             strings = {"anew", "likewise", "whoever", "lest", "by custom", "sees to it", "what came of", "reckon(ed|s)?"
             })
     void wordsThatReadersStumbleOverDoNotComeBack(String word) {
+        expectNone(word, List.of(PAGES, MESSAGES));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"anew", "likewise", "whoever", "what came of"})
+    void someOfThemAreNotInCommentsEither(String word) {
+        expectNone(word, List.of(COMMENTS));
+    }
+
+    private static void expectNone(String word, List<Map<Path, String>> places) {
         Pattern line = Pattern.compile("(?i).*\\b%s\\b.*".formatted(word));
         var found = new ArrayList<String>();
-        Stream.of(PAGES, MESSAGES)
-                .forEach(texts -> texts.forEach((file, text) ->
-                        line.matcher(text).results().forEach(use -> found.add("%s: %s".formatted(file, use.group())))));
+        places.forEach(texts -> texts.forEach((file, text) ->
+                line.matcher(text).results().forEach(use -> found.add("%s: %s".formatted(file, use.group())))));
         assertThat(found).as("uses of '%s': write it in another way", word).isEmpty();
     }
 

@@ -178,7 +178,7 @@ final class Client implements MessageSink {
     }
 
     /// Whether it has not been told the event; then it is now. One that began while events are told waits until they
-    /// are told anew, or it would miss those before.
+    /// are told again, or it would miss those before.
     private boolean isDue(Subscription subscription) {
         boolean due = subscription.nextEvent <= event && toldEvents.contains(subscription);
         if (due) {

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
-/// Who may come in. Foxglove is a page of another site, so that its origin tells nothing: whoever comes from a
+/// Who may come in. Foxglove is a page of another site, so that its origin tells nothing: all that comes from a
 /// page must know the token, as any page in the browser can reach a loopback port. A program of this machine may
 /// look without; to change anything, it needs the token, too.
 final class FoxgloveAccess {

@@ -74,7 +74,8 @@ public final class Api {
         control.configure(routes);
     }
 
-    /// Whoever asks about a run that another one has followed meanwhile is told nothing: that is no mistake of theirs.
+    /// Those that ask about a run that another one has followed meanwhile are told nothing: that is no mistake of
+    /// theirs.
     private void passOver(Context request) {
         String run = lookedAt(request);
         if (!run.isEmpty() && !slots.find(request).now().isNumber(run)) {

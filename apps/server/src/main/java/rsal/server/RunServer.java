@@ -26,7 +26,7 @@ import rsal.server.sweep.SweepHome;
 import rsal.server.sweep.Sweeps;
 
 /// Runs a scenario, and others beside it, and shows them on this machine's loopback address, and there only.
-/// Whoever can reach the port may look; changing anything takes the token.
+/// Everybody who can reach the port may look; changing anything takes the token.
 ///
 /// All methods may be called from any thread.
 public final class RunServer implements AutoCloseable {
@@ -43,7 +43,7 @@ public final class RunServer implements AutoCloseable {
     /// @param onStart told of each run, the first and those that replace it, when it begins; not of those that are
     /// begun beside it
     /// @param starter starts those runs
-    /// @param recorded what came of recordings so far; empty when nothing is recorded. Must not wait, on any thread
+    /// @param recorded the results of recordings so far, empty when there are none; on any thread, must not wait
     /// @param sweeping empty where no sweeps can be begun
     public record Options(
             int port,
@@ -113,7 +113,7 @@ public final class RunServer implements AutoCloseable {
         return Base64.getUrlEncoder().withoutPadding().encodeToString(bits);
     }
 
-    /// What whoever wants to change something must know.
+    /// What people must know to change something.
     public String token() {
         return token;
     }

@@ -85,7 +85,7 @@ final class SimDrive extends SensorCore<Odometry> implements DriveBase {
         return wheels;
     }
 
-    /// What came of it.
+    /// The result.
     ///
     /// @param made part of the way that the robot made before it touched something; 1 for all, or when it slid on
     void moved(double made) {

@@ -33,8 +33,8 @@ public final class SimProvider implements RobotSystemProvider {
 
     private final AtomicReference<@Nullable Measured> last = new AtomicReference<>();
 
-    /// Walls with their distances, which take a while to measure: whoever checks a world and then runs it, or runs
-    /// it again, needs them once.
+    /// Walls with their distances, which take a while to measure: a world that is checked and then run, or
+    /// run again, needs them once.
     private record Measured(List<SolidRaster> rasters, List<RasterWalls> walls) {}
 
     @Override

@@ -84,7 +84,7 @@ abstract class SimSensor<T> extends SensorCore<T> {
     void told(Stamped<T> reading) {}
 
     void close(Health.Lost why) {
-        taken = null; // whoever closed may have been told by another device of this very robot
+        taken = null; // the one that closed may have been told by another device of this very robot
         health(why);
     }
 }

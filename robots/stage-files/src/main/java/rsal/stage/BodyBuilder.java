@@ -33,7 +33,7 @@ final class BodyBuilder {
     /// A block as it is written.
     ///
     /// @param corners in units of its own
-    /// @param heights likewise
+    /// @param heights the same
     record Block(List<Point2d> corners, ValueRange heights, Optional<StageColor> color) {}
 
     /// All of the size.

@@ -166,7 +166,7 @@ final class EntityFields {
         return whole(name, least, most).orElse(fallback);
     }
 
-    /// Likewise; empty when it is missing or wrong.
+    /// The same; empty when it is missing or wrong.
     OptionalInt whole(String name, int least, int most) {
         asked.add(name);
         Setting setting = entity.settings().get(name);

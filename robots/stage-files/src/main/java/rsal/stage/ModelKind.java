@@ -153,7 +153,7 @@ public sealed interface ModelKind {
     /// @param fov angle of the image across
     /// @param fovHeight angle of the image up and down
     /// @param pan direction of the image's middle
-    /// @param tilt likewise, up
+    /// @param tilt the same, up
     record Camera(int columns, int rows, ValueRange range, double fov, double fovHeight, double pan, double tilt)
             implements ModelKind {}
 

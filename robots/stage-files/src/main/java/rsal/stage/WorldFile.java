@@ -38,7 +38,7 @@ public record WorldFile(WorldfileEntity root, Set<String> known, boolean complet
         return read(path, files, findings, Dialect.STAGE);
     }
 
-    /// Reads another kind of file, likewise.
+    /// Reads another kind of file in the same way.
     public static WorldFile read(String path, WorldFiles files, WorldProblems findings, Dialect dialect) {
         Lexer.Tokens tokens = Lexer.read(path, files, findings, dialect);
         var parser = new Parser(tokens, findings, dialect);

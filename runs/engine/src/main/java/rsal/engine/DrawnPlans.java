@@ -23,7 +23,7 @@ import rsal.time.Phase;
 import rsal.time.Scheduler;
 
 /// Draws the ways of robots' navigators on those robots' canvases, in their colors, so that who looks there sees what
-/// they are up to. As a canvas moves along with its robot, a way is drawn anew while that drives, five times a second.
+/// they are up to. As a canvas moves along with its robot, a way is drawn again while that drives, five times a second.
 /// All calls on the run's thread.
 final class DrawnPlans {
     private static final Duration BEAT = Duration.ofMillis(200);

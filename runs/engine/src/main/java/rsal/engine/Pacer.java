@@ -33,7 +33,7 @@ final class Pacer {
         restart(simulated);
     }
 
-    /// Begins anew, after a pause.
+    /// Begins again, after a pause.
     void restart(long simulated) {
         fromReal = clock.getAsLong();
         fromSimulated = simulated;

@@ -18,7 +18,7 @@ import rsal.experiment.statistics.Effect;
 import rsal.experiment.statistics.Effect.Pair;
 import rsal.settings.InvalidSettings;
 
-/// What is known of an experiment: what it is, and what came of its runs so far.
+/// What is known of an experiment: what it is, and the results of its runs so far.
 ///
 /// @param rows in the order of the design, whichever ended first
 public record Findings(Manifest manifest, List<Row> rows) {
@@ -84,7 +84,7 @@ public record Findings(Manifest manifest, List<Row> rows) {
         return Effect.of(blocks(change, measurements::of, _ -> true));
     }
 
-    /// Likewise what it does to the share of runs that end in some way, in percentage points: a run that ends so
+    /// The same for what it does to the share of runs that end in some way, in percentage points: a run that ends so
     /// counts for 100, another one for 0.
     public Effect effectOnShare(Change change, String outcome) {
         return Effect.of(blocks(change, row -> OptionalDouble.of(row.outcome().equals(outcome) ? 100 : 0), _ -> true));

@@ -10,7 +10,7 @@ import java.util.OptionalDouble;
 import rsal.engine.report.RunResult;
 import rsal.scenario.text.Folders;
 
-/// What came of one run of an experiment. Part of what users build on: names and order stay, more may follow.
+/// The result of one run of an experiment. Part of what users build on: names and order stay, more may follow.
 ///
 /// @param run its number, from 1, in the order of the design
 /// @param combination its number, from 1

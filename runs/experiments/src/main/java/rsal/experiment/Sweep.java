@@ -178,10 +178,10 @@ public final class Sweep {
         return plan(trial, Double.POSITIVE_INFINITY);
     }
 
-    /// Likewise; it comes out the same at any speed.
+    /// The same; it comes out the same at any speed.
     ///
     /// @param speed times real time
-    /// @throws InvalidSettings likewise
+    /// @throws InvalidSettings the same
     public RunPlan plan(Trial trial, double speed) {
         return plan(trial.combination(), trial.seed(), speed);
     }

@@ -29,7 +29,7 @@ import tools.jackson.databind.json.JsonMapper;
 /// What counts is `rows.jsonl`, a row per line in the order in which runs ended. A row is there once
 /// [#append] has returned, whatever happens to the process or the machine: it is written in one piece and
 /// forced to the disk. When a kill or a full disk leaves half a row behind, [#resume] cuts it off. `rows.csv`
-/// has the same for spreadsheets and statistics; it is made anew from the other whenever the folder is
+/// has the same for spreadsheets and statistics; it is made again from the other whenever the folder is
 /// opened, and sorted when all runs have ended.
 public final class SweepFolder implements AutoCloseable {
     public static final String MANIFEST = "manifest.json";

@@ -17,8 +17,8 @@ import rsal.engine.report.Snapshot;
 
 /// What a run has told and nobody has taken yet: told on the run's thread, taken on one other. It is bounded: when
 /// [Behind#DROP] is chosen, the newest states win and others are counted as dropped, and only when 100,000 events and
-/// messages wait does the run, too, as those are never dropped. When [Behind#WAIT] is, the run waits for whoever takes,
-/// and what is taken depends on nothing but the run.
+/// messages wait does the run, too, as those are never dropped. When [Behind#WAIT] is, the run waits for the one that
+/// takes, and what is taken depends on nothing but the run.
 public final class Backlog implements RunObserver {
     /// How often a run tells how everything stands.
     static final Duration PERIOD = Duration.ofMillis(100);
@@ -27,7 +27,7 @@ public final class Backlog implements RunObserver {
     private static final int MOST_OTHERS = 100_000; // that wait
     private static final long PATIENCE = 200_000_000; // of who takes [ns]
 
-    /// What happens when the run is faster than whoever takes.
+    /// What happens when the run is faster than the one that takes.
     public enum Behind {
         WAIT,
         DROP

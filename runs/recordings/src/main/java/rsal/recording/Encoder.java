@@ -711,7 +711,7 @@ public final class Encoder {
         return !value.equals(last.put(what, value));
     }
 
-    /// Likewise, but that there is nothing is new only where there was something.
+    /// The same, but that there is nothing is new only where there was something.
     private boolean isNewOrGone(String what, Object value, Object nothing) {
         return (!value.equals(nothing) || last.containsKey(what)) && isNew(what, value);
     }

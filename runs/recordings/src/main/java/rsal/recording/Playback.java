@@ -57,7 +57,7 @@ public final class Playback implements Closeable {
     private final long start; // of the run, on its own clock, in ns
     private final List<RunEvent> events = new ArrayList<>();
     private final Map<String, List<MindChange>> changes = new HashMap<>(); // by topic and agent
-    private final Map<String, Mind.View> newest = new HashMap<>(); // likewise, while the file is read through
+    private final Map<String, Mind.View> newest = new HashMap<>(); // the same, while the file is read through
     private int changed; // how many of them there are
     private final ResumePoints places = new ResumePoints(MOST_KEPT);
     private final Map<Long, Held> recent = new LinkedHashMap<>(RECENT, 0.75f, true);

@@ -25,7 +25,7 @@ public final class Recorder implements AutoCloseable {
     private volatile @Nullable IOException failure;
     private volatile long bytes; // in the file
 
-    /// What came of recordings so far.
+    /// The results of recordings so far.
     ///
     /// @param bytes that were written
     /// @param dropped states of the run that were not, as the file was too slow
@@ -90,7 +90,7 @@ public final class Recorder implements AutoCloseable {
         return backlog.dropped();
     }
 
-    /// What came of it so far. From any thread, without waiting for the file.
+    /// The result so far. From any thread, without waiting for the file.
     public Tally tally() {
         return new Tally(bytes, dropped(), failure().isPresent() ? 1 : 0);
     }

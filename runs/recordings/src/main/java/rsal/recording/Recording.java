@@ -79,7 +79,7 @@ public final class Recording implements Closeable {
 
     /// The run, to be run again, from what was recorded of its scenario's files.
     ///
-    /// @param trusted whether agents' programs that were recorded with it may be run; whoever made the
+    /// @param trusted whether agents' programs that were recorded with it may be run; those that made the
     ///         recording may have written anything into them
     /// @throws InvalidSettings with every mistake, as of an argument that a later version has no more
     public RunPlan plan(boolean trusted) throws IOException {

@@ -46,7 +46,7 @@ public final class Verification {
         public static final Compared NOTHING = new Compared(0, 0, 0);
     }
 
-    /// What came of it.
+    /// The result.
     public sealed interface Finding {
         /// All is the same.
         ///
@@ -212,7 +212,7 @@ public final class Verification {
     /// From what was recorded of the same time.
     private static List<String> differences(Recording recording, Snapshot now) {
         try {
-            var before = Playback.of(recording); // whoever has the recording closes that
+            var before = Playback.of(recording); // the owner of the recording closes that
             if (before.until().compareTo(now.time()) < 0) {
                 return List.of();
             }

@@ -25,7 +25,7 @@ import rsal.settings.Value;
 /// @param agents those without a robot, arguments filled in
 /// @param placed for each of them the texts among its settings that stand for arguments, by setting: the
 /// argument's name
-/// @param given names of the arguments that whoever joins it has set
+/// @param given names of the arguments that those that join it have set
 /// @param map of its world, as it calls it; empty when it has none
 /// @param isThisMap whether a map of that name is the same for both
 /// @param roles of its robots; empty when its world may bring more of them along

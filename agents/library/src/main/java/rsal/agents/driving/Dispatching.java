@@ -31,8 +31,7 @@ final class Dispatching {
     private final RetryPolicy patience;
     private final FailureDetector roll;
     private final Request<NewGoal, GoalReached> drives;
-    private final Map<String, NewGoal> open =
-            new TreeMap<>(); // newest of each robot that has not answered what came of it
+    private final Map<String, NewGoal> open = new TreeMap<>(); // newest of each robot that has not told its result
     private final Set<String> told = new HashSet<>(); // robots of whose silence people know
     private final Set<String> ours = new HashSet<>(); // agents; the directory knows none that has ended
     private final SortedSet<String> answering = new TreeSet<>(); // robots
@@ -81,7 +80,7 @@ final class Dispatching {
 
     private void ended(NewGoal order, ConversationResult<GoalReached> ending) {
         if (!(ending instanceof ConversationResult.Silent<GoalReached>)) {
-            open.remove(order.robot()); // the robot has told itself what came of it
+            open.remove(order.robot()); // the robot has told itself the result
         } else if (answering.contains(order.robot())) {
             ask(order); // only what it answers got lost
         } else {

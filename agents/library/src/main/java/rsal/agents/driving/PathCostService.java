@@ -33,7 +33,7 @@ public final class PathCostService {
         return new Request<>(self, CAPABILITY.name(), Places.class, Costs.class);
     }
 
-    /// From now on answers whoever asks, if the robot has a planner.
+    /// From now on answers all that ask, if the robot has a planner.
     public static void begin(AgentContext self, Robot robot, PoseReporter reporter) {
         Optional<Planner> planner = robot.find(Planner.class);
         planner.ifPresent(_ -> {

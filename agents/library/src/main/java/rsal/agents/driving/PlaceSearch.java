@@ -33,7 +33,7 @@ public final class PlaceSearch {
         return new Request<>(self, CAPABILITY.name(), Wanted.class, Found.class);
     }
 
-    /// From now on answers whoever asks, if the robot has a place finder.
+    /// From now on answers all that ask, if the robot has a place finder.
     public static void begin(AgentContext self, Robot robot, PoseReporter reporter) {
         Optional<PlaceFinder> finder = robot.find(PlaceFinder.class);
         finder.ifPresent(device -> {

@@ -13,7 +13,7 @@ import rsal.agent.team.Team;
 import rsal.data.Point2d;
 
 /// What a team that maps a place has to do: each end of its map, as any of them tells it, is a job until the map goes
-/// on there. Which robot goes where they settle by bids, anew every few seconds, as ends come and go.
+/// on there. Which robot goes where they settle by bids, again every few seconds, as ends come and go.
 final class Cartography {
     private static final Duration MEMORY = Duration.ofSeconds(12); // of what a robot told; three words of it
 

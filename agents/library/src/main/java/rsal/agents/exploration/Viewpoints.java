@@ -61,7 +61,7 @@ public final class Viewpoints {
     private int search; // for places; only the newest counts
     private Subscription turning = () -> {};
 
-    /// @param driver the robot's, which whoever pauses this may have
+    /// @param driver the robot's, which those that pause this may have
     /// @param belief where the robot is in the map
     /// @param count how many places, at first
     /// @param fieldOfView of what it looks with [rad]: who sees all around need not turn

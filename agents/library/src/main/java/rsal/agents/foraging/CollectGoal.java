@@ -7,7 +7,7 @@ import rsal.agent.message.MessageCheck;
 import rsal.data.Point2d;
 import rsal.data.Rgb;
 
-/// Something lies somewhere and is to be collected. Whoever sees to that says so every few seconds; of what was not
+/// Something lies somewhere and is to be collected. The agent that does so says it every few seconds; of what was not
 /// heard of for longer nobody takes care.
 ///
 /// @param color as cameras see it

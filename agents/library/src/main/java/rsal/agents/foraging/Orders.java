@@ -15,8 +15,8 @@ import rsal.agent.team.Rules;
 import rsal.agent.team.Team;
 import rsal.settings.Arguments;
 
-/// What a team is asked to fetch: each thing once, whoever asks. Says every few seconds what is to be fetched, so that
-/// nobody asks for it again.
+/// What a team is asked to fetch: each thing once, no matter who asks. Says every few seconds what is to be fetched, so
+/// that nobody asks for it again.
 final class Orders {
     private static final String SERVICE = "fetch";
     /// How often it says what is to be fetched: two of these may get lost within [Detections#MEMORY].

@@ -12,7 +12,7 @@ import rsal.data.Pose2d;
 ///
 /// @param mapFromWay every [#STEP] from the way's beginning, looking where it leads about there
 /// @param asides to the left [m], in the same order
-/// @param fits likewise
+/// @param fits the same
 record FormationCorridor(List<Pose2d> mapFromWay, List<Double> asides, List<Boolean> fits) {
     static final double STEP = 0.5; // m
 

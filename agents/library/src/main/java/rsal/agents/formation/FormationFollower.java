@@ -9,7 +9,7 @@ import rsal.agents.formation.FormationSlots.Slot;
 import rsal.data.Pose2d;
 import rsal.device.Navigator.Tolerance;
 
-/// Keeps a robot at its place in a formation, as whoever leads it says ([FormationSlots]). Errands come first.
+/// Keeps a robot at its place in a formation, as its leader says ([FormationSlots]). Errands come first.
 /// When nothing is heard of the formation any more, it lets go of the robot.
 final class FormationFollower {
     private static final Duration SILENCE = Duration.ofSeconds(3);

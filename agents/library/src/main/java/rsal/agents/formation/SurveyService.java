@@ -41,7 +41,7 @@ final class SurveyService {
         return new Request<>(self, CAPABILITY.name(), Wanted.class, FormationCorridor.class);
     }
 
-    /// From now on answers whoever asks, if the robot has a planner.
+    /// From now on answers all that ask, if the robot has a planner.
     static void begin(AgentContext self, Robot robot) {
         Optional<Planner> planner = robot.find(Planner.class);
         planner.ifPresent(device -> {

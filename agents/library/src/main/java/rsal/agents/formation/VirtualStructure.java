@@ -35,7 +35,7 @@ import rsal.settings.Arguments;
 /// 4, 1997). The structure waits for robots that lag (the formation feedback of B. Young, R. Beard, J. Kelsey, A
 /// Control Scheme for Improving Multi-Vehicle Formation Maneuvers, ACC 2001). Places are allotted with the least
 /// sum of squared distances, for then straight ways to them do not cross (M. Turpin, N. Michael, V. Kumar, CAPT,
-/// International Journal of Robotics Research 33, 2014), anew whenever the shape or the team changes.
+/// International Journal of Robotics Research 33, 2014), again whenever the shape or the team changes.
 ///
 /// Differs from these in that robots drive to their places by their own navigators, around whatever is in the way; and
 /// in that the structure is a column that follows the way wherever a robot's planner finds no room for the shape.

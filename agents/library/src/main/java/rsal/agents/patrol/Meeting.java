@@ -16,7 +16,8 @@ import rsal.data.Pose2d;
 import rsal.device.Navigator.Result;
 import rsal.device.Navigator.Tolerance;
 
-/// The skill to go where an intruder was seen last, whoever saw it, and to stay with it until it has stood for a while.
+/// The skill to go where an intruder was seen last, no matter who saw it, and to stay with it until it has stood for a
+/// while.
 public final class Meeting implements Skill<Meet> {
     private static final double BEFORE = 1.0; // m, where to stop in front of one that is in sight
     private static final double THERE = 1.3; // m, from where it was seen last

@@ -6,7 +6,7 @@ import rsal.data.Point2d;
 /// Go to a victim and stay with it for a while.
 ///
 /// @param victim what its marker says
-/// @param mapFromVictim where somebody saw it; whoever goes there may know better by then
+/// @param mapFromVictim where somebody saw it; those that go there may know better by then
 record Help(int victim, Point2d mapFromVictim) implements Job {
     @Override
     public String name() {

@@ -216,7 +216,7 @@ public final class TeamBoard {
                 .findFirst();
         keeper.ifPresent(name -> {
             silent = false;
-            underWay = Set.of(); // whoever was told is gone
+            underWay = Set.of(); // those that were told are gone
             changed.addAll(own.keySet());
             listener.accept(new BoardEvent.Kept(name));
             send();

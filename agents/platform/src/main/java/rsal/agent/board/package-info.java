@@ -5,7 +5,7 @@
 /// name do not disturb each other, and one that floods the board fills its own room only. Each fades when its time
 /// is up, for the master and for all who have heard of it, whether they can hear each other or not.
 ///
-/// Whoever wrote a note keeps it, too, and writes it again when another master takes over: what is lost with a master
+/// The author of a note keeps it, too, and writes it again when another master takes over: what is lost with a master
 /// is what agents wrote that have ended. Until there is one, notes wait with their authors, and those who watch go on
 /// with what they have heard.
 @NullMarked

@@ -9,7 +9,7 @@ import rsal.robot.Robot;
 public final class Presence {
     private Presence() {}
 
-    /// Says hello, and from now on answers whoever asks.
+    /// Says hello, and from now on answers all that ask.
     public static void begin(AgentContext self) {
         self.subscribe(Hello.TOPIC, message -> {
             if (message.content().kind() == Kind.PING) {

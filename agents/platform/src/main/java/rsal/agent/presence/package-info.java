@@ -1,5 +1,5 @@
 /// Who is there, as far as agents can hear: those who are say so when they come, when they go and when somebody asks;
-/// whoever keeps a roll notices who has fallen silent.
+/// those that keep a roll notice who has fallen silent.
 @NullMarked
 package rsal.agent.presence;
 

@@ -75,7 +75,7 @@ public final class Auction<L> {
         }
     }
 
-    /// What came of it.
+    /// The result.
     ///
     /// @param winner name; empty when nobody paid enough
     /// @param price the last that somebody wanted, or that was called when nobody did

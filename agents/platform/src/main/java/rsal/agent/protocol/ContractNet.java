@@ -8,8 +8,8 @@ import java.util.Map;
 import java.util.Set;
 import rsal.agent.AgentContext;
 
-/// A manager calls for proposals, contractors bid or refuse, the manager accepts some and rejects the others, and
-/// those whose bid was accepted say what came of the task: FIPA's Contract Net Interaction Protocol (SC00029H) and its
+/// A manager calls for proposals, contractors bid or refuse, the manager accepts some and rejects the others, and those
+/// whose bid was accepted tell the result of the task: FIPA's Contract Net Interaction Protocol (SC00029H) and its
 /// iterated form (SC00030H), after R. G. Smith, "The Contract Net Protocol" (1980).
 ///
 /// @param <T> task
@@ -71,7 +71,7 @@ public final class ContractNet<T, B, R> {
         desk.open(dialogue -> new ContractNetParticipant<>(self.scheduler(), dialogue, task, contractor));
     }
 
-    /// Whoever has something done. Called on its agent's lane.
+    /// The initiator, which has something done. Called on its agent's lane.
     public interface Manager<T, B, R> {
         /// Decides when all have answered or the time for that is over. Called once for each round.
         Verdict<T> decide(Round<B> round);
@@ -80,12 +80,12 @@ public final class ContractNet<T, B, R> {
         default void ended(Proposal<B> accepted, ConversationResult<R> how) {}
     }
 
-    /// Whoever can do something. Called on its agent's lane.
+    /// A participant, which can do something. Called on its agent's lane.
     public interface Contractor<T, B, R> {
         /// Proposes or refuses, now or later.
         void called(Call<T, B> call);
 
-        /// Its bid was accepted: does the task, now or later, and says what came of it.
+        /// Its bid was accepted: does the task, now or later, and tells the result.
         void accepted(Contract<T, R> contract);
 
         /// Its bid was rejected, or nothing was heard of the manager.
@@ -126,7 +126,7 @@ public final class ContractNet<T, B, R> {
     /// @param from name of the one who bids
     public record Proposal<B>(String from, B bid) {}
 
-    /// What came of a call.
+    /// The result of a call.
     ///
     /// @param number from 1; more than 1 only where the manager calls again
     /// @param proposals by name of those who bid, in the alphabet's order

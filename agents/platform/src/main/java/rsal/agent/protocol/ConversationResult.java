@@ -4,7 +4,7 @@ import java.util.function.Function;
 
 /// The one way in which a conversation ended for the one who began it.
 public sealed interface ConversationResult<A> {
-    /// The same, with what came of it as something else.
+    /// The same, with the result as something else.
     default <B> ConversationResult<B> map(Function<? super A, ? extends B> how) {
         return switch (this) {
             case Informed<A>(A result) -> new Informed<>(how.apply(result));
@@ -31,6 +31,6 @@ public sealed interface ConversationResult<A> {
     /// Nothing is heard of the partner any more.
     record Silent<A>(String why) implements ConversationResult<A> {}
 
-    /// Whoever began it did not want it any more.
+    /// The initiator did not want it any more.
     record Cancelled<A>() implements ConversationResult<A> {}
 }

@@ -201,7 +201,7 @@ final class Dialogue {
         return Duration.between(sign, desk.now());
     }
 
-    /// Whoever began asks again after a while, and more often when the last two times brought nothing.
+    /// The initiator asks again after a while, and more often when the last two times brought nothing.
     private void watch() {
         if (beat != null) {
             beat.cancel();
@@ -241,7 +241,7 @@ final class Dialogue {
 
     /// Told what the partner says.
     interface Listener {
-        /// Something that the protocol allows now. That something was not understood comes last, whoever says so.
+        /// Something that the protocol allows now. That something was not understood comes last, no matter who says so.
         void heard(Act act);
 
         /// Nothing more will be heard.

@@ -6,7 +6,7 @@ import java.util.Optional;
 
 /// Which act may follow which in a protocol. States are named after what was said last.
 ///
-/// Beside what is written down, whoever began may cancel what has begun and not ended (FIPA's cancel protocol, which is
+/// Beside what is written down, the initiator may cancel what has begun and not ended (FIPA's cancel protocol, which is
 /// answered by inform or failure), and either may say that it has not understood, which ends it.
 final class ProtocolStateMachine {
     static final String BEGIN = "begin";

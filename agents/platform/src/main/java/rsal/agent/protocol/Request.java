@@ -5,7 +5,7 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
 
-/// One asks, another does it and says what came of it: FIPA's Request Interaction Protocol (SC00026H). The one asked
+/// One asks, another does it and tells the result: FIPA's Request Interaction Protocol (SC00026H). The one asked
 /// refuses, or agrees and then informs or fails; what is quick needs no agreement. Who needs longer than the asker's
 /// patience agrees first, else it counts as silent.
 ///
@@ -32,7 +32,7 @@ public final class Request<Q, A> {
         return Talk.begin(desk, to, patience, new ProtocolOutcome<>(answer, onEnd), Performative.REQUEST, what);
     }
 
-    /// From now on answers whoever asks.
+    /// From now on answers all that ask.
     ///
     /// @param responder called on the agent's lane; answers then or later
     /// @throws IllegalStateException when this was called before

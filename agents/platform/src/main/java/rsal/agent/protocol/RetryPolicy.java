@@ -2,7 +2,7 @@ package rsal.agent.protocol;
 
 import java.time.Duration;
 
-/// How long whoever began a conversation waits for a partner.
+/// How long the initiator of a conversation waits for a partner.
 ///
 /// @param repeat after how long it says again what was not answered, or asks again one that works on something; a
 /// quarter of it once two of these brought nothing

@@ -3,7 +3,7 @@
 /// on whichever side: `new Request<>(self, "open-door", Door.class, Opened.class)`; all that use one name talk
 /// to each other.
 ///
-/// Messages may be lost, late or doubled. So whoever began a conversation says again what was not answered,
+/// Messages may be lost, late or doubled. So the initiator of a conversation says again what was not answered,
 /// asks a partner that works for long whether it still does, and learns in bounded time that one is silent
 /// ([RetryPolicy]); what comes twice is heard once. In a perfect network this costs nothing but the questions
 /// whether a partner still works.

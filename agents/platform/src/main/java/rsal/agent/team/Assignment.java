@@ -12,7 +12,7 @@ import rsal.data.Pose2d;
 /// least sum of straight distances.
 ///
 /// A prey that a hunter goes for already counts as [#LOYALTY] times its distance, so that two who are about
-/// equally far do not change over again and again. Same reports, same answer, whoever asks.
+/// equally far do not change over again and again. Same reports, same answer, no matter who asks.
 public final class Assignment {
     static final double LOYALTY = 0.8;
 

@@ -6,6 +6,6 @@ public enum Objective {
     SUM,
     /// The cost of the one that has most to do: least time.
     LONGEST,
-    /// Nothing: whoever is free gets the job that has waited longest. To compare with.
+    /// Nothing: a member that is free gets the job that has waited longest. To compare with.
     NONE
 }

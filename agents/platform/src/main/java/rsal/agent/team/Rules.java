@@ -9,7 +9,7 @@ import java.time.Duration;
 /// @param ping a member of which nothing was heard for that long is asked
 /// @param silence after that long without a sign a member counts as silent; at least twice the ping
 /// @param replyWithin how long a call for bids waits
-/// @param reconsider how often jobs that are under way are allotted anew, too, one each, as fits things that move;
+/// @param reconsider how often jobs that are under way are allotted again, too, one each, as fits things that move;
 /// 0 for never. Who has a job keeps it unless another can do it for clearly less.
 /// @param tries after as many failures a job is given up; 0 for never
 public record Rules(
@@ -53,7 +53,7 @@ public record Rules(
         return new Rules(objective, inRoutes, ping, silence, replyWithin, reconsider, other);
     }
 
-    /// Allots one job each, and all of them anew so often.
+    /// Allots one job each, and all of them again so often.
     public Rules reconsideredEvery(Duration period) {
         return new Rules(objective, false, ping, silence, replyWithin, period, tries);
     }

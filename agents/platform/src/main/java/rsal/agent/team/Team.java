@@ -36,7 +36,7 @@ import rsal.agent.protocol.RetryPolicy;
 public final class Team {
     private static final int MOST_AT_ONCE = 16; // jobs in one call
     private static final Duration PAUSE = Duration.ofSeconds(5); // until what nobody could do is called again
-    private static final double LOYALTY = 0.8; // what a job costs the one that has it, when all is allotted anew
+    private static final double LOYALTY = 0.8; // what a job costs the one that has it, when all is allotted again
     private static final Duration BARRED = Duration.ofSeconds(60); // for one that failed at a job
 
     private final AgentContext self;
@@ -87,8 +87,8 @@ public final class Team {
         callSoon();
     }
 
-    /// Does not want a job any more; whoever does it stops. Nothing is told of it. Does nothing when it has no job of
-    /// that name.
+    /// Does not want a job any more; the member that does it stops. Nothing is told of it. Does nothing when it has no
+    /// job of that name.
     public void withdraw(String name) {
         Entry entry = entries.remove(name);
         if (entry != null && entry.contract != null) {
@@ -97,7 +97,7 @@ public final class Team {
         }
     }
 
-    /// Allots everything anew, once, also what is under way: when something has come that can't wait until somebody is
+    /// Allots everything again, once, also what is under way: when something has come that can't wait until somebody is
     /// free.
     public void reallot() {
         anewWanted = true;
@@ -321,7 +321,7 @@ public final class Team {
         /// A member begins with it.
         record Allotted(Job job, String member) implements Event {}
 
-        /// @param report what came of it
+        /// @param report the result
         record Done(Job job, String member, String report) implements Event {}
 
         /// It is open again.
@@ -351,7 +351,7 @@ public final class Team {
             return contract != null && contract.member.equals(member);
         }
 
-        /// Whoever does it stops.
+        /// The member that does it stops.
         void release() {
             Contract old = contract;
             contract = null;

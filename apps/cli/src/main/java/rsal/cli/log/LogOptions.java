@@ -27,7 +27,7 @@ import rsal.settings.Location;
 /// What commands that follow recorded logs have in common.
 final class LogOptions {
     private static final double MANY = 0.1; // share of scans skipped that nobody should miss
-    private static final double TOO_MANY = 0.5; // likewise, that leaves too little to go by
+    private static final double TOO_MANY = 0.5; // the same, that leaves too little to go by
 
     /// Which logs commands read, for their help.
     static final String LOGS =

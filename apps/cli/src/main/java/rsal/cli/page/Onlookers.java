@@ -72,7 +72,7 @@ public final class Onlookers implements AutoCloseable {
         recorder.end(run);
     }
 
-    /// What came of all recordings so far; empty when nothing is recorded. Does not wait.
+    /// The results of all recordings so far; empty when nothing is recorded. Does not wait.
     public Optional<Recorder.Tally> recorded() {
         return recorder.tally();
     }

@@ -58,7 +58,7 @@ public abstract class PageCommand extends Subcommand {
         return post("/api/run/" + command, message);
     }
 
-    /// Whether somebody has control of the run, whoever it is.
+    /// Whether somebody has control of the run, no matter who.
     final boolean isControlled() throws InterruptedException {
         return !ask("/api/control").path("holder").asString("").isEmpty();
     }

@@ -43,7 +43,7 @@ public final class PageRuns {
             return LiveRun.start(plan);
         }
 
-        /// What came of recordings so far; empty when nothing is recorded. Called on threads of the page; must not
+        /// The results of recordings so far; empty when nothing is recorded. Called on threads of the page; must not
         /// wait.
         default Optional<Recorder.Tally> recorded() {
             return Optional.empty();
@@ -87,7 +87,7 @@ public final class PageRuns {
         FOR_THE_FIRST,
         /// Until a signal, for further runs.
         FOR_MORE,
-        /// Likewise, and the page begins with the choice of a scenario.
+        /// The same, and the page begins with the choice of a scenario.
         FOR_A_CHOICE
     }
 

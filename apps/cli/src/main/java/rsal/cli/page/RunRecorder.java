@@ -144,7 +144,7 @@ final class RunRecorder implements AutoCloseable {
         }
     }
 
-    /// What came of all recordings so far; empty when nothing is to be recorded. Does not wait for one that ends.
+    /// The results of all recordings so far; empty when nothing is to be recorded. Does not wait for one that ends.
     Optional<Recorder.Tally> tally() {
         return file.map(_ -> counted.all());
     }

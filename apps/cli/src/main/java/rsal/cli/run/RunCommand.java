@@ -129,7 +129,7 @@ public final class RunCommand extends Subcommand {
         return code == Exit.SUCCESS && onlookers.hasFailed() ? Exit.UNREACHABLE : code;
     }
 
-    /// What a run's end means to whoever started it.
+    /// What a run's end means to those that started it.
     static int exit(RunResult result) {
         return EXIT_BY_OUTCOME.getOrDefault(result.outcome(), Exit.SUCCESS);
     }

@@ -83,7 +83,7 @@ record ShownScenario(
     /// How communication between agents is limited.
     ///
     /// @param range empty when it is not limited [m]
-    /// @param behindWalls likewise [m]
+    /// @param behindWalls the same [m]
     /// @param delay least and most [s]
     /// @param bandwidth messages a second of each agent; empty when it is not limited
     record Limits(

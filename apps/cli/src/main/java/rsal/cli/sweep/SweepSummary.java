@@ -19,7 +19,7 @@ import rsal.experiment.statistics.ConfidenceInterval;
 import rsal.experiment.statistics.Mean;
 import rsal.experiment.statistics.Share;
 
-/// What came of a sweep, in short: for each combination how its runs ended, and the means of what was
+/// The result of a sweep, in short: for each combination how its runs ended, and the means of what was
 /// measured.
 record SweepSummary(Findings findings, Path folder) {
     static SweepSummary of(Findings findings, Path folder) {

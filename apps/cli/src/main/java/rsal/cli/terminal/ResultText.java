@@ -49,7 +49,7 @@ record ResultText(RunPlan plan, RunResult result) {
                 Locale.ROOT, "x %.2f m, y %.2f m, %.0f°", pose.x(), pose.y(), Math.toDegrees(pose.theta()));
     }
 
-    /// What whoever started the run has set: `guards=3, places=0 -1`.
+    /// What was set by those that started the run: `guards=3, places=0 -1`.
     private String set() {
         return plan.options().arguments().keySet().stream()
                 .map(name -> name + "=" + plan.arguments().get(name))

@@ -46,7 +46,7 @@ public final class FrameEncoder {
     static final int STOPPED = 1 << 1;
     public static final int ENDED = 1 << 2;
     public static final int PAST = 1 << 3;
-    /// Above them is how often the viewer has looked elsewhere, which begins anew at 65536.
+    /// Above them is how often the viewer has looked elsewhere, which begins again at 65536.
     public static final int LOOKS_AT = 16;
 
     public static final int PRESENT = 1;

@@ -30,7 +30,7 @@ public final class NumberHistory {
     private static final Duration FIRST_SPACING = Duration.ofMillis(500); // of the run
     private static final long LEAST_PAUSE = 250_000_000; // in real time [ns]
     private static final int OVERHEAD = 6; // of a sample, in numbers
-    private static final int NAME = 10; // likewise
+    private static final int NAME = 10; // the same
 
     private final int most;
     private final Map<String, List<Sample>> samples = new HashMap<>();

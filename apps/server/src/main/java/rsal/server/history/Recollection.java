@@ -27,7 +27,7 @@ import rsal.engine.report.Snapshot;
 import rsal.server.frame.Moment;
 
 /// What can be asked about a live run's past, beside the frames of its [History]: what devices had told, twice
-/// a second of the run and where it was paused, as whoever goes on by steps looks closely, and who heard whom;
+/// a second of the run and where it was paused, as those that go on by steps look closely, and who heard whom;
 /// and what agents showed and had in mind, once a second. Minds are those of [#MOST_MINDS] agents: of more, of
 /// those that somebody asked about last. Within [#MOST_BYTES] it reaches back to the beginning, ever more
 /// coarsely ([DownsampledSeries]). All methods may be called from any thread, [#look] from one at a time.

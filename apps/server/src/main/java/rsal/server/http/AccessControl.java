@@ -9,7 +9,7 @@ import rsal.time.AllowedToReadWallClock;
 
 /// Who may come in. A page of another site, opened in the same browser, can reach a loopback port: by its own
 /// name made to point here (foreign `Host`), or by sending requests across sites (foreign or `null` `Origin`).
-/// Neither gets an answer. Whoever may look still needs the token to change anything.
+/// Neither gets an answer. Those that may look still need the token to change anything.
 ///
 /// Of those who have it, one may have the [#lease].
 @AllowedToReadWallClock("Control is given back when nobody is heard of.")

@@ -4,8 +4,8 @@ import java.util.concurrent.Semaphore;
 import java.util.function.Supplier;
 import rsal.server.message.Refusal;
 
-/// Work that takes a while and that whoever can reach the port may ask for, without a token: few wait for it at a time,
-/// as all threads that answer are needed for others, also for an emergency stop. May be called from any thread.
+/// Work that takes a while and that everybody who can reach the port may ask for, without a token: few wait for it at a
+/// time, as all threads that answer are needed for others, also for an emergency stop. May be called from any thread.
 public final class FewAtOnce {
     private static final int MOST = 4; // of sixteen threads
 

@@ -10,8 +10,8 @@ import rsal.server.message.Refusal;
 
 /// Who alone may change anything on a server for now, of those who have the token. Nobody has it at first, and then all
 /// may. It is held for some seconds and kept again and again meanwhile, so that a page that is closed, or asleep,
-/// locks nobody out. Whoever has the token may take it over: it keeps people out of each other's way, and nobody from
-/// the robots.
+/// locks nobody out. Everybody who has the token may take it over: it keeps people out of each other's way, and nobody
+/// from the robots.
 ///
 /// May be used from any thread.
 public final class Lease {
@@ -25,7 +25,7 @@ public final class Lease {
     private final SequencedMap<String, String> names = new LinkedHashMap<>(); // by id, of those who had it last
     private @Nullable Holder holder;
 
-    /// @param operator known to whoever it is, and to nobody else
+    /// @param operator known to this operator, and to nobody else
     /// @param name for people
     /// @param until on the clock [ns]
     private record Holder(String operator, String name, long until) {}

@@ -31,7 +31,7 @@ import rsal.server.message.Messages.ServerMessage;
 import rsal.server.message.Refusal;
 
 /// Shows a run over WebSockets, 20 times a second, or 4 times when it goes by too fast to be followed: to draw more
-/// would take from the run what nobody sees. Each snapshot of one that goes on is encoded once, whoever looks; while
+/// would take from the run what nobody sees. Each snapshot of one that goes on is encoded once for all that look; while
 /// nobody looks, twice a second, to look back on.
 public final class Live implements Viewing {
     /// Without the token; who has it may always enter.

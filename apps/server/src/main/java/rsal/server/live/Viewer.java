@@ -120,7 +120,7 @@ public final class Viewer {
             looking = live == null ? new PlaybackCursor(past) : null;
         }
         if (looking != before) {
-            newestFrame = 0; // frames and details are counted anew
+            newestFrame = 0; // frames and details are counted again
             details = 0;
         }
     }

@@ -109,7 +109,7 @@ public final class Messages {
         }
     }
 
-    /// How far back one can look, and what whoever does must know of the present nevertheless.
+    /// How far back one can look, and what those that do must know of the present nevertheless.
     ///
     /// @param from when the first moment was [s of the run]
     /// @param until when the newest was [s of the run]
@@ -191,7 +191,7 @@ public final class Messages {
     /// @param wallHeight how high the highest of them are above the floor [m]; absent where their world doesn't say
     /// @param resolution side of a cell [m]
     /// @param originX of the lower left corner, in the map frame [m]
-    /// @param originY likewise [m]
+    /// @param originY the same [m]
     public record MapInfo(
             String name,
             int width,
@@ -223,7 +223,7 @@ public final class Messages {
     /// @param length of gripper and paddles together
     /// @param width from outside to outside, when they are open
     /// @param low lower edge of the paddles above the floor, when they are not raised
-    /// @param high likewise, upper edge
+    /// @param high the same, upper edge
     /// @param lift how far it can raise them
     public record GripperInfo(
             String name,
@@ -249,7 +249,7 @@ public final class Messages {
     /// @param corners of its outline, x and y [m]; of a disc its middle alone
     /// @param radius of a disc [m]; 0 of an outline
     /// @param low its underside, above that of the body [m]
-    /// @param high its top, likewise [m]
+    /// @param high its top, the same [m]
     public record PieceInfo(
             Optional<String> color, List<List<Double>> corners, double radius, double low, double high) {}
 
@@ -330,8 +330,8 @@ public final class Messages {
     /// @param devices by name
     /// @param pieces numbers of [RobotInfo#pieces], from 0; some may not have been told
     /// @param x where the base would be, in the base frame, if all of the robot had moved like that [m]
-    /// @param heading likewise [rad]
-    /// @param rise likewise, upwards [m]
+    /// @param heading the same [rad]
+    /// @param rise the same, upwards [m]
     public record CarriedInfo(
             List<String> devices, List<Integer> pieces, double x, double y, double heading, double rise) {}
 
@@ -339,8 +339,8 @@ public final class Messages {
     public record Cameras(List<CameraView> cameras) {}
 
     /// @param x where it is mounted, in the robot's base frame [m]
-    /// @param y likewise [m]
-    /// @param heading likewise, where it looks [rad]
+    /// @param y the same [m]
+    /// @param heading the same, where it looks [rad]
     /// @param fieldOfView from its left edge to its right [rad]
     /// @param blobs from left to right; at most 100
     public record CameraView(
@@ -350,7 +350,7 @@ public final class Messages {
     ///
     /// @param color `#rrggbb`
     /// @param from direction of its right edge in the camera's frame, counter-clockwise [rad]
-    /// @param to of its left edge, likewise
+    /// @param to of its left edge, the same
     /// @param range how far it is [m]; absent when the camera can't tell
     public record BlobInfo(String color, double from, double to, Optional<Double> range) {}
 
@@ -360,8 +360,8 @@ public final class Messages {
     public record Mounts(List<MountInfo> mounts) {}
 
     /// @param x in the robot's base frame [m]
-    /// @param y likewise [m]
-    /// @param heading likewise [rad]
+    /// @param y the same [m]
+    /// @param heading the same [rad]
     public record MountInfo(String device, double x, double y, double heading) {}
 
     /// @param proxy whether a stand-in of it is in the simulated world
@@ -439,7 +439,7 @@ public final class Messages {
 
     /// A place to which somebody sent a robot.
     ///
-    /// @param x in the map's frame [m]; y likewise
+    /// @param x in the map's frame [m]; y the same
     /// @param heading in the map's frame [rad]
     /// @param status `executing`, `succeeded`, `canceled` or `aborted`
     /// @param why it did not get there; empty otherwise
@@ -459,7 +459,7 @@ public final class Messages {
     /// Who has control: nobody else may change anything then, but for an emergency stop.
     ///
     /// @param holder its name; empty when nobody has, and all who have the token may
-    /// @param mine whether it is whoever asks, by the header `RSAL-Operator`
+    /// @param mine whether it is the one that asks, by the header `RSAL-Operator`
     public record Control(Optional<String> holder, boolean mine) {}
 
     /// Takes control for 10 s, or keeps it for as long.
@@ -528,7 +528,7 @@ public final class Messages {
     ///
     /// @param times of the run, growing [s]
     /// @param xs in the map frame [m]
-    /// @param ys likewise
+    /// @param ys the same
     /// @param driven whether it drove there from the point before; not where it was put there
     public record Trail(List<Double> times, List<Double> xs, List<Double> ys, List<Boolean> driven) {}
 
@@ -568,7 +568,7 @@ public final class Messages {
 
     /// Asks for another run; what is left out stays as it is, or, of another scenario, is as that one says.
     ///
-    /// @param scenario as [ScenarioInfo] has it; read anew
+    /// @param scenario as [ScenarioInfo] has it; read again
     /// @param arguments as typed, by name; all others are the scenario's
     /// @param speed 0.1 to 1000, or `max`
     /// @param mas key of the agents' host; empty for the scenario's
@@ -604,7 +604,7 @@ public final class Messages {
     /// @param remedy what to try; empty when nobody can tell
     public record TextMistake(String file, int line, int column, String message, String remedy) {}
 
-    /// Asks for a scenario's file to be written anew.
+    /// Asks for a scenario's file to be written again.
     ///
     /// @param scenario as [ScenarioInfo] has it
     /// @param before what the file must hold until then, so that nothing is lost that somebody else wrote
@@ -615,7 +615,7 @@ public final class Messages {
 
     /// Asks for a sweep: every configuration with every value of every argument, each with all seeds.
     ///
-    /// @param scenario as [ScenarioInfo] has it; read anew
+    /// @param scenario as [ScenarioInfo] has it; read again
     /// @param arguments as typed, by name: a value, or several as `1,2,4` or `1:10:3`; all others are the
     /// scenario's
     /// @param seeds how many, from 1, or a range like `101-130`
@@ -691,7 +691,7 @@ public final class Messages {
     /// @param horizon up to when times of events count; absent of other metrics, and before a run has ended
     public record SweepMetric(String name, String unit, Optional<Double> horizon) {}
 
-    /// What came of a combination so far.
+    /// The result of a combination so far.
     ///
     /// @param label what it is called among the others
     /// @param ended how many of its runs have
@@ -774,7 +774,7 @@ public final class Messages {
     public record Links(List<LinkInfo> links, boolean ofChosen) {}
 
     /// @param one id of a robot
-    /// @param other likewise
+    /// @param other the same
     /// @param there whether agents of the other would hear, but for chance, what those of the one say
     /// @param back the other way
     /// @param saidThere whether they heard something within the last second

@@ -21,8 +21,8 @@ import rsal.server.scenario.ScenarioCatalog;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Problem;
 
-/// What can be asked and told of the texts of scenarios. As all else: whoever can reach the port may look, and what
-/// makes the server work or changes a file takes the token.
+/// What can be asked and told of the texts of scenarios. As all else: everybody who can reach the port may look, and
+/// what makes the server work or changes a file takes the token.
 public final class TextApi {
     private static final int MOST_MISTAKES = 100; // nobody mends more at once
     private static final int MOST_CHECKS = 2; // one under way, and one that waits

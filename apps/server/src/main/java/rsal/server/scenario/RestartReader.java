@@ -23,7 +23,7 @@ public final class RestartReader {
 
     /// @param shelf where other scenarios are
     /// @param present the plan that what is left out is taken from, when its scenario stays
-    /// @param speed likewise
+    /// @param speed the same
     public RestartReader(ScenarioCatalog shelf, RunPlan present, double speed) {
         this.shelf = shelf;
         this.present = present;

@@ -31,7 +31,7 @@ import rsal.server.message.Refusal;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Problem;
 
-/// The scenarios that the page offers: those that were named when it began, no others. A file is read anew each
+/// The scenarios that the page offers: those that were named when it began, no others. A file is read again each
 /// time, so that what was written meanwhile counts. May be used from any thread.
 public final class ScenarioCatalog {
     private static final Logger LOG = LoggerFactory.getLogger(ScenarioCatalog.class);
@@ -128,7 +128,7 @@ public final class ScenarioCatalog {
         return ids.contains(id) && !Scenario.builtInNames().contains(id) && !Scenario.isWorld(id);
     }
 
-    /// Writes a scenario's file anew, whole or not at all.
+    /// Writes a scenario's file again, whole or not at all.
     ///
     /// @param before what it must hold until then
     /// @throws Refusal when it is not there or no file, holds something else by now, or can't be written
@@ -230,7 +230,7 @@ public final class ScenarioCatalog {
         try {
             return WorldPicture.of(Scenario.load(id).plan(RunOptions.NONE), PICTURE);
         } catch (InvalidSettings _) {
-            return new byte[0]; // whoever wants to run it is told why that can't be
+            return new byte[0]; // those that want to run it are told why that can't be
         } catch (UncheckedIOException e) {
             LOG.warn("Pictures of scenarios can't be drawn here. {}", e.getMessage());
             return new byte[0];

@@ -121,7 +121,7 @@ final class BackgroundSweep implements AutoCloseable {
     }
 
     SweepInfo info() {
-        State now = state; // before rows are counted: whoever is told that it has ended is told of all rows
+        State now = state; // before rows are counted: those that are told that it has ended are told of all rows
         Told told = told();
         int runs = order.sweep().trials().size();
         Optional<Duration> left = now.status() == SweepStatus.RUNS
@@ -176,7 +176,7 @@ final class BackgroundSweep implements AutoCloseable {
                 .toList());
     }
 
-    /// A run of it once more, in real time, to be looked at. Comes out as it did: nothing is read anew.
+    /// A run of it once more, in real time, to be looked at. Comes out as it did: nothing is read again.
     ///
     /// @param run its number, from 1
     /// @throws Refusal when it has none of that number, or none that can begin
@@ -207,7 +207,7 @@ final class BackgroundSweep implements AutoCloseable {
         runs.close();
     }
 
-    /// Likewise, and waits a little for that.
+    /// The same, and waits a little for that.
     @Override
     public void close() {
         stop();

@@ -23,8 +23,8 @@ import rsal.server.message.Refusal;
 import rsal.settings.InvalidSettings;
 
 /// Sweeps that are in a folder from before, by this server or by `rsal sweep`, each in a folder of its own. Reads only.
-/// Whoever can reach the port may ask, without a token: so what was worked out is kept until files change, it is done
-/// for one at a time, and few may wait for that. All methods may be called from any thread.
+/// Everybody who can reach the port may ask, without a token: so what was worked out is kept until files change, it is
+/// done for one at a time, and few may wait for that. All methods may be called from any thread.
 final class EarlierSweeps {
     private static final int MOST = 50;
 

@@ -18,7 +18,7 @@ import rsal.server.message.Messages.SweepEstimate;
 import rsal.server.message.Messages.SweepMetric;
 import rsal.server.message.Messages.SweepRunInfo;
 
-/// What came of a sweep so far, as the page shows it. The numbers are those of `rsal report`.
+/// The result of a sweep so far, as the page shows it. The numbers are those of `rsal report`.
 record SweepDescription(int broken, List<SweepMetric> metrics, List<SweepCombination> combinations) {
     static SweepDescription of(Findings findings) {
         List<MetricSamples> metrics = findings.manifest().metrics().stream()

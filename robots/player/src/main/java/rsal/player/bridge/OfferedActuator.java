@@ -108,7 +108,7 @@ final class OfferedActuator extends OfferedSensor<ActuatorState> {
         switch (order.get()) {
             case Order.Position(double position) -> actuator.goTo(position); // refuses what is not finite
             case Order.Speed(double wanted) -> {
-                actuator.command(wanted); // likewise
+                actuator.command(wanted); // the same
                 speed = OptionalDouble.of(wanted);
             }
             case Order.Home _ -> actuator.home();

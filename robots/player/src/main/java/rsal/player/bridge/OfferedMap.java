@@ -40,7 +40,7 @@ final class OfferedMap extends Offered {
         return kind == MessageKind.REQUEST && (subtype == MapInterface.INFO || subtype == MapInterface.TILE);
     }
 
-    /// At once, on the thread of whoever asks: a map never changes, and to pack a large one takes a while.
+    /// At once, on the thread of the one that asks: a map never changes, and to pack a large one takes a while.
     @Override
     public CompletionStage<Answer> ask(Packet request) {
         try {

@@ -13,7 +13,7 @@ import rsal.robot.RobotModel.Steering;
 final class Steps {
     private static final double NEAR = 0.02; // m; as Stage has it
     private static final double ALIGNED = Math.toRadians(2);
-    private static final double AHEAD = Math.toRadians(10); // drives on only when its goal is so far ahead; likewise
+    private static final double AHEAD = Math.toRadians(10); // drives on only when its goal is so far ahead; the same
     private static final double GAIN = 2; // 1/s; brakes in time though what it knows is 0.2 s old
 
     private Steps() {}

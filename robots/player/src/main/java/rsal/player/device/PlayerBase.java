@@ -19,7 +19,7 @@ import rsal.robot.RobotModel.Drive;
 
 /// A base behind `position2d`. A velocity holds there until the next one, so that this one sees to it that commands
 /// dry up: it says the newest again and again while it is fresh, and then once that the robot is to stop. When the
-/// connection is lost what was commanded is forgotten: whoever drives must do so again.
+/// connection is lost what was commanded is forgotten: those that drive must do so again.
 final class PlayerBase extends PlayerSensor<Odometry> implements DriveBase {
     private static final Duration AGAIN =
             Duration.ofMillis(150); // for servers with a watchdog; agents mostly are sooner
@@ -120,7 +120,7 @@ final class PlayerBase extends PlayerSensor<Odometry> implements DriveBase {
         motorListeners.forEach(listener -> listener.accept(enabled));
     }
 
-    /// Tells whoever drives it, too, each time that they are switched.
+    /// Tells those that drive it, too, each time that they are switched.
     void onMotors(Consumer<Boolean> listener) {
         motorListeners.add(listener);
     }

@@ -28,7 +28,7 @@ import rsal.player.message.Localize;
 import rsal.player.message.Pose;
 import rsal.player.wire.Address;
 
-/// A robot's own localizer, behind `localize`. Player's amcl says something only when it has looked anew, after
+/// A robot's own localizer, behind `localize`. Player's amcl says something only when it has looked again, after
 /// 0.2 m or 30°: in between, estimates go with the odometry, but not for ever: who says nothing on a long way
 /// is stale.
 final class PlayerLocalizer extends PlayerSensor<PoseEstimate> implements Localizer {

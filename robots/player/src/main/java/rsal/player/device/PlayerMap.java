@@ -13,7 +13,7 @@ import rsal.player.message.MapInterface;
 import rsal.player.wire.Address;
 import rsal.time.Scheduler;
 
-/// A map that a robot has by itself, behind `map`: the server's whole one, read anew with each connection and whenever
+/// A map that a robot has by itself, behind `map`: the server's whole one, read again with each connection and whenever
 /// the server tells that it is another. Nobody draws it, so that it has no ends and drives nothing.
 final class PlayerMap extends PlayerSensor<OccupancyGrid> implements Mapper {
     private static final Duration AGAIN = Duration.ofSeconds(5); // when it could not be read

@@ -182,7 +182,7 @@ public final class Protocol {
         return OLD.matcher(ident).matches() ? V3_0 : V3_1;
     }
 
-    /// That of whoever sent a message: this one, unless the body is just what another version has. Clients don't say
+    /// That of the sender of a message: this one, unless the body is just what another version has. Clients don't say
     /// which version they are of.
     public Protocol ofSender(Packet packet) {
         return Stream.of(this, V3_1, V3_0)

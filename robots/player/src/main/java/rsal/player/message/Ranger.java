@@ -24,12 +24,12 @@ public final class Ranger {
     public record Intensities(double[] intensities) {}
 
     /// @param hasGeometry 0 when what follows means nothing
-    /// @param hasConfiguration likewise
+    /// @param hasConfiguration the same
     public record RangesStamped(
             Ranges ranges, int hasGeometry, Geometry geometry, int hasConfiguration, Configuration configuration) {}
 
     /// @param hasGeometry 0 when what follows means nothing
-    /// @param hasConfiguration likewise
+    /// @param hasConfiguration the same
     public record IntensitiesStamped(
             Intensities intensities,
             int hasGeometry,

@@ -28,7 +28,7 @@ public final class Session {
     /// Synch: a round of data has ended, and nothing was lost.
     public static final int COMPLETE = 1;
 
-    /// Synch: likewise, and something was lost.
+    /// Synch: the same, and something was lost.
     public static final int OVERFLOW = 2;
 
     /// [Subscription#access]

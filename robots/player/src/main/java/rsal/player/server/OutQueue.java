@@ -19,8 +19,8 @@ import rsal.player.wire.Packet;
 
 /// What one client is to be sent, as Player has it: pushed, all as soon as it can be; pulled, in rounds that the
 /// client asks for, each of which ends with a synch once there was data in it. What came about at the same time is
-/// never torn apart: it is all in one round. Data is dropped when there is too much, answers never: whoever asks
-/// waits until there is [room][#awaitRoom]. May be used on any thread.
+/// never torn apart: it is all in one round. Data is dropped when there is too much, answers never: the client that
+/// asks waits until there is [room][#awaitRoom]. May be used on any thread.
 final class OutQueue {
     static final int MOST = 1024; // messages, as Player has it
     private static final int MOST_ANSWERS = 256;
@@ -248,7 +248,7 @@ final class OutQueue {
         }
         next.filter(OutQueue::isAnswer).ifPresent(answer -> {
             count(answer, -1);
-            changed.signalAll(); // for whoever awaits room
+            changed.signalAll(); // for those that await room
         });
         return next;
     }

@@ -56,7 +56,7 @@ final class Peer {
         Thread.ofVirtual().name("player peer writes").start(this::write);
     }
 
-    /// New data that came about at the same time, for whoever wants some of it.
+    /// New data that came about at the same time, for those that want some of it.
     void data(List<News> news) {
         synchronized (subscribed) {
             out.data(news.stream()
@@ -134,7 +134,7 @@ final class Peer {
         }
         port.remove(this);
         out.close();
-        asking.release(MOST_ASKED); // whoever reads does not wait for answers any more
+        asking.release(MOST_ASKED); // the one that reads does not wait for answers any more
         try {
             socket.close();
         } catch (IOException e) {

@@ -130,7 +130,7 @@ public final class Port implements AutoCloseable {
         return peers.size();
     }
 
-    /// Tells whoever wants it of new data of a device, together with all else that the same task publishes:
+    /// Tells those that want it of new data of a device, together with all else that the same task publishes:
     /// clients get in one round what was measured in one step.
     ///
     /// @param at when it was measured, of the server's clock [s]

@@ -4,7 +4,7 @@ import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
 
-/// How one component of a record looks on the wire. Whoever reads has seen to it that [#least] bytes are there.
+/// How one component of a record looks on the wire. The reader has made sure that [#least] bytes are there.
 sealed interface Part {
     Scalar INT = new Scalar(Integer.BYTES, ByteBuffer::getInt, (to, value) -> to.putInt((int) value));
     Scalar LONG = new Scalar(Long.BYTES, ByteBuffer::getLong, (to, value) -> to.putLong((long) value));

@@ -389,7 +389,7 @@ public final class ColumnRenderer {
         }
     }
 
-    /// Walls all of which are higher, likewise.
+    /// The same of walls all of which are higher.
     private void showFromBelow(RasterWalls walls, int column, int from, int to) {
         int its = note(0, 0, 0, walls.surface());
         double found = -1;

@@ -6,7 +6,7 @@ package rsal.sim.world;
 /// walks from cell to cell exactly (Amanatides and Woo, A Fast Voxel Traversal Algorithm, 1987). A ray takes two
 /// strides and two cells on average; which of both comes next is anybody's guess, and processors pay for a wrong one
 /// as for dozens of steps. So all go in step: they stride until none is far from walls, then those near walls walk,
-/// then those that came free of them stride again. Whoever is to go on is written into a list, and counted or not,
+/// then those that came free of them stride again. A ray that is to go on is written into a list, and counted or not,
 /// without a branch.
 ///
 /// What a ray is made of lies side by side, so that few arrays are looked into at once and each index is checked once.
@@ -314,7 +314,7 @@ final class March {
         return (int) (Double.doubleToRawLongBits(number) >>> 63);
     }
 
-    /// Whoever has met the fence has left the grid, and met nothing.
+    /// A ray that has met the fence has left the grid, and met nothing.
     private void note(RasterWalls walls, Rays rays) {
         for (int k = 0; k < met; k++) {
             int ray = meeting[k];

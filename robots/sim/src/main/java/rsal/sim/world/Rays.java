@@ -30,7 +30,7 @@ final class Rays {
         march = new March(count);
     }
 
-    /// Those of this thread, to be written anew.
+    /// Those of this thread, to be written again.
     static Rays ofThisThread(int count) {
         Rays rays = OF_THIS_THREAD.get();
         if (rays.x.length < count) {

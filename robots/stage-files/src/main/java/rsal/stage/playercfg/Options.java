@@ -159,7 +159,7 @@ final class Options {
         return new Value.Mapping(driver.location(), entries, keys);
     }
 
-    /// What is no number stays as it is: whoever takes it says what is wrong with it.
+    /// What is no number stays as it is: the one that takes it says what is wrong with it.
     private Value inUnits(Value value, Unit unit) {
         if (!(value instanceof Value.Scalar scalar) || !(scalar.value() instanceof Number number)) {
             return value;

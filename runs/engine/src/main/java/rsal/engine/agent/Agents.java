@@ -355,7 +355,7 @@ public final class Agents implements AutoCloseable {
         society.ifPresent(agents -> beliefHistory.step(name -> {
             try {
                 return Optional.of(held(agents.view(name), agents.look(name, Mind.View.class)));
-            } catch (IllegalArgumentException _) { // whoever asks is told
+            } catch (IllegalArgumentException _) { // the one that asks is told
                 return Optional.empty();
             }
         }));

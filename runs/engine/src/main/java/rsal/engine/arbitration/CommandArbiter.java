@@ -48,7 +48,7 @@ public final class CommandArbiter {
         }
     }
 
-    /// Switches the motors off, whoever may want them on, until [#rearm].
+    /// Switches the motors off, no matter who wants them on, until [#rearm].
     void stop() {
         stopped = true;
         apply();
@@ -61,7 +61,7 @@ public final class CommandArbiter {
         apply();
     }
 
-    /// Switches the motors of this one off, whoever may want them on, until [#switchOn].
+    /// Switches the motors of this one off, no matter who wants them on, until [#switchOn].
     void switchOff() {
         off = true;
         apply();
@@ -73,7 +73,7 @@ public final class CommandArbiter {
         rearm();
     }
 
-    /// Whether they are off, whoever may want them on.
+    /// Whether they are off, no matter who wants them on.
     public boolean isOff() {
         return stopped || off;
     }
@@ -97,7 +97,7 @@ public final class CommandArbiter {
         base.enable(on && !isOff());
     }
 
-    /// The base, for whoever steers.
+    /// The base, for those that steer.
     DriveBase base() {
         return base;
     }
@@ -113,7 +113,7 @@ public final class CommandArbiter {
         @Override
         public void command(Twist2d velocity) {
             if (!velocity.isFinite()) {
-                arbiter.base.command(velocity); // says what is wrong with it, whoever steers
+                arbiter.base.command(velocity); // says what is wrong with it, no matter who steers
             } else if (arbiter.hand == whose) {
                 arbiter.base.command(velocity);
             }

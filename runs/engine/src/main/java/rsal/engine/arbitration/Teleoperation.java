@@ -168,7 +168,7 @@ public final class Teleoperation {
 
     /// Ends the grip of a driver who had not been heard for long by then. Orders are judged by when they were given,
     /// since the run may come to them late: then neither does who is gone keep others out, nor is who is there
-    /// taken for gone. Nobody did that, whoever gives the order.
+    /// taken for gone. Nobody did that, no matter who gives the order.
     private void takeBack(long then) {
         if (grip != null && grip.isOverAt(then)) {
             eventLog.byNobody(() -> end("no longer driven by keys: its driver is gone"));
@@ -332,7 +332,7 @@ public final class Teleoperation {
         return outfit.require(type);
     }
 
-    /// Gives the helm to whoever comes first, and lets the others wait. Who was paused before stays so; a pause that
+    /// Gives the helm to the first that comes, and lets the others wait. Who was paused before stays so; a pause that
     /// an agent wants meanwhile ends with the waiting.
     private void settle() {
         boolean ordered = !behavior.isEmpty() || trip != null;

@@ -203,7 +203,7 @@ public final class Faults {
     /// It ends when the robot is there again, which may have to wait for room.
     private Subscription gone(OfRobot lost, RandomGenerator random, Runnable over) {
         String robot = lost.robot();
-        appeared(robot); // what waited for room ends, as it is gone anew
+        appeared(robot); // what waited for room ends, as it is gone again
         gone.add(robot);
         Subscription silence = channelFaults.silence(Set.copyOf(agentsOf.getOrDefault(robot, Set.of())));
         Subscription absence = breaker.begin(lost, random);

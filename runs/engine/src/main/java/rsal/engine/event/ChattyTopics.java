@@ -22,7 +22,7 @@ public final class ChattyTopics {
     /// Of what was before, where somebody may look back.
     static final long MOST_BYTES = 16L << 20;
 
-    /// Likewise, else.
+    /// The same, else.
     static final long FEW_BYTES = 128L << 10;
 
     /// How many topics are kept: those that were said last.

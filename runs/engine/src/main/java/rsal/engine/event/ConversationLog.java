@@ -22,7 +22,7 @@ public final class ConversationLog {
     private static final int MOST_AGENTS = 4_000;
 
     private final Instant began;
-    private final Map<String, Deque<Line>> byAgent = new LinkedHashMap<>(16, 0.75f, true) { // whoever spoke last, last
+    private final Map<String, Deque<Line>> byAgent = new LinkedHashMap<>(16, 0.75f, true) { // by who spoke last
                 @Override
                 protected boolean removeEldestEntry(Map.Entry<String, Deque<Line>> eldest) {
                     return size() > MOST_AGENTS;

@@ -52,7 +52,7 @@ public final class SentGoals {
         ofRobot(robot, Status.CANCELED, why);
     }
 
-    /// Likewise, for a reason that nobody wanted.
+    /// The same, for a reason that nobody wanted.
     void abort(String robot, String why) {
         ofRobot(robot, Status.ABORTED, why);
     }

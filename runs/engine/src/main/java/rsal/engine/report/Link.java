@@ -3,7 +3,7 @@ package rsal.engine.report;
 /// How the agents of two robots hear each other.
 ///
 /// @param one id of a robot
-/// @param other likewise
+/// @param other the same
 /// @param there from the one to the other
 /// @param back from the other to the one
 public record Link(String one, String other, Way there, Way back) {

@@ -8,7 +8,7 @@ import java.util.OptionalDouble;
 import java.util.TreeMap;
 import rsal.data.Pose2d;
 
-/// How a run ended and what came of it.
+/// How a run ended, and its results.
 ///
 /// @param outcome `success`, `failure` or `timeout`, as the scenario says; `limit` when the time was up that
 ///         its starter gave it; `stopped` by an operator. What would be a success, or at a limit, is a failure

@@ -64,7 +64,7 @@ public final class Overlay {
     }
 
     /// A robot as a driver is to have it that makes a device of its devices: what is simulated is no part of the map,
-    /// so that whoever matches scans with one, or makes one, sees only what is real.
+    /// so that those that match scans with one, or make one, see only what is real.
     static Robot asSeenBy(DeviceDriver driver, Robot robot) {
         boolean matches =
                 Localizer.class.isAssignableFrom(driver.makes()) || Mapper.class.isAssignableFrom(driver.makes());

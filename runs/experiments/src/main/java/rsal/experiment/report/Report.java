@@ -55,7 +55,7 @@ public final class Report {
     ///
     /// @param figures folder of the figures, each as SVG, PDF, PNG and its numbers as CSV; empty when there are
     /// none
-    /// @param tables folder of the tables, each as CSV and LaTeX; likewise
+    /// @param tables folder of the tables, each as CSV and LaTeX; the same
     /// @param files all of them, the page first
     public record Written(Path page, Optional<Path> figures, Optional<Path> tables, List<Path> files) {}
 

@@ -159,7 +159,7 @@ public final class KaplanMeier {
         private final double horizon;
         private final List<Step> steps; // before the horizon
         private final double[] shares; // after so many steps, each with a run less at risk
-        private final double[] heads; // area up to the last of so many steps, likewise
+        private final double[] heads; // area up to the last of so many steps, the same
         private final double[] tails; // area from there to the horizon, with all runs, if the share were 1 there
 
         LeftOut(List<Step> all, double horizon) {

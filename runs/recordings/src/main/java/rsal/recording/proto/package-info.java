@@ -1,5 +1,5 @@
 /// What is in messages, in the encoding of Protocol Buffers (protobuf.dev, "Encoding"): kinds of messages that describe
-/// themselves, so that whoever reads a file needs nothing else, and their bytes.
+/// themselves, so that readers of a file need nothing else, and their bytes.
 @NullMarked
 package rsal.recording.proto;
 

@@ -3,7 +3,7 @@ package rsal.scenario.fault;
 import java.time.Duration;
 import java.util.random.RandomGenerator;
 
-/// A length of time that is drawn anew each time, each length from the least to the most as likely.
+/// A length of time that is drawn again each time, each length from the least to the most as likely.
 public record Span(Duration least, Duration most) {
     public static Span of(double leastSeconds, double mostSeconds) {
         return new Span(duration(leastSeconds), duration(mostSeconds));

@@ -14,7 +14,7 @@ public final class AllCores {
 
     /// @param name of the threads that do it
     /// @param done told how many are done, one after the other in their order
-    /// @return what came of each, in their order
+    /// @return the result of each, in their order
     public static <T, R> List<R> each(
             String name, List<T> things, Function<? super T, ? extends R> work, IntConsumer done) {
         var threads = Thread.ofPlatform().daemon().name(name + "-", 1).factory();

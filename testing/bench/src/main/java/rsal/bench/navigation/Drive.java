@@ -23,7 +23,7 @@ import rsal.navigation.wavefront.Wavefront;
 /// err, a laser or a ring of sonars: a recorded truth to localize against, without the cost of the simulator.
 final class Drive {
     private static final double STEP = 0.05; // m, in a tenth of a second
-    private static final double MOST_TURN = 0.12; // rad, likewise
+    private static final double MOST_TURN = 0.12; // rad, the same
     private static final double RADIUS = 0.3; // m
 
     private static final int LASER_BEAMS = 181;

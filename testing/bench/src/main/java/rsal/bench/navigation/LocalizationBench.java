@@ -49,7 +49,7 @@ import rsal.settings.Location;
 /// * `amcl.office.<sensor>.<what>`: how far off a robot is that drives through the office and was told where it
 ///   starts; 20 drives of a minute. `sure` is the share of the time in which it says to be localized and is: who
 ///   never says so is never wrong either.
-/// * `amcl.office.simulated.<sensor>.<what>`: likewise of a simulated Pioneer and its device `amcl`, told where it
+/// * `amcl.office.simulated.<sensor>.<what>`: the same of a simulated Pioneer and its device `amcl`, told where it
 ///   starts, with the laser or sonars of the simulator, their noise and that of its wheels.
 /// * `amcl.kidnap.recovered`: share of 40 robots that, carried elsewhere in the office, are right and say
 ///   to be localized within half a minute.

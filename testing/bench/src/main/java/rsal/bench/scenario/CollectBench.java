@@ -20,7 +20,7 @@ import rsal.scenario.Scenario;
 /// well counts with the time that it took.
 ///
 /// Names are `collect.<collectors>.rate`, cans collected per minute until all are, the mean of all runs
-/// ([Confidence]); `collect.4.bid.sooner`, how much sooner than by asking whoever is free four robots are done when
+/// ([Confidence]); `collect.4.bid.sooner`, how much sooner than by asking one that is free four robots are done when
 /// they bid ([Saving]); and `collect.4.contacts`, touches in a run.
 public final class CollectBench implements Bench {
     private static final Scenario SCENARIO = Scenario.load("find-and-collect");

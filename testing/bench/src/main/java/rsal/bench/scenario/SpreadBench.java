@@ -27,7 +27,7 @@ import rsal.settings.Location;
 /// runs from random places (the same 100 for all repeats).
 ///
 /// Names are `spread.<map>.<places>.<what>`. What: `ratio`, root mean square of the way from anywhere to the nearest
-/// place by the least of the 100; `mean.ratio`, likewise the mean; `ms`, time of the processor with all that is
+/// place by the least of the 100; `mean.ratio`, the same of the mean; `ms`, time of the processor with all that is
 /// looked at in the map.
 public final class SpreadBench implements Bench {
     private static final int RUNS = 100;

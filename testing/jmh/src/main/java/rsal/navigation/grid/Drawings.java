@@ -22,7 +22,7 @@ import rsal.settings.FileSource;
 import rsal.settings.Location;
 
 /// Drives along the corridor of the office [1/s], of which a map is wanted after every six scans: drawn on, against
-/// drawn anew each time.
+/// drawn again each time.
 @State(Scope.Thread)
 @Fork(1)
 @Warmup(iterations = 3, time = 2)

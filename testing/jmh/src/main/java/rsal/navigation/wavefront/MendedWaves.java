@@ -14,7 +14,7 @@ import rsal.navigation.grid.DistanceField;
 import rsal.navigation.wavefront.CostMap.Clearance;
 
 /// Waves [1/s] over all of a cave of 2560 × 2560 cells in which a wall of 11 × 11 comes up and goes again, 40 columns
-/// from where they spread from: mended, against spread anew. What the costs of the changed map take is in
+/// from where they spread from: mended, against spread again. What the costs of the changed map take is in
 /// [ChangedCosts].
 @State(Scope.Thread)
 @Fork(1)

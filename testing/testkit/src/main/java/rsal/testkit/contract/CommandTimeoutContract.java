@@ -19,7 +19,7 @@ public interface CommandTimeoutContract {
     /// The client commands the robot to move, once, and that has arrived.
     void command() throws Exception;
 
-    /// Time passes on the clock on the wall while the client is silent. Afterwards whoever watches it has
+    /// Time passes on the clock on the wall while the client is silent. Afterwards the one that watches it has
     /// looked, and the robot has had the time to brake.
     void pass(Duration silence) throws Exception;
 

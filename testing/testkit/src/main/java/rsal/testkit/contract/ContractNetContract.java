@@ -46,7 +46,7 @@ public abstract class ContractNetContract {
     /// Written by agents, in turn.
     final List<String> log = new ArrayList<>();
 
-    /// What managers had to decide upon, likewise.
+    /// What managers had to decide upon, the same.
     private final List<Round<Double>> rounds = new ArrayList<>();
 
     /// The host under test.

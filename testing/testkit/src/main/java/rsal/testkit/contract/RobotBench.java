@@ -46,7 +46,7 @@ import rsal.time.LockstepScheduler;
 /// }
 /// ```
 ///
-/// Whoever makes a software device names a robot system that can carry it and its driver in [#drivers]; the fake
+/// Those that make a software device name a robot system that can carry it and its driver in [#drivers]; the fake
 /// system will do for most.
 public abstract class RobotBench {
     /// 16 m × 8 m, with corners that look different from everywhere. `a`, `b`, `c` can be reached in a straight

@@ -46,7 +46,7 @@ public class Reality implements RobotSystemProvider {
 
     @Override
     public RobotSystem create(Config config, Scheduler scheduler) {
-        boolean planning = scheduler instanceof LockstepScheduler; // whoever only checks a plan has his own
+        boolean planning = scheduler instanceof LockstepScheduler; // one that only checks a plan has its own
         String host = planning ? "" : config.settings().get(HOST);
         if (host.equals("nowhere")) {
             throw new IllegalStateException("Nobody is there.");
