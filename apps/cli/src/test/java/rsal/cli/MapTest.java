@@ -76,8 +76,9 @@ class MapTest {
         Mapped mapped = map("max8191");
         mapped.assertWhole();
         assertThat(mapped.err().lines())
-                .filteredOn(line -> !line.endsWith("places known again so far")) // the progress, on a slow machine
-                .isEmpty();
+                .as("nothing but the progress, which a slow machine shows")
+                .allMatch(line -> line.matches(
+                        ".*/max8191\\.log\\.gz: \\d+ of 643 scans, \\d+ kept, \\d+ places known again so far"));
     }
 
     @Test
