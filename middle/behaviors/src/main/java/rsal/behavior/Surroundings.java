@@ -11,7 +11,7 @@ public final class Surroundings {
     /// Of one sector [rad].
     public static final double WIDTH = 2 * Math.PI / SECTORS;
 
-    /// How near to the border of its sector a place must be for its direction to be reckoned exactly [sectors]; that of
+    /// How near to the border of its sector a place must be for its direction to be computed exactly [sectors]; that of
     /// others is off by a third of that at most.
     private static final double NEAR = 1e-3;
 

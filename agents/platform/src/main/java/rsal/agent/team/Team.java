@@ -87,7 +87,7 @@ public final class Team {
         callSoon();
     }
 
-    /// Does not want a job any more; the member that does it stops. Nothing is told of it. Does nothing when it has no
+    /// Does not want a job any more; the member that does it stops. Nobody is informed. Does nothing when it has no
     /// job of that name.
     public void withdraw(String name) {
         Entry entry = entries.remove(name);

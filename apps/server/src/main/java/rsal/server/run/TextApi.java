@@ -21,7 +21,7 @@ import rsal.server.scenario.ScenarioCatalog;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Problem;
 
-/// What can be asked and told of the texts of scenarios. As all else: everybody who can reach the port may look, and
+/// Reads, checks and saves the texts of scenarios. As all else: everybody who can reach the port may look, and
 /// what makes the server work or changes a file takes the token.
 public final class TextApi {
     private static final int MOST_MISTAKES = 100; // nobody mends more at once

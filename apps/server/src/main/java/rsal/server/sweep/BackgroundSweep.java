@@ -121,7 +121,7 @@ final class BackgroundSweep implements AutoCloseable {
     }
 
     SweepInfo info() {
-        State now = state; // before rows are counted: those that are told that it has ended are told of all rows
+        State now = state; // before rows are counted: those that hear of its end get all rows
         Told told = told();
         int runs = order.sweep().trials().size();
         Optional<Duration> left = now.status() == SweepStatus.RUNS

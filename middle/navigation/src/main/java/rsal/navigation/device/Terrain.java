@@ -11,7 +11,7 @@ import rsal.navigation.wavefront.CostMap;
 import rsal.navigation.wavefront.CostMap.Clearance;
 import rsal.navigation.wavefront.Wavefront;
 
-/// A map that is drawn again and again, with what is reckoned on it: taken over from the one before where that differs
+/// A map that is drawn again and again, with what is computed on it: taken over from the one before where that differs
 /// little. Not safe for several threads at once.
 final class Terrain {
     private final OccupancyGrid map;

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import rsal.data.OccupancyGrid;
 
-/// Where a map differs from one from before in what is free: a few windows, such that whatever is reckoned from what
-/// is free nearby need be reckoned again near them only. What only one of the maps has counts as different, too.
+/// Where a map differs from one from before in what is free: a few windows, such that whatever is computed from what
+/// is free nearby need be computed again near them only. What only one of the maps has counts as different, too.
 public final class Difference {
     private static final int NEAR = 32; // cells around windows that are looked at as well, more or less
     private static final int SHARE = 2; // of so many cells one may be looked at
@@ -22,7 +22,7 @@ public final class Difference {
         this.most = most(overlay.now());
     }
 
-    /// Empty when so much differs that all is better reckoned again, or the maps' cells do not lie on each other.
+    /// Empty when so much differs that all is better computed again, or the maps' cells do not lie on each other.
     public static Optional<Difference> between(OccupancyGrid before, OccupancyGrid now) {
         return MapOverlay.of(before, now).map(Difference::new).filter(Difference::compare);
     }

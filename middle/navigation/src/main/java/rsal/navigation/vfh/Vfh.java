@@ -76,7 +76,7 @@ public final class Vfh implements Controller {
     ///
     /// @param standing at 0 m/s [rad/s]
     /// @param atSpeed at 1 m/s [rad/s]
-    /// @param safety how many times wider curves are to be reckoned with
+    /// @param safety how many times wider curves are to be expected
     public record Turning(double standing, double atSpeed, double safety) {
         static final Turning ANY_RATE = new Turning(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 1);
 

@@ -8,7 +8,7 @@ import rsal.navigation.grid.CellWindow;
 import rsal.navigation.grid.DistanceField;
 import rsal.navigation.wavefront.CostMap.Clearance;
 
-/// Reckons the ground of a [CostMap], of all of a map or of windows in one that has changed.
+/// Computes the ground of a [CostMap], of all of a map or of windows in one that has changed.
 final class CostComputation {
     private final OccupancyGrid grid;
     private final DistanceField toNotFree;

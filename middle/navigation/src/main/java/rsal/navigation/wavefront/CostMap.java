@@ -94,7 +94,7 @@ public final class CostMap {
         return new CostMap(grid, clearance, !driven.isEmpty(), ground, FreeSpaceBoundary.of(grid, ground));
     }
 
-    /// The same over a map that has changed, as [#of] reckons it where nobody has been: taken over, and reckoned again
+    /// The same over a map that has changed, as [#of] computes it where nobody has been: taken over, and computed again
     /// only as near to what differs as costs reach.
     ///
     /// @param difference of that map from this one's

@@ -10,7 +10,7 @@ import java.util.Arrays;
 /// Cells beside those that were forgotten or have changed are the borders from which the wave spreads again; where
 /// ways have become cheaper it overwrites what cells hold. (G. Ramalingam, T. Reps, An Incremental Algorithm for a
 /// Generalization of the Shortest-Path Problem, J. Algorithms 21, 1996, for several changes at once as in their
-/// section 4; here changed are cells, thus all steps from, to and beside them. They reckon what each forgotten cell
+/// section 4; here changed are cells, thus all steps from, to and beside them. They compute what each forgotten cell
 /// costs through its neighbors beforehand, here the wave does when it gets there.)
 ///
 /// Of a wave that has not spread over all of the map only what is final is taken over, and all cells that can have a

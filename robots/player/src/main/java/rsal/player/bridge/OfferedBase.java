@@ -83,7 +83,7 @@ final class OfferedBase extends Offered implements ExclusiveControl.Holder {
         Optional<Odometry> odometry = base.latest().map(Stamped::value);
         if (wanted.isPresent() && odometry.isPresent()) {
             Optional<Twist2d> next = wanted.get().now(odometry.get());
-            base.command(next.filter(Twist2d::isFinite).orElse(Twist2d.STOP)); // odometry may be too far off to reckon
+            base.command(next.filter(Twist2d::isFinite).orElse(Twist2d.STOP)); // odometry may be too far off
             wanted = wanted.filter(_ -> next.isPresent());
         }
     }

@@ -16,7 +16,7 @@ import rsal.navigation.grid.DistanceField;
 import rsal.navigation.wavefront.CostMap.Clearance;
 
 /// Distances and costs [1/s] of a cave of 2560 × 2560 cells onto which a wall of 11 × 11 has come, at times with some
-/// columns and rows more: taken over from the cave before, against reckoned again.
+/// columns and rows more: taken over from the cave before, against computed again.
 @State(Scope.Thread)
 @Fork(1)
 @Warmup(iterations = 3, time = 2)

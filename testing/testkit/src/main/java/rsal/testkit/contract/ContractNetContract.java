@@ -46,7 +46,7 @@ public abstract class ContractNetContract {
     /// Written by agents, in turn.
     final List<String> log = new ArrayList<>();
 
-    /// What managers had to decide upon, the same.
+    /// What managers had to decide upon, in turn.
     private final List<Round<Double>> rounds = new ArrayList<>();
 
     /// The host under test.
