@@ -1,5 +1,6 @@
 /// JADE (jade.tilab.com), a multi-agent system after FIPA's standards, as a host of our agents. Knows nothing of robots
 /// beyond what agents know of them, and nothing of scenarios.
+@SuppressWarnings("module") // which is compiled later
 module rsal.jade {
     requires rsal.agent.platform;
     requires jade;
@@ -7,8 +8,9 @@ module rsal.jade {
     requires java.logging;
     requires static org.jspecify;
 
+    exports rsal.jade to
+            rsal.bench; // which measures JADE without RSAL
+
     provides rsal.agent.AgentHostProvider with
             rsal.jade.JadeHostProvider;
-    provides rsal.agent.bare.BareSystem with
-            rsal.jade.BareJade;
 }

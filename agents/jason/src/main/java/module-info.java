@@ -12,6 +12,4 @@ module rsal.jason {
 
     provides rsal.agent.AgentHostProvider with
             rsal.jason.JasonHostProvider;
-    provides rsal.agent.bare.BareLanguage with
-            rsal.jason.BareJason;
 }

@@ -4,7 +4,6 @@ module rsal.agent.platform {
     requires transitive rsal.agent.api;
     requires static org.jspecify;
 
-    exports rsal.agent.bare;
     exports rsal.agent.bdi;
     exports rsal.agent.board;
     exports rsal.agent.message;

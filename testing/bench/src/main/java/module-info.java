@@ -6,7 +6,12 @@ module rsal.bench {
     requires rsal.models;
     requires rsal.worlds;
     requires transitive rsal.devices;
+    requires rsal.bare;
     requires rsal.agent.platform;
+    requires rsal.jade;
+    requires rsal.jason;
+    requires jade;
+    requires jason.interpreter;
     requires rsal.navigation;
     requires rsal.engine;
     requires rsal.server;
@@ -18,8 +23,14 @@ module rsal.bench {
     exports rsal.bench;
     exports rsal.bench.measurement;
 
-    uses rsal.agent.bare.BareLanguage;
-    uses rsal.agent.bare.BareSystem;
+    uses rsal.bare.BareLanguage;
+    uses rsal.bare.BareSystem;
     uses rsal.robot.DeviceDriver;
     uses rsal.system.RobotSystemProvider;
+
+    provides rsal.bare.BareLanguage with
+            rsal.bench.bare.BareJason;
+    provides rsal.bare.BareSystem with
+            rsal.bench.bare.BareJava,
+            rsal.bench.bare.BareJade;
 }

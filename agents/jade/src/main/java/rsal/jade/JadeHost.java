@@ -24,7 +24,7 @@ final class JadeHost implements AgentHost, MessageTransport {
     private static final String PEOPLE = "operator"; // in whose name our people speak
 
     private final Scheduler run;
-    private final Platform platform;
+    private final JadePlatform platform;
     private final JadeAgent people;
     private final Map<String, JadeAgent> agents = new HashMap<>(); // by name
     private final Map<String, JadeAgent> leaving = new HashMap<>(); // who still have their names
@@ -32,7 +32,7 @@ final class JadeHost implements AgentHost, MessageTransport {
     private Consumer<String> onKilled = _ -> {};
     private boolean closed;
 
-    private JadeHost(Scheduler run, Platform platform) {
+    private JadeHost(Scheduler run, JadePlatform platform) {
         this.run = run;
         this.platform = platform;
         this.people = new JadeAgent(PEOPLE, run, _ -> {});
@@ -45,7 +45,7 @@ final class JadeHost implements AgentHost, MessageTransport {
             throw new UncheckedIOException(new IOException(
                     "JADE's windows need a display, and there is none. Maybe remove %s.".formatted(tools)));
         }
-        var host = new JadeHost(run, Platform.start());
+        var host = new JadeHost(run, JadePlatform.start());
         try {
             host.platform.start(PEOPLE, host.people);
             tools.forEach(host.platform::open);
@@ -65,7 +65,7 @@ final class JadeHost implements AgentHost, MessageTransport {
         }
     }
 
-    Platform platform() {
+    JadePlatform platform() {
         return platform;
     }
 

@@ -26,7 +26,7 @@ class AgentTablesTest {
     @Test
     @LongTest
     void whoIsThereIsFoundWhileOthersComeAndGo() throws Exception {
-        Platform platform = Platform.start();
+        JadePlatform platform = JadePlatform.start();
         try {
             List<AID> others = IntStream.range(0, OTHERS)
                     .mapToObj(i -> platform.agent("agent-" + i))
@@ -65,8 +65,8 @@ class AgentTablesTest {
     }
 
     /// Of the container, and of all.
-    private static List<Table> tables(Platform platform) throws ReflectiveOperationException {
-        var container = (AgentContainer) get(Platform.class, "container", platform);
+    private static List<Table> tables(JadePlatform platform) throws ReflectiveOperationException {
+        var container = (AgentContainer) get(JadePlatform.class, "container", platform);
         Object here = get(ContainerController.class, "myImpl", container);
         Class<?> implementation = Class.forName("jade.core.AgentContainerImpl");
         Object main = get(implementation, "myMainContainer", here);

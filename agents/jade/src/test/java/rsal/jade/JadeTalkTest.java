@@ -313,7 +313,7 @@ class JadeTalkTest {
         var released = new Semaphore(0);
         try (var time = new WallScheduler("tested run", Runnable::run)) {
             System.setOut(new PrintStream(said, true, StandardCharsets.UTF_8));
-            Platform platform = Platform.start();
+            JadePlatform platform = JadePlatform.start();
             var amy = new JadeAgent("amy", time, _ -> {});
             platform.start("amy", amy);
             amy.execute(() -> {

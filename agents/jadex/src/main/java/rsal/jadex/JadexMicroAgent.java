@@ -38,7 +38,7 @@ public final class JadexMicroAgent implements Executor {
 
     /// @param name of our agent
     /// @param killed told, on a thread of Jadex's, when Jadex has ended it by itself
-    JadexMicroAgent(String name, Consumer<JadexMicroAgent> killed) {
+    public JadexMicroAgent(String name, Consumer<JadexMicroAgent> killed) {
         this.name = name;
         this.killed = killed;
     }
@@ -99,7 +99,7 @@ public final class JadexMicroAgent implements Executor {
     /// Ends it soon. Nothing more is done that it was handed.
     ///
     /// @return done when it is gone
-    IFuture<Map<String, Object>> end() {
+    public IFuture<Map<String, Object>> end() {
         ended = true;
         tasks.clear();
         IInternalAccess there = access;

@@ -18,7 +18,7 @@ import jadex.platform.PlatformAgent;
 @Imports("jadex.platform.*") // where the inherited services are made
 public final class LonelyPlatform extends PlatformAgent {
     /// Starts one. Takes a second or two the first time.
-    static IExternalAccess start() {
+    public static IExternalAccess start() {
         IPlatformConfiguration how = PlatformConfigurationHandler.getMinimal();
         how.setPlatformName("rsal_***"); // and three letters at random, as several may run
         how.getExtendedPlatformConfiguration()

@@ -25,7 +25,7 @@ final class Reasoner extends Agent {
     private final transient Deliberation deliberation;
 
     static {
-        Quiet.make();
+        JasonDefaults.override();
     }
 
     /// One that is only read, never run.

@@ -3,16 +3,16 @@ package rsal.bench.mas;
 import java.time.Duration;
 import java.util.Collection;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
-import java.util.ServiceLoader;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import rsal.agent.AgentHostProvider;
-import rsal.agent.bare.BareSystem;
-import rsal.agent.bare.Life;
+import rsal.bare.BareSystem;
+import rsal.bare.Life;
 import rsal.bench.measurement.Bench;
 import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Result;
@@ -31,10 +31,7 @@ import rsal.time.AllowedToReadWallClock;
 public final class OverheadBench implements Bench {
     private final Collection<AgentHostProvider> hosts =
             Providers.byKey(AgentHostProvider.class, AgentHostProvider::key).values();
-    private final List<BareSystem> systems = Stream.concat(
-                    Stream.of(new BareJava()),
-                    ServiceLoader.load(BareSystem.class).stream().map(ServiceLoader.Provider::get))
-            .toList();
+    private final Map<String, BareSystem> systems = Providers.byKey(BareSystem.class, BareSystem::key);
 
     @Override
     public List<String> names() {
@@ -46,9 +43,7 @@ public final class OverheadBench implements Bench {
     }
 
     private Optional<BareSystem> bare(AgentHostProvider host) {
-        return systems.stream()
-                .filter(system -> system.key().equals(host.key()))
-                .findFirst();
+        return Optional.ofNullable(systems.get(host.key()));
     }
 
     private static List<String> names(AgentHostProvider host) {

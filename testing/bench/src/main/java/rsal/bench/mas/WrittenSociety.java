@@ -6,9 +6,9 @@ import java.util.Objects;
 import java.util.Optional;
 import rsal.agent.AgentSpec;
 import rsal.agent.AgentType;
-import rsal.agent.bare.BareLanguage;
-import rsal.agent.bare.BareLanguage.Program;
 import rsal.agent.bdi.Mind;
+import rsal.bare.BareLanguage;
+import rsal.bare.BareLanguage.Program;
 
 /// Programs of a language on our host.
 ///

@@ -13,9 +13,9 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
-import rsal.agent.bare.BareLanguage;
-import rsal.agent.bare.BareLanguage.Platform;
-import rsal.agent.bare.BareLanguage.Program;
+import rsal.bare.BareLanguage;
+import rsal.bare.BareLanguage.Platform;
+import rsal.bare.BareLanguage.Program;
 import rsal.time.AllowedToReadWallClock;
 
 /// What a language owes to benchmarks, so that they count what they say.

@@ -7,8 +7,8 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
-import rsal.agent.bare.BareSystem;
-import rsal.agent.bare.Life;
+import rsal.bare.BareSystem;
+import rsal.bare.Life;
 
 /// What a multi-agent system without us owes to benchmarks, so that they count what they say.
 public abstract class BareSystemContract {
