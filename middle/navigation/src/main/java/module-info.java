@@ -7,12 +7,12 @@ module rsal.navigation {
 
     exports rsal.navigation.amcl;
     exports rsal.navigation.avoid;
-    exports rsal.navigation.carmen;
     exports rsal.navigation.control;
     exports rsal.navigation.dwa;
     exports rsal.navigation.explore;
     exports rsal.navigation.grid;
     exports rsal.navigation.jumppoint;
+    exports rsal.navigation.log;
     exports rsal.navigation.mpc;
     exports rsal.navigation.nd;
     exports rsal.navigation.parameter;
@@ -29,6 +29,7 @@ module rsal.navigation {
     uses rsal.navigation.control.GoalCheckerType;
     uses rsal.navigation.control.PlannerType;
     uses rsal.navigation.control.ProgressCheckerType;
+    uses rsal.navigation.log.LogFormat;
     uses rsal.navigation.recovery.RecoveryType;
 
     provides rsal.navigation.control.ControllerType with
@@ -46,6 +47,8 @@ module rsal.navigation {
     provides rsal.navigation.control.ProgressCheckerType with
             rsal.navigation.control.MovementProgressCheckerType,
             rsal.navigation.control.PathProgressCheckerType;
+    provides rsal.navigation.log.LogFormat with
+            rsal.navigation.carmen.CarmenFormat;
     provides rsal.navigation.recovery.RecoveryType with
             rsal.navigation.recovery.BackUpRecoveryType,
             rsal.navigation.recovery.LookAroundRecoveryType,

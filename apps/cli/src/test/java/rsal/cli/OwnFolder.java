@@ -14,16 +14,15 @@ import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 
 /// What a page of the documentation has people write into `agents/own`, and files beside that, written and compiled.
-/// Only
-/// Maven is left out, which would build all of RSAL again.
+/// Only Maven is left out, which would build all of RSAL again.
 ///
 /// @param folder in place of the repository
 record OwnFolder(Path folder) {
     static final OwnFolder NONE = new OwnFolder(Path.of(""));
 
     /// A file's name, the rest of the sentence, and what is in it.
-    private static final Pattern FILE =
-            Pattern.compile("`(agents/own/[^`]+|[\\w-]+\\.(?:yaml|plan))`[^`]*:\n\n```\\w*\n(.*?)```", Pattern.DOTALL);
+    private static final Pattern FILE = Pattern.compile(
+            "`(agents/own/[^`]+|[\\w-]+\\.(?:yaml|plan|table))`[^`]*:\n\n```\\w*\n(.*?)```", Pattern.DOTALL);
 
     /// Writes all files of a page, which must be all Java and YAML that it shows.
     static OwnFolder of(String page, Path folder) throws IOException {

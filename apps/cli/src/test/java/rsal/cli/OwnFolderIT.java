@@ -24,7 +24,14 @@ class OwnFolderIT {
     Path folder;
 
     @ParameterizedTest
-    @ValueSource(strings = {"own-device", "another-robot-system", "another-bridge", "another-world-format"})
+    @ValueSource(
+            strings = {
+                "own-device",
+                "another-robot-system",
+                "another-bridge",
+                "another-world-format",
+                "another-log-format"
+            })
     void itsCommandsShowWhatItSays(String guide) throws Exception {
         String page = Files.readString(HOW_TO.resolve(guide + ".md"));
         OwnFolder own = OwnFolder.of(page, folder);

@@ -31,8 +31,8 @@ import rsal.navigation.amcl.Amcl;
 import rsal.navigation.amcl.LocalizationMap;
 import rsal.navigation.amcl.OdometryModel;
 import rsal.navigation.amcl.SensorModel;
-import rsal.navigation.carmen.CarmenLog;
 import rsal.navigation.grid.ScanMapper;
+import rsal.navigation.log.RobotLog;
 import rsal.navigation.replay.Course;
 import rsal.navigation.replay.Replay;
 import rsal.navigation.replay.Verdict;
@@ -163,7 +163,7 @@ public final class LocalizeCommand extends Subcommand {
         Arguments tuned = tuning.arguments();
         Optional<Destination> target = Optional.ofNullable(saveMap).map(this::target);
         Optional<OdometryModel> noise = recorded.noise();
-        CarmenLog log = recorded.read(file);
+        RobotLog log = recorded.read(file);
         Course course = recorded.course(log, file);
         if (course.stops().isEmpty()) {
             throw LogOptions.nothingKnown(file, "odometry", log);

@@ -14,7 +14,7 @@ import rsal.cli.log.MapResult.Merged;
 import rsal.cli.log.MapResult.Turned;
 import rsal.cli.log.MapResult.Wandered;
 import rsal.data.Pose2d;
-import rsal.navigation.carmen.CarmenLog;
+import rsal.navigation.log.RobotLog;
 import rsal.navigation.replay.Course;
 import rsal.navigation.slam.MapOverlap;
 import rsal.navigation.slam.Merge;
@@ -40,7 +40,7 @@ final class LogMapper {
     private final List<Merged> merged = new ArrayList<>();
 
     /// One robot's scans and, once they are mapped, where they are in its graph.
-    record Robot(String file, CarmenLog log, Course course, List<Slam.Located> located) {}
+    record Robot(String file, RobotLog log, Course course, List<Slam.Located> located) {}
 
     /// @param maxRange ranges beyond are not looked at [m]
     /// @param err where progress is told

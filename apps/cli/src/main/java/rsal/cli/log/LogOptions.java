@@ -16,9 +16,10 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import rsal.navigation.amcl.OdometryModel;
-import rsal.navigation.carmen.BrokenLog;
-import rsal.navigation.carmen.CarmenLog;
-import rsal.navigation.carmen.LogReader;
+import rsal.navigation.log.BrokenLog;
+import rsal.navigation.log.LaserHints;
+import rsal.navigation.log.LogFormats;
+import rsal.navigation.log.RobotLog;
 import rsal.navigation.replay.Course;
 import rsal.navigation.replay.Leap;
 import rsal.settings.InvalidSettings;
@@ -31,8 +32,9 @@ final class LogOptions {
 
     /// Which logs commands read, for their help.
     static final String LOGS =
-            "Logs are CARMEN's (FLASER, ROBOTLASER1, RAWLASER1 with ODOM), plain or packed with gzip."
-                    + " RAWLASER1's laser is where PARAM robot_frontlaser_offset (and _side_offset, _angular_offset) says.";
+            "Logs are CARMEN's (FLASER, ROBOTLASER1, RAWLASER1 with ODOM), plain or packed with gzip, or of a format of"
+                    + " your own. RAWLASER1's laser is where PARAM robot_frontlaser_offset (and _side_offset,"
+                    + " _angular_offset) says.";
 
     @Spec(Spec.Target.MIXEE)
     @SuppressWarnings("NullAway.Init") // picocli fills it in
@@ -41,7 +43,7 @@ final class LogOptions {
     @Option(
             names = "--odometry-noise",
             paramLabel = "WAY,HEADING,TURN",
-            description = "Makes the wheels err, by these standard deviations: of the way [m per square root of a"
+            description = "Makes the wheels err, by these standard deviations: of the distance [m per square root of a"
                     + " meter], of the heading by driving [deg per square root of a meter] and by turning [deg per square root of a"
                     + " radian]. 0.05,2,3 is a usual robot. Default: the log's odometry, unchanged.")
     private @Nullable String odometryNoise;
@@ -110,12 +112,11 @@ final class LogOptions {
     }
 
     /// @throws InvalidSettings when it can't be read, or most of its scans can't be used
-    CarmenLog read(String file) {
+    RobotLog read(String file) {
         try {
-            CarmenLog log = CarmenLog.read(
+            RobotLog log = LogFormats.read(
                     Path.of(file),
-                    new LogReader.Options(
-                            Math.toRadians(fieldOfView), LogReader.Options.DEFAULT.rangeMax(), upsideDown));
+                    new LaserHints(Math.toRadians(fieldOfView), LaserHints.DEFAULT.rangeMax(), upsideDown));
             if (skippedShare(log) > TOO_MANY) {
                 throw new InvalidSettings(
                         Location.of(file),
@@ -136,7 +137,7 @@ final class LogOptions {
     /// the log's own are not.
     ///
     /// @param file of the log
-    Course course(CarmenLog log, String file) {
+    Course course(RobotLog log, String file) {
         Course course = Course.of(log).withoutLeaps();
         if (reference == null) {
             return isWithoutReference() ? course.unjudged() : course;
@@ -154,7 +155,7 @@ final class LogOptions {
     /// To throw when there is nothing to follow.
     ///
     /// @param what of scans is missing
-    static InvalidSettings nothingKnown(String file, String what, CarmenLog log) {
+    static InvalidSettings nothingKnown(String file, String what, RobotLog log) {
         if (log.scans().isEmpty() && log.skipped().scans() > 0) {
             return new InvalidSettings(
                     Location.of(file),
@@ -166,10 +167,10 @@ final class LogOptions {
                 log.scans().isEmpty()
                         ? "There is no scan in it%s.".formatted(among(log))
                         : "There is no scan in it whose %s is known%s.".formatted(what, among(log)),
-                "FLASER and ROBOTLASER1 tell it; RAWLASER1 needs ODOM before it.");
+                "In CARMEN's logs FLASER and ROBOTLASER1 tell it; RAWLASER1 needs ODOM before it.");
     }
 
-    private static String among(CarmenLog log) {
+    private static String among(RobotLog log) {
         return log.skipped().total() == 0 ? "" : "; skipped: " + skippedText(log);
     }
 
@@ -184,12 +185,12 @@ final class LogOptions {
                     "No beam of any of its %d scans hit anything."
                             .formatted(course.stops().size()),
                     "Maybe its ranges are in another unit: they must be in meters, below %.0f."
-                            .formatted(LogReader.Options.DEFAULT.rangeMax()));
+                            .formatted(LaserHints.DEFAULT.rangeMax()));
         }
     }
 
     /// Tells people what of a log was not used, and makes sure that they see when it is much.
-    static void tellSkipped(PrintWriter err, String file, CarmenLog log) {
+    static void tellSkipped(PrintWriter err, String file, RobotLog log) {
         if (log.skipped().total() == 0) {
             return;
         }
@@ -201,7 +202,7 @@ final class LogOptions {
     }
 
     /// What of a log is so odd that what comes of it is probably wrong.
-    static void tellOddities(PrintWriter err, String file, CarmenLog log) {
+    static void tellOddities(PrintWriter err, String file, RobotLog log) {
         log.oneTime()
                 .ifPresent(time -> err.println(
                         ("All %d scans of '%s' have one time (%.3f s): what comes of it has no times either, and ODOM can't tell"
@@ -231,7 +232,7 @@ final class LogOptions {
     }
 
     /// What of a log was read otherwise than it stands there.
-    static void tellWandering(PrintWriter err, String file, CarmenLog log) {
+    static void tellWandering(PrintWriter err, String file, RobotLog log) {
         log.wandering()
                 .ifPresent(by ->
                         err.println(("'%s' tells poses of the laser that move about on the robot, by up to (%.2f m)"
@@ -241,13 +242,13 @@ final class LogOptions {
                                 .formatted(file, by.meters(), Math.toDegrees(by.radians()))));
     }
 
-    private static double skippedShare(CarmenLog log) {
+    private static double skippedShare(RobotLog log) {
         int skipped = log.skipped().scans();
         return skipped == 0 ? 0 : (double) skipped / (skipped + log.scans().size());
     }
 
     /// `18 of 20 scans; 17 back in time, 2 cut short`.
-    private static String skippedText(CarmenLog log) {
+    private static String skippedText(RobotLog log) {
         int scans = log.skipped().scans();
         int others = log.skipped().total() - scans;
         String reasons = log.skipped().counts().entrySet().stream()
@@ -263,7 +264,7 @@ final class LogOptions {
                         reasons);
     }
 
-    private static String whereSkipped(CarmenLog log) {
+    private static String whereSkipped(RobotLog log) {
         return log.skipped().first().stream()
                 .findFirst()
                 .map(place -> "The first is in line %d: %s".formatted(place.line(), place.what()))

@@ -25,8 +25,8 @@ import rsal.cli.terminal.Subcommand;
 import rsal.data.OccupancyGrid;
 import rsal.map.RosMap;
 import rsal.navigation.amcl.OdometryModel;
-import rsal.navigation.carmen.CarmenLog;
 import rsal.navigation.grid.ScanMapper;
+import rsal.navigation.log.RobotLog;
 import rsal.navigation.replay.Course;
 import rsal.navigation.slam.FreeSpaceViolation;
 import rsal.navigation.slam.GraphResidual;
@@ -42,7 +42,7 @@ import rsal.time.AllowedToReadWallClock;
         footer = {
             "",
             LogOptions.LOGS + " Written are"
-                    + " map.yaml and map.pgm as ROS reads them, picture.png with ways (blue) and places that were"
+                    + " map.yaml and map.pgm as ROS reads them, picture.png with paths (blue) and places that were"
                     + " known again (red), trajectory.txt as TUM writes it (time x y z qx qy qz qw), and residuals.csv.",
             "Errors are relative to the poses in the log, or in that of --reference. In 'corrected' logs the"
                     + " odometry is these poses, without any error: add some with --odometry-noise.",
@@ -180,7 +180,7 @@ public final class MapCommand extends Subcommand {
         check(!recorded.hasReference() || files.size() == 1, "--reference goes with one log.");
     }
 
-    private void tellOfLog(String file, CarmenLog log) {
+    private void tellOfLog(String file, RobotLog log) {
         LogOptions.tellSkipped(err(), file, log);
         LogOptions.tellWandering(err(), file, log);
         LogOptions.tellOddities(err(), file, log);
@@ -204,7 +204,7 @@ public final class MapCommand extends Subcommand {
         var random = new SplittableRandom(seed);
         var robots = new ArrayList<Robot>();
         for (String file : files) {
-            CarmenLog log = recorded.read(file);
+            RobotLog log = recorded.read(file);
             Course course = recorded.course(log, file);
             if (course.stops().isEmpty() || (knownPoses && course.posed().isEmpty())) {
                 throw LogOptions.nothingKnown(file, knownPoses ? "pose" : "odometry", log);

@@ -83,7 +83,7 @@ final class MapReport {
     private void warn(GraphResidual.Step step, Slam slam) {
         Pose2d place = slam.poses().get(step.to());
         err.println(("The map is probably wrong: at (%.1f, %.1f), from keyframe %d to %d, it differs from all"
-                        + " measurements of the robot's way by at least %.2f m and %.0f°, %.0f times their error. Maybe"
+                        + " measurements of the robot's path by at least %.2f m and %.0f°, %.0f times their error. Maybe"
                         + " places that look alike were taken for one: look at picture.png, and map the log in parts."
                         + " Or the robot was carried there; then the map may be right.")
                 .formatted(

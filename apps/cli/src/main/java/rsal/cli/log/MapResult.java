@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import rsal.data.Pose2d;
-import rsal.navigation.carmen.CarmenLog;
+import rsal.navigation.log.RobotLog;
 import rsal.navigation.replay.Course;
 import rsal.navigation.slam.FreeSpaceViolation;
 import rsal.navigation.slam.GraphResidual;
@@ -67,7 +67,7 @@ record MapResult(
             @Nullable Turned turns,
             @Nullable Wandered wandering) {
         /// Of a log whose poses are right.
-        static Drawn ofKnownPoses(String file, Course course, CarmenLog log) {
+        static Drawn ofKnownPoses(String file, Course course, RobotLog log) {
             return new Drawn(
                     file,
                     course.stops().size(),
@@ -97,7 +97,7 @@ record MapResult(
     /// How far a laser moves on its robot, as a log has it: its poses were taken for corrected ones of the
     /// robot.
     record Wandered(double meters, double degrees) {
-        static @Nullable Wandered of(CarmenLog log) {
+        static @Nullable Wandered of(RobotLog log) {
             return log.wandering()
                     .map(by -> new Wandered(by.meters(), Math.toDegrees(by.radians())))
                     .orElse(null);

@@ -51,7 +51,7 @@ final class Clock {
         }
         back[kind] = told >= lastBack[kind] ? back[kind] + 1 : 1;
         lastBack[kind] = told;
-        if (back[kind] <= LogReader.RESTART) {
+        if (back[kind] <= CarmenReader.RESTART) {
             throw new Misread(
                     "back in time", "Its time is '%s' s, that of the one before '%s' s.".formatted(told, last[kind]));
         }

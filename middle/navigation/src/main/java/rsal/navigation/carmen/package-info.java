@@ -1,4 +1,4 @@
-/// Logs of the robot toolkit CARMEN, in which many public data sets of lasers and odometry are kept, as values.
+/// The format of logs of the robot toolkit CARMEN, in which many public data sets of lasers and odometry are kept.
 @NullMarked
 package rsal.navigation.carmen;
 

@@ -14,11 +14,11 @@ import java.util.stream.IntStream;
 import rsal.data.LaserScan;
 import rsal.data.Pose2d;
 import rsal.navigation.amcl.OdometryModel;
-import rsal.navigation.carmen.CarmenLog;
-import rsal.navigation.carmen.LogEntry.Motion;
-import rsal.navigation.carmen.LogEntry.Poses;
-import rsal.navigation.carmen.LogEntry.Scan;
 import rsal.navigation.grid.ScanMapper.PosedScan;
+import rsal.navigation.log.LogEntry.Motion;
+import rsal.navigation.log.LogEntry.Poses;
+import rsal.navigation.log.LogEntry.Scan;
+import rsal.navigation.log.RobotLog;
 
 /// Where a robot went and what its laser saw there, as a log has it.
 ///
@@ -42,7 +42,7 @@ public record Course(List<Stop> stops, int untold) {
 
     /// As a log tells it: where the robot was is what its author made of the odometry. Where a scan comes without
     /// odometry, that is taken from the messages before and after it; a second after the last one it is not known.
-    public static Course of(CarmenLog log) {
+    public static Course of(RobotLog log) {
         var stops = new ArrayList<Stop>();
         for (Scan scan : log.scans()) {
             switch (scan.poses()) {
@@ -90,7 +90,7 @@ public record Course(List<Stop> stops, int untold) {
     /// The same, but where the robot was is what another log says of the same scans, which are known by their
     /// readings. Scans of several places that have the same readings, as those that hit nothing, are of no known
     /// place.
-    public Course judgedBy(CarmenLog reference) {
+    public Course judgedBy(RobotLog reference) {
         Map<FloatBuffer, List<Pose2d>> told = new HashMap<>();
         for (Scan scan : reference.scans()) {
             told(scan.poses())

@@ -11,8 +11,10 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import rsal.data.Pose2d;
 import rsal.navigation.amcl.OdometryModel;
-import rsal.navigation.carmen.CarmenLog;
-import rsal.navigation.carmen.LogReader;
+import rsal.navigation.carmen.CarmenFormat;
+import rsal.navigation.log.LaserHints;
+import rsal.navigation.log.LogFormats;
+import rsal.navigation.log.RobotLog;
 
 class CourseTest {
     private static final String RAW = """
@@ -156,8 +158,11 @@ class CourseTest {
                 .isLessThan(1e-9);
     }
 
-    private static CarmenLog log(String text) throws IOException {
-        return CarmenLog.read(
-                "test.log", new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)), LogReader.Options.DEFAULT);
+    private static RobotLog log(String text) throws IOException {
+        return LogFormats.read(
+                new CarmenFormat(),
+                "test.log",
+                new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)),
+                LaserHints.DEFAULT);
     }
 }

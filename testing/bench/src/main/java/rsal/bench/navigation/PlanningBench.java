@@ -150,7 +150,7 @@ public final class PlanningBench implements Bench {
             }
             left -= length;
         }
-        throw new IllegalStateException("The way is too short.");
+        throw new IllegalStateException("The path is too short.");
     }
 
     /// What is known of a map.
@@ -237,7 +237,7 @@ public final class PlanningBench implements Bench {
 
     private static void check(boolean found) {
         if (!found) {
-            throw new IllegalStateException("There was a way before.");
+            throw new IllegalStateException("There was a path before.");
         }
     }
 }

@@ -5,8 +5,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import rsal.bench.measurement.BenchmarkRequest;
-import rsal.navigation.carmen.CarmenLog;
-import rsal.navigation.carmen.LogReader;
+import rsal.navigation.log.LaserHints;
+import rsal.navigation.log.LogFormats;
 import rsal.navigation.replay.Course;
 
 /// Recorded logs among the public data, with the poses that their authors found to be right.
@@ -28,7 +28,7 @@ final class PublicLogs {
 
     private static Course read(Path file) {
         try {
-            return Course.of(CarmenLog.read(file, LogReader.Options.DEFAULT));
+            return Course.of(LogFormats.read(file, LaserHints.DEFAULT));
         } catch (IOException e) {
             throw new IllegalStateException("The public data can't be read: " + e.getMessage(), e);
         }

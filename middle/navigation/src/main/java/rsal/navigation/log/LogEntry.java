@@ -1,4 +1,4 @@
-package rsal.navigation.carmen;
+package rsal.navigation.log;
 
 import java.time.Instant;
 import rsal.data.LaserScan;
@@ -9,18 +9,23 @@ public sealed interface LogEntry {
     /// Line of the log it stands in, from 1.
     int line();
 
-    /// What the wheels say (`ODOM`).
+    /// What the wheels say (`ODOM` in CARMEN's logs).
     ///
     /// @param speed forward [m/s]
     /// @param turnRate counter-clockwise [rad/s]
     record Motion(int line, Instant time, Pose2d odomFromBase, double speed, double turnRate) implements LogEntry {}
 
-    /// A sweep of the front laser (`FLASER`, `ROBOTLASER1`, `RAWLASER1`).
+    /// A sweep of the laser (`FLASER`, `ROBOTLASER1`, `RAWLASER1`).
     ///
-    /// @param time when it was taken; see [LogReader] for logs that don't tell
+    /// @param time when it was taken
     /// @param poses where the robot was
     /// @param broken readings that were no numbers, below zero or zero
-    record Scan(int line, Instant time, LaserScan scan, Poses poses, int broken) implements LogEntry {}
+    record Scan(int line, Instant time, LaserScan scan, Poses poses, int broken) implements LogEntry {
+        /// The same, with other ranges.
+        Scan with(LaserScan other) {
+            return new Scan(line, time, other, poses, broken);
+        }
+    }
 
     /// A setting of the robot that made the log (`PARAM`).
     record Parameter(int line, String name, String value) implements LogEntry {}

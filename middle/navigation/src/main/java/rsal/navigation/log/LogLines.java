@@ -1,4 +1,4 @@
-package rsal.navigation.carmen;
+package rsal.navigation.log;
 
 import java.io.BufferedInputStream;
 import java.io.EOFException;
@@ -6,12 +6,12 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.Optional;
 import java.util.zip.GZIPInputStream;
 import java.util.zip.ZipException;
-import org.jspecify.annotations.Nullable;
 
-/// Lines of a text, packed with gzip or not, read one at a time and none of them without bound.
-final class Lines {
+/// Lines of a log that is a text, packed with gzip or not, read one at a time and none of them without bound.
+public final class LogLines {
     private static final int LONGEST = 1 << 20; // bytes; 100,000 readings
 
     private final String file;
@@ -24,7 +24,10 @@ final class Lines {
     private boolean cutShort;
 
     /// @param file its name, for messages
-    Lines(String file, InputStream raw) throws IOException {
+    /// @param raw the file as it is; the caller closes it
+    /// @throws BrokenLog when it is packed and damaged at its start
+    /// @throws IOException when it can't be read
+    public LogLines(String file, InputStream raw) throws IOException {
         this.file = file;
         var buffered = new BufferedInputStream(raw, 1 << 16);
         buffered.mark(2);
@@ -38,24 +41,26 @@ final class Lines {
     }
 
     /// Number of the line read last, from 1.
-    int number() {
+    public int number() {
         return number;
     }
 
     /// Whether the line read last is the file's last and has no end.
-    boolean cutShort() {
+    public boolean cutShort() {
         return cutShort;
     }
 
-    /// Null at the end.
-    @Nullable
-    String read() throws IOException {
+    /// The next line without its end, its characters those of ISO 8859-1; none at the end of the file.
+    ///
+    /// @throws BrokenLog when a packed file is cut short or damaged, or a line has more than a million characters
+    /// @throws IOException when the file can't be read
+    public Optional<String> read() throws IOException {
         int length = 0;
         while (true) {
             if (next == blockEnd && !fill()) {
                 cutShort = length > 0;
                 if (length == 0) {
-                    return null;
+                    return Optional.empty();
                 }
                 break;
             }
@@ -68,7 +73,7 @@ final class Lines {
                 throw new BrokenLog(
                         file,
                         number + 1,
-                        "The line has more than %d characters. Maybe this is no log of CARMEN.".formatted(LONGEST));
+                        "The line has more than %d characters. Maybe this is no log.".formatted(LONGEST));
             }
             if (length + more > line.length) {
                 line = Arrays.copyOf(line, Math.max(2 * line.length, length + more));
@@ -82,7 +87,7 @@ final class Lines {
             }
         }
         number++;
-        return new String(line, 0, length, StandardCharsets.ISO_8859_1);
+        return Optional.of(new String(line, 0, length, StandardCharsets.ISO_8859_1));
     }
 
     private boolean fill() throws IOException {

@@ -1,4 +1,4 @@
-package rsal.navigation.carmen;
+package rsal.navigation.log;
 
 import java.io.IOException;
 
@@ -11,14 +11,15 @@ public final class BrokenLog extends IOException {
     private final String reason;
 
     /// @param line where it ends to make sense, from 1; 0 when the whole file does not
-    BrokenLog(String file, int line, String message) {
+    public BrokenLog(String file, int line, String message) {
         super((line == 0 ? file : file + ":" + line) + ": " + message);
         this.file = file;
         this.line = line;
         this.reason = message;
     }
 
-    BrokenLog(String file, int line, String message, Throwable cause) {
+    /// @param line the same
+    public BrokenLog(String file, int line, String message, Throwable cause) {
         this(file, line, message);
         initCause(cause);
     }

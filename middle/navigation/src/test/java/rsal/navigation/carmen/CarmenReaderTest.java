@@ -11,21 +11,29 @@ import java.nio.charset.StandardCharsets;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Pose2d;
-import rsal.navigation.carmen.LogEntry.Motion;
-import rsal.navigation.carmen.LogEntry.Parameter;
-import rsal.navigation.carmen.LogEntry.Poses;
-import rsal.navigation.carmen.LogEntry.Scan;
+import rsal.navigation.log.BrokenLog;
+import rsal.navigation.log.LaserHints;
+import rsal.navigation.log.LogCollector;
+import rsal.navigation.log.LogEntry;
+import rsal.navigation.log.LogEntry.Motion;
+import rsal.navigation.log.LogEntry.Parameter;
+import rsal.navigation.log.LogEntry.Poses;
+import rsal.navigation.log.LogEntry.Scan;
+import rsal.navigation.log.RobotLog;
+import rsal.navigation.log.Skipped;
 
-class LogReaderTest {
+class CarmenReaderTest {
     private final List<LogEntry> entries = new ArrayList<>();
 
     @Test
@@ -53,13 +61,11 @@ class LogReaderTest {
 
     @Test
     void theReadingsOfALaserThatIsUpsideDownBeginAtTheLeft() throws IOException {
-        var upsideDown = new LogReader.Options(Math.PI, 50, true);
         String log = """
                 FLASER 4 1 2 3 4 0 0 0 0 0 0 1 h 0
                 ROBOTLASER1 0 -0.5 2 1 20 0.01 0 3 1 2 3 0 0 0 0 0 0 0 0 0 0.3 0.3 0.5 2 h 0
                 """;
-        LogReader.read(
-                "test.log", new ByteArrayInputStream(log.getBytes(StandardCharsets.UTF_8)), upsideDown, entries::add);
+        read(bytes(log), new LaserHints(Math.PI, 50, true));
 
         var plain = scans().getFirst().scan();
         assertThat(plain.ranges()).containsExactly(4, 3, 2, 1);
@@ -127,16 +133,23 @@ class LogReaderTest {
                 + "PARAM robot_frontlaser_side_offset -0.1 0 nohost 0\n"
                 + "PARAM robot_frontlaser_angular_offset 0.5 0 nohost 0\n"
                 + "PARAM robot_rearlaser_offset -0.4 0 nohost 0\n"
-                + scan
-                + "ROBOTLASER1 0 -0.5 2 1 20 0.01 0 3 1 2 3 0 1.2 1 0 1 1 0 0 0 0.3 0.3 0.5 12 h 0\n"
-                + "FLASER 1 1 1 2 0 1 2 0 12 h 1\n");
+                + scan);
 
         assertThat(skipped.total()).isZero();
-        assertThat(scans().stream().limit(3).map(s -> s.scan().baseFromLaser()))
+        assertThat(scans().stream().map(s -> s.scan().baseFromLaser()))
                 .containsExactly(Pose2d.ORIGIN, new Pose2d(0.25, 0, 0), new Pose2d(0.25, -0.1, 0.5));
-        assertThat(scans().get(3).scan().baseFromLaser().isNear(new Pose2d(0.2, 0, 0), 1e-9, 1e-9))
+    }
+
+    @Test
+    void scansWithPosesAreNotMountedByParameters() throws IOException {
+        String mount = "PARAM robot_frontlaser_offset 0.25\nPARAM robot_frontlaser_angular_offset 0.5\n";
+
+        read(mount + "ROBOTLASER1 0 -0.5 2 1 20 0.01 0 3 1 2 3 0 1.2 1 0 1 1 0 0 0 0.3 0.3 0.5 12 h 0\n");
+        assertThat(scans().getFirst().scan().baseFromLaser().isNear(new Pose2d(0.2, 0, 0), 1e-9, 1e-9))
                 .isTrue();
-        assertThat(scans().get(4).scan().baseFromLaser()).isEqualTo(Pose2d.ORIGIN);
+
+        read(mount + "FLASER 1 1 1 2 0 1 2 0 12 h 1\n");
+        assertThat(scans().getFirst().scan().baseFromLaser()).isEqualTo(Pose2d.ORIGIN);
     }
 
     @ParameterizedTest
@@ -161,14 +174,12 @@ class LogReaderTest {
 
     @Test
     void aLaserOfAPlainScanIsMovedAheadButACorrectedPoseIsNoMount() throws IOException {
-        read("""
-                FLASER 1 1 1.1 2 0 1 2 0 1 h 1
-                FLASER 1 1 1.3 2.4 0.2 1 2 0 2 h 2
-                """);
+        read("FLASER 1 1 1.1 2 0 1 2 0 1 h 1");
+        assertThat(scans().getFirst().scan().baseFromLaser().x()).isCloseTo(0.1, within(1e-12));
 
-        assertThat(scans().get(0).scan().baseFromLaser().x()).isCloseTo(0.1, within(1e-12));
-        assertThat(scans().get(1).scan().baseFromLaser()).isEqualTo(Pose2d.ORIGIN);
-        assertThat(scans().get(1).poses()).isEqualTo(new Poses.Told(new Pose2d(1, 2, 0), new Pose2d(1.3, 2.4, 0.2)));
+        read("FLASER 1 1 1.3 2.4 0.2 1 2 0 2 h 2");
+        assertThat(scans().getFirst().scan().baseFromLaser()).isEqualTo(Pose2d.ORIGIN);
+        assertThat(scans().getFirst().poses()).isEqualTo(new Poses.Told(new Pose2d(1, 2, 0), new Pose2d(1.3, 2.4, 0.2)));
     }
 
     @ParameterizedTest
@@ -235,7 +246,7 @@ class LogReaderTest {
 
     @Test
     void readsWhatGzipPacked() throws IOException {
-        LogReader.read("log", new ByteArrayInputStream(gzip(flaser(180, 2))), LogReader.Options.DEFAULT, entries::add);
+        read(gzip(flaser(180, 2)), LaserHints.DEFAULT);
 
         assertThat(scans()).hasSize(1);
     }
@@ -246,10 +257,9 @@ class LogReaderTest {
                 IntStream.range(0, 500).mapToObj(i -> flaser(180, 1 + i * 0.01)).collect(Collectors.joining("\n")));
         byte[] cut = Arrays.copyOf(packed, packed.length / 2);
 
-        assertThatThrownBy(() -> LogReader.read(
-                        "a.log.gz", new ByteArrayInputStream(cut), LogReader.Options.DEFAULT, entries::add))
+        assertThatThrownBy(() -> read(cut, LaserHints.DEFAULT))
                 .isInstanceOf(BrokenLog.class)
-                .hasMessageMatching("a\\.log\\.gz:\\d+: The packed file ends early.*");
+                .hasMessageMatching("test\\.log:\\d+: The packed file ends early.*");
         assertThat(entries).isNotEmpty();
     }
 
@@ -258,8 +268,7 @@ class LogReaderTest {
         byte[] packed = gzip(flaser(360, 2) + "\n" + flaser(360, 3));
         packed[packed.length - 5] ^= 0x55; // of the checksum
 
-        assertThatThrownBy(() ->
-                        LogReader.read("a", new ByteArrayInputStream(packed), LogReader.Options.DEFAULT, entries::add))
+        assertThatThrownBy(() -> read(packed, LaserHints.DEFAULT))
                 .isInstanceOf(BrokenLog.class)
                 .hasMessageContaining("damaged");
     }
@@ -278,12 +287,26 @@ class LogReaderTest {
     }
 
     private Skipped read(String text) throws IOException {
+        return read(bytes(text), LaserHints.DEFAULT);
+    }
+
+    private Skipped read(byte[] file, LaserHints hints) throws IOException {
         entries.clear();
-        return LogReader.read(
-                "test.log",
-                new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)),
-                LogReader.Options.DEFAULT,
-                entries::add);
+        var collector = new LogCollector("test.log", hints);
+        try {
+            CarmenReader.read("test.log", new ByteArrayInputStream(file), hints, collector);
+        } finally {
+            RobotLog log = collector.log();
+            Stream.of(log.parameters(), log.motions(), log.scans())
+                    .flatMap(List::stream)
+                    .sorted(Comparator.comparingInt(LogEntry::line))
+                    .forEach(entries::add);
+        }
+        return collector.log().skipped();
+    }
+
+    private static byte[] bytes(String text) {
+        return text.getBytes(StandardCharsets.UTF_8);
     }
 
     private List<Scan> scans() {

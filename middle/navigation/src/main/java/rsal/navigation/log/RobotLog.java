@@ -1,11 +1,6 @@
-package rsal.navigation.carmen;
+package rsal.navigation.log;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.time.Instant;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -13,9 +8,9 @@ import java.util.stream.DoubleStream;
 import rsal.data.Angles;
 import rsal.data.LaserScan;
 import rsal.data.Pose2d;
-import rsal.navigation.carmen.LogEntry.Motion;
-import rsal.navigation.carmen.LogEntry.Poses;
-import rsal.navigation.carmen.LogEntry.Scan;
+import rsal.navigation.log.LogEntry.Motion;
+import rsal.navigation.log.LogEntry.Poses;
+import rsal.navigation.log.LogEntry.Scan;
 
 /// A whole log in memory: at most [#MOST_READINGS] readings.
 ///
@@ -27,7 +22,7 @@ import rsal.navigation.carmen.LogEntry.Scan;
 /// were taken for poses of the robot that somebody has corrected, and the laser for mounted in its middle
 /// @param degrees the largest heading of odometry when headings are degrees, by how they change; they were read as
 /// radians, as CARMEN writes them
-public record CarmenLog(
+public record RobotLog(
         List<Scan> scans,
         List<Motion> motions,
         List<LogEntry.Parameter> parameters,
@@ -38,8 +33,6 @@ public record CarmenLog(
     /// 400 MB of ranges; the longest public logs have a tenth of this.
     public static final int MOST_READINGS = 100_000_000;
 
-    private static final int MOST_MOTIONS = 20_000_000;
-    private static final int MOST_PARAMETERS = 100_000;
     private static final double SAME = 0.1; // m; codes for nothing differ by less
     private static final double SHARE_OF_CODES = 2e-3; // of all readings
     private static final double BELOW = 0.5; // m; so far below codes there are fewer readings than codes
@@ -55,41 +48,28 @@ public record CarmenLog(
     /// @param radians the same
     public record Wandering(double meters, double radians) {}
 
-    public CarmenLog {
+    public RobotLog {
         scans = List.copyOf(scans);
         motions = List.copyOf(motions);
         parameters = List.copyOf(parameters);
     }
 
-    /// @throws BrokenLog when the file is cut short, damaged, too large or no log
-    /// @throws IOException when the file can't be read
-    public static CarmenLog read(Path file, LogReader.Options options) throws IOException {
-        try (InputStream in = Files.newInputStream(file)) {
-            return read(file.toString(), in, options);
-        }
-    }
-
-    /// @param file its name, for messages
-    public static CarmenLog read(String file, InputStream in, LogReader.Options options) throws IOException {
-        var reading = new Reading();
-        var headings = new Headings();
-        Skipped skipped;
-        try {
-            skipped = LogReader.read(file, in, options, headings, reading::add);
-        } catch (TooMuch e) {
-            throw new BrokenLog(
-                    file,
-                    e.line,
-                    "The log has more %s than can be held (%d). Cut it into parts.".formatted(e.what, e.most));
-        }
-        double rangeMax = Math.min(options.rangeMax(), longest(reading.scans));
-        Optional<Wandering> wandering = wandering(reading.scans);
-        List<Scan> scans = reading.scans.stream()
-                .map(scan -> rangeMax < options.rangeMax() ? limited(scan, rangeMax) : scan)
+    /// @param rangeMax ranges from here on hit nothing, as the reader was told [m]
+    /// @param degrees as in the log
+    static RobotLog of(
+            List<Scan> read,
+            List<Motion> motions,
+            List<LogEntry.Parameter> parameters,
+            Skipped skipped,
+            double rangeMax,
+            OptionalDouble degrees) {
+        double longest = Math.min(rangeMax, longest(read));
+        Optional<Wandering> wandering = wandering(read);
+        List<Scan> scans = read.stream()
+                .map(scan -> longest < rangeMax ? limited(scan, longest) : scan)
                 .map(scan -> wandering.isPresent() ? inTheMiddle(scan) : scan)
                 .toList();
-        return new CarmenLog(
-                scans, reading.motions, reading.parameters, skipped, rangeMax, wandering, headings.degrees());
+        return new RobotLog(scans, motions, parameters, skipped, longest, wandering, degrees);
     }
 
     /// The time of all of its scans, when it is one and the same of many, so that it tells nothing.
@@ -210,47 +190,5 @@ public record CarmenLog(
                         ranges),
                 entry.poses(),
                 entry.broken());
-    }
-
-    private static final class TooMuch extends RuntimeException {
-        private static final long serialVersionUID = 1;
-        private final int line;
-        private final String what;
-        private final int most;
-
-        TooMuch(int line, String what, int most) {
-            super(what);
-            this.line = line;
-            this.what = what;
-            this.most = most;
-        }
-    }
-
-    private static final class Reading {
-        private final List<Scan> scans = new ArrayList<>();
-        private final List<Motion> motions = new ArrayList<>();
-        private final List<LogEntry.Parameter> parameters = new ArrayList<>();
-        private long readings;
-
-        void add(LogEntry entry) {
-            switch (entry) {
-                case Scan scan -> {
-                    readings += scan.scan().count();
-                    if (readings > MOST_READINGS) {
-                        throw new TooMuch(scan.line(), "readings", MOST_READINGS);
-                    }
-                    scans.add(scan);
-                }
-                case Motion motion -> add(motions, motion, "odometry", MOST_MOTIONS);
-                case LogEntry.Parameter parameter -> add(parameters, parameter, "parameters", MOST_PARAMETERS);
-            }
-        }
-
-        private static <E extends LogEntry> void add(List<E> into, E entry, String what, int most) {
-            if (into.size() == most) {
-                throw new TooMuch(entry.line(), what, most);
-            }
-            into.add(entry);
-        }
     }
 }

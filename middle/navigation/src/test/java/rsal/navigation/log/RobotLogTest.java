@@ -1,4 +1,4 @@
-package rsal.navigation.carmen;
+package rsal.navigation.log;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -16,10 +16,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rsal.data.Pose2d;
-import rsal.navigation.carmen.LogEntry.Poses;
+import rsal.navigation.carmen.CarmenFormat;
+import rsal.navigation.log.LogEntry.Poses;
 import rsal.testkit.PublicData;
 
-class CarmenLogTest {
+class RobotLogTest {
     @ParameterizedTest
     @CsvSource({
         "acapulco-corrected, 861, 181",
@@ -31,7 +32,7 @@ class CarmenLogTest {
         "seattle-corrected, 241, 361"
     })
     void readsAllScansOfPublicLogs(String name, int scans, int beams) throws IOException {
-        CarmenLog log = CarmenLog.read(PublicData.file("logs/%s.log.gz".formatted(name)), LogReader.Options.DEFAULT);
+        RobotLog log = LogFormats.read(PublicData.file("logs/%s.log.gz".formatted(name)), LaserHints.DEFAULT);
 
         assertThat(log.scans()).hasSize(scans).allMatch(scan -> scan.scan().count() == beams);
         assertThat(log.scans()).isSortedAccordingTo((a, b) -> a.time().compareTo(b.time()));
@@ -66,7 +67,7 @@ class CarmenLogTest {
                 .isEmpty();
     }
 
-    private static CarmenLog turning(IntToDoubleFunction heading) throws IOException {
+    private static RobotLog turning(IntToDoubleFunction heading) throws IOException {
         return read(IntStream.rangeClosed(0, 40)
                 .mapToObj(i -> {
                     double theta = heading.applyAsDouble(i);
@@ -83,7 +84,7 @@ class CarmenLogTest {
         assertThat(taken(7, 7).oneTime()).as("too few").isEmpty();
     }
 
-    private static CarmenLog taken(int... times) throws IOException {
+    private static RobotLog taken(int... times) throws IOException {
         return read(Arrays.stream(times)
                 .mapToObj("FLASER 3 1 2 3 0 0 0 0 0 0 %d h 0\n"::formatted)
                 .collect(Collectors.joining()));
@@ -91,7 +92,7 @@ class CarmenLogTest {
 
     @Test
     void theLongestReadingOfALogStandsForNothingWhenItIsThatOften() throws IOException {
-        CarmenLog log = read(IntStream.range(0, 50)
+        RobotLog log = read(IntStream.range(0, 50)
                 .mapToObj(i -> "FLASER 6 1 2 %s 8 8 8 0 0 0 0 0 0 %d h 0\n".formatted(3 + i * 0.09, i + 1))
                 .collect(Collectors.joining()));
 
@@ -102,7 +103,7 @@ class CarmenLogTest {
 
     @Test
     void theLongestReadingsOfALogAreRangesWhenTheyAreFew() throws IOException {
-        CarmenLog log = read(IntStream.range(0, 50)
+        RobotLog log = read(IntStream.range(0, 50)
                 .mapToObj(i -> "FLASER 4 1 2 3 %s 0 0 0 0 0 0 %d h 0\n".formatted(3 + i * 0.09, i + 1))
                 .collect(Collectors.joining()));
 
@@ -112,7 +113,7 @@ class CarmenLogTest {
 
     @Test
     void theFarCornerOfARoomWhereARobotStandsIsThere() throws IOException {
-        CarmenLog log = read(IntStream.range(0, 200)
+        RobotLog log = read(IntStream.range(0, 200)
                 .mapToObj(i -> "FLASER 7 1 5.5 5.7 5.9 5.72 5.53 2 0 0 0 0 0 0 %d h 0\n".formatted(i + 1))
                 .collect(Collectors.joining()));
 
@@ -122,7 +123,7 @@ class CarmenLogTest {
 
     @Test
     void aLaserThatMovesAboutOnItsRobotIsInItsMiddleAndItsPosesAreCorrectedOnes() throws IOException {
-        CarmenLog log = read(robotLaser(i -> new Pose2d(0.1 * i, 0.02 * i, 0.01 * i)));
+        RobotLog log = read(robotLaser(i -> new Pose2d(0.1 * i, 0.02 * i, 0.01 * i)));
 
         assertThat(log.wandering()).hasValueSatisfying(by -> {
             assertThat(by.meters()).isCloseTo(0.566, within(0.01));
@@ -140,7 +141,7 @@ class CarmenLogTest {
 
     @Test
     void aLaserMayBeMountedAnywhereAndAFewPosesBeAtOdds() throws IOException {
-        CarmenLog log = read(robotLaser(i -> new Pose2d(0.08 * i + (i == 7 ? 0.4 : 0.2), -0.1, 3)));
+        RobotLog log = read(robotLaser(i -> new Pose2d(0.08 * i + (i == 7 ? 0.4 : 0.2), -0.1, 3)));
 
         assertThat(log.wandering()).isEmpty();
         assertThat(log.scans().get(10).scan().baseFromLaser().isNear(new Pose2d(0.2, -0.1, 3), 1e-5, 1e-5))
@@ -158,8 +159,11 @@ class CarmenLogTest {
                 .collect(Collectors.joining());
     }
 
-    private static CarmenLog read(String text) throws IOException {
-        return CarmenLog.read(
-                "test.log", new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)), LogReader.Options.DEFAULT);
+    private static RobotLog read(String text) throws IOException {
+        return LogFormats.read(
+                new CarmenFormat(),
+                "test.log",
+                new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)),
+                LaserHints.DEFAULT);
     }
 }

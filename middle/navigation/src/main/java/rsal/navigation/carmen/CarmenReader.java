@@ -2,22 +2,21 @@ package rsal.navigation.carmen;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.time.Instant;
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import rsal.data.LaserScan;
 import rsal.data.Pose2d;
 import rsal.navigation.carmen.LineFields.Misread;
-import rsal.navigation.carmen.LogEntry.Motion;
-import rsal.navigation.carmen.LogEntry.Parameter;
-import rsal.navigation.carmen.LogEntry.Poses;
-import rsal.navigation.carmen.LogEntry.Scan;
+import rsal.navigation.log.BrokenLog;
+import rsal.navigation.log.LaserHints;
+import rsal.navigation.log.LogCollector;
+import rsal.navigation.log.LogEntry;
+import rsal.navigation.log.LogEntry.Motion;
+import rsal.navigation.log.LogEntry.Parameter;
+import rsal.navigation.log.LogEntry.Poses;
+import rsal.navigation.log.LogEntry.Scan;
+import rsal.navigation.log.LogLines;
 
 /// Reads logs of CARMEN (M. Montemerlo, N. Roy, S. Thrun: Perspectives on Standardization in Mobile Robot
 /// Programming: The Carnegie Mellon Navigation Toolkit, IROS 2003) as a stream of messages: `ODOM`, `FLASER`,
@@ -34,14 +33,15 @@ import rsal.navigation.carmen.LogEntry.Scan;
 ///   of message by itself; after [#RESTART] that go on from there, the clock has been set back and is believed.
 /// * **Mount.** A laser is where the log has it beside the robot; a `FLASER` only if it was moved straight ahead,
 ///   as in many logs the first of its poses is not the laser's but a corrected one of the robot. Whether a laser stays
-///   where it is mounted is known when all of a log was read ([CarmenLog]). A `RAWLASER1` has no poses: its laser is
+///   where it is mounted is known when all of a log was read ([rsal.navigation.log.RobotLog]). A `RAWLASER1` has no
+/// poses: its laser is
 ///   where the parameters before it say, `robot_frontlaser_offset` (ahead of the robot's middle [m]),
 ///   `robot_frontlaser_side_offset` (to the left [m]) and `robot_frontlaser_angular_offset` (counter-clockwise [rad]),
 ///   put together as CARMEN's `robot` does; in the middle without them.
 ///
 /// A message that does not say what its kind promises is skipped, and counted by reason; so is the last line of a
 /// plain file that was cut within it. A packed file that is cut short or damaged is a [BrokenLog].
-public final class LogReader {
+final class CarmenReader {
     static final int RESTART = 3;
     private static final List<String> SCANS = List.of("FLASER", "RAWLASER1", "ROBOTLASER1");
     private static final int MOST_READINGS = 100_000;
@@ -52,106 +52,58 @@ public final class LogReader {
     private static final String LEFT = "robot_frontlaser_side_offset";
     private static final String TURNED = "robot_frontlaser_angular_offset";
 
-    /// @param fieldOfView of a `FLASER` [rad]
-    /// @param rangeMax readings from here on hit nothing [m]
-    /// @param upsideDown whether the laser is mounted upside down, so that its readings go clockwise
-    public record Options(double fieldOfView, double rangeMax, boolean upsideDown) {
-        /// Half a turn, and 50 m: less than lasers of SICK send for nothing, more than they see.
-        public static final Options DEFAULT = new Options(Math.PI, 50, false);
-
-        public Options {
-            if (!(fieldOfView > 0 && fieldOfView <= 2 * Math.PI)) {
-                throw new IllegalArgumentException(
-                        "A field of view must be in (0, 2 π] rad, not '%s'.".formatted(fieldOfView));
-            }
-            if (!(rangeMax > 0)) {
-                throw new IllegalArgumentException(
-                        "The longest range must be more than 0 m, not '%s'.".formatted(rangeMax));
-            }
-        }
-    }
-
-    private final Lines lines;
-    private final Options options;
-    private final Consumer<? super LogEntry> entries;
-    private final Map<String, Integer> counts = new LinkedHashMap<>();
-    private final List<Skipped.Place> first = new ArrayList<>();
+    private final LogLines lines;
+    private final LaserHints hints;
+    private final LogCollector log;
     private final Clock clock = new Clock();
-    private final Headings headings;
-    private int otherKinds;
-    private int skippedScans;
-    private int understood;
+    private final Headings headings = new Headings();
     private Pose2d baseFromRawLaser = Pose2d.ORIGIN; // as the parameters read so far say
 
-    private LogReader(Lines lines, Options options, Headings headings, Consumer<? super LogEntry> entries) {
-        this.headings = headings;
+    private CarmenReader(LogLines lines, LaserHints hints, LogCollector log) {
         this.lines = lines;
-        this.options = options;
-        this.entries = entries;
+        this.hints = hints;
+        this.log = log;
     }
 
-    /// Hands over one message after the other, in the order of the file.
-    ///
-    /// @throws BrokenLog when the file is cut short, damaged or no log; what came before was handed over
-    /// @throws IOException when the file can't be read
-    public static Skipped read(Path file, Options options, Consumer<? super LogEntry> entries) throws IOException {
-        try (InputStream in = Files.newInputStream(file)) {
-            return read(file.toString(), in, options, entries);
-        }
-    }
-
-    /// @param file its name, for messages
-    public static Skipped read(String file, InputStream in, Options options, Consumer<? super LogEntry> entries)
-            throws IOException {
-        return read(file, in, options, new Headings(), entries);
-    }
-
-    /// @param headings takes those that odometry has
-    static Skipped read(
-            String file, InputStream in, Options options, Headings headings, Consumer<? super LogEntry> entries)
-            throws IOException {
-        var reader = new LogReader(new Lines(file, in), options, headings, entries);
+    /// @see CarmenFormat#read
+    static void read(String file, InputStream in, LaserHints hints, LogCollector log) throws IOException {
+        var reader = new CarmenReader(new LogLines(file, in), hints, log);
         reader.read();
-        if (reader.understood == 0 && reader.counts.isEmpty()) {
+        reader.headings.degrees().ifPresent(log::headingsAreProbablyDegrees);
+        if (log.isEmpty()) {
             throw new BrokenLog(
                     file,
                     0,
                     "There is no message of CARMEN in it (ODOM, FLASER, RAWLASER1, ROBOTLASER1, PARAM)."
                             + " Maybe it is another kind of file.");
         }
-        return new Skipped(reader.counts, reader.skippedScans, reader.first, reader.otherKinds);
     }
 
     private void read() throws IOException {
-        for (String line = lines.read(); line != null; line = lines.read()) {
-            var fields = new LineFields(line);
+        for (var line = lines.read(); line.isPresent(); line = lines.read()) {
+            var fields = new LineFields(line.get());
             if (!fields.hasNext()) {
                 continue;
             }
             try {
                 LogEntry entry = entry(fields);
                 if (entry == null) {
-                    otherKinds++;
+                    log.passOver();
                 } else {
-                    understood++;
-                    entries.accept(entry);
+                    log.add(entry);
                 }
             } catch (Misread e) {
-                skippedScans += isScan(line) ? 1 : 0;
-                skip(lines.cutShort() ? "cut short" : e.reason(), String.valueOf(e.getMessage()));
+                log.skip(
+                        lines.number(),
+                        lines.cutShort() ? "cut short" : e.reason(),
+                        String.valueOf(e.getMessage()),
+                        isScan(line.get()));
             }
         }
     }
 
     private static boolean isScan(String line) {
         return SCANS.stream().anyMatch(line.stripLeading()::startsWith);
-    }
-
-    private void skip(String reason, String what) {
-        counts.merge(reason, 1, Integer::sum);
-        if (first.size() < Skipped.TOLD) {
-            first.add(new Skipped.Place(lines.number(), what));
-        }
     }
 
     private @Nullable LogEntry entry(LineFields fields) throws Misread {
@@ -206,7 +158,7 @@ public final class LogReader {
     /// `FLASER count readings… laserX laserY laserTheta odomX odomY odomTheta time host loggerTime`
     private Scan plainScan(LineFields fields) throws Misread {
         int count = readingCount(fields);
-        var readings = readings(fields, count, options.rangeMax());
+        var readings = readings(fields, count, hints.rangeMax());
         Pose2d mapFromLaser = pose(fields);
         Pose2d odomFromBase = odometry(fields);
         Pose2d mount = odomFromBase.inverse().compose(mapFromLaser);
@@ -215,11 +167,10 @@ public final class LogReader {
                 && Math.abs(mount.theta()) < NO_OFFSET;
         Pose2d baseFromLaser = ahead && Math.abs(mount.x()) >= NO_OFFSET ? new Pose2d(mount.x(), 0, 0) : Pose2d.ORIGIN;
         Instant time = clock.read(fields, Clock.SCAN);
-        double step = count == 1 ? 0 : options.fieldOfView() / (count % 2 == 0 ? count : count - 1);
+        double step = count == 1 ? 0 : hints.fieldOfView() / (count % 2 == 0 ? count : count - 1);
         return scan(
                 time,
-                new LaserScan(
-                        baseFromLaser, -options.fieldOfView() / 2, step, 0, options.rangeMax(), readings.meters()),
+                new LaserScan(baseFromLaser, -hints.fieldOfView() / 2, step, 0, hints.rangeMax(), readings.meters()),
                 new Poses.Told(odomFromBase, ahead ? odomFromBase : mapFromLaser),
                 readings);
     }
@@ -246,7 +197,7 @@ public final class LogReader {
                     "Its first angle is '%s', the angle between readings '%s', its longest range '%s'."
                             .formatted(start, step, rangeMax));
         }
-        double limit = Math.min(rangeMax, options.rangeMax());
+        double limit = Math.min(rangeMax, hints.rangeMax());
         var readings = readings(fields, count, limit);
         fields.skip(fields.count("remissions", MOST_READINGS));
         Pose2d baseFromLaser = baseFromRawLaser;
@@ -268,23 +219,7 @@ public final class LogReader {
         if (readings.broken() == scan.count()) {
             throw new Misread("nothing measured", "None of its %d readings is a range.".formatted(scan.count()));
         }
-        return new Scan(lines.number(), time, options.upsideDown() ? mirrored(scan) : scan, poses, readings.broken());
-    }
-
-    /// The same scan if its readings went clockwise.
-    private static LaserScan mirrored(LaserScan scan) {
-        int count = scan.count();
-        var ranges = new float[count];
-        for (int i = 0; i < count; i++) {
-            ranges[i] = scan.ranges()[count - 1 - i];
-        }
-        return new LaserScan(
-                scan.baseFromLaser(),
-                -scan.angle(count - 1),
-                scan.angleIncrement(),
-                scan.rangeMin(),
-                scan.rangeMax(),
-                ranges);
+        return new Scan(lines.number(), time, scan, poses, readings.broken());
     }
 
     private static int readingCount(LineFields fields) throws Misread {

@@ -9,13 +9,19 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import rsal.navigation.carmen.LogEntry.Motion;
-import rsal.navigation.carmen.LogEntry.Parameter;
-import rsal.navigation.carmen.LogEntry.Poses;
-import rsal.navigation.carmen.LogEntry.Scan;
+import rsal.navigation.log.BrokenLog;
+import rsal.navigation.log.LaserHints;
+import rsal.navigation.log.LogEntry;
+import rsal.navigation.log.LogEntry.Motion;
+import rsal.navigation.log.LogEntry.Parameter;
+import rsal.navigation.log.LogEntry.Poses;
+import rsal.navigation.log.LogEntry.Scan;
+import rsal.navigation.log.LogFormats;
+import rsal.navigation.log.RobotLog;
+import rsal.navigation.log.Skipped;
 
 /// Damages logs in all ways that come to mind: what comes out is sound, or a [BrokenLog] that says where.
-class LogFuzzTest {
+class CarmenFuzzTest {
     private static final String[] NASTY = {
         "nan",
         "-nan",
@@ -53,14 +59,18 @@ class LogFuzzTest {
         for (int i = 0; i < 2000; i++) {
             read(damagedWords(random).getBytes(StandardCharsets.UTF_8));
             read(damagedBytes(SOUND.getBytes(StandardCharsets.UTF_8), random));
-            read(damagedBytes(LogReaderTest.gzip(SOUND), random));
+            read(damagedBytes(CarmenReaderTest.gzip(SOUND), random));
         }
     }
 
     private static void read(byte[] bytes) throws IOException {
         try {
-            Skipped skipped = LogReader.read(
-                    "fuzz.log", new ByteArrayInputStream(bytes), LogReader.Options.DEFAULT, LogFuzzTest::check);
+            RobotLog log = LogFormats.read(
+                    new CarmenFormat(), "fuzz.log", new ByteArrayInputStream(bytes), LaserHints.DEFAULT);
+            log.parameters().forEach(CarmenFuzzTest::check);
+            log.motions().forEach(CarmenFuzzTest::check);
+            log.scans().forEach(CarmenFuzzTest::check);
+            Skipped skipped = log.skipped();
             assertThat(skipped.first()).hasSize(Math.min(Skipped.TOLD, skipped.total()));
         } catch (BrokenLog e) {
             assertThat(e.getMessage()).startsWith("fuzz.log");

@@ -1,4 +1,4 @@
-package rsal.navigation.carmen;
+package rsal.navigation.log;
 
 import java.util.List;
 import java.util.Map;
