@@ -7,13 +7,13 @@ import rsal.robot.Robot;
 /// Robots that are offered to others. Called on the scheduler's thread.
 public interface Bridge extends AutoCloseable {
     /// What is offered, in an order that people can follow.
-    List<Offer> offers();
+    List<ExportedDevice> offers();
 
     /// A robot has come: it is offered, too, unless others have written down what is to be.
     ///
     /// @return what is offered of it
     /// @throws IOException when nobody may listen where it would be; its message is a sentence that says where
-    List<Offer> join(Robot robot) throws IOException;
+    List<ExportedDevice> join(Robot robot) throws IOException;
 
     /// A robot has gone for good: those whom it was offered to are let go of.
     void leave(String robot);
@@ -28,9 +28,4 @@ public interface Bridge extends AutoCloseable {
     /// Lets go of the robots; those that were driven over it stop. Closing twice does nothing.
     @Override
     void close();
-
-    /// @param port where
-    /// @param name as others know it there (`position2d:0`)
-    /// @param device of ours ([rsal.device.DeviceInfo#id])
-    record Offer(int port, String name, String device) {}
 }

@@ -32,7 +32,7 @@ import rsal.settings.Location;
 import rsal.settings.Parameter;
 import rsal.sim.SimProvider;
 import rsal.system.Bridge;
-import rsal.system.BridgeProvider.Lent;
+import rsal.system.BridgeContext;
 import rsal.system.RobotSystem;
 import rsal.system.RobotSystemProvider;
 import rsal.time.LockstepScheduler;
@@ -145,7 +145,7 @@ final class OverTheWire implements RobotSystemProvider {
                 Bridge bridge = new PlayerBridgeProvider()
                         .open(
                                 new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
-                                new Lent(real, config.scene().map(), simulation.simulation(), services(real)),
+                                new BridgeContext(real, config.scene().map(), simulation.simulation(), services(real)),
                                 scheduler);
                 opened.add(bridge);
                 String servers = config.robots().stream()

@@ -49,7 +49,7 @@ import rsal.settings.FileSource;
 import rsal.settings.Location;
 import rsal.sim.SimProvider;
 import rsal.system.Bridge;
-import rsal.system.BridgeProvider.Lent;
+import rsal.system.BridgeContext;
 import rsal.system.RobotSystem;
 import rsal.system.RobotSystem.Change;
 import rsal.system.RobotSystemProvider;
@@ -127,7 +127,7 @@ class PlayerSystemTest {
                 () -> new PlayerBridgeProvider()
                         .open(
                                 new InetSocketAddress(InetAddress.getLoopbackAddress(), port),
-                                new Lent(
+                                new BridgeContext(
                                         simulation
                                                 .discover()
                                                 .toCompletableFuture()
@@ -443,7 +443,7 @@ class PlayerSystemTest {
         return new PlayerBridgeProvider()
                 .open(
                         new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
-                        new Lent(
+                        new BridgeContext(
                                 simulation.discover().toCompletableFuture().join(),
                                 RobotBench.WORLD.grid(),
                                 Optional.empty(),

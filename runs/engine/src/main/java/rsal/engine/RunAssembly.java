@@ -45,9 +45,10 @@ import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.scenario.text.Counted;
 import rsal.system.Bridge;
+import rsal.system.BridgeContext;
 import rsal.system.BridgeProvider;
-import rsal.system.BridgeProvider.Lent;
 import rsal.system.CommandTimeout;
+import rsal.system.ExportedDevice;
 import rsal.system.RobotSystem;
 import rsal.time.Scheduler;
 
@@ -198,7 +199,7 @@ final class RunAssembly implements AutoCloseable {
     private void offer(Bridge bridge, String id) {
         try {
             bridge.join(team.robot(id).orElseThrow()).stream()
-                    .mapToInt(Bridge.Offer::port)
+                    .mapToInt(ExportedDevice::port)
                     .distinct()
                     .forEach(port -> eventLog.event("bridge", id, "is offered at port " + port));
         } catch (IOException e) {
@@ -262,13 +263,13 @@ final class RunAssembly implements AutoCloseable {
 
     Answer bridge(BridgeProvider provider, InetSocketAddress at, CommandTimeout timeout) {
         try {
-            var lent = new Lent(
+            var context = new BridgeContext(
                     List.copyOf(team.robots().values()),
                     plan.map(),
                     systems.simulation(),
                     plan.scene().services(),
                     timeout);
-            Bridge bridge = provider.open(at, lent, scheduler);
+            Bridge bridge = provider.open(at, context, scheduler);
             bridges.add(bridge);
             return new Answer.Bridged(bridge.offers());
         } catch (IOException e) {

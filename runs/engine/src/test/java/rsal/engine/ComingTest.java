@@ -33,7 +33,9 @@ import rsal.robot.Robot;
 import rsal.robot.RobotModel;
 import rsal.scenario.RunOptions;
 import rsal.system.Bridge;
+import rsal.system.BridgeContext;
 import rsal.system.BridgeProvider;
+import rsal.system.ExportedDevice;
 import rsal.time.Scheduler;
 
 /// Robots and things come and go while a run goes on.
@@ -299,24 +301,24 @@ class ComingTest {
         }
 
         @Override
-        public Bridge open(InetSocketAddress at, Lent lent, Scheduler scheduler) {
-            lent.robots().forEach(robot -> notes.add("has " + robot.id()));
+        public Bridge open(InetSocketAddress at, BridgeContext context, Scheduler scheduler) {
+            context.robots().forEach(robot -> notes.add("has " + robot.id()));
             return this;
         }
 
         @Override
-        public List<Offer> offers() {
+        public List<ExportedDevice> offers() {
             return List.of();
         }
 
         @Override
-        public List<Offer> join(Robot robot) throws IOException {
+        public List<ExportedDevice> join(Robot robot) throws IOException {
             notes.add("gets %s with %d devices"
                     .formatted(robot.id(), robot.devices().size()));
             if (robot.id().equals("prey-2")) {
                 throw new IOException("There is no port left.");
             }
-            return List.of(new Offer(7002, "base", robot.id()), new Offer(7002, "laser", robot.id()));
+            return List.of(new ExportedDevice(7002, "base", robot.id()), new ExportedDevice(7002, "laser", robot.id()));
         }
 
         @Override

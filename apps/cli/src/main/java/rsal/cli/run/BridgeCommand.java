@@ -34,8 +34,8 @@ import rsal.scenario.installed.Providers;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Problem;
 import rsal.settings.Suggestion;
-import rsal.system.Bridge;
 import rsal.system.BridgeProvider;
+import rsal.system.ExportedDevice;
 
 /// `rsal bridge`
 @Command(
@@ -211,7 +211,7 @@ public final class BridgeCommand extends Subcommand {
 
     private void tell(InetSocketAddress at, Answer answer) {
         switch (answer) {
-            case Answer.Bridged(List<Bridge.Offer> offers) -> {
+            case Answer.Bridged(List<ExportedDevice> offers) -> {
                 if (json) {
                     var object = new LinkedHashMap<String, Object>();
                     object.put("protocol", key);

@@ -6,7 +6,7 @@ import java.util.List;
 import rsal.device.Subscription;
 import rsal.player.message.Protocol;
 import rsal.player.server.Port;
-import rsal.system.Bridge.Offer;
+import rsal.system.ExportedDevice;
 import rsal.time.AllowedToReadWallClock;
 import rsal.time.Scheduler;
 
@@ -43,9 +43,10 @@ final class OfferedPort implements AutoCloseable {
         return port.isBehind();
     }
 
-    List<Offer> offers() {
+    List<ExportedDevice> offers() {
         return offered.stream()
-                .map(each -> new Offer(port.number(), each.interf().word() + ":" + each.index(), each.device()))
+                .map(each ->
+                        new ExportedDevice(port.number(), each.interf().word() + ":" + each.index(), each.device()))
                 .toList();
     }
 

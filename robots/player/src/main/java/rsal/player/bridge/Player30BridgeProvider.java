@@ -5,6 +5,7 @@ import java.net.InetSocketAddress;
 import rsal.player.message.Protocol;
 import rsal.player.message.Session;
 import rsal.system.Bridge;
+import rsal.system.BridgeContext;
 import rsal.system.BridgeProvider;
 import rsal.time.Scheduler;
 
@@ -26,7 +27,7 @@ public final class Player30BridgeProvider implements BridgeProvider {
     }
 
     @Override
-    public Bridge open(InetSocketAddress at, Lent lent, Scheduler scheduler) throws IOException {
-        return PlayerBridge.open(at, lent, Protocol.V3_0, scheduler);
+    public Bridge open(InetSocketAddress at, BridgeContext context, Scheduler scheduler) throws IOException {
+        return PlayerBridge.open(at, context, Protocol.V3_0, scheduler);
     }
 }

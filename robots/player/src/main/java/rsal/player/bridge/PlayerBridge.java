@@ -14,7 +14,8 @@ import rsal.player.message.Session;
 import rsal.robot.Robot;
 import rsal.scene.RobotService;
 import rsal.system.Bridge;
-import rsal.system.BridgeProvider.Lent;
+import rsal.system.BridgeContext;
+import rsal.system.ExportedDevice;
 import rsal.time.Scheduler;
 
 /// Offers robots to Player's clients for as long as it is open: what the file of their world asks for, or each
@@ -22,15 +23,15 @@ import rsal.time.Scheduler;
 /// that of one that has gone stays closed.
 final class PlayerBridge implements Bridge {
     private final InetSocketAddress at;
-    private final Lent lent;
+    private final BridgeContext context;
     private final Protocol protocol;
     private final Scheduler scheduler;
     private final Map<String, OfferedPort> ports = new LinkedHashMap<>(); // by robot, or by number in a file
     private int next = Session.USUAL_PORT; // for a robot, as numbers in files are
 
-    private PlayerBridge(InetSocketAddress at, Lent lent, Protocol protocol, Scheduler scheduler) {
+    private PlayerBridge(InetSocketAddress at, BridgeContext context, Protocol protocol, Scheduler scheduler) {
         this.at = at;
-        this.lent = lent;
+        this.context = context;
         this.protocol = protocol;
         this.scheduler = scheduler;
     }
@@ -39,17 +40,17 @@ final class PlayerBridge implements Bridge {
     /// 0 for any that are free
     /// @param protocol of clients that don't show another
     /// @throws IOException when nobody may listen there, which its message says
-    static PlayerBridge open(InetSocketAddress at, Lent lent, Protocol protocol, Scheduler scheduler)
+    static PlayerBridge open(InetSocketAddress at, BridgeContext context, Protocol protocol, Scheduler scheduler)
             throws IOException {
-        var bridge = new PlayerBridge(at, lent, protocol, scheduler);
+        var bridge = new PlayerBridge(at, context, protocol, scheduler);
         try {
-            if (lent.services().isEmpty()) {
-                for (Robot robot : lent.robots()) {
+            if (context.services().isEmpty()) {
+                for (Robot robot : context.robots()) {
                     bridge.listen(robot);
                 }
             } else {
                 for (Map.Entry<Integer, List<Offered>> port :
-                        asked(lent, scheduler).entrySet()) {
+                        asked(context, scheduler).entrySet()) {
                     bridge.listen(port.getKey().toString(), port.getKey(), port.getValue());
                 }
             }
@@ -65,10 +66,10 @@ final class PlayerBridge implements Bridge {
     private OfferedPort listen(Robot robot) throws IOException {
         var offers = new ArrayList<Offered>();
         if (next == Session.USUAL_PORT) {
-            lent.simulation().ifPresent(truth -> offers.add(new OfferedSimulation(0, truth, scheduler)));
+            context.simulation().ifPresent(truth -> offers.add(new OfferedSimulation(0, truth, scheduler)));
         }
-        offers.addAll(new Offers(robot, lent.timeout(), scheduler).all());
-        offers.add(new OfferedMap(0, lent.map(), "rsal", scheduler));
+        offers.addAll(new Offers(robot, context.timeout(), scheduler).all());
+        offers.add(new OfferedMap(0, context.map(), "rsal", scheduler));
         next++; // whether it is free or not
         return listen(robot.id(), next - 1, offers);
     }
@@ -88,15 +89,15 @@ final class PlayerBridge implements Bridge {
     }
 
     /// What the file of the world asks for, by port.
-    private static Map<Integer, List<Offered>> asked(Lent lent, Scheduler scheduler) {
+    private static Map<Integer, List<Offered>> asked(BridgeContext context, Scheduler scheduler) {
         var robots = new HashMap<String, Offers>();
-        lent.robots().forEach(robot -> robots.put(robot.id(), new Offers(robot, lent.timeout(), scheduler)));
+        context.robots().forEach(robot -> robots.put(robot.id(), new Offers(robot, context.timeout(), scheduler)));
         var ports = new LinkedHashMap<Integer, List<Offered>>();
-        for (RobotService service : lent.services()) {
+        for (RobotService service : context.services()) {
             List<Offered> offers = ports.computeIfAbsent(service.port(), _ -> new ArrayList<>());
             for (String name : service.devices()) {
                 Optional.ofNullable(service.sources().get(name))
-                        .flatMap(source -> offer(service, name, source, lent, robots, scheduler))
+                        .flatMap(source -> offer(service, name, source, context, robots, scheduler))
                         .map(offered -> offered.drivenBy(service.driver()))
                         .ifPresent(offers::add);
             }
@@ -109,7 +110,7 @@ final class PlayerBridge implements Bridge {
             RobotService service,
             String name,
             String source,
-            Lent lent,
+            BridgeContext context,
             Map<String, Offers> robots,
             Scheduler scheduler) {
         int colon = name.indexOf(':');
@@ -117,11 +118,11 @@ final class PlayerBridge implements Bridge {
         int index = Integer.parseInt(name.substring(colon + 1));
         return switch (source) {
             case RobotService.MAP ->
-                Optional.of(new OfferedMap(index, lent.map(), service.driver(), scheduler))
+                Optional.of(new OfferedMap(index, context.map(), service.driver(), scheduler))
                         .filter(_ -> as == Interface.MAP)
                         .map(Offered.class::cast);
             case RobotService.SIMULATION ->
-                lent.simulation()
+                context.simulation()
                         .filter(_ -> as == Interface.SIMULATION)
                         .map(truth -> new OfferedSimulation(index, truth, scheduler));
             default ->
@@ -132,13 +133,13 @@ final class PlayerBridge implements Bridge {
     }
 
     @Override
-    public List<Offer> offers() {
+    public List<ExportedDevice> offers() {
         return ports.values().stream().flatMap(port -> port.offers().stream()).toList();
     }
 
     @Override
-    public List<Offer> join(Robot robot) throws IOException {
-        if (!lent.services().isEmpty() || ports.containsKey(robot.id())) {
+    public List<ExportedDevice> join(Robot robot) throws IOException {
+        if (!context.services().isEmpty() || ports.containsKey(robot.id())) {
             return List.of();
         }
         OfferedPort port = listen(robot);
@@ -149,7 +150,7 @@ final class PlayerBridge implements Bridge {
     /// What a file asks for stays, and says nothing more of it.
     @Override
     public void leave(String robot) {
-        if (lent.services().isEmpty()) {
+        if (context.services().isEmpty()) {
             Optional.ofNullable(ports.remove(robot)).ifPresent(OfferedPort::close);
         }
     }

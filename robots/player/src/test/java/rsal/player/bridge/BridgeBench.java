@@ -31,9 +31,9 @@ import rsal.player.wire.Header;
 import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 import rsal.scene.RobotService;
-import rsal.system.Bridge.Offer;
-import rsal.system.BridgeProvider.Lent;
+import rsal.system.BridgeContext;
 import rsal.system.CommandTimeout;
+import rsal.system.ExportedDevice;
 import rsal.testkit.contract.RobotBench;
 
 /// A robot that is offered, and a Player client on the other side of a socket.
@@ -81,7 +81,7 @@ abstract class BridgeBench extends RobotBench {
         return bridge;
     }
 
-    final List<Offer> offers() {
+    final List<ExportedDevice> offers() {
         return bridge.offers();
     }
 
@@ -98,7 +98,7 @@ abstract class BridgeBench extends RobotBench {
     final void open() throws IOException {
         bridge = PlayerBridge.open(
                 new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
-                new Lent(List.of(robot()), WORLD.grid(), system().simulation(), services(), timeout()),
+                new BridgeContext(List.of(robot()), WORLD.grid(), system().simulation(), services(), timeout()),
                 protocol(),
                 run);
         client = Connection.open(

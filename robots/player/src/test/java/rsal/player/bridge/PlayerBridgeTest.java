@@ -56,8 +56,8 @@ import rsal.player.wire.Packet;
 import rsal.robot.Robot;
 import rsal.robot.RobotModel.Part;
 import rsal.sim.SimProvider;
-import rsal.system.Bridge.Offer;
-import rsal.system.BridgeProvider.Lent;
+import rsal.system.BridgeContext;
+import rsal.system.ExportedDevice;
 import rsal.system.RobotSystem;
 import rsal.system.RobotSystemProvider;
 
@@ -89,7 +89,7 @@ class PlayerBridgeTest extends BridgeBench {
     private PlayerBridge both(RobotSystem two, int port) throws IOException {
         return PlayerBridge.open(
                 new InetSocketAddress(InetAddress.getLoopbackAddress(), port),
-                new Lent(await(two.discover()), WORLD.grid(), two.simulation(), List.of()),
+                new BridgeContext(await(two.discover()), WORLD.grid(), two.simulation(), List.of()),
                 Protocol.V3_1,
                 run);
     }
@@ -105,9 +105,9 @@ class PlayerBridgeTest extends BridgeBench {
             var bases = both.offers().stream()
                     .filter(offer -> offer.name().startsWith("position2d"))
                     .toList();
-            assertThat(bases).extracting(Offer::name).containsExactly("position2d:0", "position2d:0");
-            assertThat(bases).extracting(Offer::device).containsExactly("r1/base", "r2/base");
-            assertThat(bases).extracting(Offer::port).doesNotHaveDuplicates();
+            assertThat(bases).extracting(ExportedDevice::name).containsExactly("position2d:0", "position2d:0");
+            assertThat(bases).extracting(ExportedDevice::device).containsExactly("r1/base", "r2/base");
+            assertThat(bases).extracting(ExportedDevice::port).doesNotHaveDuplicates();
         }
     }
 
@@ -544,12 +544,15 @@ class PlayerBridgeTest extends BridgeBench {
 
     @Test
     void aRobotThatComesLaterHasAPortOfItsOwnAndLosesItWhenItGoes() throws Exception {
-        List<String> before = offers().stream().map(Offer::device).toList();
+        List<String> before = offers().stream().map(ExportedDevice::device).toList();
         Robot second = await(create(List.of(spec("r2", WORLD.pose('b', 0))), 1).discover())
                 .getFirst();
-        List<Offer> its = bridge().join(second);
-        assertThat(its).extracting(Offer::device).contains("r2/base", "map").doesNotContain("simulation");
-        assertThat(its).extracting(Offer::port).doesNotContain(port());
+        List<ExportedDevice> its = bridge().join(second);
+        assertThat(its)
+                .extracting(ExportedDevice::device)
+                .contains("r2/base", "map")
+                .doesNotContain("simulation");
+        assertThat(its).extracting(ExportedDevice::port).doesNotContain(port());
         assertThat(bridge().join(second)).as("it is there already").isEmpty();
         assertThat(offers()).containsAll(its).hasSize(before.size() + its.size());
         try (var newcomers = Connection.open(
@@ -563,7 +566,7 @@ class PlayerBridgeTest extends BridgeBench {
             assertThat(answer(newcomers.lost())).isNotBlank();
         }
         bridge().leave("r2");
-        assertThat(offers()).extracting(Offer::device).isEqualTo(before);
+        assertThat(offers()).extracting(ExportedDevice::device).isEqualTo(before);
         assertThat(answer(client().devices())).as("others stay").isNotEmpty();
     }
 
@@ -572,8 +575,8 @@ class PlayerBridgeTest extends BridgeBench {
         try (var first = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             int taken = first.getLocalPort();
             var at = new InetSocketAddress(InetAddress.getLoopbackAddress(), taken);
-            var lent = new Lent(List.of(), WORLD.grid(), Optional.empty(), List.of());
-            try (PlayerBridge empty = PlayerBridge.open(at, lent, Protocol.V3_1, run)) {
+            var context = new BridgeContext(List.of(), WORLD.grid(), Optional.empty(), List.of());
+            try (PlayerBridge empty = PlayerBridge.open(at, context, Protocol.V3_1, run)) {
                 assertThatThrownBy(() -> empty.join(robot()))
                         .isInstanceOf(IOException.class)
                         .hasMessageStartingWith("Nobody may listen at 'localhost:" + taken + "':");

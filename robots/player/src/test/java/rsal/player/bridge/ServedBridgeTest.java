@@ -21,7 +21,7 @@ import rsal.player.wire.Packet;
 import rsal.robot.DeviceDriver;
 import rsal.scene.RobotService;
 import rsal.settings.Location;
-import rsal.system.Bridge.Offer;
+import rsal.system.ExportedDevice;
 import rsal.system.RobotSystemProvider;
 import rsal.testkit.fake.FakeLocalizer;
 import rsal.testkit.fake.FakeNavigator;
@@ -74,7 +74,7 @@ class ServedBridgeTest extends BridgeBench {
     @Test
     void portsInterfacesAndIndicesAreThoseOfTheFile() throws InterruptedException {
         assertThat(offers())
-                .extracting(Offer::name)
+                .extracting(ExportedDevice::name)
                 .containsExactly(
                         "position2d:0",
                         "localize:4",
@@ -84,7 +84,7 @@ class ServedBridgeTest extends BridgeBench {
                         "laser:7", // there is no sonar in a laser, and nothing that is nothing
                         "map:2",
                         "simulation:1");
-        List<Integer> ports = offers().stream().map(Offer::port).toList();
+        List<Integer> ports = offers().stream().map(ExportedDevice::port).toList();
         assertThat(ports.subList(0, 5)).containsOnly(port());
         assertThat(ports.subList(5, 8)).containsOnly(ports.getLast()).doesNotContain(port());
         assertThat(answer(client().devices())).hasSize(5);

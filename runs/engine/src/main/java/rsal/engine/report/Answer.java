@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import rsal.agent.bdi.Mind;
 import rsal.data.OccupancyGrid;
-import rsal.system.Bridge;
+import rsal.system.ExportedDevice;
 
 /// What became of an operator's command.
 public sealed interface Answer {
@@ -38,7 +38,7 @@ public sealed interface Answer {
     }
 
     /// Robots are offered to others.
-    record Bridged(List<Bridge.Offer> offers) implements Answer {
+    record Bridged(List<ExportedDevice> offers) implements Answer {
         public Bridged {
             offers = List.copyOf(offers);
         }

@@ -20,8 +20,9 @@ import java.util.stream.IntStream;
 import rsal.data.OccupancyGrid;
 import rsal.scenario.installed.Providers;
 import rsal.system.Bridge;
+import rsal.system.BridgeContext;
 import rsal.system.BridgeProvider;
-import rsal.system.BridgeProvider.Lent;
+import rsal.system.ExportedDevice;
 import rsal.time.AllowedToReadWallClock;
 import rsal.time.WallScheduler;
 
@@ -61,7 +62,7 @@ final class Beacons {
             say(
                     out,
                     open(arguments[0], beacons, time).offers().stream()
-                            .map(Bridge.Offer::port)
+                            .map(ExportedDevice::port)
                             .distinct()
                             .toList());
             time.execute(() -> {
@@ -89,7 +90,7 @@ final class Beacons {
         BridgeProvider provider = Objects.requireNonNull(
                 Providers.byKey(BridgeProvider.class, BridgeProvider::key).get(key));
         var map = new OccupancyGrid(1, 1, 1, 0, 0, new byte[1]);
-        var lent = new Lent(beacons.stream().map(Beacon::robot).toList(), map, Optional.empty(), List.of());
-        return provider.open(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), lent, time);
+        var context = new BridgeContext(beacons.stream().map(Beacon::robot).toList(), map, Optional.empty(), List.of());
+        return provider.open(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), context, time);
     }
 }

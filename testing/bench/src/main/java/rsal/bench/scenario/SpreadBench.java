@@ -90,7 +90,7 @@ public final class SpreadBench implements Bench {
             }
         }
         assignment.show(new Plot.Bars(
-                "Places spread over maps", "", "mean square root of ways, by the best of 100 of Lloyd's runs", bars));
+                "Places spread over maps", "", "mean square root of paths, by the best of 100 of Lloyd's runs", bars));
     }
 
     private static List<Bar> measure(Site site, OccupancyGrid map, BenchmarkRequest assignment) {

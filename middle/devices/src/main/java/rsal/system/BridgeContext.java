@@ -1,0 +1,36 @@
+package rsal.system;
+
+import java.util.List;
+import java.util.Optional;
+import rsal.data.OccupancyGrid;
+import rsal.device.SimulationControl;
+import rsal.robot.Robot;
+import rsal.scene.RobotService;
+
+/// What a run lets a [Bridge] offer.
+///
+/// @param robots that are there now, with all their devices
+/// @param map what robots know of the world that have been told
+/// @param simulation the truth, where the world is a simulated one
+/// @param services that the world's file asks for; empty when it asks for none, which is for all there is
+/// @param timeout of clients' commands
+public record BridgeContext(
+        List<Robot> robots,
+        OccupancyGrid map,
+        Optional<SimulationControl> simulation,
+        List<RobotService> services,
+        CommandTimeout timeout) {
+    public BridgeContext {
+        robots = List.copyOf(robots);
+        services = List.copyOf(services);
+    }
+
+    /// To clients whose commands hold until others come.
+    public BridgeContext(
+            List<Robot> robots,
+            OccupancyGrid map,
+            Optional<SimulationControl> simulation,
+            List<RobotService> services) {
+        this(robots, map, simulation, services, CommandTimeout.none());
+    }
+}
