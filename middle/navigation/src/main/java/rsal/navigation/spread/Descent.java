@@ -1,5 +1,7 @@
 package rsal.navigation.spread;
 
+import java.util.Arrays;
+
 /// Moves places over [Patches] downhill, each to the neighbor from which the squares of ways to all of its region are
 /// least, until none is better: S. Lloyd, Least squares quantization in PCM (1982), and J. Cortés et al., Coverage
 /// control for mobile sensing networks (IEEE Transactions on Robotics and Automation 20, 2004), in regions that are
@@ -9,7 +11,7 @@ package rsal.navigation.spread;
 ///
 /// Departs from the former in that steps are tried, not computed from a gradient: the sum falls with every step, so
 /// that it ends, and it never leaves the ground. All places try their steps in the same flood, as their regions
-/// don't touch each other.
+/// don't touch each other. A place that found no better neighbor tries again only when its region has changed.
 final class Descent {
     private static final int MOST_STEPS = 400;
     private static final double ENOUGH = 1e-5; // of the sum; less is not worth a step
@@ -32,6 +34,8 @@ final class Descent {
         var least = new double[at.length];
         var sums = new double[at.length];
         var owners = new int[patches.count()];
+        Arrays.fill(owners, Flood.NOBODY);
+        var settled = new boolean[at.length]; // whether trying again would give nothing new
         double before = Double.POSITIVE_INFINITY;
         for (int step = 0; ; step++) {
             regions.clear();
@@ -49,32 +53,50 @@ final class Descent {
             }
             before = sum;
             for (int patch = 0; patch < owners.length; patch++) {
-                owners[patch] = regions.owner(patch);
+                int owner = regions.owner(patch);
+                if (owner != owners[patch]) {
+                    unsettle(settled, owners[patch]);
+                    unsettle(settled, owner);
+                    owners[patch] = owner;
+                }
             }
-            for (int neighbor = 0; tryNeighbors(neighbor, at, owners, may); neighbor++) {
+            for (int neighbor = 0; tryNeighbors(neighbor, at, owners, may, settled); neighbor++) {
                 tries.squares(sums);
                 for (int place = 0; place < at.length; place++) {
                     int to = neighbor(at[place], neighbor);
-                    if (to >= 0 && owners[to] == place && may[to] && sums[place] < least[place]) {
+                    if (isTried(place, to, owners, may, settled) && sums[place] < least[place]) {
                         least[place] = sums[place];
                         best[place] = to;
                     }
                 }
             }
-            System.arraycopy(best, 0, at, 0, at.length);
+            for (int place = 0; place < at.length; place++) {
+                settled[place] = best[place] == at[place];
+                at[place] = best[place];
+            }
         }
     }
 
-    /// Floods each region from its place's neighbor of some number.
+    private static void unsettle(boolean[] settled, int place) {
+        if (place != Flood.NOBODY) {
+            settled[place] = false;
+        }
+    }
+
+    private static boolean isTried(int place, int to, int[] owners, boolean[] may, boolean[] settled) {
+        return !settled[place] && to >= 0 && owners[to] == place && may[to];
+    }
+
+    /// Floods each region that is not settled from its place's neighbor of some number.
     ///
     /// @return whether any has so many
-    private boolean tryNeighbors(int number, int[] at, int[] owners, boolean[] may) {
+    private boolean tryNeighbors(int number, int[] at, int[] owners, boolean[] may, boolean[] settled) {
         tries.clear();
         boolean any = false;
         for (int place = 0; place < at.length; place++) {
             int to = neighbor(at[place], number);
-            any |= to >= 0;
-            if (to >= 0 && owners[to] == place && may[to]) {
+            any |= !settled[place] && to >= 0;
+            if (isTried(place, to, owners, may, settled)) {
                 tries.source(to, place);
             }
         }

@@ -92,7 +92,8 @@ final class Medoids {
     double swap(int[] chosen, boolean[] may) {
         var losses = new double[chosen.length];
         var changes = new double[chosen.length];
-        double sum = look(chosen, losses);
+        assign(chosen);
+        double sum = sum(losses);
         int sinceLast = 0;
         for (int i = 0; sinceLast < size && i < MOST_ROUNDS * size; i++, sinceLast++) {
             int candidate = i % size;
@@ -105,8 +106,8 @@ final class Medoids {
                 best = changes[k] < changes[best] ? k : best;
             }
             if (change + changes[best] < -1e-7 * sum) {
-                chosen[best] = candidate;
-                sum = look(chosen, losses);
+                exchange(chosen, best, candidate);
+                sum = sum(losses);
                 sinceLast = 0;
             }
         }
@@ -130,11 +131,10 @@ final class Medoids {
         return change;
     }
 
-    /// Finds the two nearest of the chosen for everyone.
+    /// Of the squares of all.
     ///
     /// @param losses by chosen what removing it would add
-    private double look(int[] chosen, double[] losses) {
-        assign(chosen);
+    private double sum(double[] losses) {
         Arrays.fill(losses, 0);
         double sum = 0;
         for (int to = 0; to < size; to++) {
@@ -144,6 +144,46 @@ final class Medoids {
         return sum;
     }
 
+    /// Puts a candidate in place of one of the chosen. Afterwards all is as [#assign] has it; the others of the chosen
+    /// are looked at only for those to whom the old one was one of the two nearest.
+    private void exchange(int[] chosen, int k, int candidate) {
+        int oldRow = chosen[k] * size;
+        int newRow = candidate * size;
+        chosen[k] = candidate;
+        for (int to = 0; to < size; to++) {
+            float square = squares[newRow + to];
+            if (squares[oldRow + to] <= second[to]) {
+                assign(chosen, to);
+            } else if (square < nearest[to] || (square == nearest[to] && k < nearestOf[to])) {
+                second[to] = nearest[to];
+                nearest[to] = square;
+                nearestOf[to] = k;
+            } else if (square < second[to]) {
+                second[to] = square;
+            }
+        }
+    }
+
+    private void assign(int[] chosen, int to) {
+        float least = beyond;
+        float next = beyond;
+        int leastOf = 0;
+        for (int k = 0; k < chosen.length; k++) {
+            float square = squares[chosen[k] * size + to];
+            if (square < least) {
+                next = least;
+                least = square;
+                leastOf = k;
+            } else if (square < next) {
+                next = square;
+            }
+        }
+        nearest[to] = least;
+        second[to] = next;
+        nearestOf[to] = leastOf;
+    }
+
+    /// Finds the two nearest of the chosen for everyone; of two that are equally near, the first.
     private void assign(int[] chosen) {
         Arrays.fill(nearest, beyond);
         Arrays.fill(second, beyond);
