@@ -587,7 +587,7 @@ class CommandLineIT {
         }
         assertThat(mind.out())
                 .startsWith("Does\n")
-                .contains("\nBelieves\n", "\nWants\n", "ways: ", "\nMailbox\n")
+                .contains("\nBelieves\n", "\nWants\n", "plans: ", "\nMailbox\n")
                 .doesNotContain("shows no goals");
         assertThat(rsal.run("agent", "mind", "follow-1", "--port", port).out()).contains("shows no goals");
         assertThat(mind.code()).isZero();
@@ -612,7 +612,7 @@ class CommandLineIT {
         assertThat(mind("follow-1", "prey-1 is at ", "hunt-and-prey:jason"))
                 .containsPattern("\nBelieves\n(  .+\n)*  me +me\\('follow-1',follow\\)\\[source\\(percept\\)]\n")
                 .containsPattern("\nWants\n(  .+\n)*  [a-z]+ +hunt \\(0\\)\n")
-                .containsPattern("\n +does: \\+!hunt: .+\n +ways: hunter\\.asl:\\d+")
+                .containsPattern("\n +does: \\+!hunt: .+\n +plans: hunter\\.asl:\\d+")
                 .containsPattern("\nMailbox\n(  .+\n)*  [0-9.]+ s +escape-1 → all +pose +prey-1 is at ")
                 .doesNotContain("shows no goals");
     }
@@ -622,7 +622,7 @@ class CommandLineIT {
     void aMindOnJadeIsLookedIntoFromOutside() throws Exception {
         assertThat(mind("escape-1", "follow-1 → all", "hunt-and-prey:advanced", "--mas", "jade", "--clock", "wall"))
                 .containsPattern(
-                        "\n(?:Wants|Does not want now)\n  [a-z ]+ +not be caught \\(\\d+\\)\n(  .+\n)* +ways: run\n")
+                        "\n(?:Wants|Does not want now)\n  [a-z ]+ +not be caught \\(\\d+\\)\n(  .+\n)* +plans: run\n")
                 .containsPattern("\n +does: (not be caught: run|explore: follow the wall)\n")
                 .containsPattern("\nMailbox\n(  .+\n)*  [0-9.]+ s +follow-1 → all +[a-z-]+ +.+\n")
                 .doesNotContain("shows no goals");

@@ -44,13 +44,13 @@ final class QuantityNames {
             known("Fiducials.fiducials", "markers,", ""),
             known("Decision.twist", "", ""),
             known("NavigatorState.mapFromGoal", "goal", ""),
-            known("NavigatorState.remaining", "way left", "m"),
+            known("NavigatorState.remaining", "path left", "m"),
             known("Asked.mapFromStart", "start", ""),
             known("Asked.mapFromGoal", "goal", ""),
             known("Asked.places", "places asked about", ""),
             known("Asked.reachable", "places reachable", ""),
             known("Asked.cost", "cost", "m"),
-            known("Asked.length", "length of the way", "m"));
+            known("Asked.length", "length of the path", "m"));
 
     /// What is told with each reading and is the same in all: how a device is made and mounted. Nobody plots that.
     static final Set<String> SETTINGS = Set.of(

@@ -69,7 +69,7 @@ final class Format {
                     0,
                     100,
                     "m",
-                    "How far ways that connect free places keep from walls; as 'clearance' without it.")
+                    "How far from walls paths between free places stay; as 'clearance' without it.")
             .required();
     static final Parameter<Boolean> FREE = Parameter.flag("free", true, "Somewhere free, chosen by the seed.");
     static final Parameter<Boolean> OBSTACLE = Parameter.flag("obstacle", true, "Whether robots run into them.");
@@ -150,7 +150,7 @@ final class Format {
             .required();
 
     static final Parameter<Double> RANGE = Parameter.number(
-                    "range", 15, 0, 1e6, "m", "How far robots hear each other; any way without it.")
+                    "range", 15, 0, 1e6, "m", "How far robots hear each other. Without it, any distance.")
             .required();
     static final Parameter<Double> BEHIND_WALLS = Parameter.number(
                     "behindWalls", 5, 0, 1e6, "m", "How far through walls of the map; as far as 'range' without it.")

@@ -58,7 +58,8 @@ public final class PathCostService {
         public Places {
             mapFromPlaces = List.copyOf(mapFromPlaces);
             if (!mapFromPlaces.stream().allMatch(Pose2d::isFinite)) {
-                throw new IllegalArgumentException("Ways lead to places, not to %s.".formatted(mapFromPlaces));
+                throw new IllegalArgumentException(
+                        "Path costs are those to places, not to %s.".formatted(mapFromPlaces));
             }
         }
 

@@ -150,13 +150,13 @@ final class SurveyService {
             mapFromPlaces = List.copyOf(mapFromPlaces);
             offsets = List.copyOf(offsets);
             if (mapFromPlaces.size() < 2) {
-                throw new IllegalArgumentException("A way has at least two places, not %s.".formatted(mapFromPlaces));
+                throw new IllegalArgumentException("A path has at least two places, not %s.".formatted(mapFromPlaces));
             }
         }
 
         @Override
         public String toString() {
-            return "a way for %d by %s"
+            return "a path for %d by %s"
                     .formatted(
                             offsets.size(),
                             mapFromPlaces.stream().map(AgentWords::place).collect(Collectors.joining(", ")));

@@ -27,7 +27,7 @@ public final class Patrol extends AgentTypeBase {
             0,
             100,
             "m/s",
-            "With bids: how much longer a way may be for each second that nobody was at a place.");
+            "With bids: how much longer a path may be for each second that nobody was at a place.");
 
     public Patrol() {
         super(

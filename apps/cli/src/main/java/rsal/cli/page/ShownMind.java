@@ -73,7 +73,7 @@ final class ShownMind {
                     goal.path("state").asString().toLowerCase(Locale.ROOT).replace('_', ' '),
                     "%s (%s)".formatted(words(goal.path("name")), words(goal.path("urgency"))));
             also(lines, "does: ", joined(goal.path("steps"), " > "));
-            also(lines, "ways: ", joined(goal.path("plans"), ", "));
+            also(lines, "plans: ", joined(goal.path("plans"), ", "));
             also(lines, "failed: ", words(goal.path("failure")));
         });
         return lines.toString();

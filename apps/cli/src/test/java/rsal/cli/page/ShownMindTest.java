@@ -33,12 +33,12 @@ class ShownMindTest {
                 Wants
                   pursued   fetch (0.3)
                               does: fetch: drive
-                              ways: drive
+                              plans: drive
                 Does not want now
                   reached      greet (3)
-                                 ways: wave
+                                 plans: wave
                   not wanted   rest (1)
-                                 ways: stand
+                                 plans: stand
                 """);
     }
 }

@@ -186,7 +186,7 @@ public final class ReadingWords {
                 .map(goal -> List.of(
                         fact("goal", position(goal)),
                         fact(
-                                "way left",
+                                "path left",
                                 navigator.remaining() == 0
                                         ? "none yet"
                                         : String.format(Locale.ROOT, "%.1f m", navigator.remaining())),
@@ -197,25 +197,25 @@ public final class ReadingWords {
     private static List<Fact> asked(Planner.Asked asked) {
         var facts = new ArrayList<Fact>();
         boolean one = asked.places() == 1;
-        facts.add(fact("asked for", one ? "a way" : "what ways to %d places cost".formatted(asked.places())));
+        facts.add(fact("asked for", one ? "a path" : "costs of the paths to %d places".formatted(asked.places())));
         facts.add(fact("from", spot(asked.mapFromStart())));
-        facts.add(fact(one || asked.cost().isEmpty() ? "to" : "cheapest to get to", spot(asked.mapFromGoal())));
+        facts.add(fact(one || asked.cost().isEmpty() ? "to" : "of least cost, to", spot(asked.mapFromGoal())));
         if (asked.cost().isEmpty()) {
-            facts.add(fact("found", asked.why().isEmpty() ? "no way" : "no way: " + asked.why()));
+            facts.add(fact("found", asked.why().isEmpty() ? "no path" : "no path: " + asked.why()));
             return facts;
         }
         String cost = String.format(Locale.ROOT, "cost %.1f m", asked.cost().getAsDouble());
         facts.add(fact(
                 "found",
                 asked.length().isEmpty()
-                        ? "a way, " + cost
+                        ? "a path, " + cost
                         : String.format(
                                         Locale.ROOT,
-                                        "a way of %.1f m, ",
+                                        "a path of %.1f m, ",
                                         asked.length().getAsDouble())
                                 + cost));
         if (asked.reachable() < asked.places()) {
-            facts.add(fact("no way leads to", String.valueOf(asked.places() - asked.reachable())));
+            facts.add(fact("no path leads to", String.valueOf(asked.places() - asked.reachable())));
         }
         return facts;
     }

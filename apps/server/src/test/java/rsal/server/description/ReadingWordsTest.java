@@ -72,9 +72,9 @@ class ReadingWordsTest {
     @Test
     void aNavigatorSaysWhereItGoes() {
         assertThat(words(new NavigatorState(Optional.of(new Pose2d(1, -2, Math.PI / 2)), 3.46, false)))
-                .containsExactly("goal: 1.00, -2.00 m, 90°", "way left: 3.5 m", "state: on its way");
+                .containsExactly("goal: 1.00, -2.00 m, 90°", "path left: 3.5 m", "state: on its way");
         assertThat(words(new NavigatorState(Optional.of(AHEAD), 0, true)))
-                .contains("way left: none yet", "state: paused");
+                .contains("path left: none yet", "state: paused");
         assertThat(words(new NavigatorState(Optional.empty(), 0, false))).containsExactly("goal: none");
     }
 
@@ -84,19 +84,19 @@ class ReadingWordsTest {
         OptionalDouble none = OptionalDouble.empty();
         assertThat(words(new Planner.Asked(AHEAD, goal, 1, 1, OptionalDouble.of(4.26), OptionalDouble.of(3), "")))
                 .containsExactly(
-                        "asked for: a way",
+                        "asked for: a path",
                         "from: 0.00, 0.00 m",
                         "to: 1.00, -2.00 m",
-                        "found: a way of 3.0 m, cost 4.3 m");
+                        "found: a path of 3.0 m, cost 4.3 m");
         assertThat(words(new Planner.Asked(AHEAD, goal, 1, 0, none, none, "The goal is in a wall.")))
-                .endsWith("to: 1.00, -2.00 m", "found: no way: The goal is in a wall.");
+                .endsWith("to: 1.00, -2.00 m", "found: no path: The goal is in a wall.");
         assertThat(words(new Planner.Asked(AHEAD, goal, 5, 3, OptionalDouble.of(4.26), none, "")))
                 .containsExactly(
-                        "asked for: what ways to 5 places cost",
+                        "asked for: costs of the paths to 5 places",
                         "from: 0.00, 0.00 m",
-                        "cheapest to get to: 1.00, -2.00 m",
-                        "found: a way, cost 4.3 m",
-                        "no way leads to: 2");
+                        "of least cost, to: 1.00, -2.00 m",
+                        "found: a path, cost 4.3 m",
+                        "no path leads to: 2");
     }
 
     @Test

@@ -14,7 +14,7 @@ public final class JumpPointPlannerType implements PlannerType {
 
     @Override
     public String description() {
-        return "Plans the shortest way, as near to walls as is allowed, by jump point search.";
+        return "Plans the shortest path by jump point search. It passes walls as closely as is allowed.";
     }
 
     @Override

@@ -14,7 +14,7 @@ public final class WavefrontPlannerType implements PlannerType {
 
     @Override
     public String description() {
-        return "Plans the cheapest way, which keeps off walls, by a wave from the goal (NF1 with costs).";
+        return "Plans the path of least cost, away from walls, by a wavefront from the goal (NF1 with costs).";
     }
 
     @Override

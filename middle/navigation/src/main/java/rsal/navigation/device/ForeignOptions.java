@@ -70,7 +70,7 @@ final class ForeignOptions {
                         "That of Player's nd is 'safetyDist' of controller nd here, that of its wavefront 'wallDistance'; for vfh see 'safetyDist0ms'.",
                         "safety_dist")
                 .and(
-                        "Its ways end at the goal, or as near as the goal's tolerance allows; 'goalDistance' is of planners.",
+                        "Its paths end at the goal, or as near as the goal's tolerance allows; 'goalDistance' is of planners.",
                         "goalDistance")
                 .and("It is 'maxSpeed' here.", "max_vel_x", "vx_max", "desired_linear_vel")
                 .and("It is 'maxTurnRate' here.", "max_vel_theta", "wz_max")

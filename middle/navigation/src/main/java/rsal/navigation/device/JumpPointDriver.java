@@ -23,7 +23,7 @@ public final class JumpPointDriver implements DeviceDriver {
 
     @Override
     public String description() {
-        return "Finds shortest ways over the map, quickly, as near to obstacles as is allowed: to compare distances.";
+        return "Finds shortest paths over the map quickly, to compare distances. They pass obstacles as closely as is allowed.";
     }
 
     @Override

@@ -39,7 +39,7 @@ public final class NavigatorDriver implements DeviceDriver {
     private static final Parameter<Double> TIMEOUT =
             Parameter.number("timeout", 45, 5, 600, "s", "without progress, until it gives up");
     private static final Parameter<Double> REPLAN_PERIOD =
-            Parameter.number("replanPeriod", 4, 0.2, 60, "s", "how often it looks for a better way");
+            Parameter.number("replanPeriod", 4, 0.2, 60, "s", "how often it looks for a better path");
     private static final Parameter<Double> MAX_ACCELERATION =
             Parameter.number("maxAcceleration", 10, 0.05, 10, "m/s²", "never speeds up or brakes harder");
     private static final Parameter<Double> MAX_TURN_RATE =
@@ -53,12 +53,12 @@ public final class NavigatorDriver implements DeviceDriver {
     private static final PluginKind CONTROLLERS =
             PluginKind.of("controller", ControllerType.class, ServiceLoader.load(ControllerType.class));
     private static final Parameter<PluginChoice> CONTROLLER =
-            Parameter.plugin("controller", "vfh", CONTROLLERS, "drives along the way and around what is in it");
+            Parameter.plugin("controller", "vfh", CONTROLLERS, "drives along the path and around what is in it");
 
     private static final PluginKind PLANNERS =
             PluginKind.of("planner", PlannerType.class, ServiceLoader.load(PlannerType.class));
     private static final Parameter<PluginChoice> PLANNER =
-            Parameter.plugin("planner", "wavefront", PLANNERS, "plans the way over the map");
+            Parameter.plugin("planner", "wavefront", PLANNERS, "plans the path over the map");
 
     private static final PluginKind GOAL_CHECKERS =
             PluginKind.of("goalChecker", GoalCheckerType.class, ServiceLoader.load(GoalCheckerType.class));
@@ -92,7 +92,7 @@ public final class NavigatorDriver implements DeviceDriver {
 
     @Override
     public String description() {
-        return "Drives the robot to places: plans a way over the map and avoids what stands in it.";
+        return "Drives the robot to places: plans a path over the map and avoids obstacles on it.";
     }
 
     @Override
@@ -145,8 +145,8 @@ public final class NavigatorDriver implements DeviceDriver {
     public Optional<String> refusal(RobotModel model) {
         return model.drive().turnsInPlace()
                 ? Optional.empty()
-                : Optional.of(
-                        "It plans ways for robots that turn in place, which a car '%s' can't.".formatted(model.name()));
+                : Optional.of("It plans paths for robots that turn in place, which a car '%s' can't."
+                        .formatted(model.name()));
     }
 
     @Override

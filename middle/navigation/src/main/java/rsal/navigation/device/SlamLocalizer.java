@@ -252,7 +252,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
             LOG.log(
                     Level.WARNING,
                     () -> ("The map of '%s' is probably wrong: at (%.1f, %.1f) it differs from all measurements of the"
-                                    + " robot's way by at least %.2f m and %.0f°. Maybe places that look alike were taken"
+                                    + " robot's path by at least %.2f m and %.0f°. Maybe places that look alike were taken"
                                     + " for one, or the robot was carried.")
                             .formatted(
                                     info().id(), place.x(), place.y(), step.meters(), Math.toDegrees(step.radians())));

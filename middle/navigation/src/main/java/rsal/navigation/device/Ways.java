@@ -20,7 +20,7 @@ final class Ways {
     private static final Parameter<Double> COMFORT_DISTANCE =
             Parameter.number("comfortDistance", 0.5, 0, 5, "m", "room beyond which more room is worth nothing");
     private static final Parameter<Double> WALL_COST =
-            Parameter.number("wallCost", 3, 0, 5, "", "how many times longer a way may be to keep off a wall");
+            Parameter.number("wallCost", 3, 0, 5, "", "how many times longer a path may be to stay away from a wall");
 
     static final Parameter<Double> WALL_DISTANCE =
             Parameter.number("wallDistance", 0.1, 0, 2, "m", "least room to plan between the robot and a wall");

@@ -29,7 +29,7 @@ public final class AmclParameters {
     public static final Parameter<Integer> MAX_PARTICLES =
             Parameter.integer("maxParticles", 5000, 100, 100_000, "", "particles when it knows least");
     public static final Parameter<Double> UPDATE_DISTANCE =
-            Parameter.number("updateDistance", 0.1, 0.01, 5, "m", "way after which it looks at a scan");
+            Parameter.number("updateDistance", 0.1, 0.01, 5, "m", "distance after which it uses a scan");
     public static final Parameter<Double> UPDATE_ANGLE =
             Parameter.number("updateAngle", 6, 0.5, 180, "deg", "turn after which it looks at a scan");
     public static final Parameter<Double> INITIAL_DEVIATION =

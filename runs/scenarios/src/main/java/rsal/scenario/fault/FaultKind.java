@@ -53,7 +53,7 @@ public enum FaultKind {
     private static final Parameter<Double> POWER =
             Parameter.number("power", 0, 0, 1, "", "Part of the speeds wanted that is left.");
     private static final Parameter<Double> WAY =
-            Parameter.number("way", 0.2, -0.9, 10, "", "Part of the way that is counted besides.");
+            Parameter.number("way", 0.2, -0.9, 10, "", "Share of the distance that odometry counts in addition.");
     private static final Parameter<Double> TURN =
             Parameter.number("turn", 0, -0.9, 10, "", "Part of the turn that is counted besides.");
     private static final Parameter<Double> DRIFT =

@@ -33,7 +33,7 @@ final class FaultWords {
             case Fault.Slip(double way, double turn, double drift) ->
                 String.format(
                         Locale.ROOT,
-                        "slipping: %+.0f %% of the way, %+.0f %% of the turn, %+.1f°/m",
+                        "slipping: %+.0f %% of the distance, %+.0f %% of the turn, %+.1f°/m",
                         100 * way,
                         100 * turn,
                         Math.toDegrees(drift));

@@ -7,7 +7,7 @@ import rsal.navigation.avoid.VelocityFilter;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
-/// Drives straight to the next point of the planned way, the slower the nearer something is ahead.
+/// Drives straight to the next point of the planned path, the slower the nearer something is ahead.
 public final class Cautious implements ControllerType {
     private static final Parameter<Double> ROOM =
             Parameter.number("room", 0.6, 0.1, 3, "m", "The robot slows down with less room ahead.");
@@ -19,7 +19,7 @@ public final class Cautious implements ControllerType {
 
     @Override
     public String description() {
-        return "Drives straight to the next point of the planned way, the slower the nearer something is ahead.";
+        return "Drives straight to the next point of the planned path, the slower the nearer something is ahead.";
     }
 
     @Override
