@@ -179,7 +179,8 @@ class CarmenReaderTest {
 
         read("FLASER 1 1 1.3 2.4 0.2 1 2 0 2 h 2");
         assertThat(scans().getFirst().scan().baseFromLaser()).isEqualTo(Pose2d.ORIGIN);
-        assertThat(scans().getFirst().poses()).isEqualTo(new Poses.Told(new Pose2d(1, 2, 0), new Pose2d(1.3, 2.4, 0.2)));
+        assertThat(scans().getFirst().poses())
+                .isEqualTo(new Poses.Told(new Pose2d(1, 2, 0), new Pose2d(1.3, 2.4, 0.2)));
     }
 
     @ParameterizedTest
