@@ -85,6 +85,31 @@ class GlobalSearchTest {
                 .isEqualTo(verdict);
     }
 
+    /// The wall is 2.9 m from the base, but the laser stands 1 m ahead of it or behind, and 0.5 m aside.
+    @ParameterizedTest
+    @CsvSource({"1, 0.5", "-1, 0.5", "1, -0.5", "-1, -0.5"})
+    void rangesAreThoseFromTheLaser(float ahead, float left) {
+        var search = new GlobalSearch(new LocalizationMap(Seen.hall(60, 60, 0, 0), 0.1, 0.05));
+        for (double theta : new double[] {0, Math.PI / 2, Math.PI, -Math.PI / 2}) {
+            Pose2d pose = new Pose2d(3, 3, theta);
+            for (float end : new float[] {2.4f, 2.9f, 3.25f, 3.35f}) {
+                var beams = new Beams(new float[] {end}, new float[] {left}, new float[] {ahead}, new float[] {left});
+                assertThat(search.verdict(beams, 0, pose, Math.cos(theta), Math.sin(theta)))
+                        .as("%.2f m at %.1f rad", end, theta)
+                        .isEqualTo(
+                                end == 2.9f
+                                        ? GlobalSearch.Verdict.HIT
+                                        : end == 3.35f ? GlobalSearch.Verdict.THROUGH : GlobalSearch.Verdict.SHORT);
+            }
+        }
+    }
+
+    /// From outside of the map nothing of it can be seen.
+    @Test
+    void aLaserOutsideTheMapSeesThroughItsWalls() {
+        assertThat(verdict(Seen.hall(60, 60, 0, 0), new Pose2d(-2, 3, 0), 4)).isEqualTo(GlobalSearch.Verdict.THROUGH);
+    }
+
     @Test
     void nobodyKnowsOfBeamsThatLeaveTheMap() {
         assertThat(verdict(Seen.CUT_OFF.grid(), Seen.CUT_OFF.pose('@', 0), 3)).isEqualTo(GlobalSearch.Verdict.OUTSIDE);
