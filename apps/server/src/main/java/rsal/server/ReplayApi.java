@@ -22,7 +22,7 @@ import rsal.engine.report.RunEvent;
 import rsal.engine.report.SentMessage;
 import rsal.engine.report.Snapshot;
 import rsal.recording.Playback;
-import rsal.recording.Playback.Whereabouts;
+import rsal.recording.Playback.RobotPoses;
 import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.server.description.CameraViews;
 import rsal.server.description.Descriptions;
@@ -140,7 +140,7 @@ final class ReplayApi {
         Duration until = Past.asked(request);
         Duration known = until.compareTo(playback.until()) < 0 ? until : playback.until();
         Duration from = known.minus(TrailMaker.SECONDS);
-        for (Whereabouts then : playback.whereabouts(from, known, TrailMaker.spacing(robots.size()))) {
+        for (RobotPoses then : playback.poses(from, known, TrailMaker.spacing(robots.size()))) {
             for (int i = 0; i < robots.size(); i++) {
                 Pose2d pose = then.mapFromBases().get(robots.get(i));
                 if (pose != null) {

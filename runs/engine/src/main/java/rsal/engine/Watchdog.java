@@ -10,9 +10,9 @@ import rsal.agent.platform.AgentTurns;
 final class Watchdog {
     private final AgentTurns turns;
     private final int patience;
-    private Map<String, Sight> seen = Map.of(); // by agent
+    private Map<String, Watched> seen = Map.of(); // by agent
 
-    private record Sight(long turn, int looks) {}
+    private record Watched(long turn, int looks) {}
 
     /// @param patience in how many looks running an agent may be seen in one turn
     Watchdog(AgentTurns turns, int patience) {
@@ -22,10 +22,10 @@ final class Watchdog {
 
     /// @return the agent that was seen in one turn too often; of several the first by name
     Optional<String> look() {
-        var now = new HashMap<String, Sight>();
+        var now = new HashMap<String, Watched>();
         turns.underWay().forEach((agent, turn) -> {
-            Sight before = seen.get(agent);
-            now.put(agent, new Sight(turn, before != null && before.turn == turn ? before.looks + 1 : 1));
+            Watched before = seen.get(agent);
+            now.put(agent, new Watched(turn, before != null && before.turn == turn ? before.looks + 1 : 1));
         });
         seen = now;
         return now.entrySet().stream()

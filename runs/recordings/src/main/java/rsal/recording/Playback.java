@@ -325,8 +325,8 @@ public final class Playback implements Closeable {
     ///
     /// @param time since the run's start, when a state was recorded
     /// @param mapFromBases by robot: in truth where that is known, else as it believes, else where its stand-in is
-    public record Whereabouts(Duration time, Map<String, Pose2d> mapFromBases) {
-        public Whereabouts {
+    public record RobotPoses(Duration time, Map<String, Pose2d> mapFromBases) {
+        public RobotPoses {
             mapFromBases = Map.copyOf(mapFromBases);
         }
     }
@@ -335,9 +335,8 @@ public final class Playback implements Closeable {
     ///
     /// @param from which does not belong to it
     /// @param spacing between them, at least
-    public synchronized List<Whereabouts> whereabouts(Duration from, Duration until, Duration spacing)
-            throws IOException {
-        var all = new ArrayList<Whereabouts>();
+    public synchronized List<RobotPoses> poses(Duration from, Duration until, Duration spacing) throws IOException {
+        var all = new ArrayList<RobotPoses>();
         recording
                 .file()
                 .read(
@@ -348,7 +347,7 @@ public final class Playback implements Closeable {
                             Duration time = sinceStart(logTime);
                             if (all.isEmpty()
                                     || time.minus(all.getLast().time()).compareTo(spacing) >= 0) {
-                                all.add(new Whereabouts(time, Decoder.poses(MessageFields.read(Own.STATE, data))));
+                                all.add(new RobotPoses(time, Decoder.poses(MessageFields.read(Own.STATE, data))));
                             }
                         });
         return all;

@@ -61,7 +61,7 @@ final class AgentRuntime implements AgentContext {
     private final Directory.Entry entry;
     private final Scheduler hostLane;
     private final boolean isOnRunsLane;
-    private final Scheduler lane = new Lane();
+    private final Scheduler lane = new AgentScheduler();
     private final Directory directory = new Others();
     private final AgentTurns.Turn turn;
     private final RandomGenerator random;
@@ -280,7 +280,7 @@ final class AgentRuntime implements AgentContext {
     @Override
     public <M> Subscription subscribe(Topic<M> topic, Interest<M> interest, Consumer<? super Message<M>> listener) {
         onLane("subscribe");
-        return new MessageEar<>(interest, listener).listenTo(ear -> society.listen(topic, name(), ear));
+        return new MessageListener<>(interest, listener).listenTo(ear -> society.listen(topic, name(), ear));
     }
 
     /// The same for all of this agent's listeners.
@@ -331,7 +331,7 @@ final class AgentRuntime implements AgentContext {
     @Override
     public <T> Subscription subscribe(Sensor<T> sensor, Consumer<? super Stamped<T>> listener) {
         onLane("subscribe");
-        return new Ear<Stamped<T>>(listener) {
+        return new AgentListener<Stamped<T>>(listener) {
             @Override
             public void accept(Stamped<T> reading) {
                 hostLane.after(Duration.ZERO, Phase.THINK, () -> hear(reading));
@@ -455,12 +455,12 @@ final class AgentRuntime implements AgentContext {
     }
 
     /// Something the agent wants to be told: it is, on its lane, until it does not want to any more or ends.
-    private class Ear<T> implements Consumer<T>, Subscription {
+    private class AgentListener<T> implements Consumer<T>, Subscription {
         private final Consumer<? super T> listener;
         private Subscription source = () -> {};
         private boolean open = true;
 
-        Ear(Consumer<? super T> listener) {
+        AgentListener(Consumer<? super T> listener) {
             this.listener = listener;
         }
 
@@ -499,12 +499,13 @@ final class AgentRuntime implements AgentContext {
     }
 
     /// Hears messages: those it wants, when they arrive.
-    private final class MessageEar<M> extends Ear<MessageDispatch<M>> implements MessageDispatch.Hearer<M> {
+    private final class MessageListener<M> extends AgentListener<MessageDispatch<M>>
+            implements MessageDispatch.Hearer<M> {
         private final Interest<M> interest;
         private final Map<String, Instant> last = new HashMap<>(); // when it wanted one, by sender
         private final Consumer<MessageDispatch<M>> taking = this::take;
 
-        MessageEar(Interest<M> interest, Consumer<? super Message<M>> listener) {
+        MessageListener(Interest<M> interest, Consumer<? super Message<M>> listener) {
             super(told -> listener.accept(told.message()));
             this.interest = interest;
         }
@@ -602,7 +603,7 @@ final class AgentRuntime implements AgentContext {
     }
 
     /// The host's lane, inside the fence.
-    private final class Lane implements Scheduler {
+    private final class AgentScheduler implements Scheduler {
         private void turn(Runnable task) {
             act(task, code -> {
                 countWhatItSetsOff();
@@ -680,13 +681,13 @@ final class AgentRuntime implements AgentContext {
         @Override
         public Subscription onChange(Consumer<? super Change> listener) {
             onLane("onChange");
-            return new Ear<Change>(listener).listenTo(society.directory()::onChange);
+            return new AgentListener<Change>(listener).listenTo(society.directory()::onChange);
         }
 
         @Override
         public Subscription onDeparture(Consumer<? super Change.Went> listener) {
             onLane("onDeparture");
-            return new Ear<Change.Went>(listener).listenTo(society.directory()::onDeparture);
+            return new AgentListener<Change.Went>(listener).listenTo(society.directory()::onDeparture);
         }
     }
 }

@@ -14,9 +14,10 @@ import rsal.agent.Message;
 /// Calls come in turn, on the run's thread or on that of an agent.
 final class MessageDispatch<M> implements Runnable {
     private final Message<M> message;
-    private List<Seat<M>> seats = List.of(); // of those it is told to in their order, which doesn't change any more
-    private int told; // the seat of who is told now
-    private @Nullable BitSet hearing; // seats of those who hear it, as long as that tells it all
+    private List<Subscriber<M>> subscribers =
+            List.of(); // of those it is told to in their order, which doesn't change any more
+    private int told; // the subscriber of who is told now
+    private @Nullable BitSet hearing; // subscribers of those who hear it, as long as that tells it all
     private List<Hearer<M>> hearers = List.of(); // else: they themselves
 
     /// One who hears it.
@@ -26,7 +27,7 @@ final class MessageDispatch<M> implements Runnable {
     }
 
     /// A place in a channel's list.
-    static final class Seat<M> {
+    static final class Subscriber<M> {
         private @Nullable Hearer<M> hearer; // who sits there, as soon as that is known
     }
 
@@ -39,19 +40,19 @@ final class MessageDispatch<M> implements Runnable {
     }
 
     /// From now on those are told who sit there, one after the other.
-    void begin(List<Seat<M>> itsSeats) {
-        seats = itsSeats;
+    void begin(List<Subscriber<M>> itsSubscribers) {
+        subscribers = itsSubscribers;
     }
 
     /// Who sits there is told next.
-    void tells(int seat) {
-        told = seat;
+    void tells(int subscriber) {
+        told = subscriber;
     }
 
-    /// Lets one hear it who always is the same for the seat that is told.
+    /// Lets one hear it who always is the same for the subscriber that is told.
     void add(Hearer<M> hearer) {
-        if (hearers.isEmpty() && !seats.isEmpty() && sits(hearer)) {
-            BitSet noted = hearing == null ? new BitSet(seats.size()) : hearing;
+        if (hearers.isEmpty() && !subscribers.isEmpty() && sits(hearer)) {
+            BitSet noted = hearing == null ? new BitSet(subscribers.size()) : hearing;
             noted.set(told);
             hearing = noted;
         } else {
@@ -60,11 +61,11 @@ final class MessageDispatch<M> implements Runnable {
     }
 
     private boolean sits(Hearer<M> hearer) {
-        Seat<M> seat = seats.get(told);
-        if (seat.hearer == null) {
-            seat.hearer = hearer;
+        Subscriber<M> subscriber = subscribers.get(told);
+        if (subscriber.hearer == null) {
+            subscriber.hearer = hearer;
         }
-        return hearer.equals(seat.hearer) && (hearing == null || !hearing.get(told));
+        return hearer.equals(subscriber.hearer) && (hearing == null || !hearing.get(told));
     }
 
     /// Lets one hear it who is made for this.
@@ -78,16 +79,17 @@ final class MessageDispatch<M> implements Runnable {
 
     private List<Hearer<M>> noted() {
         var noted = new ArrayList<Hearer<M>>();
-        forEach(seats, hearing, noted::add);
+        forEach(subscribers, hearing, noted::add);
         return noted;
     }
 
-    private static <M> void forEach(List<Seat<M>> seats, @Nullable BitSet hearing, Consumer<? super Hearer<M>> action) {
+    private static <M> void forEach(
+            List<Subscriber<M>> subscribers, @Nullable BitSet hearing, Consumer<? super Hearer<M>> action) {
         if (hearing == null) {
             return;
         }
-        for (int seat = hearing.nextSetBit(0); seat >= 0; seat = hearing.nextSetBit(seat + 1)) {
-            Hearer<M> hearer = seats.get(seat).hearer;
+        for (int subscriber = hearing.nextSetBit(0); subscriber >= 0; subscriber = hearing.nextSetBit(subscriber + 1)) {
+            Hearer<M> hearer = subscribers.get(subscriber).hearer;
             if (hearer != null) {
                 action.accept(hearer);
             }
@@ -101,12 +103,12 @@ final class MessageDispatch<M> implements Runnable {
     @Override
     public void run() {
         List<Hearer<M>> now = hearers;
-        List<Seat<M>> nowSeats = seats;
+        List<Subscriber<M>> nowSubscribers = subscribers;
         BitSet nowHearing = hearing;
         hearers = List.of(); // copies of it that come late don't keep them
-        seats = List.of();
+        subscribers = List.of();
         hearing = null;
-        forEach(nowSeats, nowHearing, hearer -> hearer.reach(this));
+        forEach(nowSubscribers, nowHearing, hearer -> hearer.reach(this));
         now.forEach(hearer -> hearer.reach(this));
     }
 }

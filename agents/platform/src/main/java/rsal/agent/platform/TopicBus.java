@@ -20,7 +20,7 @@ final class TopicBus<M> {
     private final Listeners<MessageDispatch<M>> all;
     private final Map<String, Listeners<MessageDispatch<M>>> byAgent = new HashMap<>();
     private final List<Place<M>> places = new ArrayList<>(); // of all
-    private List<MessageDispatch.Seat<M>> seats = List.of(); // of all, as they were told last
+    private List<MessageDispatch.Subscriber<M>> subscribers = List.of(); // of all, as they were told last
     private boolean changed; // since then
 
     /// @param none makes a set of listeners without any
@@ -64,28 +64,28 @@ final class TopicBus<M> {
     void tell(MessageDispatch<M> said) {
         Message<M> message = said.message();
         if (message.isForAll()) {
-            said.begin(seats());
+            said.begin(subscribers());
             all.tell(said);
         } else {
             tell(said, message.to());
         }
     }
 
-    private List<MessageDispatch.Seat<M>> seats() {
+    private List<MessageDispatch.Subscriber<M>> subscribers() {
         if (changed) {
             for (int i = 0; i < places.size(); i++) {
                 places.get(i).number = i;
             }
-            seats = places.stream().map(place -> place.seat).toList();
+            subscribers = places.stream().map(place -> place.subscriber).toList();
             changed = false;
         }
-        return seats;
+        return subscribers;
     }
 
     /// One of those who listen to all that is said here.
     private static final class Place<M> implements Consumer<MessageDispatch<M>> {
         private final Consumer<? super MessageDispatch<M>> listener;
-        private final MessageDispatch.Seat<M> seat = new MessageDispatch.Seat<>();
+        private final MessageDispatch.Subscriber<M> subscriber = new MessageDispatch.Subscriber<>();
         private int number; // among all, as they were told last
 
         Place(Consumer<? super MessageDispatch<M>> listener) {

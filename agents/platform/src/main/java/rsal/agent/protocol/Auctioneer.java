@@ -50,7 +50,7 @@ final class Auctioneer implements Conversation {
 
     void begin(Collection<String> to, Object lot) {
         for (String name : new TreeSet<>(to)) {
-            Dialogue dialogue = desk.begin(id, name, PATIENCE, new Ear(name));
+            Dialogue dialogue = desk.begin(id, name, PATIENCE, new BidListener(name));
             bidders.put(name, dialogue);
             dialogue.say(Performative.INFORM, lot);
         }
@@ -115,10 +115,10 @@ final class Auctioneer implements Conversation {
         }
     }
 
-    private final class Ear implements Dialogue.Listener {
+    private final class BidListener implements Dialogue.Listener {
         private final String name;
 
-        Ear(String name) {
+        BidListener(String name) {
             this.name = name;
         }
 

@@ -30,7 +30,7 @@ public final class PageServer implements AutoCloseable {
     static final List<String> FIRST = List.of("/", "/api/run");
 
     private final Javalin http;
-    private final Viewing viewing;
+    private final ViewerEndpoint viewing;
     private final URI url;
     private final WarmUp rehearsal;
 
@@ -39,7 +39,11 @@ public final class PageServer implements AutoCloseable {
     /// @param viewing where viewers come in; this closes it
     /// @param routes what can be asked and told
     public PageServer(
-            ServerSocketChannel door, String token, AccessControl gate, Viewing viewing, Consumer<RoutesConfig> routes)
+            ServerSocketChannel door,
+            String token,
+            AccessControl gate,
+            ViewerEndpoint viewing,
+            Consumer<RoutesConfig> routes)
             throws IOException {
         this.viewing = viewing;
         url = URI.create("http://%s:%d/#token=%s".formatted(LOOPBACK, port(door), token));

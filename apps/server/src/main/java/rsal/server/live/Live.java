@@ -22,7 +22,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import rsal.server.http.AccessControl;
 import rsal.server.http.Http;
-import rsal.server.http.Viewing;
+import rsal.server.http.ViewerEndpoint;
 import rsal.server.live.ViewerCounts.Reason;
 import rsal.server.message.Json;
 import rsal.server.message.Messages.Access;
@@ -33,7 +33,7 @@ import rsal.server.message.Refusal;
 /// Shows a run over WebSockets, 20 times a second, or 4 times when it goes by too fast to be followed: to draw more
 /// would take from the run what nobody sees. Each snapshot of one that goes on is encoded once for all that look; while
 /// nobody looks, twice a second, to look back on.
-public final class Live implements Viewing {
+public final class Live implements ViewerEndpoint {
     /// Without the token; who has it may always enter.
     public static final int MAX_VIEWERS = 64;
     /// What viewers are told when their run was closed; of those codes that applications may use (RFC 6455, 7.4.2).

@@ -21,7 +21,7 @@ import rsal.engine.LiveRun;
 import rsal.engine.report.Answer;
 import rsal.scenario.RunPlan;
 import rsal.server.http.AccessControl;
-import rsal.server.http.Viewing;
+import rsal.server.http.ViewerEndpoint;
 import rsal.server.live.CurrentRun;
 import rsal.server.live.CurrentRun.Numbered;
 import rsal.server.message.Messages.SideBySide;
@@ -31,7 +31,7 @@ import rsal.time.AllowedToReadWallClock;
 /// Runs side by side: the first, at `/`, which is always there, and others, at `/beside/<number>/`. What runs in real
 /// time has no other beside it, which could make it late. All methods may be called from any thread.
 @AllowedToReadWallClock("An operator waits for a stop to be confirmed.")
-public final class RunSlots implements Viewing {
+public final class RunSlots implements ViewerEndpoint {
     /// Where the others are, as routes have it.
     public static final String BESIDE = "/beside/{seat}";
 

@@ -242,7 +242,7 @@ final class Exploration {
                 .toList();
     }
 
-    /// Ways may be wider than their cells by so much on either side.
+    /// Paths may be wider than their cells by so much on either side.
     private static List<Point2d> narrow(Terrain terrain, Ready robot, List<Frontier> frontiers) {
         if (frontiers.isEmpty()) {
             return List.of();

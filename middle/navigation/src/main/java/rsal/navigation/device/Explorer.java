@@ -71,7 +71,7 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
         this.scheduler = scheduler;
     }
 
-    /// Ways while nothing is mapped.
+    /// Paths while nothing is mapped.
     private static Wavefront nowhere() {
         OccupancyGrid unknown = new OccupancyGrid(1, 1, 1, 0, 0, new byte[] {OccupancyGrid.UNKNOWN});
         return new Wavefront(CostMap.of(unknown, DistanceField.toNotFree(unknown), new CostMap.Clearance(0, 0, 0)));

@@ -77,7 +77,7 @@ public final class ExplorerDriver implements DeviceDriver {
         parameters.add(MIN_FRONTIER_LENGTH);
         parameters.add(MAP_ONLY);
         parameters.add(MAX_RANGE);
-        parameters.addAll(Ways.parameters());
+        parameters.addAll(GlobalPlanners.parameters());
         return parameters;
     }
 
@@ -100,7 +100,7 @@ public final class ExplorerDriver implements DeviceDriver {
                 slam,
                 navigator,
                 team,
-                new Exploration.Body(footprint.circumscribedRadius(), Ways.clearance(footprint, arguments)),
+                new Exploration.Body(footprint.circumscribedRadius(), GlobalPlanners.clearance(footprint, arguments)),
                 arguments.get(MAP_ONLY),
                 context.scheduler());
         explorer.start();

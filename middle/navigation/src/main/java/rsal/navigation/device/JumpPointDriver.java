@@ -14,7 +14,7 @@ import rsal.settings.Parameter;
 
 /// Makes planners that use [JumpPoints] on the run's map.
 public final class JumpPointDriver implements DeviceDriver {
-    private final Ways ways = new Ways();
+    private final GlobalPlanners ways = new GlobalPlanners();
 
     @Override
     public String key() {
@@ -33,7 +33,7 @@ public final class JumpPointDriver implements DeviceDriver {
 
     @Override
     public List<Parameter<?>> parameters() {
-        return List.of(Ways.WALL_DISTANCE, WavefrontDriver.GOAL_DISTANCE);
+        return List.of(GlobalPlanners.WALL_DISTANCE, WavefrontDriver.GOAL_DISTANCE);
     }
 
     @Override

@@ -83,7 +83,7 @@ public final class NavigatorDriver implements DeviceDriver {
     private static final Parameter<PluginChoice> LOST_RECOVERY = Parameter.plugin(
             "lostRecovery", "lookAround", RECOVERY_TYPES, "what to do while the robot does not know where it is");
 
-    private final Ways ways = new Ways();
+    private final GlobalPlanners ways = new GlobalPlanners();
 
     @Override
     public String key() {
@@ -122,7 +122,7 @@ public final class NavigatorDriver implements DeviceDriver {
         parameters.add(ESCAPE_SPEED);
         parameters.add(ESCAPE_TIME);
         parameters.add(TIMEOUT);
-        parameters.addAll(Ways.parameters());
+        parameters.addAll(GlobalPlanners.parameters());
         return parameters;
     }
 
@@ -152,7 +152,8 @@ public final class NavigatorDriver implements DeviceDriver {
     @Override
     public SortedMap<Integer, String> misplaced(Places asked, Arguments arguments) {
         var wrong = new TreeMap<Integer, String>();
-        double clearance = Ways.clearance(asked.model().footprint(), arguments).radius();
+        double clearance =
+                GlobalPlanners.clearance(asked.model().footprint(), arguments).radius();
         try {
             ReachableSpace.check(asked.map(), clearance, asked.mapFromStarts(), asked.mapFromPlaces(), asked.within())
                     .forEach(place -> wrong.put(place.index(), place.why()));

@@ -52,7 +52,7 @@ final class Terrain {
         return toNotFree;
     }
 
-    /// Ways of robots that keep a clearance. What was found out on the map before counts on, for the goals that they
+    /// Paths of robots that keep a clearance. What was found out on the map before counts on, for the goals that they
     /// still have, if somebody asked for them there.
     Wavefront ways(Clearance clearance) {
         return ways.computeIfAbsent(

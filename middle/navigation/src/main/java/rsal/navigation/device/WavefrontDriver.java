@@ -18,7 +18,7 @@ public final class WavefrontDriver implements DeviceDriver {
     static final Parameter<Double> GOAL_DISTANCE = Parameter.number(
             "goalDistance", 0.4, 0, 10, "m", "how far from the goal a path may end when the robot doesn't fit there");
 
-    private final Ways ways = new Ways();
+    private final GlobalPlanners ways = new GlobalPlanners();
 
     @Override
     public String key() {
@@ -37,7 +37,7 @@ public final class WavefrontDriver implements DeviceDriver {
 
     @Override
     public List<Parameter<?>> parameters() {
-        var parameters = new ArrayList<>(Ways.parameters());
+        var parameters = new ArrayList<>(GlobalPlanners.parameters());
         parameters.add(GOAL_DISTANCE);
         return parameters;
     }

@@ -52,7 +52,7 @@ final class Merging {
     record One(Pose2d aFromB) implements Alignment {}
 
     /// In two places about as well.
-    record Rivals(Pose2d aFromB, Pose2d rival) implements Alignment {}
+    record Ambiguous(Pose2d aFromB, Pose2d rival) implements Alignment {}
 
     record Nowhere() implements Alignment {}
 
@@ -84,7 +84,7 @@ final class Merging {
         double bound = MORE * seenThrough.get(best) + MORE_AT_LEAST;
         for (int i = 0; i < rivals.size(); i++) {
             if (i != best && seenThrough.get(i) <= bound) {
-                return new Rivals(rivals.get(best).aFromB(), rivals.get(i).aFromB());
+                return new Ambiguous(rivals.get(best).aFromB(), rivals.get(i).aFromB());
             }
         }
         return new One(rivals.get(best).aFromB());

@@ -461,7 +461,7 @@ public final class Slam {
         Pose2d mapFromOther;
         switch (Merging.align(frames, poses, other.frames, other.poses)) {
             case Merging.One(Pose2d place) -> mapFromOther = place;
-            case Merging.Rivals(Pose2d one, Pose2d rival) -> {
+            case Merging.Ambiguous(Pose2d one, Pose2d rival) -> {
                 return new Merge.Ambiguous(one, rival);
             }
             case Merging.Nowhere _ -> {

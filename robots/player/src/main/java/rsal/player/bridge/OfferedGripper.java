@@ -24,14 +24,18 @@ final class OfferedGripper extends OfferedSensor<GripperState> {
     private static final int OUTER = 8;
     private static final int BEAMS = 2;
 
-    private final Jaws jaws;
+    private final GripperCommands commands;
     private final Optional<Part.Gripper> part;
 
     /// @param part what it is made like, if that is known
     OfferedGripper(
-            int index, rsal.device.Gripper gripper, Jaws jaws, Optional<Part.Gripper> part, Scheduler scheduler) {
+            int index,
+            rsal.device.Gripper gripper,
+            GripperCommands commands,
+            Optional<Part.Gripper> part,
+            Scheduler scheduler) {
         super(Interface.GRIPPER, index, gripper, scheduler);
-        this.jaws = jaws;
+        this.commands = commands;
         this.part = part;
     }
 
@@ -65,11 +69,11 @@ final class OfferedGripper extends OfferedSensor<GripperState> {
     @Override
     void obey(Packet command) {
         switch (command.header().subtype()) {
-            case GripperInterface.OPEN -> jaws.open();
-            case GripperInterface.CLOSE -> jaws.close();
-            case GripperInterface.STOP -> jaws.stop();
-            case GripperInterface.STORE -> jaws.lift();
-            case GripperInterface.RETRIEVE -> jaws.lower();
+            case GripperInterface.OPEN -> commands.open();
+            case GripperInterface.CLOSE -> commands.close();
+            case GripperInterface.STOP -> commands.stop();
+            case GripperInterface.STORE -> commands.lift();
+            case GripperInterface.RETRIEVE -> commands.lower();
             default -> {}
         }
     }

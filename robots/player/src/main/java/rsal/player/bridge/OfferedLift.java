@@ -19,11 +19,11 @@ import rsal.time.Scheduler;
 final class OfferedLift extends OfferedSensor<GripperState> {
     private static final int LINEAR = 1;
 
-    private final Jaws jaws;
+    private final GripperCommands commands;
 
-    OfferedLift(int index, rsal.device.Gripper gripper, Jaws jaws, Scheduler scheduler) {
+    OfferedLift(int index, rsal.device.Gripper gripper, GripperCommands commands, Scheduler scheduler) {
         super(Interface.ACTARRAY, index, gripper, scheduler);
-        this.jaws = jaws;
+        this.commands = commands;
     }
 
     @Override
@@ -55,12 +55,12 @@ final class OfferedLift extends OfferedSensor<GripperState> {
         Optional<OfferedActuator.Order> order = OfferedActuator.Order.of(command);
         if (order.isPresent()) {
             switch (order.get()) {
-                case OfferedActuator.Order.Position(double position) when position > 0.5 -> jaws.lift();
-                case OfferedActuator.Order.Position(double position) when position <= 0.5 -> jaws.lower();
-                case OfferedActuator.Order.Speed(double speed) when speed > 0 -> jaws.lift();
-                case OfferedActuator.Order.Speed(double speed) when speed < 0 -> jaws.lower();
-                case OfferedActuator.Order.Speed(double speed) when speed == 0 -> jaws.stopLift();
-                case OfferedActuator.Order.Home _ -> jaws.lower();
+                case OfferedActuator.Order.Position(double position) when position > 0.5 -> commands.lift();
+                case OfferedActuator.Order.Position(double position) when position <= 0.5 -> commands.lower();
+                case OfferedActuator.Order.Speed(double speed) when speed > 0 -> commands.lift();
+                case OfferedActuator.Order.Speed(double speed) when speed < 0 -> commands.lower();
+                case OfferedActuator.Order.Speed(double speed) when speed == 0 -> commands.stopLift();
+                case OfferedActuator.Order.Home _ -> commands.lower();
                 default -> {} // no number
             }
         }

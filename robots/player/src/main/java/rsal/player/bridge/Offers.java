@@ -32,7 +32,7 @@ final class Offers {
     private final CommandTimeout timeout;
     private final Scheduler scheduler;
     private final ExclusiveControl reins = new ExclusiveControl();
-    private final Map<Gripper, Jaws> jaws = new HashMap<>();
+    private final Map<Gripper, GripperCommands> commands = new HashMap<>();
 
     /// @param timeout of what is said again and again
     Offers(Robot robot, CommandTimeout timeout, Scheduler scheduler) {
@@ -117,10 +117,11 @@ final class Offers {
                     when as == Interface.FIDUCIAL -> new OfferedMarkers(index, finder, scheduler);
                     case Gripper gripper
                     when as == Interface.GRIPPER ->
-                        new OfferedGripper(index, gripper, jaws(gripper), part(gripper, Part.Gripper.class), scheduler);
+                        new OfferedGripper(
+                                index, gripper, commands(gripper), part(gripper, Part.Gripper.class), scheduler);
                     case Gripper gripper when as == Interface.DIO -> new OfferedBeams(index, gripper, scheduler);
                     case Gripper gripper
-                    when as == Interface.ACTARRAY -> new OfferedLift(index, gripper, jaws(gripper), scheduler);
+                    when as == Interface.ACTARRAY -> new OfferedLift(index, gripper, commands(gripper), scheduler);
                     case Actuator actuator
                     when as == Interface.ACTARRAY -> new OfferedActuator(index, actuator, timeout, scheduler);
                     case Localizer localizer
@@ -153,7 +154,7 @@ final class Offers {
         return part(bumper, Part.Bumper.class).map(Part.Bumper::pads).orElse(List.of());
     }
 
-    private Jaws jaws(Gripper gripper) {
-        return jaws.computeIfAbsent(gripper, Jaws::new);
+    private GripperCommands commands(Gripper gripper) {
+        return commands.computeIfAbsent(gripper, GripperCommands::new);
     }
 }

@@ -36,13 +36,13 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
     private final RemoteServer server;
     private final PlayerBase base;
     private final InstantSource clock;
-    private @Nullable Trip trip;
+    private @Nullable DriveTask task;
     private boolean paused;
     private boolean calledOff; // the goal that the planner has
     private boolean on; // as the planner was told over this connection
 
     /// A goal with how it gets on.
-    private static final class Trip {
+    private static final class DriveTask {
         private final Pose2d mapFromGoal;
         private final Tolerance tolerance;
         private final Instant begun;
@@ -57,7 +57,7 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
         private double remaining = Double.POSITIVE_INFINITY; // way, as known last [m]
         private double nearest = Double.POSITIVE_INFINITY; // shortest of those since it is that way [m]
 
-        Trip(Pose2d mapFromGoal, Tolerance tolerance, Instant begun, GoalSource<Progress, Result> goal) {
+        DriveTask(Pose2d mapFromGoal, Tolerance tolerance, Instant begun, GoalSource<Progress, Result> goal) {
             this.mapFromGoal = mapFromGoal;
             this.tolerance = tolerance;
             this.begun = begun;
@@ -106,8 +106,8 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
             drive();
         } else {
             enable(false);
-            if (trip != null) {
-                trip.sent = false; // some servers forget the goal of a base that is told to stand
+            if (task != null) {
+                task.sent = false; // some servers forget the goal of a base that is told to stand
             }
         }
     }
@@ -123,21 +123,21 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
             throw new IllegalArgumentException("A goal must be finite, not '%s'.".formatted(mapFromGoal));
         }
         end(Result.Cancelled.by(mapFromGoal));
-        var goal = new Trip[1];
+        var goal = new DriveTask[1];
         GoalSource<Progress, Result> source = new GoalSource<>(() -> cancel(goal[0]));
-        goal[0] = new Trip(mapFromGoal, tolerance, clock.instant(), source);
+        goal[0] = new DriveTask(mapFromGoal, tolerance, clock.instant(), source);
         if (!server.isConnected()) {
             source.end(new Result.Stuck(Pose2d.ORIGIN, Duration.ZERO, server.reason()));
             return source;
         }
-        trip = goal[0];
+        task = goal[0];
         drive();
         return source;
     }
 
     /// Has the planner drive to the goal that there is, unless somebody holds it back.
     private void drive() {
-        Trip now = trip;
+        DriveTask now = task;
         if (now == null || paused || !base.enabled()) {
             return;
         }
@@ -149,8 +149,8 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
         enable(true);
     }
 
-    private void cancel(Trip old) {
-        if (old.equals(trip)) {
+    private void cancel(DriveTask old) {
+        if (old.equals(task)) {
             stop();
             end(Result.Cancelled.asked());
         }
@@ -172,15 +172,15 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
     /// Stops what it drives, for good.
     @Override
     public void end() {
-        if (trip != null) {
+        if (task != null) {
             stop();
             end(new Result.Cancelled("The connection to the robot is closed."));
         }
     }
 
     private void end(Result ending) {
-        Trip ended = trip;
-        trip = null;
+        DriveTask ended = task;
+        task = null;
         if (ended != null) {
             ended.goal.end(ending);
         }
@@ -188,7 +188,7 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
 
     @Override
     public void take(Instant time, Record body) {
-        Trip now = trip;
+        DriveTask now = task;
         if (now == null || !(body instanceof PlannerInterface.State state) || !isFinite(state)) {
             return;
         }
@@ -237,7 +237,7 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
 
     @Override
     public void look(Instant now) {
-        Trip asking = trip;
+        DriveTask asking = task;
         if (asking != null && asking.asked.isBefore(now.minus(ASK))) {
             asking.asked = now;
             server.ask(address, PlannerInterface.WAYPOINTS, Optional.empty())
@@ -273,12 +273,12 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
 
     @Override
     public Optional<Pose2d> goal() {
-        return Optional.ofNullable(trip).map(now -> now.mapFromGoal);
+        return Optional.ofNullable(task).map(now -> now.mapFromGoal);
     }
 
     @Override
     public Path2d path() {
-        return Optional.ofNullable(trip).map(Trip::path).orElse(Path2d.EMPTY);
+        return Optional.ofNullable(task).map(DriveTask::path).orElse(Path2d.EMPTY);
     }
 
     @Override
@@ -292,7 +292,7 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
 
     @Override
     public void lost(String reason) {
-        Trip ended = trip;
+        DriveTask ended = task;
         if (ended != null) {
             stop(); // when it is back, too
             end(new Result.Stuck(ended.mapFromBase(), Duration.between(ended.begun, clock.instant()), reason));

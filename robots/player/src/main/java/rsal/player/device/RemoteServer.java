@@ -296,7 +296,7 @@ public final class RemoteServer implements AutoCloseable {
         @Override
         public void connected(Connection now) throws IOException {
             clock = new ServerClock();
-            ServerOffer found = Survey.of(now);
+            ServerOffer found = ServerInspection.of(now);
             scheduler.execute(() -> RemoteServer.this.connected(now, found));
         }
 

@@ -17,7 +17,7 @@ final class Rays {
 
     final int[] met; // NOTHING, WALL, or the slot of a piece
 
-    final March march;
+    final RayMarch march;
     final PieceGrid.Found near = new PieceGrid.Found();
 
     private Rays(int count) {
@@ -27,7 +27,7 @@ final class Rays {
         dy = new double[count];
         range = new double[count];
         met = new int[count];
-        march = new March(count);
+        march = new RayMarch(count);
     }
 
     /// Those of this thread, to be written again.

@@ -106,22 +106,22 @@ public final class Faults {
         for (PlannedFault fault : plan.faults()) {
             var random = new SplittableRandom(fault.seed());
             if (fault.pick().isPresent()) {
-                new Course(fault, fault.targets(), random).plan(fault.at());
+                new FaultCourse(fault, fault.targets(), random).plan(fault.at());
             } else {
                 for (Target target : fault.targets()) {
-                    new Course(fault, List.of(target), random.split()).plan(fault.at());
+                    new FaultCourse(fault, List.of(target), random.split()).plan(fault.at());
                 }
             }
         }
     }
 
     /// A fault from one time to the next.
-    private final class Course {
+    private final class FaultCourse {
         private final PlannedFault fault;
         private final List<Target> targets;
         private final SplittableRandom random;
 
-        Course(PlannedFault fault, List<Target> targets, SplittableRandom random) {
+        FaultCourse(PlannedFault fault, List<Target> targets, SplittableRandom random) {
             this.fault = fault;
             this.targets = targets;
             this.random = random;

@@ -10,7 +10,7 @@ package rsal.sim.world;
 /// without a branch.
 ///
 /// What a ray is made of lies side by side, so that few arrays are looked into at once and each index is checked once.
-final class March {
+final class RayMarch {
     private static final int BUNCH = 8; // rays
 
     private static final double APART = Double.POSITIVE_INFINITY; // spread of rays that don't leave one place inside
@@ -40,7 +40,7 @@ final class March {
     private int met; // how many of those meeting a wall there are
 
     /// @param most rays that there will be
-    March(int most) {
+    RayMarch(int most) {
         numbers = new double[most * SIZE];
         cell = new int[most * 2];
         bunchWay = new double[most / BUNCH + 1];

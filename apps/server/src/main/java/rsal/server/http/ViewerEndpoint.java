@@ -3,7 +3,7 @@ package rsal.server.http;
 import org.eclipse.jetty.ee10.websocket.server.JettyWebSocketServerContainer;
 
 /// Where viewers come in.
-public interface Viewing extends AutoCloseable {
+public interface ViewerEndpoint extends AutoCloseable {
     void configure(JettyWebSocketServerContainer sockets);
 
     /// No viewer is offered anything any more. Their connections end with the server.

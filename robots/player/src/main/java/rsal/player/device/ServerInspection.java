@@ -25,10 +25,10 @@ import rsal.time.AllowedToReadWallClock;
 
 /// Finds out what a server has. Blocks.
 @AllowedToReadWallClock("It waits for a server, which lives in real time.")
-final class Survey {
+final class ServerInspection {
     private static final Duration PATIENCE = Duration.ofSeconds(5);
 
-    private Survey() {}
+    private ServerInspection() {}
 
     /// Rangers are started for a moment, all at once, as only then they tell how they are built.
     static ServerOffer of(Connection connection) throws IOException {

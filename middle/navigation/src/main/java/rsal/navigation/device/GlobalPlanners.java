@@ -15,8 +15,8 @@ import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 import rsal.settings.PluginChoice;
 
-/// Who plans for robots of some size, shared by those of the same size and settings.
-final class Ways {
+/// The global planners of robots of one size, shared by all that have the same size and settings.
+final class GlobalPlanners {
     private static final Parameter<Double> COMFORT_DISTANCE =
             Parameter.number("comfortDistance", 0.5, 0, 5, "m", "room beyond which more room is worth nothing");
     private static final Parameter<Double> WALL_COST =

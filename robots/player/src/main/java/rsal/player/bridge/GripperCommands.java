@@ -6,12 +6,12 @@ import rsal.device.GoalHandle;
 import rsal.device.Gripper;
 
 /// What clients have a gripper do, so that they can stop it.
-final class Jaws {
+final class GripperCommands {
     private final Gripper gripper;
     private @Nullable GoalHandle<GripperState, Gripper.Result> paddles;
     private @Nullable GoalHandle<GripperState, Gripper.Result> lift;
 
-    Jaws(Gripper gripper) {
+    GripperCommands(Gripper gripper) {
         this.gripper = gripper;
     }
 
