@@ -58,7 +58,7 @@ final class CommandReference {
         var table = new Markdown.Table("", "");
         leaves(ALL)
                 .forEach(command -> table.row(
-                        "[`%s`]'#%s'".formatted(command.qualifiedName(), Markdown.anchor(command.qualifiedName())),
+                        "[`%s`](#%s)".formatted(command.qualifiedName(), Markdown.anchor(command.qualifiedName())),
                         Markdown.firstSentence(description(command))));
         return table.toString();
     }

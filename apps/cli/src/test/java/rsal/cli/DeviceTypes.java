@@ -55,7 +55,7 @@ final class DeviceTypes {
             table.row(
                     Markdown.code(name),
                     type.find() ? Markdown.code(type.group(1)) : "",
-                    "[%s]'devices.md#%s'".formatted(device, Markdown.anchor(device)),
+                    "[%s](devices.md#%s)".formatted(device, Markdown.anchor(device)),
                     Markdown.text(part.title()) + ".");
         }
         return table.toString();
@@ -119,16 +119,16 @@ final class DeviceTypes {
                 .map(Markdown::code)
                 .collect(Collectors.joining(", "));
         if (!parts.isEmpty()) {
-            facts.add("[Parts]'robot-models.md#parts': " + parts);
+            facts.add("[Parts](robot-models.md#parts): " + parts);
         }
         String drivers = drivers()
                 .filter(driver -> driver.makes() == type)
-                .map(driver -> "[`%s`]'#type-%s'".formatted(driver.key(), Markdown.anchor(driver.key())))
+                .map(driver -> "[`%s`](#type-%s)".formatted(driver.key(), Markdown.anchor(driver.key())))
                 .collect(Collectors.joining(", "));
         if (!drivers.isEmpty()) {
             facts.add("Drivers: " + drivers);
         }
-        facts.add("In Java: [`%s`]'../../%s'"
+        facts.add("In Java: [`%s`](../../%s)"
                 .formatted(type.getName(), Path.of("../..").relativize(Source.file(type))));
         facts.forEach(fact -> text.append("\n* ").append(fact));
         text.append('\n');

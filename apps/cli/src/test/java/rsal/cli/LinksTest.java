@@ -51,6 +51,13 @@ class LinksTest {
         assertThat(dead).as("dead links of %s", page).isEmpty();
     }
 
+    /// A place in quotes behind brackets is meant as a link, and shown as it stands there.
+    @ParameterizedTest
+    @MethodSource("pages")
+    void areWrittenAsMarkdownHasThem(Path page) throws IOException {
+        assertThat(Files.readString(TOP.resolve(page))).as(page.toString()).doesNotContainPattern("\\]'[#./\\w]");
+    }
+
     private static boolean leads(Path from, String link) {
         String[] fileAndHeading = link.split("#", 2);
         Path file = fileAndHeading[0].isEmpty()

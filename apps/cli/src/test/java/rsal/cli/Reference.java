@@ -134,7 +134,7 @@ final class Reference {
     }
 
     private static String link(String device) {
-        return "[%s]'devices.md#%s'".formatted(device, Markdown.anchor(device));
+        return "[%s](devices.md#%s)".formatted(device, Markdown.anchor(device));
     }
 
     private static String operatorCommands() {
