@@ -6,8 +6,10 @@ module rsal.recordings {
     requires rsal.behaviors;
     requires transitive rsal.engine;
     requires com.github.luben.zstd_jni;
+    requires java.desktop; // to draw animations
     requires static org.jspecify;
 
     exports rsal.recording;
+    exports rsal.recording.animation;
     exports rsal.recording.mcap;
 }

@@ -19,6 +19,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -70,6 +71,12 @@ class RecordIT {
         assertThat(state).anyMatch(row -> row.contains(",hunter-1,"));
         assertThat(folder.resolve("tables/events.csv")).isNotEmptyFile();
         assertThat(rsal.run("export", "run.mcap", "--csv", "tables").err()).contains("--force");
+
+        Ended drawn = rsal.run("export", "run.mcap", "--gif", "run.gif", "--size", "300", "--speed", "20");
+        assertThat(drawn.code()).as(drawn.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(drawn.out()).isEqualToIgnoringNewLines("run.gif");
+        assertThat(ImageIO.read(folder.resolve("run.gif").toFile()).getWidth()).isEqualTo(300);
+        assertThat(rsal.run("export", "run.mcap", "--gif", "run.gif").err()).contains("--force");
     }
 
     @Test

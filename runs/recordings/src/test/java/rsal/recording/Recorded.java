@@ -14,10 +14,10 @@ import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
 
 /// Runs with a recording.
-final class Recorded {
+public final class Recorded {
     private Recorded() {}
 
-    static RunPlan plan(String scenario, long seed, int seconds) {
+    public static RunPlan plan(String scenario, long seed, int seconds) {
         return Scenario.load(scenario)
                 .plan(RunOptions.NONE
                         .withSeed(seed)
@@ -25,7 +25,7 @@ final class Recorded {
                         .withLimit(Duration.ofSeconds(seconds)));
     }
 
-    static RunResult run(RunPlan plan, Path file) throws Exception {
+    public static RunResult run(RunPlan plan, Path file) throws Exception {
         return run(plan, plan, file);
     }
 

@@ -4,11 +4,11 @@ import java.util.concurrent.TimeUnit;
 
 /// When to say that something long still goes on: after 10 s, and then whenever twice as much time has passed, so that
 /// nobody waits in doubt and what runs for days leaves no long log.
-final class LifeSigns {
+public final class LifeSigns {
     private long next = TimeUnit.SECONDS.toNanos(10);
 
     /// @param passed since it began [ns]
-    boolean isDue(long passed) {
+    public boolean isDue(long passed) {
         boolean due = passed >= next;
         while (passed >= next) {
             next *= 2;
