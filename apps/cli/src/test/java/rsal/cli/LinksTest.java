@@ -27,7 +27,8 @@ class LinksTest {
     static List<Path> pages() throws IOException {
         try (Stream<Path> docs = Files.walk(TOP.resolve("docs"));
                 Stream<Path> scenarios = Files.walk(TOP.resolve("runs/scenarios/src/main/resources"))) {
-            Stream<Path> others = Stream.of("README.md", "CONTRIBUTING.md", "agents/own/README.md")
+            Stream<Path> others = Stream.of(
+                            "README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "agents/own/README.md")
                     .map(TOP::resolve);
             return Stream.of(docs, scenarios, others)
                     .flatMap(files -> files)

@@ -15,6 +15,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import rsal.agent.AgentHostProvider;
+import rsal.cli.terminal.Build;
 import rsal.scenario.installed.Providers;
 import rsal.system.BridgeProvider;
 import rsal.system.RobotSystemProvider;
@@ -77,6 +78,14 @@ class ReadmeTest {
                 .collect(Collectors.toCollection(TreeSet::new));
         assertThat(commands).containsAll(shown);
         assertThat(shown).contains("run", "test", "serve", "sweep");
+    }
+
+    @Test
+    void theVersionIsTheSameEverywhere() throws IOException {
+        String version = Build.name().replaceFirst("^rsal ", "").replaceFirst(" .*", "");
+        assertThat(Files.readString(ROOT.resolve("CITATION.cff"))).contains("\nversion: " + version + "\n");
+        assertThat(Files.readString(ROOT.resolve("CHANGELOG.md"))).contains("\n## " + version);
+        assertThat(Files.readString(ROOT.resolve("pom.xml"))).contains("<version>" + version + "-SNAPSHOT</version>");
     }
 
     /// A page that is loaded by people who only want to look.
