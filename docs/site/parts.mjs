@@ -67,7 +67,7 @@ export const parts = [
   },
   {
     title: 'Concepts',
-    groups: [{ title: 'Concepts', pages: docs('concepts', 'for-ros', 'for-agents', 'for-simulation', 'architecture', 'frames-and-units', 'boards') }],
+    groups: [{ title: 'Concepts', pages: docs('concepts', 'for-ros', 'for-agents', 'for-simulation', 'limits', 'architecture', 'frames-and-units', 'boards') }],
   },
   {
     title: 'Scenarios',
