@@ -24,7 +24,7 @@ export const parts = [
     groups: [
       {
         title: 'Robots',
-        pages: docs('how-to', 'localization', 'planning', 'avoidance', 'own-controller', 'recoveries', 'mapping', 'player', 'another-robot-system', 'another-bridge', 'another-world-format', 'another-log-format'),
+        pages: docs('how-to', 'localization', 'planning', 'avoidance', 'own-controller', 'recoveries', 'mapping', 'player', 'another-robot-system', 'another-bridge', 'another-world-format', 'another-log-format', 'troubleshooting'),
       },
       {
         title: 'Agents',
