@@ -7,7 +7,7 @@ module rsal.scenarios {
     requires rsal.behaviors;
     requires transitive rsal.agent.platform;
     requires transitive rsal.devices;
-    requires java.desktop; // draws worlds
+    requires transitive java.desktop; // draws worlds
     requires tools.jackson.databind;
     requires static org.jspecify;
 

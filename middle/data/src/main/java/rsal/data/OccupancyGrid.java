@@ -73,6 +73,26 @@ public record OccupancyGrid(int width, int height, double resolution, double ori
         return contains(column, row) ? cells[row * width + column] : UNKNOWN;
     }
 
+    /// What a pixel shows that several cells share: occupied when one of them is, else free when one is, else unknown.
+    ///
+    /// @param left first column
+    /// @param bottom first row
+    /// @param right column behind the last one
+    /// @param top row above the last one
+    public byte darkest(int left, int bottom, int right, int top) {
+        byte darkest = UNKNOWN;
+        for (int row = bottom; row < top; row++) {
+            for (int column = left; column < right; column++) {
+                byte cell = at(column, row);
+                if (cell == OCCUPIED) {
+                    return OCCUPIED;
+                }
+                darkest = cell == FREE ? FREE : darkest;
+            }
+        }
+        return darkest;
+    }
+
     /// Whether a place is known to be free.
     public boolean isFree(double x, double y) {
         return at(column(x), row(y)) == FREE;

@@ -36,6 +36,16 @@ class OccupancyGridTest {
     }
 
     @Test
+    void ofSeveralCellsAnOccupiedOneCountsMostAndThenAFreeOne() {
+        assertThat(GRID.darkest(0, 0, 3, 2)).isEqualTo(OccupancyGrid.OCCUPIED);
+        assertThat(GRID.darkest(2, 0, 3, 2)).isEqualTo(OccupancyGrid.FREE);
+        assertThat(GRID.darkest(2, 0, 5, 1)).isEqualTo(OccupancyGrid.UNKNOWN);
+        assertThat(GRID.darkest(1, 0, 2, 1)).isEqualTo(OccupancyGrid.OCCUPIED);
+        assertThat(GRID.darkest(1, 1, 2, 2)).isEqualTo(OccupancyGrid.FREE);
+        assertThat(GRID.darkest(1, 1, 1, 2)).isEqualTo(OccupancyGrid.UNKNOWN);
+    }
+
+    @Test
     void refusesWhatDoesNotFitTogether() {
         assertThatIllegalArgumentException().isThrownBy(() -> grid(2, 2, 1, 3));
         assertThatIllegalArgumentException().isThrownBy(() -> grid(0, 2, 1, 0));

@@ -56,18 +56,15 @@ final class MapPicture {
         return bytes.toByteArray();
     }
 
-    /// Of the cells that a pixel shows: dark when one is occupied, else light when one is free.
+    /// Of the cells that a pixel shows.
     private static int shade(OccupancyGrid grid, double left, double bottom, double size) {
-        boolean free = false;
-        for (int row = (int) bottom; row < Math.max(bottom + size, (int) bottom + 1); row++) {
-            for (int column = (int) left; column < Math.max(left + size, (int) left + 1); column++) {
-                byte cell = grid.at(column, row);
-                if (cell == OccupancyGrid.OCCUPIED) {
-                    return SHADES[1];
-                }
-                free |= cell == OccupancyGrid.FREE;
-            }
-        }
-        return free ? SHADES[0] : SHADES[2];
+        byte darkest =
+                grid.darkest((int) left, (int) bottom, (int) Math.ceil(Math.max(left + size, (int) left + 1)), (int)
+                        Math.ceil(Math.max(bottom + size, (int) bottom + 1)));
+        return switch (darkest) {
+            case OccupancyGrid.FREE -> SHADES[0];
+            case OccupancyGrid.OCCUPIED -> SHADES[1];
+            default -> SHADES[2];
+        };
     }
 }

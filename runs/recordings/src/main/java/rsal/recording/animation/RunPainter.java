@@ -6,9 +6,7 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
-import java.awt.Shape;
 import java.awt.geom.AffineTransform;
-import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -34,6 +32,7 @@ import rsal.engine.report.RobotView;
 import rsal.engine.report.Snapshot;
 import rsal.engine.report.Teammate;
 import rsal.recording.Playback;
+import rsal.scenario.picture.PaintedOutline;
 
 /// Draws a recorded run as it was at one time after the other.
 final class RunPainter {
@@ -93,23 +92,11 @@ final class RunPainter {
         }
     }
 
-    /// Of the cells that a pixel shows: occupied when one is, else free when one is.
+    /// Of the cells that a pixel shows.
     private byte darkest(int x, int y) {
         int left = column(x);
-        int right = Math.max(left + 1, column(x + 1));
-        int top = row(y);
-        int bottom = Math.min(top - 1, row(y + 1));
-        byte darkest = OccupancyGrid.UNKNOWN;
-        for (int row = top; row > bottom; row--) {
-            for (int column = left; column < right; column++) {
-                byte cell = map.contains(column, row) ? map.at(column, row) : OccupancyGrid.UNKNOWN;
-                if (cell == OccupancyGrid.OCCUPIED) {
-                    return cell;
-                }
-                darkest = cell == OccupancyGrid.FREE ? cell : darkest;
-            }
-        }
-        return darkest;
+        int top = row(y) + 1;
+        return map.darkest(left, Math.min(top - 1, row(y + 1) + 1), Math.max(left + 1, column(x + 1)), top);
     }
 
     private int column(int x) {
@@ -228,41 +215,19 @@ final class RunPainter {
         draw(graphics, List.of(mapFromBase.position(), nose.position()));
     }
 
-    /// @param larger how many times larger than it is
+    /// @param larger how many times larger than it is, around its own middle
     private void draw(Graphics2D graphics, Solid body, Pose2d mapFromBody, double larger, Color color) {
+        var pixelsFromBody = new AffineTransform(pixelsFromMap);
+        pixelsFromBody.translate(mapFromBody.x(), mapFromBody.y());
+        pixelsFromBody.scale(larger, larger);
+        pixelsFromBody.translate(-mapFromBody.x(), -mapFromBody.y());
         graphics.setStroke(new BasicStroke(1));
         for (Prism piece : body.pieces()) {
-            Shape shape = pixelsFromMap.createTransformedShape(outline(piece, mapFromBody, larger));
-            Color own = piece.color().map(rgb -> new Color(rgb.packed())).orElse(color);
-            graphics.setColor(own);
-            graphics.fill(shape);
-            graphics.setColor(own.darker());
-            graphics.draw(shape);
+            PaintedOutline.paint(
+                    graphics,
+                    pixelsFromBody.createTransformedShape(PaintedOutline.of(piece.shape(), mapFromBody)),
+                    piece.color().map(rgb -> new Color(rgb.packed())).orElse(color));
         }
-    }
-
-    private static Shape outline(Prism piece, Pose2d mapFromBody, double larger) {
-        return switch (piece.shape()) {
-            case rsal.data.Shape.Disc disc -> {
-                Point2d center = place(disc.center(), mapFromBody, larger);
-                double radius = larger * disc.radius();
-                yield new Ellipse2D.Double(center.x() - radius, center.y() - radius, 2 * radius, 2 * radius);
-            }
-            case rsal.data.Shape.Polygon polygon -> {
-                var path = new Path2D.Double();
-                List<Point2d> corners = polygon.corners().stream()
-                        .map(corner -> place(corner, mapFromBody, larger))
-                        .toList();
-                path.moveTo(corners.getFirst().x(), corners.getFirst().y());
-                corners.forEach(corner -> path.lineTo(corner.x(), corner.y()));
-                path.closePath();
-                yield path;
-            }
-        };
-    }
-
-    private static Point2d place(Point2d bodyFromPoint, Pose2d mapFromBody, double larger) {
-        return mapFromBody.transform(new Point2d(larger * bodyFromPoint.x(), larger * bodyFromPoint.y()));
     }
 
     private void drawCaption(Graphics2D graphics, Snapshot now) {

@@ -7,7 +7,6 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.Shape;
 import java.awt.geom.AffineTransform;
-import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
@@ -179,31 +178,11 @@ public final class WorldPicture {
 
     private void draw(Block block, Pose2d mapFromEntity) {
         graphics.setStroke(new BasicStroke(1));
-        Shape shape = pixelsFromMap.createTransformedShape(outline(block, mapFromEntity));
-        Rgb rgb = block.surface().color();
-        graphics.setColor(new Color(rgb.packed()));
-        graphics.fill(shape);
-        graphics.setColor(graphics.getColor().darker());
-        graphics.draw(shape);
-    }
-
-    private static Shape outline(Block block, Pose2d mapFromEntity) {
-        return switch (block.prism().shape()) {
-            case rsal.data.Shape.Disc disc -> {
-                Point2d center = mapFromEntity.transform(disc.center());
-                yield new Ellipse2D.Double(
-                        center.x() - disc.radius(), center.y() - disc.radius(), 2 * disc.radius(), 2 * disc.radius());
-            }
-            case rsal.data.Shape.Polygon polygon -> {
-                var path = new Path2D.Double();
-                List<Point2d> corners =
-                        polygon.corners().stream().map(mapFromEntity::transform).toList();
-                path.moveTo(corners.getFirst().x(), corners.getFirst().y());
-                corners.forEach(corner -> path.lineTo(corner.x(), corner.y()));
-                path.closePath();
-                yield path;
-            }
-        };
+        Shape outline = PaintedOutline.of(block.prism().shape(), mapFromEntity);
+        PaintedOutline.paint(
+                graphics,
+                pixelsFromMap.createTransformedShape(outline),
+                new Color(block.surface().color().packed()));
     }
 
     private void drawHeading(Pose2d pose, double radius) {
