@@ -164,6 +164,14 @@ final class Medoids {
         }
     }
 
+    /// Finds the two nearest of the chosen for everyone.
+    private void assign(int[] chosen) {
+        for (int to = 0; to < size; to++) {
+            assign(chosen, to);
+        }
+    }
+
+    /// Finds the two nearest of the chosen for one patch; of two that are equally near, the first.
     private void assign(int[] chosen, int to) {
         float least = beyond;
         float next = beyond;
@@ -181,25 +189,6 @@ final class Medoids {
         nearest[to] = least;
         second[to] = next;
         nearestOf[to] = leastOf;
-    }
-
-    /// Finds the two nearest of the chosen for everyone; of two that are equally near, the first.
-    private void assign(int[] chosen) {
-        Arrays.fill(nearest, beyond);
-        Arrays.fill(second, beyond);
-        for (int k = 0; k < chosen.length; k++) {
-            int row = chosen[k] * size;
-            for (int to = 0; to < size; to++) {
-                float square = squares[row + to];
-                if (square < nearest[to]) {
-                    second[to] = nearest[to];
-                    nearest[to] = square;
-                    nearestOf[to] = k;
-                } else if (square < second[to]) {
-                    second[to] = square;
-                }
-            }
-        }
     }
 
     /// Lloyd's steps, with the exact medoid of each region in place of its mean, until nothing changes.

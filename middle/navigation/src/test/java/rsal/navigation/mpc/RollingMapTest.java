@@ -210,8 +210,8 @@ class RollingMapTest {
                 int column = cell(place.x(), left);
                 int row = cell(place.y(), bottom);
                 if (isInside(column, row)) {
-                    evidence.merge(key(column, row), 1f, (old, hit) -> Math.clamp(old + hit, 1f, 3.5f));
-                    evidence.computeIfPresent(key(column, row), (_, value) -> Math.max(1f, value));
+                    float before = evidence.getOrDefault(key(column, row), 0f);
+                    evidence.put(key(column, row), Math.clamp(before + 1, 1f, 3.5f));
                 }
             }
             occupied.clear();
