@@ -14,7 +14,7 @@ import rsal.device.Navigator;
 import rsal.device.PlaceFinder;
 import rsal.settings.Arguments;
 
-/// A forager: looks for things, brings what it finds to its depot, and minds its battery, all by itself. What to
+/// A forager: looks for things, brings what it finds to its depot, and monitors its battery, all by itself. What to
 /// compare a team with.
 public final class Forage extends AgentTypeBase {
     public Forage() {

@@ -14,10 +14,9 @@ import rsal.agent.Message;
 /// Calls come in turn, on the run's thread or on that of an agent.
 final class MessageDispatch<M> implements Runnable {
     private final Message<M> message;
-    private List<Subscriber<M>> subscribers =
-            List.of(); // of those it is told to in their order, which doesn't change any more
-    private int told; // the subscriber of who is told now
-    private @Nullable BitSet hearing; // subscribers of those who hear it, as long as that tells it all
+    private List<Subscriber<M>> subscribers = List.of(); // in the order in which they are told, which never changes
+    private int told; // number of the subscriber that is told now
+    private @Nullable BitSet hearing; // numbers of the subscribers that hear it, as long as no others do
     private List<Hearer<M>> hearers = List.of(); // else: they themselves
 
     /// One who hears it.
@@ -26,9 +25,9 @@ final class MessageDispatch<M> implements Runnable {
         void reach(MessageDispatch<M> told);
     }
 
-    /// A place in a channel's list.
+    /// An entry of a channel's list.
     static final class Subscriber<M> {
-        private @Nullable Hearer<M> hearer; // who sits there, as soon as that is known
+        private @Nullable Hearer<M> hearer; // as soon as it is known
     }
 
     MessageDispatch(Message<M> message) {
@@ -39,19 +38,19 @@ final class MessageDispatch<M> implements Runnable {
         return message;
     }
 
-    /// From now on those are told who sit there, one after the other.
-    void begin(List<Subscriber<M>> itsSubscribers) {
-        subscribers = itsSubscribers;
+    /// From now on these are told, one after the other.
+    void begin(List<Subscriber<M>> channel) {
+        subscribers = channel;
     }
 
-    /// Who sits there is told next.
+    /// @param subscriber number of the one that is told next
     void tells(int subscriber) {
         told = subscriber;
     }
 
-    /// Lets one hear it who always is the same for the subscriber that is told.
+    /// Lets one hear it that is always the same for the subscriber that is told.
     void add(Hearer<M> hearer) {
-        if (hearers.isEmpty() && !subscribers.isEmpty() && sits(hearer)) {
+        if (hearers.isEmpty() && !subscribers.isEmpty() && isTheSubscribers(hearer)) {
             BitSet noted = hearing == null ? new BitSet(subscribers.size()) : hearing;
             noted.set(told);
             hearing = noted;
@@ -60,7 +59,7 @@ final class MessageDispatch<M> implements Runnable {
         }
     }
 
-    private boolean sits(Hearer<M> hearer) {
+    private boolean isTheSubscribers(Hearer<M> hearer) {
         Subscriber<M> subscriber = subscribers.get(told);
         if (subscriber.hearer == null) {
             subscriber.hearer = hearer;
