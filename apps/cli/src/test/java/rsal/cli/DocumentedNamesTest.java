@@ -20,7 +20,6 @@ class DocumentedNamesTest {
     private static final Path TOP = Path.of("../..").toAbsolutePath().normalize();
     private static final Pattern DECLARED = Pattern.compile("\\b(?:class|record|interface|enum)\\s+([A-Z]\\w*)");
     private static final Pattern IMPORTED = Pattern.compile("\\bimport (?:static )?[\\w.]+\\.([A-Z]\\w*)");
-    private static final Pattern JAVA = Pattern.compile("```java\n(.*?)```", Pattern.DOTALL);
     private static final Pattern NO_CODE =
             Pattern.compile("\"(?:[^\"\\\\]|\\\\.)*\"|//[^\n]*|/\\*.*?\\*/", Pattern.DOTALL);
     private static final Pattern TYPE = Pattern.compile("(?<![\\w.])([A-Z]\\w*[a-z]\\w*)");
@@ -61,24 +60,23 @@ class DocumentedNamesTest {
     static List<Path> pages() throws IOException {
         return LinksTest.pages().stream()
                 .filter(page -> !page.startsWith("docs/decisions") && !page.startsWith("docs/plans"))
-                .filter(page -> JAVA.matcher(read(TOP.resolve(page))).find())
+                .filter(page ->
+                        !TutorialIT.blocks(read(TOP.resolve(page)), "java").isEmpty())
                 .toList();
     }
 
     @ParameterizedTest
     @MethodSource("pages")
     void areThere(Path page) {
-        String text = read(TOP.resolve(page));
         var known = new HashSet<>(KNOWN);
-        JAVA.matcher(text).results().forEach(block -> collect(block.group(1), known));
+        List<String> blocks = TutorialIT.blocks(read(TOP.resolve(page)), "java");
+        blocks.forEach(block -> collect(block, known));
         var unknown = new TreeSet<String>();
-        JAVA.matcher(text)
+        blocks.forEach(block -> TYPE.matcher(NO_CODE.matcher(block).replaceAll(" "))
                 .results()
-                .forEach(block -> TYPE.matcher(NO_CODE.matcher(block.group(1)).replaceAll(" "))
-                        .results()
-                        .map(type -> type.group(1))
-                        .filter(type -> !known.contains(type) && !isOfJava(type))
-                        .forEach(unknown::add));
+                .map(type -> type.group(1))
+                .filter(type -> !known.contains(type) && !isOfJava(type))
+                .forEach(unknown::add));
         assertThat(unknown).as("types that %s names", page).isEmpty();
     }
 

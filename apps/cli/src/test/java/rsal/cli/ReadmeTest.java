@@ -3,6 +3,7 @@ package rsal.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -66,12 +67,9 @@ class ReadmeTest {
 
     @Test
     void eachOfItsCommandsExists() throws IOException {
-        Ended help = Rsal.inProcess("--help");
-        Set<String> commands = Pattern.compile("(?m)^  ([a-z]+) +[A-Z]")
-                .matcher(help.out())
-                .results()
-                .map(command -> command.group(1))
-                .collect(Collectors.toSet());
+        Set<String> commands = Main.commandLine(OutputStream.nullOutputStream())
+                .getSubcommands()
+                .keySet();
         Set<String> shown = COMMAND.matcher(readme())
                 .results()
                 .map(command -> command.group(1))

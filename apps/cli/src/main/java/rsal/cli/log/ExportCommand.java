@@ -9,6 +9,7 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import rsal.cli.show.RecordingFile;
 import rsal.cli.terminal.Destination;
@@ -145,8 +146,7 @@ public final class ExportCommand extends Subcommand {
                     Duration.ofMillis(Math.round(1e3 * from)),
                     Duration.ofMillis(Math.round(1e3 * until)));
         } catch (IllegalArgumentException e) {
-            check(false, String.valueOf(e.getMessage()));
-            throw e;
+            throw new ParameterException(spec.commandLine(), String.valueOf(e.getMessage()));
         }
     }
 

@@ -17,9 +17,8 @@ import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.ImageOutputStream;
 import org.jspecify.annotations.Nullable;
 
-/// Writes an animated GIF (CompuServe, GIF89a Specification, 1990) that begins again at its end. Of each picture only
-/// the
-/// rectangle is written that has changed, and of that only pixels that have.
+/// Writes an animated GIF (CompuServe, GIF89a Specification, 1990) that begins again at its end. Of each picture it
+/// writes only the rectangle that has changed, and of that only pixels that have.
 final class GifWriter implements AutoCloseable {
     private static final String FORMAT = "javax_imageio_gif_image_1.0";
 
@@ -29,7 +28,6 @@ final class GifWriter implements AutoCloseable {
     private final ImageOutputStream out;
     private final Map<Integer, Byte> nearest = new HashMap<>(); // by color
     private byte @Nullable [] before; // pixels as they are shown
-    private boolean ended;
 
     /// @throws IOException when this Java writes no GIF
     GifWriter(IndexColorModel colors) throws IOException {
@@ -143,13 +141,10 @@ final class GifWriter implements AutoCloseable {
         return (byte) best;
     }
 
-    /// All of it; nothing can be added any more.
+    /// Ends it. Called once; nothing can be added any more.
     byte[] bytes() throws IOException {
-        if (!ended) {
-            ended = true;
-            writer.endWriteSequence();
-            out.flush();
-        }
+        writer.endWriteSequence();
+        out.flush();
         return bytes.toByteArray();
     }
 
