@@ -7,6 +7,8 @@ module rsal.java {
 
     exports rsal.java;
 
+    uses javax.tools.JavaCompiler;
+
     provides rsal.agent.AgentLanguage with
             rsal.java.JavaLanguage;
     provides rsal.settings.PluginLanguage with

@@ -6,6 +6,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
+import java.util.ServiceLoader;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.tools.Diagnostic;
@@ -17,12 +19,12 @@ import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.settings.Problems;
 
-/// The JDK's own compiler, from text to classes in memory: it writes no file and runs nothing of what it
-/// compiles.
+/// Compiles Java from text to classes in memory. It writes no file and runs nothing of what it compiles. It takes
+/// the JDK's compiler; in a Java runtime without one, as some releases of RSAL carry, Eclipse's.
 final class Compiler {
-    /// Names of symbols that another file may declare, in the words of the compiler.
-    private static final Pattern MISSING_CLASS =
-            Pattern.compile("symbol:\\s+(?:class|variable) (\\p{javaUpperCase}\\w*)");
+    /// Names of symbols that another file may declare, in the words of either compiler.
+    private static final Pattern MISSING_CLASS = Pattern.compile(
+            "symbol:\\s+(?:class|variable) (\\p{javaUpperCase}\\w*)|(\\p{javaUpperCase}\\w*) cannot be resolved");
 
     private static final int MOST_PROBLEMS = 50;
 
@@ -31,20 +33,29 @@ final class Compiler {
     /// @return classes by their names
     /// @throws InvalidSettings with all mistakes, each where it is
     static Map<String, byte[]> compile(Sources sources) {
-        JavaCompiler javac = ToolProvider.getSystemJavaCompiler();
-        if (javac == null) {
-            throw new InvalidSettings(
-                    Location.of(sources.path()),
-                    "This Java runtime has no compiler for agents in Java.",
-                    "Install a JDK, which has one.");
-        }
+        return compile(
+                sources,
+                Optional.ofNullable(ToolProvider.getSystemJavaCompiler())
+                        .or(Compiler::eclipse)
+                        .orElseThrow(() -> new InvalidSettings(
+                                Location.of(sources.path()),
+                                "This Java runtime has no compiler for agents in Java.",
+                                "Install a JDK, which has one.")));
+    }
+
+    /// Eclipse's compiler, where it is on the class path.
+    static Optional<JavaCompiler> eclipse() {
+        return ServiceLoader.load(JavaCompiler.class).findFirst();
+    }
+
+    static Map<String, byte[]> compile(Sources sources, JavaCompiler compiler) {
         var told = new DiagnosticCollector<JavaFileObject>();
         List<MemoryFiles.Source> units = sources.texts().entrySet().stream()
                 .map(file -> new MemoryFiles.Source(file.getKey(), file.getValue()))
                 .toList();
-        try (var standard = javac.getStandardFileManager(told, Locale.ENGLISH, StandardCharsets.UTF_8);
+        try (var standard = compiler.getStandardFileManager(told, Locale.ENGLISH, StandardCharsets.UTF_8);
                 var files = new MemoryFiles(standard)) {
-            if (!javac.getTask(null, files, told, options(), null, units).call()) {
+            if (!compiler.getTask(null, files, told, options(), null, units).call()) {
                 throw mistakes(sources, told.getDiagnostics());
             }
             return files.compiled();
@@ -56,7 +67,9 @@ final class Compiler {
 
     /// What this process can use, agents can: its classes are found as they are by the process itself.
     private static List<String> options() {
-        var options = new ArrayList<>(List.of("-proc:none", "-implicit:none", "-Xlint:none", "-g", "-parameters"));
+        var options = new ArrayList<>(List.of("-proc:none", "-nowarn", "-g", "-parameters"));
+        String version = Integer.toString(Runtime.version().feature());
+        options.addAll(List.of("-source", version, "-target", version));
         String modules = System.getProperty("jdk.module.path", "");
         if (!modules.isEmpty()) {
             options.addAll(List.of("--module-path", modules, "--add-modules", "ALL-MODULE-PATH"));
@@ -93,7 +106,7 @@ final class Compiler {
     private static String remedy(String message) {
         Matcher missing = MISSING_CLASS.matcher(message);
         return missing.find()
-                ? "Maybe an import is missing, or a file '%s%s' beside it.".formatted(missing.group(1), Sources.SUFFIX)
+                ? "Maybe an import is missing, or a file '%s%s' beside it.".formatted(Optional.ofNullable(missing.group(1)).orElseGet(() -> missing.group(2)), Sources.SUFFIX)
                 : "";
     }
 }
