@@ -26,6 +26,7 @@ export default defineConfig({
     rolldownOptions: { input: ['index.html', 'beside.html'] },
     target: 'es2023',
     modulePreload: { polyfill: false },
+    license: { fileName: 'licenses.json' }, // of libraries in it, for releases
     assetsInlineLimit: 0, // the page's Content-Security-Policy knows no inline data
   },
   server: {

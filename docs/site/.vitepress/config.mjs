@@ -1,5 +1,6 @@
 import { defineConfig } from 'vitepress';
 import { pages, resolved, title } from '../content.mjs';
+import { licences } from '../licences.mjs';
 
 const link = (path) => `/${pages.get(path)}`.replace(/(index)?\.md$/, '');
 
@@ -29,6 +30,7 @@ export default defineConfig({
   cacheDir: 'target/cache',
   base,
   metaChunk: true,
+  vite: { plugins: [licences] },
   // Words of the documentation in <angle brackets> are no HTML.
   markdown: {
     html: false,

@@ -3,11 +3,10 @@
 module rsal.java {
     requires transitive rsal.agent.api;
     requires java.compiler;
+    requires org.eclipse.jdt.core.compiler.batch; // where the Java runtime has no compiler
     requires static org.jspecify;
 
     exports rsal.java;
-
-    uses javax.tools.JavaCompiler;
 
     provides rsal.agent.AgentLanguage with
             rsal.java.JavaLanguage;

@@ -8,7 +8,9 @@ module rsal.cli {
     requires ch.qos.logback.core;
     requires info.picocli;
     requires java.desktop; // draws maps
+    requires java.management; // how this process was started
     requires java.net.http; // asks runs
+    requires jdk.httpserver; // serves the documentation
     requires jdk.management; // memory of the machine
     requires org.slf4j;
     requires rsal.bench;
@@ -37,6 +39,9 @@ module rsal.cli {
             info.picocli,
             tools.jackson.databind;
     opens rsal.cli.show to
+            info.picocli,
+            tools.jackson.databind;
+    opens rsal.cli.start to
             info.picocli,
             tools.jackson.databind;
     opens rsal.cli.sweep to

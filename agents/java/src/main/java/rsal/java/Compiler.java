@@ -1,13 +1,14 @@
 package rsal.java;
 
 import java.io.IOException;
+import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.ServiceLoader;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.tools.Diagnostic;
@@ -15,6 +16,7 @@ import javax.tools.DiagnosticCollector;
 import javax.tools.JavaCompiler;
 import javax.tools.JavaFileObject;
 import javax.tools.ToolProvider;
+import org.eclipse.jdt.internal.compiler.tool.EclipseCompiler;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.settings.Problems;
@@ -35,17 +37,7 @@ final class Compiler {
     static Map<String, byte[]> compile(Sources sources) {
         return compile(
                 sources,
-                Optional.ofNullable(ToolProvider.getSystemJavaCompiler())
-                        .or(Compiler::eclipse)
-                        .orElseThrow(() -> new InvalidSettings(
-                                Location.of(sources.path()),
-                                "This Java runtime has no compiler for agents in Java.",
-                                "Install a JDK, which has one.")));
-    }
-
-    /// Eclipse's compiler, where it is on the class path.
-    static Optional<JavaCompiler> eclipse() {
-        return ServiceLoader.load(JavaCompiler.class).findFirst();
+                Optional.ofNullable(ToolProvider.getSystemJavaCompiler()).orElseGet(EclipseCompiler::new));
     }
 
     static Map<String, byte[]> compile(Sources sources, JavaCompiler compiler) {
@@ -55,7 +47,8 @@ final class Compiler {
                 .toList();
         try (var standard = compiler.getStandardFileManager(told, Locale.ENGLISH, StandardCharsets.UTF_8);
                 var files = new MemoryFiles(standard)) {
-            if (!compiler.getTask(null, files, told, options(), null, units).call()) {
+            if (!compiler.getTask(Writer.nullWriter(), files, told, options(), null, units)
+                    .call()) {
                 throw mistakes(sources, told.getDiagnostics());
             }
             return files.compiled();
@@ -97,16 +90,47 @@ final class Compiler {
     }
 
     private static Location at(Sources sources, Diagnostic<? extends JavaFileObject> told) {
-        String file = told.getSource() instanceof MemoryFiles.Source source ? source.path() : sources.path();
+        String file = fileOf(sources, told);
         return told.getLineNumber() == Diagnostic.NOPOS
                 ? Location.of(file)
                 : new Location(file, (int) told.getLineNumber(), (int) told.getColumnNumber());
     }
 
+    /// The path of the file in which it is, as its author knows it.
+    private static String fileOf(Sources sources, Diagnostic<? extends JavaFileObject> told) {
+        if (told.getSource() instanceof MemoryFiles.Source source) {
+            return source.path();
+        }
+        // Eclipse's compiler says the file only where that is on disk. It is the one that has what is wrong at that
+        // place.
+        return sources.texts().entrySet().stream()
+                .max(Comparator.comparingInt(file -> evidence(file.getValue(), told)))
+                .map(Map.Entry::getKey)
+                .orElseThrow();
+    }
+
+    /// How well a mistake fits to a text: 0 where its line is another one, 2 where its message has the words of the
+    /// text.
+    private static int evidence(String text, Diagnostic<?> told) {
+        long start = told.getStartPosition();
+        long end = told.getEndPosition() + 1;
+        if (start < 0 || end < start || end > text.length()) {
+            return 0;
+        }
+        long line = 1
+                + text.substring(0, (int) start).chars().filter(c -> c == '\n').count();
+        if (line != told.getLineNumber()) {
+            return 0;
+        }
+        return told.getMessage(Locale.ENGLISH).contains(text.substring((int) start, (int) end)) ? 2 : 1;
+    }
+
     private static String remedy(String message) {
         Matcher missing = MISSING_CLASS.matcher(message);
         return missing.find()
-                ? "Maybe an import is missing, or a file '%s%s' beside it.".formatted(Optional.ofNullable(missing.group(1)).orElseGet(() -> missing.group(2)), Sources.SUFFIX)
+                ? "Maybe an import is missing, or a file '%s%s' beside it."
+                        .formatted(
+                                Optional.ofNullable(missing.group(1)).orElseGet(() -> missing.group(2)), Sources.SUFFIX)
                 : "";
     }
 }

@@ -1,16 +1,21 @@
 package rsal.java;
 
 import java.io.ByteArrayOutputStream;
+import java.io.IOException;
 import java.io.OutputStream;
 import java.net.URI;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
 import javax.tools.FileObject;
 import javax.tools.ForwardingJavaFileManager;
 import javax.tools.JavaFileManager;
 import javax.tools.JavaFileObject;
 import javax.tools.SimpleJavaFileObject;
+import javax.tools.StandardLocation;
+import org.jspecify.annotations.Nullable;
 
 /// The compiler's files: what it writes stays in memory, what it reads of libraries is as on disk.
 final class MemoryFiles extends ForwardingJavaFileManager<JavaFileManager> {
@@ -23,7 +28,32 @@ final class MemoryFiles extends ForwardingJavaFileManager<JavaFileManager> {
     @Override
     public JavaFileObject getJavaFileForOutput(
             Location location, String className, JavaFileObject.Kind kind, FileObject sibling) {
-        return outputs.computeIfAbsent(className, Output::new);
+        return outputs.computeIfAbsent(className.replace('/', '.'), Output::new); // Eclipse's compiler gives slashes
+    }
+
+    /// Eclipse's compiler looks whether what it is given to compile is there: on the source path, or else as a file.
+    @Override
+    public boolean hasLocation(Location location) {
+        return location == StandardLocation.SOURCE_PATH || super.hasLocation(location);
+    }
+
+    @Override
+    public Iterable<JavaFileObject> list(
+            Location location, String packageName, Set<JavaFileObject.Kind> kinds, boolean recurse) throws IOException {
+        return location == StandardLocation.SOURCE_PATH
+                ? List.of() // nothing but what is given
+                : super.list(location, packageName, kinds, recurse);
+    }
+
+    @Override
+    public @Nullable JavaFileObject getJavaFileForInput(Location location, String className, JavaFileObject.Kind kind)
+            throws IOException {
+        return location == StandardLocation.SOURCE_PATH ? null : super.getJavaFileForInput(location, className, kind);
+    }
+
+    @Override
+    public boolean contains(Location location, FileObject file) throws IOException {
+        return location == StandardLocation.SOURCE_PATH ? file instanceof Source : super.contains(location, file);
     }
 
     /// What was written, by the names of the classes.

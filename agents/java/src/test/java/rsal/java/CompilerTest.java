@@ -10,13 +10,14 @@ import java.util.List;
 import java.util.Map;
 import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
+import org.eclipse.jdt.internal.compiler.tool.EclipseCompiler;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.Parameter;
 import org.junit.jupiter.params.ParameterizedClass;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.junit.jupiter.api.Test;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
@@ -32,7 +33,7 @@ class CompilerTest {
     private Path folder;
 
     static List<JavaCompiler> compilers() {
-        return List.of(ToolProvider.getSystemJavaCompiler(), Compiler.eclipse().orElseThrow());
+        return List.of(ToolProvider.getSystemJavaCompiler(), new EclipseCompiler());
     }
 
     private Map<String, byte[]> compile(String text) throws IOException {
@@ -56,7 +57,8 @@ class CompilerTest {
                 }
                 """);
         assertThat(classes).containsOnlyKeys("Mine", "Mine$Task", "Mine$Carry");
-        assertThat(classes.get("Mine")[7]).isEqualTo((byte) (44 + Runtime.version().feature()));
+        assertThat(classes.get("Mine")[7])
+                .isEqualTo((byte) (44 + Runtime.version().feature()));
     }
 
     @ParameterizedTest
@@ -78,9 +80,27 @@ class CompilerTest {
         assertThat(mistakes.problems()).singleElement().satisfies(problem -> {
             assertThat(problem.location().file()).isEqualTo("Mine.java");
             assertThat(problem.location().line()).isEqualTo(line);
-            assertThat(problem.message()).startsWith("Java can't compile this: ").endsWith(".");
+            assertThat(problem.message())
+                    .startsWith("Java can't compile this: ")
+                    .endsWith(".");
             assertThat(problem.remedy()).isEqualTo(remedy);
         });
+    }
+
+    @Test
+    void packagesAreKept() throws IOException {
+        assertThat(compile("package lab.hunt; public class Mine { static class Inner {} }"))
+                .containsOnlyKeys("lab.hunt.Mine", "lab.hunt.Mine$Inner");
+    }
+
+    @Test
+    void aMistakeInAFileThatItNeedsIsToldThere() throws IOException {
+        Files.writeString(folder.resolve("Load.java"), "public record Load(dubble mass) {}");
+        InvalidSettings mistakes =
+                catchThrowableOfType(InvalidSettings.class, () -> compile("public class Mine { Load load; }"));
+        assertThat(mistakes.problems())
+                .extracting(mistake -> mistake.location().toString())
+                .containsExactly("Load.java:1:20");
     }
 
     @Test

@@ -35,6 +35,8 @@ import rsal.cli.run.ServeCommand;
 import rsal.cli.show.ListCommand;
 import rsal.cli.show.ShowCommand;
 import rsal.cli.show.ValidateCommand;
+import rsal.cli.start.PrepareCommand;
+import rsal.cli.start.StartCache;
 import rsal.cli.sweep.ReportCommand;
 import rsal.cli.sweep.SweepCommand;
 import rsal.cli.terminal.Build;
@@ -88,9 +90,11 @@ public final class Main implements Runnable {
             LocalizeCommand.class,
             MapCommand.class,
             DoctorCommand.class,
+            PrepareCommand.class,
             BenchCommand.class,
             TestCommand.class,
             DocsCommand.class,
+            DistCommand.class,
             HelpCommand.class);
 
     @Spec
@@ -99,6 +103,9 @@ public final class Main implements Runnable {
 
     public static void main(String[] args) {
         Locale.setDefault(Locale.Category.FORMAT, Locale.ROOT); // files and results have points in numbers anywhere
+        if (isLong(args)) {
+            StartCache.ofThisProcess().filter(cache -> !cache.wasTried()).ifPresent(StartCache::makeInBackground);
+        }
         var stdout = new Stdout();
         CommandLine commandLine = commandLine(stdout, args);
         int code = execute(commandLine, args);
@@ -108,6 +115,11 @@ public final class Main implements Runnable {
                         .getErr()
                         .println("rsal: The result could not be written to stdout: " + e.getMessage()));
         System.exit(code == Exit.SUCCESS && stdout.failure().isPresent() ? Exit.UNREACHABLE : code);
+    }
+
+    /// Whether a line is for something that goes on for a while, beside which the cache for the next start can be made.
+    private static boolean isLong(String[] line) {
+        return line.length > 0 && List.of("run", "serve", "sweep", "replay").contains(line[0]);
     }
 
     private static int execute(CommandLine commandLine, String[] args) {

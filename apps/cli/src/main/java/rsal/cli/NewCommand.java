@@ -1,5 +1,6 @@
 package rsal.cli;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
@@ -163,7 +164,11 @@ final class NewCommand extends Subcommand {
 
     /// As a word for a shell, wherever it is called from.
     private static String command() {
-        return ShellWords.of(List.of(System.getProperty("rsal.launcher", "rsal")));
+        String launcher = System.getProperty("rsal.launcher", "rsal");
+        if (File.separatorChar == '\\') { // Windows, whose shells have quotes of their own
+            return launcher.contains(" ") ? "\"" + launcher + "\"" : launcher;
+        }
+        return ShellWords.of(List.of(launcher));
     }
 
     private String readme(String name, Template template, Map<String, String> texts) {

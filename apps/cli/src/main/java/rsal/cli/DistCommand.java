@@ -1,0 +1,39 @@
+package rsal.cli;
+
+import java.util.List;
+import java.util.stream.Collectors;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import rsal.cli.terminal.Subcommand;
+import rsal.cli.terminal.Unreachable;
+
+/// Listed here for the help; the launcher does it, because it has the sources.
+@Command(
+        name = "dist",
+        description =
+                "Pack a release for each system: an archive with RSAL, its page and documentation, and a Java runtime."
+                        + " Who unpacks it needs neither Java nor a network.")
+final class DistCommand extends Subcommand {
+    @Parameters(
+            paramLabel = "SYSTEM",
+            arity = "0..*",
+            description = "linux-x64, linux-arm64, macos-arm64, macos-x64 or windows-x64. Default: all of them.")
+    private List<String> systems = List.of();
+
+    @Option(
+            names = "--no-runtime",
+            description = "Without a Java runtime: who unpacks it needs Java 25. Packing then needs no network.")
+    private boolean bare;
+
+    @Option(names = "--out", paramLabel = "FOLDER", description = "Where archives are written. Default: target/dist.")
+    private String out = "";
+
+    @Override
+    protected int run() {
+        throw new Unreachable("Releases are packed by the launcher in the project's folder: ./rsal dist"
+                + systems.stream().map(system -> " " + system).collect(Collectors.joining())
+                + (bare ? " --no-runtime" : "")
+                + (out.isEmpty() ? "" : " --out " + out));
+    }
+}

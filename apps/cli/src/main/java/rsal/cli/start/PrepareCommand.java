@@ -1,0 +1,40 @@
+package rsal.cli.start;
+
+import java.io.IOException;
+import java.util.Map;
+import picocli.CommandLine.Command;
+import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.Subcommand;
+import rsal.cli.terminal.Unreachable;
+
+/// `rsal prepare`
+@Command(
+        name = "prepare",
+        description =
+                "Make the cache from which an unpacked release starts fast, and print where it is. The first start of a"
+                        + " release does so in the background; images of containers and labs do so when they are set up.")
+public final class PrepareCommand extends Subcommand {
+    @Override
+    protected int run() throws InterruptedException {
+        StartCache cache = StartCache.ofThisProcess()
+                .orElseThrow(
+                        () -> new Unreachable(
+                                "There is no folder for the cache: neither 'cache' beside 'rsal' nor your"
+                                        + " cache folder can be written, or this is no unpacked release. RSAL_CACHE=FOLDER names another one."));
+        try {
+            if (!cache.make()) {
+                throw new Unreachable("The cache '%s' was not made: another process makes it, or Java can't."
+                        .formatted(cache.file()));
+            }
+        } catch (IOException e) {
+            throw new Unreachable("The cache '%s' can't be written: %s.".formatted(cache.file(), e));
+        }
+        if (json) {
+            printJson(Map.of("cache", cache.file().toString()));
+        } else {
+            out().println(cache.file());
+            out().flush();
+        }
+        return Exit.SUCCESS;
+    }
+}

@@ -1,0 +1,180 @@
+package rsal.release;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/// `rsal dist`: packs a release for each system. The launcher builds what is packed, and says where it is.
+@Command(name = "rsal dist", mixinStandardHelpOptions = true, description = "Pack a release for each system.")
+final class Dist implements Callable<Integer> {
+    private static final int UNREACHABLE = 5; // as rsal.cli.terminal.Exit
+    private static final String VERSION = "0.1.0";
+
+    @Spec
+    @SuppressWarnings("NullAway.Init") // picocli fills it in
+    private CommandSpec spec;
+
+    @Parameters(
+            paramLabel = "SYSTEM",
+            arity = "0..*",
+            description = "linux-x64, linux-arm64, macos-arm64, macos-x64 or windows-x64. Default: all of them.")
+    private List<String> systems = List.of();
+
+    @Option(
+            names = "--no-runtime",
+            description = "Without a Java runtime: who unpacks it needs Java 25. Packing then needs no network.")
+    private boolean bare;
+
+    @Option(names = "--out", paramLabel = "FOLDER", description = "Where archives are written. Default: target/dist.")
+    private @Nullable Path given;
+
+    @Option(names = "--project", required = true, hidden = true)
+    @SuppressWarnings("NullAway.Init") // required, as those below
+    private Path project;
+
+    @Option(names = "--jars", required = true, hidden = true)
+    @SuppressWarnings("NullAway.Init")
+    private Path jars;
+
+    @Option(names = "--page", required = true, hidden = true)
+    @SuppressWarnings("NullAway.Init")
+    private Path page;
+
+    @Option(names = "--site", required = true, hidden = true)
+    @SuppressWarnings("NullAway.Init")
+    private Path site;
+
+    @Option(names = "--bill", required = true, hidden = true)
+    @SuppressWarnings("NullAway.Init")
+    private Path bill;
+
+    @Option(names = "--jdk", required = true, hidden = true)
+    @SuppressWarnings("NullAway.Init")
+    private Path jdk;
+
+    @Option(names = "--cache", required = true, hidden = true)
+    @SuppressWarnings("NullAway.Init")
+    private Path cache;
+
+    @Option(names = "--commit", hidden = true)
+    private @Nullable String commit;
+
+    public static void main(String[] args) {
+        System.exit(new CommandLine(new Dist())
+                .setExecutionExceptionHandler((failure, line, _) -> {
+                    line.getErr().println("rsal: " + failure.getMessage());
+                    return failure instanceof IOException ? UNREACHABLE : 1;
+                })
+                .execute(args));
+    }
+
+    @Override
+    public Integer call() throws IOException, InterruptedException {
+        List<TargetSystem> wanted = wanted();
+        var components = new Components();
+        components.add(bill);
+        for (Path list : List.of(
+                page.resolve("licenses.json"), page.resolve("licenses-of-plots.json"), site.resolve("licenses.json"))) {
+            components.addBundled(list);
+        }
+        if (!components.unlicensed().isEmpty()) {
+            throw new IllegalStateException("These parts tell no licence, so they can't be passed on: "
+                    + String.join(", ", components.unlicensed()));
+        }
+        Path out = given == null ? project.resolve("target").resolve("dist") : given;
+        Files.createDirectories(out);
+        var runtimes = new JavaRuntimes(jdk, cache);
+        for (TargetSystem system : wanted) {
+            pack(system, components, runtimes, out);
+        }
+        return 0;
+    }
+
+    private List<TargetSystem> wanted() {
+        if (systems.isEmpty()) {
+            return List.of(TargetSystem.values());
+        }
+        return systems.stream()
+                .map(word -> TargetSystem.of(word)
+                        .orElseThrow(() -> new ParameterException(
+                                spec.commandLine(),
+                                "There is no system '%s'. There are %s."
+                                        .formatted(word, String.join(", ", TargetSystem.words())))))
+                .distinct()
+                .toList();
+    }
+
+    private void pack(TargetSystem system, Components components, JavaRuntimes runtimes, Path out)
+            throws IOException, InterruptedException {
+        var tree = new FileTree();
+        String runtime = bare ? "none: it needs Java 25 or newer" : runtimes.addTo(tree, system);
+        try (Stream<Path> libraries = Files.list(jars)) {
+            for (Path jar :
+                    libraries.filter(file -> file.toString().endsWith(".jar")).toList()) {
+                tree.add("lib/" + jar.getFileName(), new FileTree.Content(() -> Files.readAllBytes(jar), false));
+            }
+        }
+        tree.addFolder("page", page, _ -> true);
+        tree.addFolder("docs", site, _ -> true);
+        for (String name : List.of("LICENSE", "CHANGELOG.md", "SECURITY.md", "CITATION.cff")) {
+            tree.add(name, Files.readAllBytes(project.resolve(name)));
+        }
+        tree.add("NOTICE", notice(components).getBytes(StandardCharsets.UTF_8));
+        tree.add("sbom.cdx.json", components.bill(VERSION));
+        components.addTexts(tree, jars);
+        for (String name :
+                List.of("LGPL-2.1.txt", "LGPL-3.txt", "GPL-3.txt")) { // of JADE and Jason, whose jars have none
+            tree.add("licenses/" + name, resource("licenses/" + name));
+        }
+        tree.add("README.md", resource("README.md"));
+        tree.add("lib/java.options", options());
+        String starter = system.isWindows() ? "rsal.cmd" : "rsal";
+        byte[] script = resource(starter);
+        tree.add(starter, new FileTree.Content(() -> script, true));
+
+        String top = "rsal-%s-%s".formatted(VERSION, system.word());
+        Path file = out.resolve(top + Archive.of(system).suffix());
+        Archive.of(system).write(tree, top, file);
+        String sum = JavaRuntimes.sha256(file);
+        Files.writeString(out.resolve(file.getFileName() + ".sha256"), "%s  %s\n".formatted(sum, file.getFileName()));
+        IO.println("%s  (%.1f MB; Java runtime: %s)".formatted(file, Files.size(file) / 1e6, runtime));
+    }
+
+    private String notice(Components components) throws IOException {
+        return new String(resource("NOTICE"), StandardCharsets.UTF_8) + components.table();
+    }
+
+    /// Options of Java, read by both scripts.
+    private byte[] options() throws IOException {
+        var lines = new ArrayList<String>(new String(resource("java.options"), StandardCharsets.UTF_8)
+                .lines()
+                .toList());
+        if (commit != null) {
+            lines.add("-Drsal.commit=" + commit);
+        }
+        return lines.stream().collect(Collectors.joining("\n", "", "\n")).getBytes(StandardCharsets.UTF_8);
+    }
+
+    private static byte[] resource(String name) throws IOException {
+        try (var in = Dist.class.getResourceAsStream("unpacked/" + name)) {
+            if (in == null) {
+                throw new IllegalStateException("no resource " + name);
+            }
+            return in.readAllBytes();
+        }
+    }
+}
