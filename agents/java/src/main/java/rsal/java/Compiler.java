@@ -1,16 +1,23 @@
 package rsal.java;
 
+import java.io.File;
 import java.io.IOException;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.jar.Attributes;
+import java.util.jar.JarFile;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javax.tools.Diagnostic;
 import javax.tools.DiagnosticCollector;
 import javax.tools.JavaCompiler;
@@ -67,8 +74,31 @@ final class Compiler {
         if (!modules.isEmpty()) {
             options.addAll(List.of("--module-path", modules, "--add-modules", "ALL-MODULE-PATH"));
         }
-        options.addAll(List.of("-classpath", System.getProperty("java.class.path", "")));
+        options.addAll(List.of("-classpath", classPath()));
         return options;
+    }
+
+    /// The class path with all jars that its first one names, as that of a release does: Eclipse's compiler reads no
+    /// manifests.
+    private static String classPath() {
+        String path = System.getProperty("java.class.path", "");
+        if (!path.endsWith(".jar") || path.contains(File.pathSeparator)) {
+            return path;
+        }
+        Path jar = Path.of(path);
+        try (var file = new JarFile(path)) {
+            String named = Optional.ofNullable(file.getManifest())
+                    .map(manifest -> manifest.getMainAttributes().getValue(Attributes.Name.CLASS_PATH))
+                    .orElse("");
+            return Stream.concat(
+                            Stream.of(path),
+                            Arrays.stream(named.split(" "))
+                                    .filter(name -> !name.isEmpty())
+                                    .map(name -> jar.resolveSibling(name).toString()))
+                    .collect(Collectors.joining(File.pathSeparator));
+        } catch (IOException _) { // then nothing of RSAL could have been loaded from it
+            return path;
+        }
     }
 
     private static InvalidSettings mistakes(Sources sources, List<Diagnostic<? extends JavaFileObject>> told) {

@@ -1,7 +1,6 @@
 package rsal.cli.show;
 
-import java.nio.file.Files;
-import java.nio.file.Path;
+import java.io.File;
 import java.util.Optional;
 import rsal.scenario.Scenario;
 
@@ -16,8 +15,14 @@ public record ScenarioReference(String nameOrFile, Optional<String> configuratio
                     + " folder, as 'rsal new' makes them)";
 
     public static ScenarioReference parse(String typed) {
+        return parse(typed, File.separatorChar);
+    }
+
+    /// @param separator of folders, beside `/`: on Windows, `C:\labs\hunt.yaml` is a file
+    static ScenarioReference parse(String typed, char separator) {
         int colon = typed.lastIndexOf(':');
-        if (colon < 0 || typed.indexOf('/', colon) >= 0 || Files.exists(Path.of(typed))) {
+        boolean inFolder = Math.max(typed.lastIndexOf('/'), typed.lastIndexOf(separator)) > colon;
+        if (colon < 0 || inFolder || new File(typed).exists()) {
             return new ScenarioReference(typed, Optional.empty());
         }
         return new ScenarioReference(typed.substring(0, colon), Optional.of(typed.substring(colon + 1)));

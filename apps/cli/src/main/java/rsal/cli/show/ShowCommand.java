@@ -1,5 +1,6 @@
 package rsal.cli.show;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -125,8 +126,8 @@ public final class ShowCommand extends Subcommand {
 
     /// @return where it was drawn
     private Path draw(Scene scene) {
-        Path file = Path.of(name).getFileName();
-        Path drawn = image != null ? image : Path.of((file == null ? name : file) + ".png");
+        String file = new File(name).getName().replace(':', '-'); // which Windows forbids in names
+        Path drawn = image != null ? image : Path.of(file + ".png");
         try {
             System.setProperty("java.awt.headless", "true"); // a server has no screen
             Files.write(drawn, WorldPicture.of(scene, PICTURE));
@@ -176,7 +177,7 @@ public final class ShowCommand extends Subcommand {
         Optional<String> closest = Suggestion.closest(
                 typed, Stream.concat(scenarios.stream(), others(others)).toList());
         boolean mayBeAScenario = closest.filter(scenarios::contains).isPresent();
-        if (!mayBeAScenario && !typed.contains(".") && !typed.contains("/") && !Files.exists(Path.of(typed))) {
+        if (!mayBeAScenario && !typed.contains(".") && !typed.contains("/") && !new File(typed).exists()) {
             throw new InvalidSettings(
                     Location.of(typed),
                     "There is nothing called '%s'.".formatted(typed),
