@@ -10,12 +10,14 @@ import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
 import rsal.cli.terminal.Exit;
 import rsal.cli.terminal.Subcommand;
 import rsal.cli.terminal.TextTable;
@@ -24,16 +26,26 @@ import rsal.cli.terminal.TextTable;
 @Command(name = "doctor", description = "Look at this machine: is all here that RSAL needs, and if not, what to do?")
 public final class DoctorCommand extends Subcommand {
     private static final long ENOUGH_MEMORY = 2L << 30;
+    private static final String CACHE = "-XX:AOTCache=";
     private static final Version NODE_LEAST = Version.parse("20.19");
     private static final List<Path> MAC_BROWSERS =
             List.of(Path.of("/Applications/Chromium.app"), Path.of("/Applications/Google Chrome.app"));
+
+    @Option(
+            names = "--offline",
+            description = "Leave out what only builds and tests RSAL, as in a release: Node.js and Chromium.")
+    private boolean offline;
 
     /// @param remedy empty when nothing is to be done
     record Finding(String what, boolean ok, String found, String remedy) {}
 
     @Override
     protected int run() {
-        List<Finding> findings = List.of(jdk(), cores(), memory(), fastStart(), port(), page(), node(), chromium());
+        boolean release = System.getProperty("rsal.docs") != null;
+        var findings = new ArrayList<>(List.of(jdk(), cores(), memory(), fastStart(release), port(), page()));
+        if (!offline && !release) {
+            findings.addAll(List.of(node(), chromium()));
+        }
         if (json) {
             printJson(Map.of("findings", findings));
         } else {
@@ -80,14 +92,19 @@ public final class DoctorCommand extends Subcommand {
                 enough ? "" : "2 GiB are enough for all that comes with RSAL; close something.");
     }
 
-    private static Finding fastStart() {
+    private static Finding fastStart(boolean release) {
         boolean cached = ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
-                .anyMatch(flag -> flag.startsWith("-XX:AOTCache="));
+                .filter(flag -> flag.startsWith(CACHE))
+                .anyMatch(flag -> new File(flag.substring(CACHE.length())).length() > 0);
         return new Finding(
                 "fast start",
                 cached,
                 cached ? "with an AOT cache" : "no AOT cache",
-                cached ? "" : "Start with ./rsal, which makes one after each build.");
+                cached
+                        ? ""
+                        : release
+                                ? "'rsal prepare' makes one, or says why it can't."
+                                : "Start with ./rsal, which makes one after each build.");
     }
 
     private static Finding port() {

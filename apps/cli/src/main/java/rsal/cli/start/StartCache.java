@@ -66,6 +66,9 @@ public record StartCache(Path file) {
     /// @return whether it is there now
     /// @throws IOException if it can't be written
     boolean make() throws IOException, InterruptedException {
+        if (isThere()) {
+            return true;
+        }
         Files.createDirectories(file.getParent());
         Path lock = file.resolveSibling(file.getFileName() + ".lock");
         try (var channel = FileChannel.open(lock, StandardOpenOption.CREATE, StandardOpenOption.WRITE);
