@@ -22,9 +22,10 @@ export const parts = [
   {
     title: 'How to',
     groups: [
+      { title: 'Install and teach', pages: docs('how-to', 'install', 'lab', 'troubleshooting') },
       {
         title: 'Robots',
-        pages: docs('how-to', 'localization', 'planning', 'avoidance', 'own-controller', 'recoveries', 'mapping', 'player', 'another-robot-system', 'another-bridge', 'another-world-format', 'another-log-format', 'troubleshooting'),
+        pages: docs('how-to', 'localization', 'planning', 'avoidance', 'own-controller', 'recoveries', 'mapping', 'player', 'another-robot-system', 'another-bridge', 'another-world-format', 'another-log-format'),
       },
       {
         title: 'Agents',

@@ -29,6 +29,9 @@ module rsal.cli {
     opens rsal.cli.bench to
             info.picocli,
             tools.jackson.databind;
+    opens rsal.cli.grade to
+            info.picocli,
+            tools.jackson.databind;
     opens rsal.cli.log to
             info.picocli,
             tools.jackson.databind;

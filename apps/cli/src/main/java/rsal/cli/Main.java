@@ -20,6 +20,8 @@ import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.UnmatchedArgumentException;
 import rsal.cli.bench.BenchCommand;
+import rsal.cli.grade.GradeCommand;
+import rsal.cli.grade.TestAgentCommand;
 import rsal.cli.log.ConvertCommand;
 import rsal.cli.log.ExportCommand;
 import rsal.cli.log.LocalizeCommand;
@@ -73,6 +75,8 @@ public final class Main implements Runnable {
             ExportCommand.class,
             SweepCommand.class,
             ReportCommand.class,
+            TestAgentCommand.class,
+            GradeCommand.class,
             BridgeCommand.class,
             AgentCommand.class,
             ControlCommands.Status.class,

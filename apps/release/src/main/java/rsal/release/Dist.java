@@ -141,6 +141,9 @@ final class Dist implements Callable<Integer> {
             tree.add("licenses/" + name, resource("licenses/" + name));
         }
         tree.add("README.md", resource("README.md"));
+        if (system.isLinux()) {
+            tree.add("rsal.service", resource("rsal.service"));
+        }
         tree.add("lib/java.options", options());
         String starter = system.isWindows() ? "rsal.cmd" : "rsal";
         byte[] script = resource(starter);

@@ -67,6 +67,10 @@ enum TargetSystem {
         return this == WINDOWS_X64;
     }
 
+    boolean isLinux() {
+        return this == LINUX_X64 || this == LINUX_ARM64;
+    }
+
     URI wheel() {
         return URI.create("https://files.pythonhosted.org/packages/" + wheel);
     }

@@ -2,7 +2,6 @@ package rsal.cli.start;
 
 import java.io.File;
 import java.io.IOException;
-import java.lang.management.ManagementFactory;
 import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -12,7 +11,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.Stream;
 
 /// The cache from which a release starts (JEP 483, 514: ahead-of-time class loading and linking). It holds the classes
 /// of a
@@ -100,17 +98,8 @@ public record StartCache(Path file) {
         return process;
     }
 
-    /// This program once more, as it was started, but for what concerns the cache.
     private static List<String> java(List<String> more) {
-        Stream<String> options = ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
-                .filter(option -> !option.startsWith("-XX:AOTCache") && !option.startsWith("-Drsal.cache="));
-        return Stream.of(
-                        Stream.of(Path.of(System.getProperty("java.home"), "bin", "java")
-                                .toString()),
-                        options,
-                        more.stream(),
-                        Stream.of("-cp", System.getProperty("java.class.path"), "rsal.cli.Main"))
-                .flatMap(part -> part)
-                .toList();
+        return OwnProgram.command(
+                option -> !option.startsWith("-XX:AOTCache") && !option.startsWith("-Drsal.cache="), more);
     }
 }

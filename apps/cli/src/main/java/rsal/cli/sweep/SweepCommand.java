@@ -237,7 +237,7 @@ public final class SweepCommand extends Subcommand {
     }
 
     /// What `--seeds` says.
-    static final class Seeds implements ITypeConverter<SeedRange> {
+    public static final class Seeds implements ITypeConverter<SeedRange> {
         @Override
         public SeedRange convert(String typed) {
             try {

@@ -1,0 +1,66 @@
+package rsal.cli.grade;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+import rsal.cli.show.ScenarioReference;
+import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.Subcommand;
+import rsal.cli.terminal.TextTable;
+import rsal.cli.terminal.Unreachable;
+
+/// `rsal test-agent`
+@Command(
+        name = "test-agent",
+        description =
+                "Test agents of your own: run their scenario with several seeds, each in a process of its own with bounded"
+                        + " time and memory. Ends with 0 when each run ends in success, else with 4.")
+public final class TestAgentCommand extends Subcommand {
+    @Parameters(paramLabel = "SCENARIO[:CONFIGURATION]", description = ScenarioReference.WHAT + ".")
+    private String scenario = "";
+
+    @Mixin
+    private Limits limits = new Limits();
+
+    @Override
+    protected int run() throws InterruptedException {
+        limits.check(spec.commandLine());
+        ScenarioReference.parse(scenario).load();
+        try {
+            Path logs = Files.createTempDirectory("rsal-test-agent-");
+            SeparateRun run = limits.run(Path.of("").toAbsolutePath(), scenario, logs);
+            SeededTrials.Trial trial =
+                    new SeededTrials(limits).all(Map.of(scenario, run), _ -> {}).getFirst();
+            print(trial, logs);
+            return trial.successes() == trial.results().size() ? Exit.SUCCESS : Exit.NO_SUCCESS;
+        } catch (IOException e) {
+            throw new Unreachable("Runs can't be started: %s.".formatted(e));
+        }
+    }
+
+    private void print(SeededTrials.Trial trial, Path logs) {
+        if (json) {
+            printJson(Map.of("scenario", scenario, "runs", trial.results(), "logs", logs.toString()));
+            return;
+        }
+        var table = new TextTable("").row("seed", "outcome", "time [s]", "");
+        List<SeparateRun.Result> results = trial.results();
+        results.forEach(result -> table.row(
+                Long.toString(result.seed()),
+                result.outcome(),
+                String.format(Locale.ROOT, "%.1f", result.simulatedSeconds()),
+                result.message()));
+        out().print(table);
+        out().println("%d of %d runs ended in success.".formatted(trial.successes(), results.size()));
+        if (trial.successes() < results.size()) {
+            out().println("What they told: %s".formatted(logs));
+        }
+        out().flush();
+    }
+}
