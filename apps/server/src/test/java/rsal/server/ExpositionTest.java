@@ -111,6 +111,37 @@ class ExpositionTest {
     }
 
     @Test
+    void saysThatTheProcessIsAliveAndTheRunGoesOn() throws Exception {
+        try (var server = Errand.serve(directory, 0)) {
+            assertThat(get(server, "/healthz").body()).isEqualTo("{\"status\":\"ok\"}");
+            Response ready = get(server, "/readyz");
+            assertThat(ready.status()).isEqualTo(200);
+            JsonNode said = new ObjectMapper().readTree(ready.body());
+            assertThat(said.path("run").asString()).isEqualTo("errand:one");
+            assertThat(said.path("seed").asLong()).isEqualTo(7);
+            assertThat(said.path("ended").asBoolean()).isFalse();
+            assertThat(RawHttp.get(server.url().getPort(), "/healthz", "Host: example.org:1")
+                            .status())
+                    .isEqualTo(421);
+        }
+    }
+
+    @Test
+    void aRunThatBrokeIsNotReady() throws Exception {
+        RunObserver breaking = new Onlooker(() -> {
+            throw new IllegalStateException("no more");
+        });
+        try (var server =
+                serve(Errand.plan(), plan -> LiveRun.of(plan).observer(breaking).start(), Optional.empty())) {
+            server.run().result().toCompletableFuture().handle((_, _) -> true).join();
+            Response ready = get(server, "/readyz");
+            assertThat(ready.status()).isEqualTo(503);
+            assertThat(ready.body()).contains("The run broke:").contains("no more");
+            assertThat(get(server, "/healthz").status()).isEqualTo(200);
+        }
+    }
+
+    @Test
     void isNotForPagesAndNamesOfOthers() throws Exception {
         try (var server = Errand.serve(directory, 0)) {
             int port = server.url().getPort();
@@ -208,6 +239,8 @@ class ExpositionTest {
         try (var server =
                 serve(Errand.plan(), plan -> LiveRun.of(plan).observer(holding).start(), Optional.empty())) {
             held.await();
+            assertThat(get(server, "/healthz").status()).isEqualTo(200);
+            assertThat(get(server, "/readyz").status()).isEqualTo(503);
             PrometheusText metrics = scrape(server);
             assertThat(metrics.value("rsal_run_ended")).isZero();
             assertThat(metrics.value("rsal_phase_seconds_total{phase=\"world\"}"))
