@@ -30,6 +30,7 @@ export default defineConfig({
   cacheDir: 'target/cache',
   base,
   metaChunk: true,
+  buildConcurrency: 1, // so that twice the same pages give the same search index
   vite: { plugins: [licences] },
   // Words of the documentation in <angle brackets> are no HTML.
   markdown: {
