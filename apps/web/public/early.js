@@ -9,4 +9,6 @@ globalThis.rsalOpen = () => {
   socket.onclose = ({ code }) => (line.closed = code);
   return line;
 };
-globalThis.rsalEarly = globalThis.rsalOpen();
+if (location.protocol === 'http:') {
+  globalThis.rsalEarly = globalThis.rsalOpen();
+} // else the server wants to see a token first: src/api/enter.ts

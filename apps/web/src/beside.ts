@@ -1,5 +1,5 @@
-import { mount } from 'svelte';
 import BesideView from './beside/BesideView.svelte';
 import './app.css';
+import { show } from './show';
 
-mount(BesideView, { target: document.getElementById('app')! });
+void show(BesideView);

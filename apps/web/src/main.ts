@@ -1,5 +1,5 @@
-import { mount } from 'svelte';
 import App from './App.svelte';
 import './app.css';
+import { show } from './show';
 
-mount(App, { target: document.getElementById('app')! });
+void show(App);

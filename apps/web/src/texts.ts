@@ -673,6 +673,8 @@ export const texts = {
   refused: {
     stopFirst: 'Not waited for, as the emergency stop came first: it may still be done.',
     noAnswer: 'The server does not answer.',
+    needsToken:
+      'This server needs a token. Open the address that was printed when it started, or that its owner gave you; it ends in #token=…',
   },
   dismiss: 'Dismiss',
 };

@@ -69,6 +69,11 @@ class Access {
     return asked.has('choose');
   }
 
+  /** The token, before it is taken out of the address bar. */
+  get given(): string | null {
+    return new URLSearchParams(location.hash.slice(1)).get('token') ?? sessionStorage.getItem(KEY);
+  }
+
   /** The server does not know the token (any more). */
   drop() {
     sessionStorage.removeItem(KEY);

@@ -6,6 +6,7 @@ const asked = new Map<string, AbortSignal>();
 
 beforeEach(() => {
   asked.clear();
+  vi.stubGlobal('location', { pathname: '/' });
   vi.stubGlobal('sessionStorage', { getItem: () => 'me', setItem: () => {}, removeItem: () => {} });
   vi.stubGlobal('fetch', (address: string, { signal }: { signal: AbortSignal }) => {
     asked.set(address, signal);
@@ -17,6 +18,18 @@ beforeEach(() => {
 
 afterEach(() => {
   vi.unstubAllGlobals();
+});
+
+it.each([
+  ['/', '/api/run/estop'],
+  ['/beside/2/', '/api/run/estop'],
+  ['/beside.html', '/api/run/estop'],
+  ['/lab/robots/', '/lab/robots/api/run/estop'],
+  ['/lab/robots/beside/12/index.html', '/lab/robots/api/run/estop'],
+])('stops all runs from the page at %s, behind a reverse proxy, too', (pathname, address) => {
+  vi.stubGlobal('location', { pathname });
+  void api.emergencyStop().catch(() => {});
+  expect([...asked.keys()]).toEqual([address]);
 });
 
 const velocity = { vx: 1, vy: 0, omega: 0 };

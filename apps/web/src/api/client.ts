@@ -90,7 +90,7 @@ export const api = {
   emergencyStop: () => {
     giveWay();
     others.postMessage('emergency stop');
-    return send('POST', STOP, {}, false, '/');
+    return send('POST', STOP, {}, false, root());
   },
   check: (wish: Restart) => post('check', wish) as Promise<Plan>,
   restart: (wish: Restart) => post('restart', wish) as Promise<RunInfo>,
@@ -167,6 +167,9 @@ function giveWay() {
   patience.abort();
   patience = new AbortController();
 }
+
+/** Where the server's own address is, which a reverse proxy may have put below another one. */
+const root = () => location.pathname.replace(/(beside\/\d+\/)?[^/]*$/, '');
 
 const home = (number: number) => (number === 1 ? '' : `beside/${String(number)}/`);
 

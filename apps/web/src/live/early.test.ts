@@ -59,13 +59,19 @@ describe('the line that is opened early', () => {
     ['http://127.0.0.1:8735/#token=abc', 'ws://127.0.0.1:8735/api/live'],
     ['http://127.0.0.1:8735/index.html?theme=a/b#token=abc', 'ws://127.0.0.1:8735/api/live'],
     ['http://127.0.0.1:8735/beside/2/#token=abc', 'ws://127.0.0.1:8735/beside/2/api/live'],
-    ['https://robots.example/beside/12/', 'wss://robots.example/beside/12/api/live'],
   ])('of %s is %s, and later ones are the same', async (href, line) => {
     const first = load(href);
     await begin();
     first.onclose({ code: 1006 });
     await vi.advanceTimersByTimeAsync(1000);
     expect(Socket.opened.map(({ url }) => String(url))).toEqual([line, line]);
+  });
+
+  it('waits at a server of another machine, which wants to see a token first', async () => {
+    load('https://robots.example/beside/12/#token=abc');
+    expect(Socket.opened).toEqual([]);
+    await begin();
+    expect(Socket.opened.map(({ url }) => String(url))).toEqual(['wss://robots.example/beside/12/api/live']);
   });
 
   it('is the one that the code goes on with, from what it has brought before', async () => {

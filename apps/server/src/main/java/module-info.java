@@ -23,6 +23,7 @@ module rsal.server {
     requires static org.jspecify;
 
     exports rsal.server;
+    exports rsal.server.access;
 
     opens rsal.server.message to
             tools.jackson.databind;

@@ -27,6 +27,7 @@ import rsal.cli.log.ExportCommand;
 import rsal.cli.log.LocalizeCommand;
 import rsal.cli.log.MapCommand;
 import rsal.cli.page.AgentCommand;
+import rsal.cli.page.CertificateCommand;
 import rsal.cli.page.ControlCommands;
 import rsal.cli.page.DoctorCommand;
 import rsal.cli.page.TellCommand;
@@ -95,6 +96,7 @@ public final class Main implements Runnable {
             MapCommand.class,
             DoctorCommand.class,
             PrepareCommand.class,
+            CertificateCommand.class,
             BenchCommand.class,
             TestCommand.class,
             DocsCommand.class,

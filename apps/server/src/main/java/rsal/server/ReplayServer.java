@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.net.URI;
 import java.nio.channels.ServerSocketChannel;
 import java.nio.file.Path;
+import java.util.Optional;
 import rsal.recording.Playback;
 import rsal.server.history.RecordedPast;
 import rsal.server.http.AccessControl;
@@ -46,7 +47,8 @@ public final class ReplayServer implements AutoCloseable {
         var past = new RecordedPast(playback, name);
         var gate = new AccessControl(PageServer.port(door), token);
         var live = new Live(new RecordingViewSource(past), gate);
-        server = new PageServer(door, token, gate, live, new ReplayApi(playback, past.run(), gate, page)::configure);
+        server = new PageServer(
+                door, token, gate, live, new ReplayApi(playback, past.run(), gate, page)::configure, Optional.empty());
     }
 
     /// The page's address, with the token in the part that browsers keep to themselves.

@@ -14,9 +14,11 @@ import java.util.function.Supplier;
 import rsal.engine.LiveRun;
 import rsal.recording.Recorder;
 import rsal.scenario.RunPlan;
+import rsal.server.access.Listening;
 import rsal.server.http.AccessControl;
 import rsal.server.http.Page;
 import rsal.server.http.PageServer;
+import rsal.server.http.PageServer.EncryptedDoor;
 import rsal.server.live.CurrentRun;
 import rsal.server.monitor.Exposition;
 import rsal.server.run.RunSlots;
@@ -25,7 +27,8 @@ import rsal.server.sweep.SweepApi;
 import rsal.server.sweep.SweepHome;
 import rsal.server.sweep.Sweeps;
 
-/// Runs a scenario, and others beside it, and shows them on this machine's loopback address, and there only.
+/// Runs a scenario, and others beside it, and shows them on this machine's loopback address, and elsewhere only if
+/// asked to.
 /// Everybody who can reach the port may look; changing anything takes the token.
 ///
 /// All methods may be called from any thread.
@@ -45,6 +48,7 @@ public final class RunServer implements AutoCloseable {
     /// @param starter starts those runs
     /// @param recorded the results of recordings so far, empty when there are none; on any thread, must not wait
     /// @param sweeping empty where no sweeps can be begun
+    /// @param listening where other machines reach it; empty for nowhere
     public record Options(
             int port,
             String token,
@@ -53,9 +57,23 @@ public final class RunServer implements AutoCloseable {
             Consumer<LiveRun> onStart,
             Function<RunPlan, LiveRun> starter,
             Supplier<Optional<Recorder.Tally>> recorded,
-            Optional<Sweeping> sweeping) {
+            Optional<Sweeping> sweeping,
+            Optional<Listening> listening) {
         public Options {
             scenarios = List.copyOf(scenarios);
+        }
+
+        /// For this machine alone.
+        public Options(
+                int port,
+                String token,
+                Path page,
+                List<String> scenarios,
+                Consumer<LiveRun> onStart,
+                Function<RunPlan, LiveRun> starter,
+                Supplier<Optional<Recorder.Tally>> recorded,
+                Optional<Sweeping> sweeping) {
+            this(port, token, page, scenarios, onStart, starter, recorded, sweeping, Optional.empty());
         }
 
         /// With runs of one scenario that nobody else sees all of.
@@ -73,33 +91,44 @@ public final class RunServer implements AutoCloseable {
     /// Opens the port, then starts the run.
     ///
     /// @throws PortInUse when the port is taken; nothing was started then
+    /// @throws java.net.BindException when the address for other machines can't be listened at; nothing
+    ///         was started then
     /// @throws IOException when the page was not built, or the port can't be opened for another reason
     public static RunServer start(RunPlan plan, Options options) throws IOException, PortInUse {
         var page = new Page(options.page());
         ServerSocketChannel door = PortInUse.open(options.port());
+        Optional<EncryptedDoor> afar = Optional.empty();
         try {
-            return new RunServer(plan, options, page, door);
-        } catch (RuntimeException e) {
+            if (options.listening().isPresent()) {
+                Listening listening = options.listening().get();
+                afar = Optional.of(new EncryptedDoor(PageServer.open(listening.address()), listening.identity()));
+            }
+            return new RunServer(plan, options, page, door, afar);
+        } catch (IOException | RuntimeException e) {
             door.close();
+            if (afar.isPresent()) {
+                afar.get().open().close();
+            }
             throw e;
         }
     }
 
-    private RunServer(RunPlan plan, Options options, Page page, ServerSocketChannel door) throws IOException {
+    private RunServer(RunPlan plan, Options options, Page page, ServerSocketChannel door, Optional<EncryptedDoor> afar)
+            throws IOException {
         token = options.token();
         var shelf = new ScenarioCatalog(options.scenarios());
         sweeps = new Sweeps(
                 options.sweeping().map(each -> new SweepHome(each.folder(), each.program())),
                 shelf,
                 Sweeps.coresBesideARun());
-        gate = new AccessControl(PageServer.port(door), token);
+        gate = new AccessControl(PageServer.port(door), token, options.listening());
         var first = new CurrentRun(plan, options.onStart(), options.starter());
         seats = new RunSlots(first, gate);
         try {
             var exposition = new Exposition(first, seats.first().live(), seats.first()::bytesKept, options.recorded());
             var sweepApi = new SweepApi(first, sweeps, gate);
             server = new PageServer(
-                    door, token, gate, seats, new Api(seats, shelf, gate, page, exposition, sweepApi)::configure);
+                    door, token, gate, seats, new Api(seats, shelf, gate, page, exposition, sweepApi)::configure, afar);
         } catch (IOException | RuntimeException e) {
             seats.close();
             throw e;

@@ -5,7 +5,9 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import picocli.CommandLine;
 import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.TypeConversionException;
 import rsal.cli.terminal.CommandWords;
@@ -50,14 +52,16 @@ public final class PageChoices {
                     + " Default: ${DEFAULT-VALUE}.")
     private String sweeps = "";
 
+    @Mixin
+    private NetworkChoices network = new NetworkChoices();
+
     public Path sweeps() {
         return Destination.path(sweeps);
     }
 
-    /// Null for the usual one, or any when that is in use.
-    @Nullable
-    public Integer port() {
-        return port;
+    /// @param line for mistakes in options
+    public PageRuns.Doors doors(CommandLine line) {
+        return new PageRuns.Doors(port, network.listening(line));
     }
 
     /// @param command as it was typed

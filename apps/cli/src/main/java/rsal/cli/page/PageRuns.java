@@ -2,6 +2,7 @@ package rsal.cli.page;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.net.BindException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -22,6 +23,7 @@ import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
 import rsal.server.PortInUse;
 import rsal.server.RunServer;
+import rsal.server.access.Listening;
 
 /// Runs that a page shows: a first one, and those that somebody starts there in its place.
 public final class PageRuns {
@@ -91,21 +93,30 @@ public final class PageRuns {
         FOR_A_CHOICE
     }
 
+    /// Where the page can be reached.
+    ///
+    /// @param port on this machine; null for the usual one, or any when that is in use
+    /// @param listening for other machines; empty for none
+    public record Doors(@Nullable Integer port, Optional<Listening> listening) {
+        /// The usual ones.
+        public static final Doors USUAL = new Doors(null, Optional.empty());
+    }
+
     /// Prints the page's address and shows runs until a signal ends it all, by an exception, or the first has ended.
     ///
-    /// @param port of the page; null for the usual one, or any when that is in use
-    public static RunResult show(First first, @Nullable Integer port, PrintWriter err, Eye eye) throws Exception {
+    public static RunResult show(First first, Doors doors, PrintWriter err, Eye eye) throws Exception {
         var runs = new LinkedBlockingQueue<LiveRun>();
         var begun = new AtomicReference<AutoCloseable>(() -> {});
         // before it begins: a recording that was begun has to end, too
         var ending = new ClosedAtExit(() -> close(begun.get(), eye));
         try (eye;
-                RunServer server = serve(first, port, runs::add, eye)) {
+                RunServer server = serve(first, doors, runs::add, eye)) {
             begun.set(server);
             keepKey(server, err);
             eye.shown(server);
             boolean isChoosing = first.stay() == Stay.FOR_A_CHOICE;
             err.println(isChoosing ? "Choose a scenario at " + server.url() + CHOOSE : "Watch it at " + server.url());
+            doors.listening().ifPresent(listening -> tellListening(listening, server.token(), err));
             while (true) {
                 LiveRun run = runs.take();
                 eye.began(run);
@@ -118,6 +129,16 @@ public final class PageRuns {
                 err.println("The page is still there, for another run, too; Ctrl-C ends it.");
             }
         }
+    }
+
+    private static void tellListening(Listening listening, String token, PrintWriter err) {
+        String host = listening.address().getHostString();
+        err.println("From other machines: https://%s:%d/#token=%s"
+                .formatted(
+                        host.contains(":") ? "[" + host + "]" : host,
+                        listening.address().getPort(),
+                        token));
+        err.println("rsal: Whoever has a token can reach this run over the network, and drive its robots.");
     }
 
     private static void close(AutoCloseable server, Eye eye) throws Exception {
@@ -134,22 +155,28 @@ public final class PageRuns {
         }
     }
 
-    private static RunServer serve(First first, @Nullable Integer port, Consumer<LiveRun> onStart, Eye eye)
-            throws IOException {
+    private static RunServer serve(First first, Doors doors, Consumer<LiveRun> onStart, Eye eye) throws IOException {
         String token = RunServer.newToken();
-        return serve(
-                port,
-                (free, page) -> RunServer.start(
-                        first.plan(),
-                        new RunServer.Options(
-                                free,
-                                token,
-                                page,
-                                first.scenarios(),
-                                onStart,
-                                eye::start,
-                                eye::recorded,
-                                first.sweeps().map(folder -> new RunServer.Sweeping(folder, Build.name())))));
+        try {
+            return serve(
+                    doors.port(),
+                    (free, page) -> RunServer.start(
+                            first.plan(),
+                            new RunServer.Options(
+                                    free,
+                                    token,
+                                    page,
+                                    first.scenarios(),
+                                    onStart,
+                                    eye::start,
+                                    eye::recorded,
+                                    first.sweeps().map(folder -> new RunServer.Sweeping(folder, Build.name())),
+                                    doors.listening())));
+        } catch (BindException e) {
+            throw new Unreachable("'%s' can't be listened at: %s. Is it in use, or of another machine?"
+                    .formatted(
+                            doors.listening().map(Listening::address).orElseThrow(), String.valueOf(e.getMessage())));
+        }
     }
 
     /// Starts a server at a port, with the built page.

@@ -2,8 +2,16 @@ package rsal.server.http;
 
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
+import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import rsal.server.access.Listening;
+import rsal.server.access.Role;
 import rsal.server.message.Refusal;
 import rsal.time.AllowedToReadWallClock;
 
@@ -11,19 +19,53 @@ import rsal.time.AllowedToReadWallClock;
 /// name made to point here (foreign `Host`), or by sending requests across sites (foreign or `null` `Origin`).
 /// Neither gets an answer. Those that may look still need the token to change anything.
 ///
+/// From other machines, where the server listens for them ([Listening]), all but the page's own files needs a
+/// token, which says by its [Role] what its owner may do. Browsers show it once ([#session]) and keep a cookie, by
+/// which they may watch and nothing else: so no other site can have them do anything.
+///
 /// Of those who have it, one may have the [#lease].
 @AllowedToReadWallClock("Control is given back when nobody is heard of.")
 public final class AccessControl {
     /// Header by which who asks is told from others; see [Lease].
     public static final String OPERATOR = "RSAL-Operator";
 
+    private static final String COOKIE = "rsal";
+
+    /// The page's own files, and what browsers show their token to.
+    private static final Pattern OPEN_TO_ALL =
+            Pattern.compile("/healthz|/api/session|/(beside/\\d+/)?((assets/)?[\\w@-][\\w@.-]*\\.\\w+)?");
+    private static final String BEARER = "Bearer ";
+    private static final String NEEDS_TOKEN = """
+            This needs the run's token. Open the page by the address that was printed at start, the one \
+            that ends in #token=…; or send the header "Authorization: Bearer <token>".""";
+
     private final Lease lease = new Lease(System::nanoTime);
     private final List<String> hosts;
-    private final byte[] token;
+    private final List<Key> keys;
+    private final List<String> origins;
+
+    /// @param token as bytes, to be compared in constant time
+    private record Key(byte[] token, Role role) {}
 
     public AccessControl(int port, String token) {
+        this(port, token, Optional.empty());
+    }
+
+    /// @param port of the loopback address
+    /// @param token of the one who started the server, who may do all
+    public AccessControl(int port, String token, Optional<Listening> listening) {
         hosts = List.of("127.0.0.1:" + port, "localhost:" + port, "[::1]:" + port);
-        this.token = token.getBytes(StandardCharsets.UTF_8);
+        keys = Stream.concat(
+                        Stream.of(new Key(bytes(token), Role.ADMIN)),
+                        listening.stream()
+                                .flatMap(each -> each.tokens().entrySet().stream())
+                                .map(each -> new Key(bytes(each.getKey()), each.getValue())))
+                .toList();
+        origins = listening.map(Listening::origins).orElse(List.of());
+    }
+
+    private static byte[] bytes(String token) {
+        return token.getBytes(StandardCharsets.UTF_8);
     }
 
     /// For every request, upgrades to WebSocket too.
@@ -43,6 +85,55 @@ public final class AccessControl {
         }
     }
 
+    /// For every request from another machine.
+    ///
+    /// @param path what is asked for, decoded
+    /// @param authorization the header; null without one
+    /// @param cookies the header; null without one
+    /// @throws Refusal when it has no token, or was sent by a page that is not ours
+    void admitFromAfar(
+            @Nullable String host,
+            @Nullable String origin,
+            @Nullable String site,
+            String path,
+            @Nullable String authorization,
+            @Nullable String cookies) {
+        if (origin != null && !origin.equals("https://" + host) && !origins.contains(origin)) {
+            throw new Refusal(403, "Pages of '%s' may not talk to this server.".formatted(origin));
+        }
+        if ("cross-site".equals(site) && !path.equals("/")) { // a link to the page is no harm
+            throw new Refusal(403, "Pages of other sites may not talk to this server. Open its address by itself.");
+        }
+        if (!OPEN_TO_ALL.matcher(path).matches()
+                && role(authorization).or(() -> role(cookie(cookies))).isEmpty()) {
+            throw new Refusal(401, NEEDS_TOKEN);
+        }
+    }
+
+    /// The token that a cookie has, as the header `Authorization` would have it.
+    private static @Nullable String cookie(@Nullable String cookies) {
+        return cookies == null
+                ? null
+                : Arrays.stream(cookies.split(";", -1))
+                        .map(String::strip)
+                        .filter(each -> each.startsWith(COOKIE + "="))
+                        .map(each -> BEARER + each.substring(COOKIE.length() + 1))
+                        .findFirst()
+                        .orElse(null);
+    }
+
+    /// Lets a browser of another machine in, as it can't send its token along with all that it asks for.
+    ///
+    /// @return the header `Set-Cookie`
+    /// @throws Refusal without a token
+    String session(@Nullable String authorization) {
+        if (authorization == null || role(authorization).isEmpty()) {
+            throw new Refusal(401, NEEDS_TOKEN);
+        }
+        return "%s=%s; Path=/; Secure; HttpOnly; SameSite=Strict"
+                .formatted(COOKIE, authorization.substring(BEARER.length()));
+    }
+
     /// Who alone may change anything for now.
     public Lease lease() {
         return lease;
@@ -57,22 +148,48 @@ public final class AccessControl {
         lease.check(operator);
     }
 
-    /// For requests that all who have the token may make at any time.
+    /// For requests that all who may operate may make at any time.
     ///
-    /// @throws Refusal without the token
+    /// @throws Refusal without a token of such
     public void authorize(@Nullable String authorization) {
-        if (!isToken(authorization)) {
-            throw new Refusal(401, """
-                    This needs the run's token. Open the page by the address that was printed at start, the one \
-                    that ends in #token=…; or send the header "Authorization: Bearer <token>".""");
+        require(Role.OPERATE, authorization);
+    }
+
+    /// For requests that only few may make.
+    ///
+    /// @throws Refusal without a token of such
+    public void authorizeAdmin(@Nullable String authorization) {
+        require(Role.ADMIN, authorization);
+    }
+
+    private void require(Role needed, @Nullable String authorization) {
+        Role has = role(authorization).orElseThrow(() -> new Refusal(401, NEEDS_TOKEN));
+        if (!has.includes(needed)) {
+            throw new Refusal(
+                    403, "This needs a token of the role '%s'. Yours has '%s'.".formatted(word(needed), word(has)));
         }
     }
 
-    /// Whether that is the token, as headers have it.
+    private static String word(Role role) {
+        return role.name().toLowerCase(Locale.ROOT);
+    }
+
+    /// Whether that is the token of one who may operate, as headers have it.
     public boolean isToken(@Nullable String authorization) {
-        return authorization != null
-                && authorization.startsWith("Bearer ")
-                && MessageDigest.isEqual(
-                        token, authorization.substring("Bearer ".length()).getBytes(StandardCharsets.UTF_8));
+        return role(authorization).filter(role -> role.includes(Role.OPERATE)).isPresent();
+    }
+
+    /// All are compared, so that time says nothing of them.
+    private Optional<Role> role(@Nullable String authorization) {
+        if (authorization == null || !authorization.startsWith(BEARER)) {
+            return Optional.empty();
+        }
+        byte[] shown = bytes(authorization.substring(BEARER.length()));
+        return keys.stream()
+                .map(key -> MessageDigest.isEqual(key.token, shown) ? Optional.of(key.role) : Optional.<Role>empty())
+                .toList()
+                .stream()
+                .flatMap(Optional::stream)
+                .max(Comparator.naturalOrder());
     }
 }

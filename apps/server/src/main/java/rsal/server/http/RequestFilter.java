@@ -28,6 +28,7 @@ final class RequestFilter extends Handler.Wrapper {
             "Cross-Origin-Opener-Policy", "same-origin",
             "Cross-Origin-Resource-Policy", "same-origin");
 
+    private static final String SITE = "Sec-Fetch-Site";
     private static final Pattern LIVE = Pattern.compile("(/beside/[^/]+)?/api/live");
 
     private final AccessControl gate;
@@ -53,7 +54,17 @@ final class RequestFilter extends Handler.Wrapper {
 
     private void admit(Request request) {
         var headers = request.getHeaders();
-        gate.admit(headers.get(HttpHeader.HOST), headers.get(HttpHeader.ORIGIN), headers.get("Sec-Fetch-Site"));
+        if (isFromAfar(request)) {
+            gate.admitFromAfar(
+                    headers.get(HttpHeader.HOST),
+                    headers.get(HttpHeader.ORIGIN),
+                    headers.get(SITE),
+                    request.getHttpURI().getCanonicalPath(),
+                    headers.get(HttpHeader.AUTHORIZATION),
+                    headers.get(HttpHeader.COOKIE));
+        } else {
+            gate.admit(headers.get(HttpHeader.HOST), headers.get(HttpHeader.ORIGIN), headers.get(SITE));
+        }
         if (gate.isToken(headers.get(HttpHeader.AUTHORIZATION))) {
             connections.trust(request.getConnectionMetaData().getConnection().getEndPoint());
         }
@@ -64,6 +75,11 @@ final class RequestFilter extends Handler.Wrapper {
                     "There is no WebSocket at '%s'."
                             .formatted(Refusal.shortened(request.getHttpURI().getPath())));
         }
+    }
+
+    private static boolean isFromAfar(Request request) {
+        return PageServer.FROM_AFAR.equals(
+                request.getConnectionMetaData().getConnector().getName());
     }
 
     private static void refuse(Refusal refusal, Response response, Callback callback) {

@@ -130,6 +130,9 @@ public final class CommandApi {
     /// What the wish asks for; otherwise as the run is now.
     private RunPlan plan(Context request, Restart wish) {
         LiveRun run = slots.find(request).now().run();
+        if (wish.text().isPresent()) { // which may name programs
+            gate.authorizeAdmin(request.header(Header.AUTHORIZATION));
+        }
         return new RestartReader(catalog, run.plan(), run.snapshot().speed()).read(wish);
     }
 }

@@ -47,7 +47,7 @@ public final class TextApi {
             Http.answer(request, id == null ? shelf.text(present(request)) : shelf.text(id));
         });
         routes.post("/api/scenarios/check", request -> {
-            gate.authorize(request.header(Header.AUTHORIZATION));
+            gate.authorizeAdmin(request.header(Header.AUTHORIZATION));
             TextToCheck wish = Http.read(request, TextToCheck.class, Http.MAX_TEXT);
             if (!checks.tryAcquire()) { // or they would keep busy all threads that answer, also for an emergency stop
                 throw new Refusal(409, "Other texts are being checked. Try again in a moment.");
@@ -59,6 +59,7 @@ public final class TextApi {
             }
         });
         routes.put("/api/scenarios/text", request -> {
+            gate.authorizeAdmin(request.header(Header.AUTHORIZATION));
             Http.authorize(request, gate);
             TextToSave wish = Http.read(request, TextToSave.class, 2 * Http.MAX_TEXT);
             shelf.save(wish.scenario(), wish.before(), wish.text());
