@@ -22,7 +22,7 @@ export const parts = [
   {
     title: 'How to',
     groups: [
-      { title: 'Install and teach', pages: docs('how-to', 'install', 'lab', 'troubleshooting') },
+      { title: 'Install, operate, teach', pages: docs('how-to', 'install', 'network', 'lab', 'troubleshooting') },
       {
         title: 'Robots',
         pages: docs('how-to', 'localization', 'planning', 'avoidance', 'own-controller', 'recoveries', 'mapping', 'player', 'another-robot-system', 'another-bridge', 'another-world-format', 'another-log-format'),

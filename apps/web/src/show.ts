@@ -1,4 +1,5 @@
 import { mount, type Component } from 'svelte';
+import Refused from './Refused.svelte';
 import { enter } from './api/enter';
 
 /** Shows a page, or why it can't be shown. */
@@ -8,6 +9,6 @@ export async function show(page: Component) {
   if (refused === null) {
     mount(page, { target });
   } else {
-    target.textContent = refused;
+    mount(Refused, { target, props: { why: refused } });
   }
 }

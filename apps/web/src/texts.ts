@@ -674,7 +674,10 @@ export const texts = {
     stopFirst: 'Not waited for, as the emergency stop came first: it may still be done.',
     noAnswer: 'The server does not answer.',
     needsToken:
-      'This server needs a token. Open the address that was printed when it started, or that its owner gave you; it ends in #token=…',
+      'This server needs a token. Its owner has it; it is also at the end of the address that was printed when the server started: #token=…',
+    title: 'RSAL',
+    token: 'Token',
+    open: 'Open',
   },
   dismiss: 'Dismiss',
 };

@@ -74,6 +74,11 @@ class Access {
     return new URLSearchParams(location.hash.slice(1)).get('token') ?? sessionStorage.getItem(KEY);
   }
 
+  /** Keeps a token that a person typed, for this tab. */
+  keep(token: string) {
+    sessionStorage.setItem(KEY, token);
+  }
+
   /** The server does not know the token (any more). */
   drop() {
     sessionStorage.removeItem(KEY);

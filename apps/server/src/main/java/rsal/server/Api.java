@@ -9,7 +9,7 @@ import rsal.server.http.HttpRoutes;
 import rsal.server.http.Page;
 import rsal.server.http.PageRoutes;
 import rsal.server.monitor.Exposition;
-import rsal.server.monitor.Health;
+import rsal.server.monitor.HealthRoutes;
 import rsal.server.run.CommandApi;
 import rsal.server.run.ControlApi;
 import rsal.server.run.MapApi;
@@ -59,7 +59,7 @@ public final class Api {
         configure(new HttpRoutes(routes, ""));
         configure(new HttpRoutes(routes, RunSlots.BESIDE));
         routes.get("/metrics", exposition::answer);
-        Health.serve(routes, () -> slots.first().now().run());
+        HealthRoutes.serve(routes, () -> slots.first().now().run());
         routes.get(
                 RunSlots.BESIDE + "/*",
                 request -> PageRoutes.asset(request, page, pathIn(slots.find(request), request)));

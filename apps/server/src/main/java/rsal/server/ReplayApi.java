@@ -44,7 +44,7 @@ import rsal.server.message.Messages.RobotInfo;
 import rsal.server.message.Messages.RunInfo;
 import rsal.server.message.Messages.Trails;
 import rsal.server.message.Refusal;
-import rsal.server.monitor.Health;
+import rsal.server.monitor.HealthRoutes;
 
 /// What can be asked about a recording over HTTP, as [Api] has it of a run. What asks for a time takes `time` in s of
 /// the run; left out, it is the end.
@@ -67,7 +67,7 @@ final class ReplayApi {
     }
 
     void configure(RoutesConfig routes) {
-        Health.serve(routes);
+        HealthRoutes.serve(routes);
         routes.get("/api/run", request -> Http.answer(request, run));
         routes.get("/api/map/{run}", this::map);
         routes.get("/api/drawn/{run}", request -> Grids.answer(request, drawn(request)));

@@ -138,7 +138,7 @@ public final class PageRuns {
                         host.contains(":") ? "[" + host + "]" : host,
                         listening.address().getPort(),
                         token));
-        err.println("rsal: Whoever has a token can reach this run over the network, and drive its robots.");
+        err.println("rsal: All who have a token reach this run over the network, and may drive its robots.");
     }
 
     private static void close(AutoCloseable server, Eye eye) throws Exception {

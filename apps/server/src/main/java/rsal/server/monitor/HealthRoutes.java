@@ -13,7 +13,7 @@ import rsal.server.message.Refusal;
 /// Says whether the process is alive (`/healthz`) and whether its run goes on as it should (`/readyz`), as Kubernetes
 /// and
 /// monitors ask for it. Asking changes nothing in a run.
-public final class Health {
+public final class HealthRoutes {
     /// @param status `ok`
     public record Alive(String status) {}
 
@@ -22,7 +22,7 @@ public final class Health {
     /// @param ended whether the run has ended; another one may follow it
     public record Ready(String status, String run, long seed, boolean paused, boolean ended) {}
 
-    private Health() {}
+    private HealthRoutes() {}
 
     /// @param current the run that is shown
     public static void serve(RoutesConfig routes, Supplier<LiveRun> current) {
