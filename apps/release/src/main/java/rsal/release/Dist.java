@@ -22,6 +22,16 @@ import picocli.CommandLine.Spec;
 @Command(name = "rsal dist", mixinStandardHelpOptions = true, description = "Pack a release for each system.")
 final class Dist implements Callable<Integer> {
     private static final int UNREACHABLE = 5; // as rsal.cli.terminal.Exit
+    /// What runs a release as a service, on Linux.
+    private static final List<String> SERVICES = List.of(
+            "rsal.service",
+            "container/Dockerfile",
+            "container/compose.yaml",
+            "container/prometheus.yml",
+            "container/grafana/datasource.yaml",
+            "container/grafana/provisioning.yaml",
+            "container/grafana/rsal.json");
+
     private static final String VERSION = "0.1.0";
 
     @Spec
@@ -142,7 +152,9 @@ final class Dist implements Callable<Integer> {
         }
         tree.add("README.md", resource("README.md"));
         if (system.isLinux()) {
-            tree.add("rsal.service", resource("rsal.service"));
+            for (String name : SERVICES) {
+                tree.add(name, resource(name));
+            }
         }
         tree.add("lib/java.options", options());
         String starter = system.isWindows() ? "rsal.cmd" : "rsal";
