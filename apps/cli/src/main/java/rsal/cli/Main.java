@@ -30,6 +30,7 @@ import rsal.cli.page.AgentCommand;
 import rsal.cli.page.CertificateCommand;
 import rsal.cli.page.ControlCommands;
 import rsal.cli.page.DoctorCommand;
+import rsal.cli.page.LogsCommand;
 import rsal.cli.page.TellCommand;
 import rsal.cli.run.BridgeCommand;
 import rsal.cli.run.ReplayCommand;
@@ -80,6 +81,7 @@ public final class Main implements Runnable {
             GradeCommand.class,
             BridgeCommand.class,
             AgentCommand.class,
+            LogsCommand.class,
             ControlCommands.Status.class,
             ControlCommands.Goal.class,
             ControlCommands.Pose.class,

@@ -17,17 +17,21 @@ import rsal.scenario.RunPlan;
 import rsal.server.RunServer;
 import rsal.time.AllowedToReadWallClock;
 
-/// Starts runs for all who look on: a recording, Foxglove, both or nobody. All methods may be called from any thread.
+/// Starts runs for all who look on: a recording, Foxglove, a log, all of them or nobody. All methods may be called from
+/// any thread.
 @AllowedToReadWallClock("What is recorded says when it was started.")
 public final class Onlookers implements AutoCloseable {
     private final RunRecorder recorder;
     private final Optional<FoxgloveServer> foxglove;
+    private final boolean logs;
     private final String command;
 
+    /// @param logs whether events of runs go to the log
     /// @param command as it was typed
-    Onlookers(RunRecorder recorder, Optional<FoxgloveServer> foxglove, String command) {
+    Onlookers(RunRecorder recorder, Optional<FoxgloveServer> foxglove, boolean logs, String command) {
         this.recorder = recorder;
         this.foxglove = foxglove;
+        this.logs = logs;
         this.command = command;
     }
 
@@ -62,6 +66,9 @@ public final class Onlookers implements AutoCloseable {
         LiveRun run = witnesses.isEmpty()
                 ? LiveRun.start(plan)
                 : LiveRun.of(plan).observer(RunObserver.all(witnesses)).start();
+        if (logs) {
+            RunLog.follow(run);
+        }
         recorder.began(run);
         foxglove.ifPresent(server -> server.began(run));
         return run;

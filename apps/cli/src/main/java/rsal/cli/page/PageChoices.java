@@ -12,6 +12,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.TypeConversionException;
 import rsal.cli.terminal.CommandWords;
 import rsal.cli.terminal.Destination;
+import rsal.cli.terminal.Logging;
 import rsal.foxglove.FoxgloveServer;
 
 /// Who looks on: the page's port, a recording, Foxglove. Options of commands that run scenarios.
@@ -52,6 +53,21 @@ public final class PageChoices {
                     + " Default: ${DEFAULT-VALUE}.")
     private String sweeps = "";
 
+    @Option(
+            names = "--log",
+            paramLabel = "FILE",
+            description =
+                    "Keep a log of what happens, as lines of JSON, for 'rsal logs'. At 10 MB the file becomes FILE.1, up to"
+                            + " FILE.5. Default: the file that RSAL_LOG names, if any.")
+    private @Nullable String log;
+
+    @Option(
+            names = "--log-level",
+            paramLabel = "LEVEL",
+            description =
+                    "The least important entries to keep: debug (also messages of agents), info, warn or error. Default: info.")
+    private Logging.Least logLevel = Logging.Least.info;
+
     @Mixin
     private NetworkChoices network = new NetworkChoices();
 
@@ -66,12 +82,18 @@ public final class PageChoices {
 
     /// @param command as it was typed
     public Onlookers onlookers(boolean force, boolean headless, String command, PrintWriter err) throws IOException {
+        Optional<Path> logged = Optional.ofNullable(log)
+                .or(() -> Optional.ofNullable(System.getenv("RSAL_LOG")))
+                .filter(name -> !name.isEmpty())
+                .map(Destination::path);
+        logged.ifPresent(file -> Logging.keep(file, logLevel));
         return new Onlookers(
                 RunRecorder.to(Optional.ofNullable(record), force, headless, err),
                 foxglove || foxglovePort != null
                         ? Optional.of(
                                 Onlookers.foxglove(foxglovePort == null ? FoxgloveServer.PORT : foxglovePort, err))
                         : Optional.empty(),
+                logged.isPresent(),
                 command);
     }
 

@@ -3,16 +3,32 @@ package rsal.cli.terminal;
 import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.LoggerContext;
 import ch.qos.logback.classic.encoder.PatternLayoutEncoder;
+import ch.qos.logback.classic.filter.ThresholdFilter;
 import ch.qos.logback.classic.spi.Configurator;
 import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.core.ConsoleAppender;
+import ch.qos.logback.core.rolling.FixedWindowRollingPolicy;
+import ch.qos.logback.core.rolling.RollingFileAppender;
+import ch.qos.logback.core.rolling.SizeBasedTriggeringPolicy;
 import ch.qos.logback.core.spi.ContextAwareBase;
+import ch.qos.logback.core.util.FileSize;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /// Sends logs to stderr, warnings and worse. In Java rather than XML, which would take longer to read than the rest
 /// of a start.
 public final class Logging extends ContextAwareBase implements Configurator {
+    private static final String OURS = "rsal";
+    private static final int MOST_OLD_FILES = 5;
+    private static final long MOST_BYTES = 10_000_000;
+
+    /// What of a log goes to stderr.
+    private static final ThresholdFilter FOR_PEOPLE = new ThresholdFilter();
+
     @Override
     public ExecutionStatus configure(LoggerContext context) {
         var encoder = new PatternLayoutEncoder();
@@ -23,6 +39,9 @@ public final class Logging extends ContextAwareBase implements Configurator {
         stderr.setContext(context);
         stderr.setTarget("System.err");
         stderr.setEncoder(encoder);
+        stderr.addFilter(FOR_PEOPLE);
+        FOR_PEOPLE.setLevel(Level.WARN.toString());
+        FOR_PEOPLE.start();
         stderr.start();
         var root = context.getLogger(Logger.ROOT_LOGGER_NAME);
         root.setLevel(Level.WARN);
@@ -32,6 +51,61 @@ public final class Logging extends ContextAwareBase implements Configurator {
 
     /// Tells everything our own code has to say from now on.
     static void tellMore() {
-        ((LoggerContext) LoggerFactory.getILoggerFactory()).getLogger("rsal").setLevel(Level.DEBUG);
+        FOR_PEOPLE.setLevel(Level.DEBUG.toString());
+        context().getLogger(OURS).setLevel(Level.DEBUG);
+    }
+
+    /// Also keeps a log in a file from now on, as [JsonLines]. At 10 MB it becomes `FILE.1`, and so on to `FILE.5`,
+    /// which is
+    /// then lost.
+    ///
+    /// @param least level of what our own code says; of libraries, warnings and worse are kept
+    /// @throws Unreachable if the file can't be written
+    public static void keep(Path file, Least least) {
+        try { // logback would only say it somewhere
+            Files.newOutputStream(file, StandardOpenOption.CREATE, StandardOpenOption.APPEND)
+                    .close();
+        } catch (IOException e) {
+            throw new Unreachable("The log '%s' can't be written: %s.".formatted(file, e));
+        }
+        LoggerContext context = context();
+        var appender = new RollingFileAppender<ILoggingEvent>();
+        appender.setContext(context);
+        appender.setFile(file.toString());
+        var lines = new JsonLines();
+        lines.setContext(context);
+        lines.start();
+        appender.setEncoder(lines);
+        var names = new FixedWindowRollingPolicy();
+        names.setContext(context);
+        names.setParent(appender);
+        names.setFileNamePattern(file + ".%i");
+        names.setMaxIndex(MOST_OLD_FILES);
+        names.start();
+        var size = new SizeBasedTriggeringPolicy<ILoggingEvent>();
+        size.setContext(context);
+        size.setMaxFileSize(new FileSize(MOST_BYTES));
+        size.start();
+        appender.setRollingPolicy(names);
+        appender.setTriggeringPolicy(size);
+        appender.start();
+        context.getLogger(Logger.ROOT_LOGGER_NAME).addAppender(appender);
+        Level level = Level.valueOf(least.name());
+        var ours = context.getLogger(OURS);
+        if (ours.getLevel() == null || ours.getLevel().isGreaterOrEqual(level)) { // --debug asks for more
+            ours.setLevel(level);
+        }
+    }
+
+    private static LoggerContext context() {
+        return (LoggerContext) LoggerFactory.getILoggerFactory();
+    }
+
+    /// Levels of a log, the least important first.
+    public enum Least {
+        debug,
+        info,
+        warn,
+        error
     }
 }

@@ -1,0 +1,169 @@
+package rsal.cli.page;
+
+import java.io.IOException;
+import java.io.RandomAccessFile;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.time.ZoneId;
+import java.time.format.DateTimeFormatter;
+import java.time.format.DateTimeParseException;
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import rsal.cli.terminal.Destination;
+import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.Logging;
+import rsal.cli.terminal.Subcommand;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
+import rsal.time.AllowedToReadWallClock;
+import tools.jackson.core.JacksonException;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/// `rsal logs`
+@Command(
+        name = "logs",
+        description =
+                "Show a log that 'rsal run --log FILE' or 'rsal serve --log FILE' keeps, as text or, with --json, line by line.")
+@AllowedToReadWallClock("Waits for what is added.")
+public final class LogsCommand extends Subcommand {
+    private static final DateTimeFormatter TIME =
+            DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm:ss.SSS").withZone(ZoneId.systemDefault());
+    private static final long PERIOD_MILLIS = 200;
+
+    @Parameters(paramLabel = "FILE", description = "The log.")
+    private String file = "";
+
+    @Option(
+            names = {"-f", "--follow"},
+            description = "Go on with what is added, until Ctrl-C.")
+    private boolean follow;
+
+    @Option(
+            names = "--level",
+            paramLabel = "LEVEL",
+            description = "Only entries of this level and more important ones: debug, info, warn, error.")
+    private Logging.Least level = Logging.Least.debug;
+
+    @Option(names = "--run", paramLabel = "NAME", description = "Only of runs that have this in their name, as patrol.")
+    private @Nullable String run;
+
+    @Option(names = "--robot", paramLabel = "NAME", description = "Only about this robot.")
+    private @Nullable String robot;
+
+    @Option(names = "--agent", paramLabel = "NAME", description = "Only about this agent.")
+    private @Nullable String agent;
+
+    @Override
+    protected int run() throws IOException, InterruptedException {
+        Path path = Destination.path(file);
+        if (!Files.isRegularFile(path)) {
+            throw new InvalidSettings(
+                    Location.of(file), "There is no such file.", "'rsal run --log FILE' keeps a log.");
+        }
+        long read = 0;
+        do {
+            if (Files.exists(path)) { // it has become FILE.1, and the new one is not there yet
+                read = tell(path, Files.size(path) < read ? 0 : read);
+                out().flush();
+            }
+            if (follow) {
+                Thread.sleep(PERIOD_MILLIS);
+            }
+        } while (follow);
+        return Exit.SUCCESS;
+    }
+
+    /// Tells what is behind a place, up to the last whole line.
+    ///
+    /// @return where that ends
+    private long tell(Path path, long from) throws IOException {
+        try (var input = new RandomAccessFile(path.toFile(), "r")) {
+            input.seek(from);
+            long end = from;
+            byte[] rest = new byte[0];
+            byte[] buffer = new byte[1 << 16];
+            for (int count = input.read(buffer); count > 0; count = input.read(buffer)) {
+                byte[] all = Arrays.copyOf(rest, rest.length + count);
+                System.arraycopy(buffer, 0, all, rest.length, count);
+                int begin = 0;
+                for (int i = rest.length; i < all.length; i++) {
+                    if (all[i] == '\n') {
+                        tell(new String(all, begin, i - begin, StandardCharsets.UTF_8));
+                        end += i + 1 - begin;
+                        begin = i + 1;
+                    }
+                }
+                rest = Arrays.copyOfRange(all, begin, all.length);
+            }
+            return end;
+        }
+    }
+
+    private void tell(String line) {
+        JsonNode entry;
+        try {
+            entry = JsonMapper.shared().readTree(line);
+        } catch (JacksonException e) {
+            return; // not of ours, or cut where the machine lost power
+        }
+        if (isWanted(entry)) {
+            out().println(json ? line : text(entry));
+        }
+    }
+
+    private boolean isWanted(JsonNode entry) {
+        boolean important = Stream.of(Logging.Least.values())
+                .filter(each -> each.name().equalsIgnoreCase(word(entry, "level")))
+                .findFirst()
+                .map(each -> each.compareTo(level) >= 0)
+                .orElse(false);
+        return important
+                && (run == null || word(entry, "run").contains(run))
+                && (robot == null || word(entry, "robot").equals(robot))
+                && (agent == null || word(entry, "agent").equals(agent));
+    }
+
+    /// `2026-11-29 15:10:00.123  WARN   patrol:virtual#42    12.3 s  courier-1: ran into wall`.
+    private static String text(JsonNode entry) {
+        String about = Stream.of("agent", "robot")
+                .map(key -> word(entry, key))
+                .filter(word -> !word.isEmpty())
+                .findFirst()
+                .map(name -> name + ": ")
+                .orElse("");
+        String time = entry.path("simulatedSeconds").isNumber()
+                ? String.format("%8.1f s  ", entry.path("simulatedSeconds").asDouble())
+                : "";
+        String source =
+                Optional.of(word(entry, "run")).filter(name -> !name.isEmpty()).orElseGet(() -> word(entry, "part"));
+        String error = word(entry, "error");
+        return Stream.of(
+                                when(word(entry, "time")),
+                                "%-5s".formatted(word(entry, "level")),
+                                source,
+                                time + about + word(entry, "message"))
+                        .collect(Collectors.joining("  "))
+                + (error.isEmpty() ? "" : "\n" + error.stripTrailing());
+    }
+
+    private static String when(String time) {
+        try {
+            return TIME.format(Instant.parse(time));
+        } catch (DateTimeParseException e) {
+            return time;
+        }
+    }
+
+    private static String word(JsonNode entry, String key) {
+        return entry.path(key).asString("");
+    }
+}
