@@ -83,6 +83,9 @@ class ReadmeTest {
         String version = Build.name().replaceFirst("^rsal ", "").replaceFirst(" .*", "");
         assertThat(Files.readString(ROOT.resolve("CITATION.cff"))).contains("\nversion: " + version + "\n");
         assertThat(Files.readString(ROOT.resolve("CHANGELOG.md"))).contains("\n## " + version);
+        assertThat(Files.readString(ROOT.resolve("apps/release/src/main/java/rsal/release/Dist.java")))
+                .contains(" VERSION = \"" + version + "\"");
+        assertThat(readme()).contains("rsal-" + version + "-linux-x64.tar.gz");
         assertThat(Files.readString(ROOT.resolve("pom.xml"))).contains("<version>" + version + "-SNAPSHOT</version>");
     }
 

@@ -7,8 +7,6 @@ import java.net.UnknownHostException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.FileAttribute;
-import java.nio.file.attribute.PosixFilePermissions;
 import java.security.GeneralSecurityException;
 import java.security.KeyStore;
 import java.security.MessageDigest;
@@ -77,7 +75,7 @@ public final class CertificateCommand extends Subcommand {
             Files.delete(work);
             byte[] certificate = made.getCertificate("rsal").getEncoded();
             folder.write(Map.of(CERTIFICATE, pem("CERTIFICATE", certificate)));
-            writeSecret(
+            SecretFile.write(
                     folder.resolve(KEY),
                     pem(
                             "PRIVATE KEY",
@@ -137,19 +135,6 @@ public final class CertificateCommand extends Subcommand {
         return "-----BEGIN %s-----\n%s\n-----END %s-----\n"
                 .formatted(what, LINES.encodeToString(bytes), what)
                 .getBytes(StandardCharsets.US_ASCII);
-    }
-
-    /// So that nobody else on this machine reads it, where the system knows of such.
-    private static void writeSecret(Path file, byte[] bytes) throws IOException {
-        Files.deleteIfExists(file);
-        boolean posix = file.getFileSystem().supportedFileAttributeViews().contains("posix");
-        FileAttribute<?>[] mine = posix
-                ? new FileAttribute<?>[] {
-                    PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------"))
-                }
-                : new FileAttribute<?>[0];
-        Files.createFile(file, mine);
-        Files.write(file, bytes);
     }
 
     private static String fingerprint(byte[] certificate) throws GeneralSecurityException {

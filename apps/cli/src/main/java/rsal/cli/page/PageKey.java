@@ -2,9 +2,9 @@ package rsal.cli.page;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
@@ -33,12 +33,7 @@ record PageKey(int port, String token) {
     void keep() throws IOException {
         Path file = file(port);
         Files.createDirectories(file.getParent());
-        Files.deleteIfExists(file); // of a program that was killed; its permissions may have been others
-        boolean posix = file.getFileSystem().supportedFileAttributeViews().contains("posix");
-        if (posix) {
-            Files.createFile(file, PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------")));
-        }
-        Files.writeString(file, token);
+        SecretFile.write(file, token.getBytes(StandardCharsets.UTF_8));
         file.toFile().deleteOnExit();
     }
 

@@ -1,0 +1,20 @@
+package rsal.cli.page;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+
+/// A file that nobody else may read, where the system knows of such.
+final class SecretFile {
+    private SecretFile() {}
+
+    /// Writes it anew: one that is there may have had other permissions.
+    static void write(Path file, byte[] bytes) throws IOException {
+        Files.deleteIfExists(file);
+        if (file.getFileSystem().supportedFileAttributeViews().contains("posix")) {
+            Files.createFile(file, PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------")));
+        }
+        Files.write(file, bytes);
+    }
+}
