@@ -9,7 +9,7 @@ import java.nio.file.attribute.PosixFilePermissions;
 final class SecretFile {
     private SecretFile() {}
 
-    /// Writes it anew: one that is there may have had other permissions.
+    /// Replaces one that is there, which may have had other permissions.
     static void write(Path file, byte[] bytes) throws IOException {
         Files.deleteIfExists(file);
         if (file.getFileSystem().supportedFileAttributeViews().contains("posix")) {
