@@ -18,7 +18,7 @@ import rsal.server.access.Listening;
 import rsal.server.http.AccessControl;
 import rsal.server.http.Page;
 import rsal.server.http.PageServer;
-import rsal.server.http.PageServer.EncryptedDoor;
+import rsal.server.http.PageServer.TlsListener;
 import rsal.server.live.CurrentRun;
 import rsal.server.monitor.Exposition;
 import rsal.server.run.RunSlots;
@@ -97,23 +97,23 @@ public final class RunServer implements AutoCloseable {
     public static RunServer start(RunPlan plan, Options options) throws IOException, PortInUse {
         var page = new Page(options.page());
         ServerSocketChannel door = PortInUse.open(options.port());
-        Optional<EncryptedDoor> afar = Optional.empty();
+        Optional<TlsListener> remote = Optional.empty();
         try {
             if (options.listening().isPresent()) {
                 Listening listening = options.listening().get();
-                afar = Optional.of(new EncryptedDoor(PageServer.open(listening.address()), listening.identity()));
+                remote = Optional.of(new TlsListener(PageServer.open(listening.address()), listening.identity()));
             }
-            return new RunServer(plan, options, page, door, afar);
+            return new RunServer(plan, options, page, door, remote);
         } catch (IOException | RuntimeException e) {
             door.close();
-            if (afar.isPresent()) {
-                afar.get().open().close();
+            if (remote.isPresent()) {
+                remote.get().channel().close();
             }
             throw e;
         }
     }
 
-    private RunServer(RunPlan plan, Options options, Page page, ServerSocketChannel door, Optional<EncryptedDoor> afar)
+    private RunServer(RunPlan plan, Options options, Page page, ServerSocketChannel door, Optional<TlsListener> remote)
             throws IOException {
         token = options.token();
         var shelf = new ScenarioCatalog(options.scenarios());
@@ -128,7 +128,12 @@ public final class RunServer implements AutoCloseable {
             var exposition = new Exposition(first, seats.first().live(), seats.first()::bytesKept, options.recorded());
             var sweepApi = new SweepApi(first, sweeps, gate);
             server = new PageServer(
-                    door, token, gate, seats, new Api(seats, shelf, gate, page, exposition, sweepApi)::configure, afar);
+                    door,
+                    token,
+                    gate,
+                    seats,
+                    new Api(seats, shelf, gate, page, exposition, sweepApi)::configure,
+                    remote);
         } catch (IOException | RuntimeException e) {
             seats.close();
             throw e;

@@ -76,8 +76,8 @@ public final class PageChoices {
     }
 
     /// @param line for mistakes in options
-    public PageRuns.Doors doors(CommandLine line) {
-        return new PageRuns.Doors(port, network.listening(line));
+    public PageRuns.Endpoints endpoints(CommandLine line) {
+        return new PageRuns.Endpoints(port, network.listening(line));
     }
 
     /// @param command as it was typed

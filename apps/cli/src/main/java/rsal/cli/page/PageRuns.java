@@ -97,26 +97,26 @@ public final class PageRuns {
     ///
     /// @param port on this machine; null for the usual one, or any when that is in use
     /// @param listening for other machines; empty for none
-    public record Doors(@Nullable Integer port, Optional<Listening> listening) {
+    public record Endpoints(@Nullable Integer port, Optional<Listening> listening) {
         /// The usual ones.
-        public static final Doors USUAL = new Doors(null, Optional.empty());
+        public static final Endpoints USUAL = new Endpoints(null, Optional.empty());
     }
 
     /// Prints the page's address and shows runs until a signal ends it all, by an exception, or the first has ended.
     ///
-    public static RunResult show(First first, Doors doors, PrintWriter err, Eye eye) throws Exception {
+    public static RunResult show(First first, Endpoints endpoints, PrintWriter err, Eye eye) throws Exception {
         var runs = new LinkedBlockingQueue<LiveRun>();
         var begun = new AtomicReference<AutoCloseable>(() -> {});
         // before it begins: a recording that was begun has to end, too
         var ending = new ClosedAtExit(() -> close(begun.get(), eye));
         try (eye;
-                RunServer server = serve(first, doors, runs::add, eye)) {
+                RunServer server = serve(first, endpoints, runs::add, eye)) {
             begun.set(server);
             keepKey(server, err);
             eye.shown(server);
             boolean isChoosing = first.stay() == Stay.FOR_A_CHOICE;
             err.println(isChoosing ? "Choose a scenario at " + server.url() + CHOOSE : "Watch it at " + server.url());
-            doors.listening().ifPresent(listening -> tellListening(listening, server.token(), err));
+            endpoints.listening().ifPresent(listening -> tellListening(listening, server.token(), err));
             while (true) {
                 LiveRun run = runs.take();
                 eye.began(run);
@@ -155,11 +155,12 @@ public final class PageRuns {
         }
     }
 
-    private static RunServer serve(First first, Doors doors, Consumer<LiveRun> onStart, Eye eye) throws IOException {
+    private static RunServer serve(First first, Endpoints endpoints, Consumer<LiveRun> onStart, Eye eye)
+            throws IOException {
         String token = RunServer.newToken();
         try {
             return serve(
-                    doors.port(),
+                    endpoints.port(),
                     (free, page) -> RunServer.start(
                             first.plan(),
                             new RunServer.Options(
@@ -171,11 +172,12 @@ public final class PageRuns {
                                     eye::start,
                                     eye::recorded,
                                     first.sweeps().map(folder -> new RunServer.Sweeping(folder, Build.name())),
-                                    doors.listening())));
+                                    endpoints.listening())));
         } catch (BindException e) {
             throw new Unreachable("'%s' can't be listened at: %s. Is it in use, or of another machine?"
                     .formatted(
-                            doors.listening().map(Listening::address).orElseThrow(), String.valueOf(e.getMessage())));
+                            endpoints.listening().map(Listening::address).orElseThrow(),
+                            String.valueOf(e.getMessage())));
         }
     }
 

@@ -140,7 +140,7 @@ public final class BridgeCommand extends Subcommand {
     }
 
     private RunResult runWithPage(RunPlan plan, BridgeProvider provider, InetSocketAddress at) throws Exception {
-        return PageRuns.show(PageRuns.First.alone(plan), PageRuns.Doors.USUAL, err(), new PageRuns.Eye() {
+        return PageRuns.show(PageRuns.First.alone(plan), PageRuns.Endpoints.USUAL, err(), new PageRuns.Eye() {
             @Override
             public void began(LiveRun run) throws Exception {
                 offer(run, provider, at);

@@ -123,10 +123,11 @@ public final class RunCommand extends Subcommand {
                     "Its robots stand until somebody switches their motors on: without a page, say --arm.");
         }
         Optional<SavedMaps> maps = Optional.ofNullable(saveMaps).map(folder -> SavedMaps.to(folder, plan, force));
-        PageRuns.Doors doors = page.doors(spec.commandLine());
-        check(!headless || doors.listening().isEmpty(), "--listen is for the page, which --headless leaves out.");
+        PageRuns.Endpoints endpoints = page.endpoints(spec.commandLine());
+        check(!headless || endpoints.listening().isEmpty(), "--listen is for the page, which --headless leaves out.");
         Onlookers onlookers = page.onlookers(force, headless, typed(), err());
-        RunResult result = headless ? runHeadless(plan, maps, onlookers) : runWithPage(plan, maps, onlookers, doors);
+        RunResult result =
+                headless ? runHeadless(plan, maps, onlookers) : runWithPage(plan, maps, onlookers, endpoints);
         int code = exit(result);
         return code == Exit.SUCCESS && onlookers.hasFailed() ? Exit.UNREACHABLE : code;
     }
@@ -160,14 +161,15 @@ public final class RunCommand extends Subcommand {
     }
 
     /// The maps of a later run take the place of those of an earlier one.
-    private RunResult runWithPage(RunPlan plan, Optional<SavedMaps> maps, Onlookers onlookers, PageRuns.Doors doors)
+    private RunResult runWithPage(
+            RunPlan plan, Optional<SavedMaps> maps, Onlookers onlookers, PageRuns.Endpoints endpoints)
             throws Exception {
         var first = PageRuns.First.of(
                 plan,
                 List.of(ScenarioReference.parse(scenario).nameOrFile()),
                 once ? PageRuns.Stay.FOR_THE_FIRST : PageRuns.Stay.FOR_MORE,
                 page.sweeps());
-        return PageRuns.show(first, doors, err(), new PageRuns.Eye() {
+        return PageRuns.show(first, endpoints, err(), new PageRuns.Eye() {
             @Override
             public LiveRun start(RunPlan next) {
                 return onlookers.start(next);

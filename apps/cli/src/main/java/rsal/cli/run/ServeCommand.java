@@ -46,10 +46,10 @@ public final class ServeCommand extends Subcommand {
     @Override
     protected int run() throws Exception {
         own.forEach(Scenario::load); // mistakes are told now
-        PageRuns.Doors doors = page.doors(spec.commandLine());
+        PageRuns.Endpoints endpoints = page.endpoints(spec.commandLine());
         Onlookers onlookers = page.onlookers(force, false, typed(), err());
         var first = PageRuns.First.of(waiting(), own, PageRuns.Stay.FOR_A_CHOICE, page.sweeps());
-        return RunCommand.exit(PageRuns.show(first, doors, err(), eye(onlookers)));
+        return RunCommand.exit(PageRuns.show(first, endpoints, err(), eye(onlookers)));
     }
 
     /// What the page shows until somebody chooses: the first of a person's own, if its time can stand still.

@@ -91,7 +91,7 @@ public final class AccessControl {
     /// @param authorization the header; null without one
     /// @param cookies the header; null without one
     /// @throws Refusal when it has no token, or was sent by a page that is not ours
-    void admitFromAfar(
+    void admitRemote(
             @Nullable String host,
             @Nullable String origin,
             @Nullable String site,

@@ -34,16 +34,16 @@ public final class PageServer implements AutoCloseable {
     private static final Duration IDLE = Duration.ofSeconds(30);
     private static final Duration STALLED = Duration.ofSeconds(5); // while a request or its answer is under way
     /// Name of the connector that other machines reach.
-    static final String FROM_AFAR = "from afar";
+    static final String REMOTE = "remote";
 
     /// Answered once before anybody asks.
     static final List<String> FIRST = List.of("/", "/api/run");
 
-    /// A door for other machines.
+    /// What other machines connect to.
     ///
-    /// @param open from [#open]
+    /// @param channel from [#open]
     /// @param identity as [Listening] has it
-    public record EncryptedDoor(ServerSocketChannel open, KeyStore identity) {}
+    public record TlsListener(ServerSocketChannel channel, KeyStore identity) {}
 
     private final Javalin http;
     private final ViewerEndpoint viewing;
@@ -54,19 +54,19 @@ public final class PageServer implements AutoCloseable {
     /// @param gate that all requests pass
     /// @param viewing where viewers come in; this closes it
     /// @param routes what can be asked and told
-    /// @param afar where else it can be reached; empty for nowhere
+    /// @param remote where else it can be reached; empty for nowhere
     public PageServer(
             ServerSocketChannel door,
             String token,
             AccessControl gate,
             ViewerEndpoint viewing,
             Consumer<RoutesConfig> routes,
-            Optional<EncryptedDoor> afar)
+            Optional<TlsListener> remote)
             throws IOException {
         this.viewing = viewing;
         url = URI.create("http://%s:%d/#token=%s".formatted(LOOPBACK, port(door), token));
         http = Javalin.create(config -> {
-            configure(config, door, gate, afar);
+            configure(config, door, gate, remote);
             config.routes.post("/api/session", request -> enter(request, gate));
             routes.accept(config.routes);
         });
@@ -109,7 +109,7 @@ public final class PageServer implements AutoCloseable {
     }
 
     private void configure(
-            JavalinConfig config, ServerSocketChannel door, AccessControl gate, Optional<EncryptedDoor> afar) {
+            JavalinConfig config, ServerSocketChannel door, AccessControl gate, Optional<TlsListener> remote) {
         var connections = new Connections();
         config.startup.showJavalinBanner = false;
         config.startup.showOldJavalinVersionWarning = false;
@@ -122,7 +122,8 @@ public final class PageServer implements AutoCloseable {
         threads.setDaemon(true);
         config.jetty.threadPool = threads;
         config.jetty.addConnector((server, http) -> connector(server, http, door, connections));
-        afar.ifPresent(each -> config.jetty.addConnector((server, http) -> encrypted(server, http, each, connections)));
+        remote.ifPresent(
+                each -> config.jetty.addConnector((server, http) -> encrypted(server, http, each, connections)));
         config.jetty.modifyServer(server -> server.setStopTimeout(0));
         config.jetty.modifyHttpConfiguration(http -> {
             http.setSendServerVersion(false);
@@ -154,19 +155,19 @@ public final class PageServer implements AutoCloseable {
     }
 
     private static ServerConnector encrypted(
-            Server server, HttpConfiguration http, EncryptedDoor door, Connections connections) {
+            Server server, HttpConfiguration http, TlsListener listener, Connections connections) {
         var secure = new HttpConfiguration(http);
         secure.addCustomizer(new SecureRequestCustomizer(false)); // names of hosts are the AccessControl's business
         var tls = new SslContextFactory.Server();
-        tls.setKeyStore(door.identity());
+        tls.setKeyStore(listener.identity());
         tls.setKeyStorePassword("");
         tls.setIncludeProtocols("TLSv1.2", "TLSv1.3");
         var connector = new ServerConnector(
                 server, 1, 1, new SslConnectionFactory(tls, "http/1.1"), new HttpConnectionFactory(secure));
         connector.addBean(connections);
         connector.setIdleTimeout(IDLE.toMillis());
-        connector.setName(FROM_AFAR);
-        return opened(connector, door.open());
+        connector.setName(REMOTE);
+        return opened(connector, listener.channel());
     }
 
     /// With the token in the part that browsers keep to themselves.

@@ -54,8 +54,8 @@ final class RequestFilter extends Handler.Wrapper {
 
     private void admit(Request request) {
         var headers = request.getHeaders();
-        if (isFromAfar(request)) {
-            gate.admitFromAfar(
+        if (isRemote(request)) {
+            gate.admitRemote(
                     headers.get(HttpHeader.HOST),
                     headers.get(HttpHeader.ORIGIN),
                     headers.get(SITE),
@@ -77,8 +77,8 @@ final class RequestFilter extends Handler.Wrapper {
         }
     }
 
-    private static boolean isFromAfar(Request request) {
-        return PageServer.FROM_AFAR.equals(
+    private static boolean isRemote(Request request) {
+        return PageServer.REMOTE.equals(
                 request.getConnectionMetaData().getConnector().getName());
     }
 
