@@ -223,9 +223,9 @@ public final class SweepFolder implements AutoCloseable {
             if (manifest.format() != Manifest.FORMAT) {
                 throw new InvalidSettings(
                         at(file),
-                        "It is of format '%d'; this RSAL reads format %d."
+                        "This sweep has format '%d'; this RSAL reads format %d."
                                 .formatted(manifest.format(), Manifest.FORMAT),
-                        "");
+                        manifest.format() > Manifest.FORMAT ? "It was made by a newer RSAL: use that." : "");
             }
             return manifest;
         } catch (IOException _) {

@@ -22,6 +22,11 @@ import rsal.scenario.text.Folders;
 /// @param started in real time
 public record Origin(RunPlan plan, String program, String command, Instant started) {
     static final String NAME = "rsal.run";
+    /// Version of what is recorded and how. A higher one can't be read; files from before there were versions have
+    /// none.
+    static final String FORMAT = "1";
+
+    static final String FORMAT_KEY = "format";
     static final String FILES = "scenario/"; // names of attachments begin with it
 
     private static final long SECOND = 1_000_000_000;
@@ -35,6 +40,7 @@ public record Origin(RunPlan plan, String program, String command, Instant start
     void write(McapWriter file) throws IOException {
         RunOptions options = plan.options();
         var entries = new LinkedHashMap<String, String>();
+        entries.put(FORMAT_KEY, FORMAT);
         entries.put("scenario", plan.scenario().name());
         entries.put("file", Folders.without(plan.scenario().location().file()));
         entries.put("configuration", plan.configuration());

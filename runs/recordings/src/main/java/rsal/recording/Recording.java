@@ -47,6 +47,15 @@ public final class Recording implements Closeable {
                     "This is an MCAP, but no recording of a run.",
                     "Maybe it is from another program, or was cut off at its very beginning.");
         }
+        String format = recording.run.getOrDefault(Origin.FORMAT_KEY, Origin.FORMAT);
+        if (!format.equals(Origin.FORMAT)) {
+            file.close();
+            throw new InvalidSettings(
+                    Location.of(name),
+                    "This recording has format '%s'; this RSAL reads format %s.".formatted(format, Origin.FORMAT),
+                    "It was made by '%s': use that, or a newer one."
+                            .formatted(recording.run.getOrDefault("program", "another RSAL")));
+        }
         return recording;
     }
 

@@ -15,6 +15,7 @@ import java.util.stream.Stream;
 import rsal.scenario.installed.Catalog;
 import rsal.scene.Scene;
 import rsal.settings.FileSource;
+import rsal.settings.FormatVersion;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.settings.Parameter;
@@ -45,14 +46,8 @@ public final class Scenario {
         this.files = files;
         this.text = text;
         var section = new Section("", settings, problems);
-        int version = (int) section.number("rsal");
-        if (section.has("rsal") && version != Format.VERSION) {
-            section.problem(
-                    "rsal",
-                    "'rsal' is the version of the format: %d, not '%s'."
-                            .formatted(Format.VERSION, section.number("rsal")),
-                    "");
-        }
+        section.number("rsal"); // it must be there
+        FormatVersion.check(section, "scenario", Format.VERSION);
         this.name = section.text("scenario");
         this.title = section.text("title", name);
         this.description = section.text("description", "");

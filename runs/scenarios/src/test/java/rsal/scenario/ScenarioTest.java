@@ -226,7 +226,11 @@ class ScenarioTest {
                         "first: {configurations: {}}",
                         "'configurations' can't be changed by a configuration"),
                 List.of("title: A good", "titel: A good", "good.yaml:3:1: 'titel' is not known here", "Maybe 'title'"),
-                List.of("rsal: 1", "rsal: 2", "good.yaml:1:7", "'rsal' is the version of the format: 1"),
+                List.of(
+                        "rsal: 1",
+                        "rsal: 2",
+                        "good.yaml:1:7",
+                        "This scenario has format '2'; this RSAL reads format 1."),
                 List.of("scenario: good\n", "", "'scenario' is missing"),
                 List.of("map: office", "map: ofice", "good.yaml:9:14", "There is no map 'ofice'", "Maybe 'office'"),
                 List.of("map: office", "map: lab/floor.yaml", "There is no file 'lab/floor.yaml'"),

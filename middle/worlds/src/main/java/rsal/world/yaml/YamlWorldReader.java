@@ -20,6 +20,7 @@ import rsal.scene.NamedSeed;
 import rsal.scene.Scene;
 import rsal.scene.Touch;
 import rsal.settings.FileSource;
+import rsal.settings.FormatVersion;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.settings.Parameter;
@@ -57,7 +58,7 @@ final class YamlWorldReader {
 
     /// @throws InvalidSettings with its mistakes
     Scene scene() {
-        checkVersion();
+        FormatVersion.check(root, "world", Keys.VERSION);
         String title = root.text("title", "");
         root.text("description", "");
         Optional<Duration> step = time(Keys.STEP);
@@ -106,14 +107,6 @@ final class YamlWorldReader {
     private void warn(Location location, String message, String remedy) {
         if (problems.warnings().size() < MOST_WARNINGS) {
             problems.warn(new Problem(location, message, remedy));
-        }
-    }
-
-    private void checkVersion() {
-        double version = root.number("rsal");
-        if (root.has("rsal") && version != Keys.VERSION) {
-            root.problem(
-                    "rsal", "'rsal' is the version of the format: %d, not '%s'.".formatted(Keys.VERSION, version), "");
         }
     }
 

@@ -598,7 +598,7 @@ class YamlFormatTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
-            rsal: 2                                        | 2:7   | 'rsal' is the version of the format: 1
+            rsal: 2                                        | 2:7   | This world has format '2'; this RSAL reads format 1.
             wals: []                                       | 2:1   | Maybe 'walls' was meant?
             step: 1                                        | 2:7   | 'step' must be a number from 0.01 to 0.2 [s], not '1'
             area: [0, 0, 0, 5]                             | 2:7   | 'area' must be [left, bottom, right, top]
