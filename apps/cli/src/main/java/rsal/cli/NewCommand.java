@@ -40,6 +40,7 @@ final class NewCommand extends Subcommand {
     private static final String PLAIN = "plain"; // runs agents in Java
     private static final String TEST = "test.sh";
     private static final String README = "README.md";
+    private static final boolean ON_WINDOWS = File.separatorChar == '\\'; // where no shell runs the test
     private static final String ABOUT_AGENTS = """
             Agents are named by their `type` under `agents`: a file here, in Java (`.java`) or AgentSpeak (`.asl`), or one that comes
             with RSAL. Change a file and run the scenario again. `rsal list agents` tells which agents come with RSAL, and `rsal show TYPE`
@@ -94,7 +95,9 @@ final class NewCommand extends Subcommand {
         if (Files.exists(folder)) {
             throw there(folder);
         }
-        texts.put(TEST, test(own, template));
+        if (!ON_WINDOWS) {
+            texts.put(TEST, test(own, template));
+        }
         texts.put(README, readme(own, template, texts));
         write(folder, texts);
         tell(own, folder, List.copyOf(texts.keySet()));
@@ -165,7 +168,7 @@ final class NewCommand extends Subcommand {
     /// As a word for a shell, wherever it is called from.
     private static String command() {
         String launcher = System.getProperty("rsal.launcher", "rsal");
-        if (File.separatorChar == '\\') { // Windows, whose shells have quotes of their own
+        if (ON_WINDOWS) { // whose shells have quotes of their own
             return launcher.contains(" ") ? "\"" + launcher + "\"" : launcher;
         }
         return ShellWords.of(List.of(launcher));
@@ -184,7 +187,7 @@ final class NewCommand extends Subcommand {
                 ```
                 rsal run %s.yaml
                 rsal show %s.yaml
-                ./test.sh
+                %s
                 ```
 
                 The first runs it, with the page. The second tells what can be set, its robots, agents, ends and metrics. The third runs
@@ -192,10 +195,22 @@ final class NewCommand extends Subcommand {
 
                 | file | |
                 |---|---|
-                %s| `test.sh` | the test |
-
+                %s%s
                 %s
-                """.formatted(name, template.scenario().title(), origin(), name, name, files, about());
+                """.formatted(
+                        name,
+                        template.scenario().title(),
+                        origin(),
+                        name,
+                        name,
+                        ON_WINDOWS ? testAgent(name) : "./" + TEST,
+                        files,
+                        ON_WINDOWS ? "" : "| `test.sh` | the test |\n",
+                        about());
+    }
+
+    private static String testAgent(String name) {
+        return "rsal test-agent %s.yaml --seeds 3".formatted(name);
     }
 
     private String about() {
@@ -239,7 +254,7 @@ final class NewCommand extends Subcommand {
             for (Map.Entry<String, String> text : texts.entrySet()) {
                 Files.writeString(folder.resolve(text.getKey()), text.getValue());
             }
-            if (!folder.resolve(TEST).toFile().setExecutable(true, false)) {
+            if (!ON_WINDOWS && !folder.resolve(TEST).toFile().setExecutable(true, false)) {
                 throw new IOException("'%s' can't be made executable".formatted(TEST));
             }
         } catch (FileAlreadyExistsException e) {
@@ -265,7 +280,11 @@ final class NewCommand extends Subcommand {
             return;
         }
         all.forEach(out()::println);
-        out().println("\nRun it by   %s run %s%nTest it by  %s".formatted(command(), run, folder.resolve(TEST)));
+        out().println("\nRun it by   %s run %s%nTest it by  %s"
+                .formatted(
+                        command(),
+                        run,
+                        ON_WINDOWS ? "%s test-agent %s --seeds 3".formatted(command(), run) : folder.resolve(TEST)));
         out().flush();
     }
 }
