@@ -54,11 +54,15 @@ final class Limits {
         }
     }
 
+    /// Of this process's options, those that a run has, too: it has a bound of its own, shows no page, and makes no
+    /// cache.
+    private static boolean isForRuns(String option) {
+        return !option.startsWith("-Xmx") && !option.startsWith("-Drsal.page=") && !option.startsWith("-Drsal.cache=");
+    }
+
     SeparateRun run(Path folder, String scenario, Path logs) {
         return new SeparateRun(
-                OwnProgram.command(
-                        option -> !option.startsWith("-Xmx") && !option.startsWith("-Drsal.page="),
-                        List.of("-Xmx%dm".formatted(megabytes))),
+                OwnProgram.command(Limits::isForRuns, List.of("-Xmx%dm".formatted(megabytes))),
                 folder,
                 scenario,
                 logs,
