@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine;
 import picocli.CommandLine.Option;
@@ -26,6 +27,9 @@ import rsal.settings.Location;
 /// Whether other machines reach the page, as options: only by TLS, and only with a token.
 final class NetworkChoices {
     private static final int PORT = 8443;
+
+    /// RFC 6750, section 2.1. So it can stand in a header and in a cookie.
+    private static final Pattern TOKEN = Pattern.compile("[A-Za-z0-9._~+/=-]{%d,}".formatted(Listening.SHORTEST_TOKEN));
 
     @Option(
             names = "--listen",
@@ -134,11 +138,11 @@ final class NetworkChoices {
             if (!line.isEmpty() && !line.startsWith("#")) {
                 String[] words = line.split("\\s+", -1);
                 if (words.length != 2
-                        || words[1].length() < Listening.SHORTEST_TOKEN
+                        || !TOKEN.matcher(words[1]).matches()
                         || tokens.put(words[1], role(words[0], file, i + 1)) != null) {
                     throw new InvalidSettings(
                             new Location(file.toString(), i + 1, 1),
-                            "This is no role and a token of its own with at least %d characters."
+                            "This is no role and a token of its own with at least %d characters: letters, digits and -._~+/=."
                                     .formatted(Listening.SHORTEST_TOKEN), // never the token itself
                             "Write, for instance: watch %s".formatted("x".repeat(Listening.SHORTEST_TOKEN)));
                 }
