@@ -150,6 +150,11 @@ class ListenIT {
                 3,
                 "at least 16 characters",
                 listening(8443, "--token-file", "tokens").toArray(String[]::new));
+        Files.writeString(folder.resolve("tokens"), "watch Secure;Path=/0123456789\n"); // no cookie could hold it
+        refuses(
+                3,
+                "at least 16 characters",
+                listening(8443, "--token-file", "tokens").toArray(String[]::new));
         refuses(2, "is no origin", listening(8443, "--origin", "robots").toArray(String[]::new));
         refuses(
                 2,
