@@ -32,6 +32,9 @@ final class Dist implements Callable<Integer> {
             "container/grafana/provisioning.yaml",
             "container/grafana/rsal.json");
 
+    /// Texts of licences that no jar carries: of JADE and Jason, and of ASM.
+    private static final List<String> LICENCES = List.of("LGPL-2.1.txt", "LGPL-3.txt", "GPL-3.txt", "ASM.txt");
+
     private static final String VERSION = "0.1.0";
 
     @Spec
@@ -146,8 +149,7 @@ final class Dist implements Callable<Integer> {
         tree.add("NOTICE", notice(components).getBytes(StandardCharsets.UTF_8));
         tree.add("sbom.cdx.json", components.bill(VERSION));
         components.addTexts(tree, jars);
-        for (String name :
-                List.of("LGPL-2.1.txt", "LGPL-3.txt", "GPL-3.txt")) { // of JADE and Jason, whose jars have none
+        for (String name : LICENCES) {
             tree.add("licenses/" + name, resource("licenses/" + name));
         }
         tree.add("README.md", resource("README.md"));
