@@ -163,7 +163,7 @@ final class Dist implements Callable<Integer> {
         byte[] script = resource(starter);
         tree.add(starter, new FileTree.Content(() -> script, true));
 
-        String top = "rsal-%s-%s".formatted(VERSION, system.word());
+        String top = "rsal-%s-%s%s".formatted(VERSION, system.word(), bare ? "-no-runtime" : "");
         Path file = out.resolve(top + Archive.of(system).suffix());
         Archive.of(system).write(tree, top, file);
         String sum = JavaRuntimes.sha256(file);
