@@ -289,7 +289,7 @@ describe.skipIf(!chromium)('looking back', () => {
     const told: Record<number, string> = {};
     for (const seconds of [3, 7]) {
       await cursor().fill(String(seconds));
-      await shows(seconds - 0.1, seconds + 0.1);
+      await shows(seconds - 0.6, seconds + 0.6); // before a page is open, there are two moments a second
       const asked = `robot=hunter-1&time=${String(await time())}`;
       const answer = await fetch(`${running.origin}/api/readings?${asked}`);
       const { readings } = (await answer.json()) as Readings;
@@ -311,7 +311,7 @@ describe.skipIf(!chromium)('looking back', () => {
     await look(running.url);
     await eventually(async () => (await time()) > 4, 'it has run a while');
     await cursor().fill('2');
-    await shows(1.9, 2.1);
+    await shows(1.4, 2.6);
     expect(await page.locator('.timeline').getAttribute('data-past')).toBe('true');
     await picture(page, 'live-back');
     await button('Resume').waitFor();
@@ -321,9 +321,9 @@ describe.skipIf(!chromium)('looking back', () => {
       ((await (await fetch(`${running.origin}/api/status`)).json()) as { time: number }).time;
     const before = await now();
     await eventually(async () => (await now()) > before + 0.5, 'the run goes on');
-    expect(await time()).toBeLessThan(2.2);
+    expect(await time()).toBeLessThan(2.7);
     await button('Resume').click(); // plays what has been
-    await eventually(async () => (await time()) > 2.5, 'it plays');
+    await eventually(async () => (await time()) > 2.8, 'it plays');
     await button('Live').click();
     await eventually(async () => (await time()) > before, 'the present is shown');
     expect(await page.locator('.timeline').getAttribute('data-past')).toBe('false');
