@@ -36,6 +36,7 @@ final class Compiler {
             "symbol:\\s+(?:class|variable) (\\p{javaUpperCase}\\w*)|(\\p{javaUpperCase}\\w*) cannot be resolved");
 
     private static final int MOST_PROBLEMS = 50;
+    private static final String CLASS_PATH = classPath();
 
     private Compiler() {}
 
@@ -74,7 +75,7 @@ final class Compiler {
         if (!modules.isEmpty()) {
             options.addAll(List.of("--module-path", modules, "--add-modules", "ALL-MODULE-PATH"));
         }
-        options.addAll(List.of("-classpath", classPath()));
+        options.addAll(List.of("-classpath", CLASS_PATH));
         return options;
     }
 

@@ -203,14 +203,14 @@ final class NewCommand extends Subcommand {
                         origin(),
                         name,
                         name,
-                        ON_WINDOWS ? testAgent(name) : "./" + TEST,
+                        ON_WINDOWS ? testAgent("rsal", Scenario.fileIn(name)) : "./" + TEST,
                         files,
                         ON_WINDOWS ? "" : "| `test.sh` | the test |\n",
                         about());
     }
 
-    private static String testAgent(String name) {
-        return "rsal test-agent %s.yaml --seeds 3".formatted(name);
+    private static String testAgent(String command, Object scenario) {
+        return "%s test-agent %s --seeds 3".formatted(command, scenario);
     }
 
     private String about() {
@@ -281,10 +281,7 @@ final class NewCommand extends Subcommand {
         }
         all.forEach(out()::println);
         out().println("\nRun it by   %s run %s%nTest it by  %s"
-                .formatted(
-                        command(),
-                        run,
-                        ON_WINDOWS ? "%s test-agent %s --seeds 3".formatted(command(), run) : folder.resolve(TEST)));
+                .formatted(command(), run, ON_WINDOWS ? testAgent(command(), run) : folder.resolve(TEST)));
         out().flush();
     }
 }

@@ -8,7 +8,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -18,10 +17,13 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/// `rsal dist`: packs a release for each system. The launcher builds what is packed, and says where it is.
-@Command(name = "rsal dist", mixinStandardHelpOptions = true, description = "Pack a release for each system.")
+/// `rsal dist`: packs a release for each system. The launcher builds what is packed, and says where it is. The command
+/// line
+/// has the help (`DistCommand`).
+@Command(name = "rsal dist")
 final class Dist implements Callable<Integer> {
     private static final int UNREACHABLE = 5; // as rsal.cli.terminal.Exit
+
     /// What runs a release as a service, on Linux.
     private static final List<String> SERVICES = List.of(
             "rsal.service",
@@ -41,18 +43,13 @@ final class Dist implements Callable<Integer> {
     @SuppressWarnings("NullAway.Init") // picocli fills it in
     private CommandSpec spec;
 
-    @Parameters(
-            paramLabel = "SYSTEM",
-            arity = "0..*",
-            description = "linux-x64, linux-arm64, macos-arm64, macos-x64 or windows-x64. Default: all of them.")
+    @Parameters(paramLabel = "SYSTEM", arity = "0..*")
     private List<String> systems = List.of();
 
-    @Option(
-            names = "--no-runtime",
-            description = "Without a Java runtime: who unpacks it needs Java 25. Packing then needs no network.")
+    @Option(names = "--no-runtime")
     private boolean bare;
 
-    @Option(names = "--out", paramLabel = "FOLDER", description = "Where archives are written. Default: target/dist.")
+    @Option(names = "--out", paramLabel = "FOLDER")
     private @Nullable Path given;
 
     @Option(names = "--project", required = true, hidden = true)
@@ -135,12 +132,7 @@ final class Dist implements Callable<Integer> {
             throws IOException, InterruptedException {
         var tree = new FileTree();
         String runtime = bare ? "none: it needs Java 25 or newer" : runtimes.addTo(tree, system);
-        try (Stream<Path> libraries = Files.list(jars)) {
-            for (Path jar :
-                    libraries.filter(file -> file.toString().endsWith(".jar")).toList()) {
-                tree.add("lib/" + jar.getFileName(), new FileTree.Content(() -> Files.readAllBytes(jar), false));
-            }
-        }
+        tree.addFolder("lib", jars, name -> name.endsWith(".jar"));
         tree.addFolder("page", page, _ -> true);
         tree.addFolder("docs", site, _ -> true);
         for (String name : List.of("LICENSE", "CHANGELOG.md", "SECURITY.md", "CITATION.cff")) {

@@ -26,8 +26,7 @@ import java.util.zip.ZipFile;
 /// @param cache a folder where what was fetched is kept
 record JavaRuntimes(Path jdk, Path cache) {
     /// What RSAL's classes and libraries refer to (`jdeps --print-module-deps`), and what they find by name: the
-    /// compiler of
-    /// agents in Java, the provider of zip file systems, the flight recorder.
+    /// compiler of agents in Java, the provider of zip file systems, the flight recorder.
     private static final String MODULES = String.join(
             ",",
             List.of(

@@ -22,8 +22,7 @@ import rsal.scenario.text.Folders;
 /// @param started in real time
 public record Origin(RunPlan plan, String program, String command, Instant started) {
     static final String NAME = "rsal.run";
-    /// Version of what is recorded and how. A higher one can't be read; files from before there were versions have
-    /// none.
+    /// Version of what is recorded and how. A higher one can't be read. Older files have none.
     static final String FORMAT = "1";
 
     static final String FORMAT_KEY = "format";

@@ -88,9 +88,8 @@ record Exercise(Path folder, String scenario, String agent) {
         }
     }
 
-    /// Makes a folder with the teacher's files and the student's: the agent, and files of the same language beside it.
-    /// A
-    /// student replaces no file of the teacher's but the agent.
+    /// Makes a folder with the teacher's files and the student's: the agent, and files of the same language beside
+    /// it. A student replaces no file of the teacher's but the agent.
     ///
     /// @param student a student's folder
     /// @param work the folder to make

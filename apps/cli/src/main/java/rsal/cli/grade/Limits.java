@@ -54,8 +54,7 @@ final class Limits {
         }
     }
 
-    /// Of this process's options, those that a run has, too: it has a bound of its own, shows no page, and makes no
-    /// cache.
+    /// Of this process's options, those that a run has, too. It has its own bound, shows no page, and makes no cache.
     private static boolean isForRuns(String option) {
         return !option.startsWith("-Xmx") && !option.startsWith("-Drsal.page=") && !option.startsWith("-Drsal.cache=");
     }

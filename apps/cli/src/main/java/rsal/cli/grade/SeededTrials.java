@@ -51,7 +51,7 @@ final class SeededTrials {
     /// Runs all, and waits for them.
     ///
     /// @param runs by whose they are
-    /// @param told of each person's results, in their order, as soon as they are there
+    /// @param told is given each person's results, in their order, as soon as they are there
     List<Trial> all(Map<String, SeparateRun> runs, Consumer<Trial> told) throws IOException, InterruptedException {
         var ending = new ClosedAtExit(SeparateRun::endAll);
         var trials = new ArrayList<Trial>();

@@ -22,8 +22,7 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /// Runs a scenario in processes of their own, each with bounded time and memory. This is a guard against mistakes, as
-/// an
-/// endless loop, and no sandbox: agents in Java may do all that the person may who starts them.
+/// an endless loop, and no sandbox: agents in Java may do all that the person may who starts them.
 ///
 /// @param java the command that starts RSAL, with its bound of memory
 /// @param folder where the scenario is, and where processes are started

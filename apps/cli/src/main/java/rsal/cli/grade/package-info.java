@@ -1,7 +1,6 @@
 /// Tries agents of people's own: [TestAgentCommand] with several seeds, [GradeCommand] those that students hand in.
-/// Each run
-/// is a process of its own ([SeparateRun]), so that an agent that never returns or takes all memory ends its own run
-/// only.
+/// Each run is a process of its own ([SeparateRun]): an agent that never returns, or takes all memory, ends its own
+/// run only.
 @NullMarked
 package rsal.cli.grade;
 

@@ -12,8 +12,7 @@ import rsal.engine.report.RunEvent;
 import rsal.scenario.RunPlan.PlannedAgent;
 
 /// Tells the log what happens in a run: its events, each with the run, the simulated time and the robot or agent that
-/// it is
-/// about. Warnings are what an operator should look at; messages of agents are told to a log with level `debug` only.
+/// it is about. Warnings are what an operator should look at. Messages of agents are logged by level `debug` only.
 final class RunLog {
     private static final Logger LOG = LoggerFactory.getLogger("rsal.run");
     private static final Set<String> WARNINGS =

@@ -13,10 +13,9 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 
 /// The cache from which a release starts (JEP 483, 514: ahead-of-time class loading and linking). It holds the classes
-/// of a
-/// short run, loaded and linked, and depends on the Java runtime and the machine. So a release can't carry it: the
-/// first start makes it in the background. Without it all works, and starts slower. An empty file says that Java can't
-/// make one, so that not each start tries again.
+/// of a short run, loaded and linked, and depends on the Java runtime and the machine. So a release can't carry it:
+/// the first start makes it in the background. Without it all works, and starts slower. An empty file says that Java
+/// can't make one, so that not each start tries again.
 ///
 /// The release's script names the file by the property `rsal.cache`, where it has found a folder that can be written.
 ///
@@ -44,8 +43,7 @@ public record StartCache(Path file) {
     }
 
     /// Starts another process, which makes the cache and outlives this one. It has the lowest priority where the system
-    /// has a
-    /// `nice`. A cache that can't be made is no reason to tell anybody: all else works.
+    /// has a `nice`. A cache that can't be made is no reason to tell anybody: all else works.
     public void makeInBackground() {
         try {
             var command = new ArrayList<String>();

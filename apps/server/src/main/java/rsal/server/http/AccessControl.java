@@ -186,10 +186,8 @@ public final class AccessControl {
         }
         byte[] shown = bytes(authorization.substring(BEARER.length()));
         return keys.stream()
-                .map(key -> MessageDigest.isEqual(key.token, shown) ? Optional.of(key.role) : Optional.<Role>empty())
-                .toList()
-                .stream()
-                .flatMap(Optional::stream)
+                .filter(key -> MessageDigest.isEqual(key.token, shown))
+                .map(Key::role)
                 .max(Comparator.naturalOrder());
     }
 }

@@ -39,6 +39,12 @@ public final class Http {
         gate.authorize(request.header(Header.AUTHORIZATION), operator(request));
     }
 
+    /// The same for what only few may change; see [AccessControl#authorizeAdmin].
+    public static void authorizeAdmin(Context request, AccessControl gate) {
+        gate.authorizeAdmin(request.header(Header.AUTHORIZATION));
+        gate.lease().check(operator(request));
+    }
+
     public static <T extends Record> T read(Context request, Class<T> type) throws IOException {
         return read(request, type, MAX_MESSAGE);
     }

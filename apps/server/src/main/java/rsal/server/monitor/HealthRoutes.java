@@ -4,15 +4,14 @@ import io.javalin.config.RoutesConfig;
 import io.javalin.http.Context;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Future;
 import java.util.function.Supplier;
 import rsal.engine.LiveRun;
 import rsal.server.http.Http;
 import rsal.server.message.Refusal;
 
 /// Says whether the process is alive (`/healthz`) and whether its run goes on as it should (`/readyz`), as Kubernetes
-/// and
-/// monitors ask for it. Asking changes nothing in a run.
+/// and monitors ask for it. Asking changes nothing in a run.
 public final class HealthRoutes {
     /// @param status `ok`
     public record Alive(String status) {}
@@ -41,8 +40,7 @@ public final class HealthRoutes {
     }
 
     /// Waits for the run's thread. A run that doesn't answer, as one with an agent in an endless loop, is refused with
-    /// 503
-    /// after some seconds, as all requests are.
+    /// 503 after some seconds, as all requests are.
     private static void ready(Context request, LiveRun run) {
         whatBroke(run).ifPresent(why -> {
             throw new Refusal(503, "The run broke: %s".formatted(why));
@@ -61,17 +59,8 @@ public final class HealthRoutes {
 
     private static Optional<String> whatBroke(LiveRun run) {
         CompletableFuture<?> result = run.result().toCompletableFuture();
-        if (!result.isCompletedExceptionally()) {
-            return Optional.empty();
-        }
-        try {
-            result.get();
-            return Optional.empty();
-        } catch (ExecutionException e) {
-            return Optional.of(String.valueOf(e.getCause()));
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            return Optional.empty();
-        }
+        return result.state() == Future.State.FAILED
+                ? Optional.of(String.valueOf(result.exceptionNow()))
+                : Optional.empty();
     }
 }

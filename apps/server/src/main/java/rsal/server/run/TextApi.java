@@ -59,8 +59,7 @@ public final class TextApi {
             }
         });
         routes.put("/api/scenarios/text", request -> {
-            gate.authorizeAdmin(request.header(Header.AUTHORIZATION));
-            Http.authorize(request, gate);
+            Http.authorizeAdmin(request, gate);
             TextToSave wish = Http.read(request, TextToSave.class, 2 * Http.MAX_TEXT);
             shelf.save(wish.scenario(), wish.before(), wish.text());
             Http.answer(request, Map.of());

@@ -46,21 +46,18 @@ public final class SweepApi {
             Http.answer(request, sweeps.size(Http.read(request, SweepWish.class)));
         });
         routes.post("/api/sweeps", request -> {
-            gate.authorizeAdmin(request.header(Header.AUTHORIZATION));
-            Http.authorize(request, gate);
+            Http.authorizeAdmin(request, gate);
             sweeps.begin(Http.read(request, SweepWish.class), this::checkBeside);
             state(request);
         });
         routes.post("/api/sweeps/resume", request -> {
-            gate.authorizeAdmin(request.header(Header.AUTHORIZATION));
-            Http.authorize(request, gate);
+            Http.authorizeAdmin(request, gate);
             checkBeside();
             sweeps.resume(Http.parameter(request, "sweep"));
             state(request);
         });
         routes.delete("/api/sweeps", request -> {
-            gate.authorizeAdmin(request.header(Header.AUTHORIZATION));
-            Http.authorize(request, gate);
+            Http.authorizeAdmin(request, gate);
             sweeps.stop();
             Http.answer(request, Map.of());
         });
