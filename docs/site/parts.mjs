@@ -49,7 +49,7 @@ export const parts = [
       { title: 'Commands', pages: docs('reference', 'command-line', 'sweeps', 'benchmarks', 'results') },
       {
         title: 'What is there',
-        pages: docs('reference', 'agents', 'devices', 'robot-models'),
+        pages: docs('reference', 'agents', 'devices', 'messages', 'robot-models'),
       },
       {
         title: 'What you write',

@@ -3,7 +3,7 @@
  * pictures and other files beside them, and the sources that pages point to, as pages of their own. A link to nothing
  * ends it.
  */
-import { cpSync, mkdirSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, mkdirSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, extname, join } from 'node:path';
 import { exists, forgotten, isFolder, pages, read, target, top } from './content.mjs';
 
@@ -78,6 +78,8 @@ cpSync(join(top, 'apps/web/public/icon.svg'), join(out, 'public/icon.svg'));
 publish('docs/images/page.png');
 publish('docs/reference/scenario.schema.json');
 publish('docs/reference/world.schema.json');
+const javadoc = join(top, 'docs/site/target/javadoc'); // which `./rsal docs` makes
+if (existsSync(javadoc)) cpSync(javadoc, join(out, 'public/javadoc'), { recursive: true });
 for (const [page, place] of pages) write(place, transformed(page));
 for (const path of sources) write(`source/${path}.md`, sourcePage(path)); // a folder adds its files meanwhile
 

@@ -43,11 +43,14 @@ export default defineConfig({
     logo: '/icon.svg',
     outline: [2, 3],
     search: { provider: 'local' },
-    nav: resolved.map((part) => ({
-      text: part.title,
-      link: link(part.groups[0].pages[0]),
-      activeMatch: `^/${pages.get(part.groups[0].pages[0]).split('/')[0]}/`,
-    })),
+    nav: [
+      ...resolved.map((part) => ({
+        text: part.title,
+        link: link(part.groups[0].pages[0]),
+        activeMatch: `^/${pages.get(part.groups[0].pages[0]).split('/')[0]}/`,
+      })),
+      { text: 'Java API', link: '/javadoc/index.html', target: '_self' },
+    ],
     sidebar: Object.fromEntries(
       resolved.map((part) => [`/${pages.get(part.groups[0].pages[0]).split('/')[0]}/`, sidebar(part)]),
     ),

@@ -3,12 +3,11 @@ package rsal.cli;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.lang.reflect.ParameterizedType;
-import java.lang.reflect.Type;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.List;
+import java.util.Comparator;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.regex.Matcher;
@@ -28,22 +27,20 @@ import rsal.settings.Location;
 
 /// The types of devices, as their sources tell of them, and what becomes one.
 final class DeviceTypes {
-    private static final Path MODULES = Path.of("../../middle");
-    private static final Path SOURCES = MODULES.resolve("devices/src/main/java");
-    /// A method that others may call, on one line as the formatter leaves it.
-    private static final Pattern METHOD = Pattern.compile(
-            " {4}(public |default )?((?! |record|sealed|enum|class|static|private|protected|final)[\\w<>,.?\\[\\] ]+ \\w+\\(.*\\)) ?[;{]");
+    private static final Path SOURCES = Path.of("../../middle/devices/src/main/java");
 
     private DeviceTypes() {}
 
     static String all() {
+        return types().map(DeviceTypes::section).collect(Collectors.joining("\n"));
+    }
+
+    private static Stream<Class<? extends Device>> types() {
         return Stream.concat(
                         Stream.concat(interfaces(), DeviceKinds.all().stream().map(DeviceKind::makes)),
                         drivers().<Class<? extends Device>>map(DeviceDriver::makes))
                 .distinct()
-                .sorted((one, other) -> one.getSimpleName().compareTo(other.getSimpleName()))
-                .map(DeviceTypes::section)
-                .collect(Collectors.joining("\n"));
+                .sorted(Comparator.comparing(Class::getSimpleName));
     }
 
     static String parts() {
@@ -110,10 +107,13 @@ final class DeviceTypes {
     }
 
     private static String section(Class<? extends Device> type) {
-        Source source = Source.of(type);
-        var text = new StringBuilder("### %s%n%n%s%n".formatted(type.getSimpleName(), source.about));
+        SourceText source = SourceText.of(type);
+        var text = new StringBuilder("### %s%n%n%s%n".formatted(type.getSimpleName(), source.about()));
         var facts = new ArrayList<String>();
-        reading(type).ifPresent(reading -> facts.add("Readings: " + reading));
+        reading(type)
+                .map(Class::getSimpleName)
+                .ifPresent(reading ->
+                        facts.add("Readings: [`%s`](messages.md#%s)".formatted(reading, Markdown.anchor(reading))));
         String parts = RobotModels.builtInParts().stream()
                 .filter(part -> type == made(part).makes())
                 .map(Markdown::code)
@@ -128,85 +128,27 @@ final class DeviceTypes {
         if (!drivers.isEmpty()) {
             facts.add("Drivers: " + drivers);
         }
-        facts.add("In Java: [`%s`](../../%s)"
-                .formatted(type.getName(), Path.of("../..").relativize(Source.file(type))));
+        facts.add("In Java: " + SourceText.link(type));
         facts.forEach(fact -> text.append("\n* ").append(fact));
         text.append('\n');
-        if (!source.methods.isEmpty()) {
+        if (!source.methods().isEmpty()) {
             var table = new Markdown.Table("method", "");
-            source.methods.forEach(method -> table.row(Markdown.code(method.signature), method.about));
+            source.methods().forEach(method -> table.row(Markdown.code(method.signature()), method.about()));
             text.append('\n').append(table);
         }
         return text.toString();
     }
 
-    private static Optional<String> reading(Class<?> type) {
+    /// The types of all readings, each once.
+    static Stream<Class<?>> readings() {
+        return types().flatMap(type -> reading(type).stream()).distinct();
+    }
+
+    private static Optional<Class<?>> reading(Class<?> type) {
         return Stream.concat(Stream.of(type.getGenericInterfaces()), Stream.ofNullable(type.getGenericSuperclass()))
                 .filter(ParameterizedType.class::isInstance)
                 .map(ParameterizedType.class::cast)
-                .map(parent -> parent.getActualTypeArguments()[0])
-                .map(Type::getTypeName)
-                .map(name -> Markdown.code(name.substring(name.lastIndexOf('.') + 1)))
+                .<Class<?>>map(parent -> (Class<?>) parent.getActualTypeArguments()[0])
                 .findFirst();
-    }
-
-    private record Method(String signature, String about) {}
-
-    /// What a source says to those who use it.
-    private record Source(String about, List<Method> methods) {
-        static Source of(Class<?> type) {
-            String about = "";
-            var methods = new ArrayList<Method>();
-            var doc = new ArrayList<String>();
-            for (String line : lines(type)) {
-                String text = line.strip();
-                if (text.startsWith("///")) {
-                    doc.add(text.substring(3).strip());
-                    continue;
-                }
-                Matcher method = METHOD.matcher(line);
-                if (text.startsWith("public ") && text.contains(" " + type.getSimpleName()) && about.isEmpty()) {
-                    about = told(doc);
-                } else if (method.matches() && (type.isInterface() || "public ".equals(method.group(1)))) {
-                    methods.add(new Method(method.group(2), Markdown.firstSentence(told(doc))));
-                }
-                doc.clear();
-            }
-            return new Source(about, methods);
-        }
-
-        /// In whichever module of the middle layer it is.
-        static Path file(Class<?> type) {
-            String inModule = "src/main/java/" + type.getName().replace('.', '/') + ".java";
-            try (Stream<Path> modules = Files.list(MODULES)) {
-                return modules.map(module -> module.resolve(inModule))
-                        .filter(Files::exists)
-                        .findFirst()
-                        .orElseThrow();
-            } catch (IOException e) {
-                throw new UncheckedIOException(e);
-            }
-        }
-
-        private static List<String> lines(Class<?> type) {
-            try {
-                return Files.readAllLines(file(type));
-            } catch (IOException e) {
-                throw new UncheckedIOException(e);
-            }
-        }
-
-        /// The words of a doc comment, with names of other types as code.
-        private static String told(List<String> doc) {
-            String words = doc.stream()
-                    .takeWhile(line -> !line.startsWith("@"))
-                    .map(line -> line.isEmpty() ? "\n\n" : line)
-                    .collect(Collectors.joining(" "))
-                    .replaceAll(" *\n\n *", "\n\n")
-                    .replaceAll("\\[([^\\]]+)\\]\\[[^\\]]+\\]", "$1")
-                    .replaceAll("\\[(?:#(\\w+)|([A-Z]\\w*))\\]", "`$1$2`") // no units: [m]
-                    .strip();
-            return words;
-        }
     }
 }

@@ -47,6 +47,8 @@ final class Reference {
                                 "progressCheckers",
                                 "recoveries",
                                 "deviceKinds",
+                                "topics",
+                                "readings",
                                 "metrics",
                                 "mas",
                                 "mrs",
@@ -72,6 +74,8 @@ final class Reference {
                 kinds(InstalledKind.plugins("progressChecker"), ProgressCheckerType.class, ProgressCheckerType::key);
             case "recoveries" -> kinds(InstalledKind.plugins("recovery"), RecoveryType.class, RecoveryType::key);
             case "deviceKinds" -> kinds(InstalledKind.devices(), DeviceKind.class, DeviceKind::key);
+            case "topics" -> MessageTypes.topics();
+            case "readings" -> MessageTypes.readings();
             case "metrics" -> kinds(InstalledKind.metrics(), MetricType.class, MetricType::key);
             case "mas" -> kinds(InstalledKind.hosts(), AgentHostProvider.class, AgentHostProvider::key);
             case "mrs" -> kinds(InstalledKind.systems(), RobotSystemProvider.class, RobotSystemProvider::key);
@@ -85,9 +89,13 @@ final class Reference {
         };
     }
 
+    static boolean isShipped(Class<?> provider) {
+        return !provider.getName().matches(NOT_SHIPPED);
+    }
+
     private static <P> String kinds(Stream<InstalledKind> kinds, Class<P> type, Function<P, String> key) {
         Set<String> shipped = Providers.byKey(type, key).values().stream()
-                .filter(provider -> !provider.getClass().getName().matches(NOT_SHIPPED))
+                .filter(provider -> isShipped(provider.getClass()))
                 .map(key)
                 .collect(Collectors.toSet());
         return kinds.filter(kind -> shipped.contains(kind.name()))

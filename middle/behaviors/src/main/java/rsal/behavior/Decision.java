@@ -3,9 +3,10 @@ package rsal.behavior;
 import java.util.List;
 import rsal.data.Twist2d;
 
-/// What a stack came to.
+/// What the layers of a pilot decided.
 ///
-/// @param inCharge the uppermost layer that changed what those under it wanted; empty without layers
+/// @param twist velocity that the pilot commands [m/s, rad/s]
+/// @param inCharge the uppermost layer that changed what the layers under it wanted; empty without layers
 /// @param opinions of all layers, the lowest first
 public record Decision(Twist2d twist, String inCharge, List<Opinion> opinions) {
     public Decision {

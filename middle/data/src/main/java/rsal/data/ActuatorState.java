@@ -1,11 +1,13 @@
 package rsal.data;
 
-/// How a joint stands (one of `sensor_msgs/JointState`, one actuator of Player's `actarray`). Lengths in m when
-/// it is linear, angles in rad when it is rotational.
+/// State of a joint (an element of `sensor_msgs/JointState`, an actuator of Player's `actarray`). Lengths in m
+/// when the joint is linear, angles in rad when it is rotational.
 ///
-/// @param position within its limits
+/// @param joint whether it is linear or rotational
+/// @param position within its limits [m or rad]
 /// @param speed towards larger positions when positive [m/s or rad/s]
-/// @param limits of its position
+/// @param limits of its position [m or rad]
+/// @param motion what it does now
 public record ActuatorState(Joint joint, double position, double speed, Interval limits, Motion motion) {
     public enum Joint {
         LINEAR,

@@ -1,13 +1,13 @@
 package rsal.data;
 
-/// What is left in a robot's store of energy (`sensor_msgs/BatteryState`, Player `power`). NaN is what it can't
-/// tell.
+/// State of a battery (`sensor_msgs/BatteryState`, Player `power`). NaN when the battery cannot measure a value.
 ///
-/// @param charge what is left [J]; +∞ when it never runs dry
-/// @param capacity what it holds when it is full [J]; +∞ when it never runs dry
+/// @param charge energy that is left [J]; +∞ when it is never empty
+/// @param capacity energy of the full battery [J]; +∞ when it is never empty
 /// @param level share of the capacity that is left, 0–1
-/// @param power what goes in less what goes out, now [W]; negative while it discharges
+/// @param power charging power less consumed power [W]; negative while it discharges
 /// @param voltage [V]
+/// @param charging whether it is charged
 public record BatteryState(
         double charge, double capacity, double level, double power, double voltage, Charging charging) {
 

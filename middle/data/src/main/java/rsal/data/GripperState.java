@@ -1,14 +1,16 @@
 package rsal.data;
 
-/// How a gripper stands (Player `gripper`, the lift as one joint of `actarray`, the beams as `dio`).
+/// State of a gripper (Player `gripper`, the lift as one joint of `actarray`, the light beams as `dio`).
 ///
-/// @param closed how far its paddles are closed: 0 open, 1 closed; NaN when it can't tell
-/// @param raised how far its lift is up: 0 down, 1 up; NaN when it can't tell; 0 without a lift
-/// @param innerBeamBroken whether something is between the paddles, deep inside
-/// @param outerBeamBroken whether something is between the paddles, near their tips
-/// @param leftContact whether something touches the left paddle from inside
-/// @param rightContact whether something touches the right paddle from inside
-/// @param holding whether it has gripped something
+/// @param paddles whether they are open, closed or moving
+/// @param closed how far the paddles are closed: 0 open, 1 closed; NaN when the gripper cannot measure it
+/// @param lift whether it is up, down or moving
+/// @param raised how far the lift is up: 0 down, 1 up; NaN when the gripper cannot measure it; 0 without a lift
+/// @param innerBeamBroken whether a thing is between the paddles, deep inside
+/// @param outerBeamBroken whether a thing is between the paddles, near their tips
+/// @param leftContact whether a thing touches the left paddle from inside
+/// @param rightContact whether a thing touches the right paddle from inside
+/// @param holding whether it has gripped a thing
 public record GripperState(
         Paddles paddles,
         double closed,

@@ -1,13 +1,15 @@
 package rsal.data;
 
-/// One sweep of a planar laser scanner, counter-clockwise. Beam `i` points to `angleMin + i · angleIncrement`
-/// [rad] in the laser's frame. Ranges [m] after REP 117 ([Rep117]): −∞ too close to measure, +∞ nothing there, NaN
-/// broken.
+/// One sweep of a planar laser scanner, counter-clockwise (`sensor_msgs/LaserScan`). Beam `i` points to
+/// `angleMin + i · angleIncrement` [rad] in the laser's frame. Ranges [m] after REP 117 ([Rep117]): −∞ too close to
+/// measure, +∞ nothing there, NaN broken.
 ///
-/// @param baseFromLaser where the scanner is mounted
+/// @param baseFromLaser pose of the scanner in the base frame
+/// @param angleMin direction of the first beam, in the laser's frame [rad]
+/// @param angleIncrement angle from a beam to the next one [rad]
 /// @param rangeMin shortest range it measures [m]
 /// @param rangeMax longest range it measures [m]
-/// @param ranges handed over, not shared
+/// @param ranges one for each beam [m]; handed over, not shared
 public record LaserScan(
         Pose2d baseFromLaser,
         double angleMin,

@@ -2,9 +2,10 @@ package rsal.data;
 
 import java.time.Duration;
 
-/// What a light does (Player `blinkenlight`).
+/// State of a light (Player `blinkenlight`).
 ///
-/// @param signal what it was told
+/// @param color of its light
+/// @param signal what it was told: on, off, or blink
 /// @param lit whether it shines at the time of the reading
 public record LightState(Rgb color, Signal signal, boolean lit) {
     /// What a light may be told: to shine for a share of each period, from its begin.

@@ -1,12 +1,14 @@
 package rsal.data;
 
-/// A map of square cells, row by row from the lower left one (as `nav_msgs/OccupancyGrid`).
+/// A map of square cells, row by row from the lower left one (`nav_msgs/OccupancyGrid`).
 ///
+/// @param width number of columns
+/// @param height number of rows
 /// @param resolution side of a cell [m]
-/// @param originX where the lower left corner of the lower left cell is, in the map frame [m]
-/// @param originY the same [m]
-/// @param cells [#FREE], [#OCCUPIED] or [#UNKNOWN], `width · height` of them; handed over, not shared. Of a
-/// grid of costs also what lies between
+/// @param originX x of the lower left corner of the lower left cell, in the map frame [m]
+/// @param originY y of that corner [m]
+/// @param cells [#FREE], [#OCCUPIED] or [#UNKNOWN], `width · height` of them; in a grid of costs also values
+/// between; handed over, not shared
 public record OccupancyGrid(int width, int height, double resolution, double originX, double originY, byte[] cells) {
 
     public static final byte FREE = 0;

@@ -1,5 +1,8 @@
 package rsal.data;
 
-/// What the wheels say: `odomFromBase` is smooth but drifts, `velocity` is measured, in the base frame. `stalled`
-/// means the motors push and the robot does not move.
+/// What the wheels measure (`nav_msgs/Odometry`).
+///
+/// @param odomFromBase pose in the odom frame, which is smooth but drifts
+/// @param velocity measured, in the base frame [m/s, rad/s]
+/// @param stalled whether the motors push and the robot does not move
 public record Odometry(Pose2d odomFromBase, Twist2d velocity, boolean stalled) {}

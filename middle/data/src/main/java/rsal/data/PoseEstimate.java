@@ -2,11 +2,14 @@ package rsal.data;
 
 import java.util.List;
 
-/// Where a localizer believes the robot to be. `mapFromBase` and `covariance` are the best hypothesis;
-/// `hypotheses` are all that are still held, heaviest first, weights summing to 1 at most.
+/// Where a localizer believes the robot to be (`geometry_msgs/PoseWithCovarianceStamped`, with more than one
+/// hypothesis).
 ///
-/// @param confidence how likely `mapFromBase` is right, as far as the localizer can tell, 0–1
-/// @param quality the same in a word
+/// @param mapFromBase pose in the map frame, of the best hypothesis
+/// @param covariance of x, y and yaw, of the best hypothesis [m², m·rad, rad²]
+/// @param hypotheses all that are possible, the heaviest first; weights sum to at most 1
+/// @param confidence probability that `mapFromBase` is right, as far as the localizer knows, 0–1
+/// @param quality the confidence in a word
 public record PoseEstimate(
         Pose2d mapFromBase, Covariance2d covariance, List<Hypothesis> hypotheses, double confidence, Quality quality) {
 

@@ -2,12 +2,14 @@ package rsal.data;
 
 import java.util.List;
 
-/// One round of single-range sensors (sonars, infrareds), each a cone. Ranges [m] after REP 117 as in
+/// One round of sonars or infrared sensors, each a cone (`sensor_msgs/Range`). Ranges [m] after REP 117 as in
 /// [LaserScan].
 ///
-/// @param baseFromSensors where each sensor is mounted, looking along its x axis
+/// @param baseFromSensors pose of each sensor in the base frame, looking along its x axis
 /// @param fieldOfView full opening angle of each cone [rad]
-/// @param ranges as many as sensors; handed over, not shared
+/// @param rangeMin shortest range they measure [m]
+/// @param rangeMax longest range they measure [m]
+/// @param ranges one for each sensor [m]; handed over, not shared
 public record RangeArray(
         List<Pose2d> baseFromSensors, double fieldOfView, double rangeMin, double rangeMax, float[] ranges) {
 

@@ -6,10 +6,11 @@ import rsal.agent.Topic;
 import rsal.agent.message.MessageCheck;
 import rsal.data.Point2d;
 
-/// A robot goes to a charger, or is charged there. It says so again and again; what it has not said for ten
-/// seconds is so no more.
+/// A robot drives to a charger or is charged there. It repeats this; after ten seconds without it, the charger
+/// counts as free.
 ///
 /// @param robot its id
+/// @param mapFromCharger where the charger is, in the map frame [m]
 public record ChargerTaken(String robot, Point2d mapFromCharger) implements MessageContent {
     public static final Topic<ChargerTaken> TOPIC = new Topic<>("charger-taken", ChargerTaken.class);
 

@@ -5,7 +5,11 @@ import rsal.agent.Topic;
 import rsal.agent.message.MessageCheck;
 import rsal.data.Point2d;
 
-/// A robot goes to look around somewhere, or has done so: the others may look elsewhere.
+/// A robot drives to a place to look around, or has looked around there. The others can look elsewhere.
+///
+/// @param robot its id
+/// @param mapFromPlace the place, in the map frame [m]
+/// @param done whether it has looked around
 public record Lookout(String robot, Point2d mapFromPlace, boolean done) implements MessageContent {
     public static final Topic<Lookout> TOPIC = new Topic<>("lookout", Lookout.class);
 

@@ -7,10 +7,10 @@ import rsal.agent.Topic;
 import rsal.agent.message.MessageCheck;
 import rsal.data.Point2d;
 
-/// Where the map of a robot ends, so far. It says so again and again.
+/// The frontiers of the map of a robot, where known free space meets unknown space. The robot repeats this.
 ///
 /// @param robot its id
-/// @param ends of the map that it can get to; empty when all is mapped
+/// @param ends the frontiers that it can reach; empty when all is mapped
 public record MapEnds(String robot, List<End> ends) implements MessageContent {
     public static final Topic<MapEnds> TOPIC = new Topic<>("map-ends", MapEnds.class);
 

@@ -7,10 +7,11 @@ import rsal.agent.message.MessageCheck;
 import rsal.data.Point2d;
 import rsal.data.Rgb;
 
-/// Something lies somewhere and is to be collected. The agent that does so says it every few seconds; of what was not
-/// heard of for longer nobody takes care.
+/// A thing lies at a place and is to be collected. The agent that knows the thing repeats this every few seconds;
+/// a thing of which nothing was heard for longer is forgotten.
 ///
-/// @param color as cameras see it
+/// @param color its color, as cameras see it
+/// @param mapFromThing where it lies, in the map frame [m]
 public record CollectGoal(Rgb color, Point2d mapFromThing) implements MessageContent {
     public static final Topic<CollectGoal> TOPIC = new Topic<>("collect-goal", CollectGoal.class);
 

@@ -5,9 +5,11 @@ import rsal.agent.Topic;
 import rsal.agent.message.MessageCheck;
 import rsal.data.Point2d;
 
-/// A robot brings things here: what lies here is not to be collected.
+/// A robot brings things to this place. Things that lie here are not to be collected.
 ///
-/// @param radius around the place that counts [m]
+/// @param robot its id
+/// @param mapFromDepot middle of the depot, in the map frame [m]
+/// @param radius of the depot [m]
 public record Depot(String robot, Point2d mapFromDepot, double radius) implements MessageContent {
     public static final Topic<Depot> TOPIC = new Topic<>("depot", Depot.class);
 

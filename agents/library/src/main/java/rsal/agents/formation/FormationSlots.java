@@ -12,12 +12,13 @@ import rsal.agent.Topic;
 import rsal.agent.message.MessageCheck;
 import rsal.data.Pose2d;
 
-/// Where the robots of a formation should be: said again and again as it moves, so that one that is lost does no harm.
+/// Where the robots of a formation should be. This is repeated as the formation moves, so that one lost message
+/// does no harm.
 ///
 /// @param shape for people: `wedge`, `column`
-/// @param formed whether all had come to their places since these were last allotted
-/// @param ahead from when it is said until all should be where they aim
-/// @param slots by robot's id
+/// @param formed whether all robots have been at their places since these were last assigned
+/// @param ahead time from the message until all should be at their places
+/// @param slots the place of each robot, by the robot's id
 public record FormationSlots(String shape, boolean formed, Duration ahead, NavigableMap<String, Slot> slots)
         implements MessageContent {
     public static final Topic<FormationSlots> TOPIC = new Topic<>("ranks", FormationSlots.class);

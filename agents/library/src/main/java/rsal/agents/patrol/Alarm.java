@@ -6,9 +6,10 @@ import rsal.agent.Topic;
 import rsal.agent.message.MessageCheck;
 import rsal.data.Point2d;
 
-/// A robot sees somebody who should not be there. It says so again and again while it does.
+/// A robot sees an intruder. It repeats this for as long as it sees him.
 ///
-/// @param robot id of the one that sees
+/// @param robot id of the robot that sees him
+/// @param mapFromIntruder where he is, in the map frame [m]
 public record Alarm(String robot, Point2d mapFromIntruder) implements MessageContent {
     public static final Topic<Alarm> TOPIC = new Topic<>("alarm", Alarm.class);
 

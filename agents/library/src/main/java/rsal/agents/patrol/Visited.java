@@ -5,9 +5,10 @@ import rsal.agent.Topic;
 import rsal.agent.message.MessageCheck;
 import rsal.data.Point2d;
 
-/// A robot has been at a place that its team watches.
+/// A robot was at a place that its team watches.
 ///
 /// @param robot its id
+/// @param mapFromPlace the place, in the map frame [m]
 public record Visited(String robot, Point2d mapFromPlace) implements MessageContent {
     public static final Topic<Visited> TOPIC = new Topic<>("visited", Visited.class);
 

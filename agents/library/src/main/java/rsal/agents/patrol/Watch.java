@@ -7,7 +7,9 @@ import rsal.agent.Topic;
 import rsal.agent.message.MessageCheck;
 import rsal.data.Point2d;
 
-/// A team watches these places from now on, and none that were said before.
+/// The team watches these places from now on, instead of those before.
+///
+/// @param mapFromPlaces the places, in the map frame [m]
 public record Watch(List<Point2d> mapFromPlaces) implements MessageContent {
     public static final Topic<Watch> TOPIC = new Topic<>("watch", Watch.class);
 

@@ -6,7 +6,7 @@ import rsal.agent.MessageContent;
 import rsal.agent.Topic;
 import rsal.agent.message.MessageCheck;
 
-/// A prey has given up. It is said by the prey, once.
+/// A prey has given up. The prey says so once.
 ///
 /// @param prey id of its robot
 /// @param hunter id of the robot that came too near

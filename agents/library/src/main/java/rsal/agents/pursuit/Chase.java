@@ -4,10 +4,10 @@ import rsal.agent.MessageContent;
 import rsal.agent.Topic;
 import rsal.agent.message.MessageCheck;
 
-/// A hunter goes for a prey from now on.
+/// A hunter chases a prey from now on.
 ///
 /// @param hunter id of its robot
-/// @param prey id of its robot
+/// @param prey id of the prey's robot
 public record Chase(String hunter, String prey) implements MessageContent {
     public static final Topic<Chase> TOPIC = new Topic<>("chase", Chase.class);
 

@@ -6,11 +6,11 @@ import rsal.agent.message.MessageCheck;
 import rsal.agent.message.PoseReport;
 import rsal.data.Pose2d;
 
-/// Somebody has seen a robot.
+/// An agent has seen a robot.
 ///
-/// @param robot its id
+/// @param robot id of the robot that was seen
 /// @param role its role
-/// @param mapFromBase where it was seen
+/// @param mapFromBase its pose in the map frame, when it was seen
 public record Sighting(String robot, String role, Pose2d mapFromBase) implements MessageContent {
     public static final Topic<Sighting> TOPIC = new Topic<>("sighting", Sighting.class);
 

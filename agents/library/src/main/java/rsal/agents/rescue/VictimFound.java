@@ -6,12 +6,12 @@ import rsal.agent.Topic;
 import rsal.agent.message.MessageCheck;
 import rsal.data.Point2d;
 
-/// A robot has seen somebody who needs help. It says so again every few seconds until it hears that somebody was helped
-/// ([VictimHelped]), and where it knows better.
+/// A robot has seen a victim. It repeats this every few seconds until it hears that the victim was helped
+/// ([VictimHelped]), and when it knows the place better.
 ///
 /// @param robot its id
-/// @param victim what the marker says that the victim wears
-/// @param mapFromVictim as far as the robot knows where it is itself
+/// @param victim number of the victim's marker
+/// @param mapFromVictim where the victim is, in the map frame, as the robot believes [m]
 public record VictimFound(String robot, int victim, Point2d mapFromVictim) implements MessageContent {
     public static final Topic<VictimFound> TOPIC = new Topic<>("victim-found", VictimFound.class);
 

@@ -3,9 +3,9 @@ package rsal.agents.rescue;
 import rsal.agent.MessageContent;
 import rsal.agent.Topic;
 
-/// A helper has been with a victim: nobody need look after it any more.
+/// A helper was with a victim, which needs no more help.
 ///
-/// @param victim what its marker says
+/// @param victim number of the victim's marker
 public record VictimHelped(int victim) implements MessageContent {
     public static final Topic<VictimHelped> TOPIC = new Topic<>("victim-helped", VictimHelped.class);
 

@@ -5,11 +5,13 @@ import rsal.agent.MessageContent;
 import rsal.agent.Topic;
 import rsal.data.Pose2d;
 
-/// A robot's drive to a place has ended.
+/// A robot's drive to a goal has ended.
 ///
-/// @param ending `reached`, `unsure` when it stands there as far as it knows, but is not localized,
-/// `cancelled`, `no path` or `stuck`; `silent` says another of a robot that does not answer
-/// @param why it did not get there, for people; empty when it did or was cancelled
+/// @param robot its id
+/// @param mapFromGoal the goal, in the map frame
+/// @param ending `reached`; `unsure` when the robot believes to be there, but is not localized; `cancelled`, `no
+/// path` or `stuck`; `silent` is said by another agent, of a robot that does not answer
+/// @param why why the goal was not reached, for people; empty when it was reached or cancelled
 public record GoalReached(String robot, Pose2d mapFromGoal, String ending, String why) implements MessageContent {
     public static final Topic<GoalReached> TOPIC = new Topic<>("goal-reached", GoalReached.class);
 

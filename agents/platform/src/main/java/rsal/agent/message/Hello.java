@@ -4,11 +4,11 @@ import java.util.Optional;
 import rsal.agent.MessageContent;
 import rsal.agent.Topic;
 
-/// Presence: said at the start and the end of an agent, and when somebody asks.
+/// Presence of an agent: at its start, at its end, and when another agent asks.
 ///
 /// @param robot id of the sender's robot; empty when it has none
-/// @param kind of greeting
-/// @param to name of the agent it asks or answers; empty for all
+/// @param kind the kind of greeting
+/// @param to name of the agent that is asked or answered; empty for all
 public record Hello(String robot, Kind kind, String to) implements MessageContent {
     public static final Topic<Hello> TOPIC = new Topic<>("hello", Hello.class);
 

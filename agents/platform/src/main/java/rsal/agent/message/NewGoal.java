@@ -5,9 +5,10 @@ import rsal.agent.MessageContent;
 import rsal.agent.Topic;
 import rsal.data.Pose2d;
 
-/// Sends a robot, or all, to a place.
+/// Sends one robot or all robots to a goal.
 ///
-/// @param robot id, or [#ALL]
+/// @param robot its id, or [#ALL]
+/// @param mapFromGoal the goal, in the map frame
 public record NewGoal(String robot, Pose2d mapFromGoal) implements MessageContent {
     public static final Topic<NewGoal> TOPIC = new Topic<>("new-goal", NewGoal.class);
 

@@ -4,9 +4,9 @@ import java.util.Optional;
 import rsal.agent.MessageContent;
 import rsal.agent.Topic;
 
-/// Asks a robot, or all, to report its pose now.
+/// Asks one robot or all robots to report their poses now.
 ///
-/// @param robot id, or [NewGoal#ALL]
+/// @param robot its id, or [NewGoal#ALL]
 public record PoseRequest(String robot) implements MessageContent {
     public static final Topic<PoseRequest> TOPIC = new Topic<>("pose-request", PoseRequest.class);
 

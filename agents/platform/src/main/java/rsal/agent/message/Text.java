@@ -3,7 +3,9 @@ package rsal.agent.message;
 import rsal.agent.MessageContent;
 import rsal.agent.Topic;
 
-/// Free words, for people and for agents that know how to read them.
+/// A text for people, and for agents that can read it.
+///
+/// @param words the text
 public record Text(String words) implements MessageContent {
     public static final Topic<Text> TOPIC = new Topic<>("text", Text.class);
 

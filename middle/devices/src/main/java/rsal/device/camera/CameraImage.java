@@ -5,13 +5,15 @@ import rsal.data.Picture;
 import rsal.data.Unit;
 
 /// An image of a camera without distortion (a pinhole), as `sensor_msgs/Image` in `rgb8` and `16UC1` and
-/// `sensor_msgs/CameraInfo` of ROS. Its optical axis goes through the middle of the image. Rows come from the
-/// top, columns from the left.
+/// `sensor_msgs/CameraInfo` of ROS. Its optical axis goes through the middle of the image. Rows come from the top,
+/// columns from the left.
 ///
-/// @param focalLength of columns and of rows
+/// @param width number of columns [px]
+/// @param height number of rows [px]
+/// @param focalLength of columns and of rows [px]
 /// @param rgb red, green and blue of each pixel, row by row; not to be changed
-/// @param depth along the optical axis of each pixel, row by row: two bytes each, the lower one first [mm]; 0
-///         where nothing is in range (REP 118 for `16UC1`). Not to be changed
+/// @param depth along the optical axis, of each pixel, row by row: two bytes each, the lower one first [mm]; 0
+/// where nothing is in range (REP 118 for `16UC1`); not to be changed
 public record CameraImage(
         @Unit(value = "px", isFixed = true) int width,
         @Unit(value = "px", isFixed = true) int height,
