@@ -79,11 +79,45 @@ class LogsIT {
     }
 
     @Test
+    void partsHaveLevelsOfTheirOwnAlsoOnStderr() throws Exception {
+        Ended ended = new Rsal(folder)
+                .run(
+                        "run",
+                        "patrol",
+                        "--headless",
+                        "--speed",
+                        "max",
+                        "--for",
+                        "20",
+                        "--log",
+                        "-",
+                        "--log-level",
+                        "error,run=debug");
+        assertThat(ended.code()).as(ended.err()).isZero();
+        List<JsonNode> entries = ended.err()
+                .lines()
+                .filter(line -> line.startsWith("{"))
+                .map(line -> JsonMapper.shared().readTree(line))
+                .toList();
+        assertThat(entries).extracting(entry -> entry.path("level").asString()).contains("DEBUG", "INFO");
+        assertThat(entries).extracting(entry -> entry.path("part").asString()).containsOnly("run");
+    }
+
+    @Test
     void mistakesAreTold() throws Exception {
         assertThat(new Rsal(folder).run("logs", "none.log").err()).contains("There is no such file.");
         Files.createDirectory(folder.resolve("folder"));
         Ended refused = new Rsal(folder).run("run", "--headless", "--for", "1", "--log", "folder");
         assertThat(refused.code()).isEqualTo(5);
         assertThat(refused.err()).contains("The log 'folder' can't be written");
+        for (String level : List.of("loud", "info,player=loud")) {
+            Ended ended = new Rsal(folder).run("run", "--headless", "--log-level", level);
+            assertThat(ended.code()).isEqualTo(2);
+            assertThat(ended.err()).contains("'loud' is not a level: debug, info, warn, error.");
+        }
+        assertThat(new Rsal(folder)
+                        .run("run", "--headless", "--log-level", "Player=debug")
+                        .err())
+                .contains("'Player=debug' is not a level of a part, like player=debug.");
     }
 }

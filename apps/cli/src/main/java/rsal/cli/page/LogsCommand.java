@@ -19,7 +19,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import rsal.cli.terminal.Destination;
 import rsal.cli.terminal.Exit;
-import rsal.cli.terminal.Logging;
+import rsal.cli.terminal.LogLevels;
 import rsal.cli.terminal.Subcommand;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
@@ -51,7 +51,10 @@ public final class LogsCommand extends Subcommand {
             names = "--level",
             paramLabel = "LEVEL",
             description = "Only entries of this level and more important ones: debug, info, warn, error.")
-    private Logging.Least level = Logging.Least.debug;
+    private LogLevels.Level level = LogLevels.Level.debug;
+
+    @Option(names = "--part", paramLabel = "PART", description = "Only of this part of the program, as player.")
+    private @Nullable String part;
 
     @Option(names = "--run", paramLabel = "NAME", description = "Only of runs that have this in their name, as patrol.")
     private @Nullable String run;
@@ -121,12 +124,13 @@ public final class LogsCommand extends Subcommand {
     }
 
     private boolean isWanted(JsonNode entry) {
-        boolean important = Stream.of(Logging.Least.values())
+        boolean important = Stream.of(LogLevels.Level.values())
                 .filter(each -> each.name().equalsIgnoreCase(word(entry, "level")))
                 .findFirst()
                 .map(each -> each.compareTo(level) >= 0)
                 .orElse(false);
         return important
+                && (part == null || word(entry, "part").equals(part))
                 && (run == null || word(entry, "run").contains(run))
                 && (robot == null || word(entry, "robot").equals(robot))
                 && (agent == null || word(entry, "agent").equals(agent));

@@ -3,6 +3,7 @@ package rsal.cli.page;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine;
@@ -12,11 +13,14 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.TypeConversionException;
 import rsal.cli.terminal.CommandWords;
 import rsal.cli.terminal.Destination;
+import rsal.cli.terminal.LogLevels;
 import rsal.cli.terminal.Logging;
 import rsal.foxglove.FoxgloveServer;
 
 /// Who looks on: the page's port, a recording, Foxglove. Options of commands that run scenarios.
 public final class PageChoices {
+    private static final String STDERR = "-";
+
     @Option(
             names = "--port",
             paramLabel = "P",
@@ -58,15 +62,19 @@ public final class PageChoices {
             paramLabel = "FILE",
             description =
                     "Keep a log of what happens, as lines of JSON, for 'rsal logs'. At 10 MB the file becomes FILE.1, up to"
-                            + " FILE.5. Default: the file that RSAL_LOG names, if any.")
+                            + " FILE.5. '-' writes the lines to stderr, as containers collect them. Default: the file that"
+                            + " RSAL_LOG names, if any.")
     private @Nullable String log;
 
     @Option(
             names = "--log-level",
             paramLabel = "LEVEL",
+            converter = LogLevels.Converter.class,
+            defaultValue = "info",
             description =
-                    "The least important entries to keep: debug (also messages of agents), info, warn or error. Default: info.")
-    private Logging.Least logLevel = Logging.Least.info;
+                    "The least important entries to keep: debug (also messages of agents), info, warn or error; for parts of"
+                            + " the program as in 'info,player=debug'. Default: ${DEFAULT-VALUE}.")
+    private @Nullable LogLevels logLevels;
 
     @Mixin
     private NetworkChoices network = new NetworkChoices();
@@ -82,11 +90,10 @@ public final class PageChoices {
 
     /// @param command as it was typed
     public Onlookers onlookers(boolean force, boolean headless, String command, PrintWriter err) throws IOException {
-        Optional<Path> logged = Optional.ofNullable(log)
+        Optional<String> logged = Optional.ofNullable(log)
                 .or(() -> Optional.ofNullable(System.getenv("RSAL_LOG")))
-                .filter(name -> !name.isEmpty())
-                .map(Destination::path);
-        logged.ifPresent(file -> Logging.keep(file, logLevel));
+                .filter(name -> !name.isEmpty());
+        logged.ifPresent(this::keepLog);
         return new Onlookers(
                 RunRecorder.to(Optional.ofNullable(record), force, headless, err),
                 foxglove || foxglovePort != null
@@ -95,6 +102,15 @@ public final class PageChoices {
                         : Optional.empty(),
                 logged.isPresent(),
                 command);
+    }
+
+    private void keepLog(String file) {
+        LogLevels levels = Objects.requireNonNull(logLevels);
+        if (file.equals(STDERR)) {
+            Logging.tellAsJson(levels);
+        } else {
+            Logging.keep(Destination.path(file), levels);
+        }
     }
 
     public static final class Port implements ITypeConverter<Integer> {

@@ -8,8 +8,7 @@ import org.slf4j.event.KeyValuePair;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
 
-/// Writes each entry of a log as a line of JSON: `time` (ISO 8601, UTC), `level`, `part` (of the program), what else
-/// the
+/// Writes each entry of a log as a line of JSON: `time` (ISO 8601, UTC), `level`, `part` of the program, what else the
 /// entry says by name, `message`, and `error` with its stack.
 final class JsonLines extends EncoderBase<ILoggingEvent> {
     private static final JsonMapper JSON = JsonMapper.shared();
@@ -30,8 +29,7 @@ final class JsonLines extends EncoderBase<ILoggingEvent> {
         ObjectNode line = JSON.createObjectNode();
         line.put("time", event.getInstant().toString());
         line.put("level", event.getLevel().toString());
-        String logger = event.getLoggerName();
-        line.put("part", logger.substring(logger.lastIndexOf('.') + 1));
+        line.put("part", LogLevels.part(event.getLoggerName()));
         if (event.getKeyValuePairs() != null) {
             for (KeyValuePair each : event.getKeyValuePairs()) {
                 line.set(each.key, JSON.valueToTree(each.value));

@@ -26,6 +26,8 @@ public final class Logging extends ContextAwareBase implements Configurator {
     private static final int MOST_OLD_FILES = 5;
     private static final long MOST_BYTES = 10_000_000;
 
+    private static final ConsoleAppender<ILoggingEvent> STDERR = new ConsoleAppender<>();
+
     /// What of a log goes to stderr.
     private static final ThresholdFilter FOR_PEOPLE = new ThresholdFilter();
 
@@ -35,17 +37,16 @@ public final class Logging extends ContextAwareBase implements Configurator {
         encoder.setContext(context);
         encoder.setPattern("%d{HH:mm:ss} %-5level %logger{0}: %msg%n");
         encoder.start();
-        var stderr = new ConsoleAppender<ILoggingEvent>();
-        stderr.setContext(context);
-        stderr.setTarget("System.err");
-        stderr.setEncoder(encoder);
-        stderr.addFilter(FOR_PEOPLE);
+        STDERR.setContext(context);
+        STDERR.setTarget("System.err");
+        STDERR.setEncoder(encoder);
+        STDERR.addFilter(FOR_PEOPLE);
         FOR_PEOPLE.setLevel(Level.WARN.toString());
         FOR_PEOPLE.start();
-        stderr.start();
+        STDERR.start();
         var root = context.getLogger(Logger.ROOT_LOGGER_NAME);
         root.setLevel(Level.WARN);
-        root.addAppender(stderr);
+        root.addAppender(STDERR);
         return ExecutionStatus.DO_NOT_INVOKE_NEXT_IF_ANY;
     }
 
@@ -56,12 +57,11 @@ public final class Logging extends ContextAwareBase implements Configurator {
     }
 
     /// Also keeps a log in a file from now on, as [JsonLines]. At 10 MB it becomes `FILE.1`, and so on to `FILE.5`,
-    /// which is
-    /// then lost.
+    /// which is then lost.
     ///
-    /// @param least level of what our own code says; of libraries, warnings and worse are kept
+    /// @param levels of what our own code says; of libraries that are not named, warnings and worse are kept
     /// @throws Unreachable if the file can't be written
-    public static void keep(Path file, Least least) {
+    public static void keep(Path file, LogLevels levels) {
         try { // logback would only say it somewhere
             Files.newOutputStream(file, StandardOpenOption.CREATE, StandardOpenOption.APPEND)
                     .close();
@@ -72,10 +72,7 @@ public final class Logging extends ContextAwareBase implements Configurator {
         var appender = new RollingFileAppender<ILoggingEvent>();
         appender.setContext(context);
         appender.setFile(file.toString());
-        var lines = new JsonLines();
-        lines.setContext(context);
-        lines.start();
-        appender.setEncoder(lines);
+        appender.setEncoder(jsonLines());
         var names = new FixedWindowRollingPolicy();
         names.setContext(context);
         names.setParent(appender);
@@ -90,22 +87,37 @@ public final class Logging extends ContextAwareBase implements Configurator {
         appender.setTriggeringPolicy(size);
         appender.start();
         context.getLogger(Logger.ROOT_LOGGER_NAME).addAppender(appender);
-        Level level = Level.valueOf(least.name());
-        var ours = context.getLogger(OURS);
-        if (ours.getLevel() == null || ours.getLevel().isGreaterOrEqual(level)) { // --debug asks for more
-            ours.setLevel(level);
+        set(levels);
+    }
+
+    /// Writes logs to stderr as [JsonLines] from now on, as containers collect them.
+    public static void tellAsJson(LogLevels levels) {
+        STDERR.stop();
+        STDERR.setEncoder(jsonLines());
+        STDERR.clearAllFilters(); // the levels alone decide
+        STDERR.start();
+        set(levels);
+    }
+
+    private static JsonLines jsonLines() {
+        var lines = new JsonLines();
+        lines.setContext(context());
+        lines.start();
+        return lines;
+    }
+
+    private static void set(LogLevels levels) {
+        var ours = context().getLogger(OURS);
+        Level least = Level.valueOf(levels.least().name());
+        if (ours.getLevel() == null || ours.getLevel().isGreaterOrEqual(least)) { // --debug asks for more
+            ours.setLevel(least);
         }
+        levels.byPart()
+                .forEach((part, level) ->
+                        context().getLogger(LogLevels.logger(part)).setLevel(Level.valueOf(level.name())));
     }
 
     private static LoggerContext context() {
         return (LoggerContext) LoggerFactory.getILoggerFactory();
-    }
-
-    /// Levels of a log, the least important first.
-    public enum Least {
-        debug,
-        info,
-        warn,
-        error
     }
 }
