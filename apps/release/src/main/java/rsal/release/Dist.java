@@ -34,8 +34,17 @@ final class Dist implements Callable<Integer> {
             "container/grafana/provisioning.yaml",
             "container/grafana/rsal.json");
 
-    /// Texts of licences that no jar carries: of JADE and Jason, and of ASM.
-    private static final List<String> LICENCES = List.of("LGPL-2.1.txt", "LGPL-3.txt", "GPL-3.txt", "ASM.txt");
+    /// Texts of licences that no jar or package carries: of JADE and Jason, ASM, zstd-jni, javax.json, and of the
+    /// search
+    /// of the documentation.
+    private static final List<String> LICENCES = List.of(
+            "LGPL-2.1.txt",
+            "LGPL-3.txt",
+            "GPL-3.txt",
+            "ASM.txt",
+            "zstd-jni.txt",
+            "CDDL-and-GPL-2-with-classpath-exception.txt",
+            "docsearch.txt");
 
     private static final String VERSION = "0.1.0";
 
