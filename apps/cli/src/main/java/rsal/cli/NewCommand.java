@@ -19,6 +19,7 @@ import picocli.CommandLine.Parameters;
 import rsal.agent.AgentHostProvider;
 import rsal.cli.show.ShownAgent;
 import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.FileName;
 import rsal.cli.terminal.Subcommand;
 import rsal.cli.terminal.Unreachable;
 import rsal.experiment.report.ShellWords;
@@ -35,12 +36,11 @@ import rsal.settings.Suggestion;
         name = "new",
         description =
                 "Make a folder with a scenario of your own to begin with: NAME.yaml, an agent in Java (or in AgentSpeak), a"
-                        + " controller or a metric, other files that it names, a test and a README. It runs as it is. Overwrites nothing.")
+                        + " controller or a metric, other files that it names and a README. It runs as it is. Overwrites nothing.")
 final class NewCommand extends Subcommand {
     private static final String PLAIN = "plain"; // runs agents in Java
-    private static final String TEST = "test.sh";
     private static final String README = "README.md";
-    private static final boolean ON_WINDOWS = File.separatorChar == '\\'; // where no shell runs the test
+    private static final boolean ON_WINDOWS = File.separatorChar == '\\'; // whose shells have quotes of their own
     private static final String ABOUT_AGENTS = """
             Agents are named by their `type` under `agents`: a file here, in Java (`.java`) or AgentSpeak (`.asl`), or one that comes
             with RSAL. Change a file and run the scenario again. `rsal list agents` tells which agents come with RSAL, and `rsal show TYPE`
@@ -59,6 +59,7 @@ final class NewCommand extends Subcommand {
 
     @Option(
             names = "--from",
+            converter = FileName.class,
             paramLabel = "SCENARIO",
             description = "A scenario of RSAL ('rsal list') to begin with. Default: a hunt with a hunter of your own.")
     private @Nullable String from;
@@ -95,12 +96,9 @@ final class NewCommand extends Subcommand {
         if (Files.exists(folder)) {
             throw there(folder);
         }
-        if (!ON_WINDOWS) {
-            texts.put(TEST, test(own, template));
-        }
         texts.put(README, readme(own, template, texts));
         write(folder, texts);
-        tell(own, folder, List.copyOf(texts.keySet()));
+        tell(own, folder, template, List.copyOf(texts.keySet()));
         return Exit.SUCCESS;
     }
 
@@ -140,35 +138,10 @@ final class NewCommand extends Subcommand {
 
     // ── What is written ──────────────────────────────────────────────────────────────────────────────────────────
 
-    /// The test is the command itself, so that it needs nothing else.
-    private static String test(String name, Template template) {
-        boolean ends = !template.scenario().plan(RunOptions.NONE).stops().isEmpty();
-        return """
-                #!/usr/bin/env bash
-                # Checks the scenario and runs it with the seeds that are given, or with 1, 2 and 3, as fast as it can. Fails at
-                # the first run that does not end in success. It takes the command that RSAL names, else the one in a folder
-                # above, else the one on the PATH.
-                set -eu
-                cd "$(dirname "${BASH_SOURCE[0]}")"
-                rsal=${RSAL:-}
-                above=$PWD
-                while [[ -z $rsal && $above != / ]]; do
-                    above=$(dirname "$above")
-                    [[ ! -f $above/rsal || ! -x $above/rsal ]] || rsal=$above/rsal
-                done
-                rsal=${rsal:-rsal}
-                "$rsal" validate %s.yaml
-                (($#)) || set -- 1 2 3
-                for seed; do
-                    "$rsal" run %s.yaml --headless --speed max --seed "$seed"%s
-                done
-                """.formatted(name, name, ends ? "" : " --for 30");
-    }
-
     /// As a word for a shell, wherever it is called from.
     private static String command() {
         String launcher = System.getProperty("rsal.launcher", "rsal");
-        if (ON_WINDOWS) { // whose shells have quotes of their own
+        if (ON_WINDOWS) {
             return launcher.contains(" ") ? "\"" + launcher + "\"" : launcher;
         }
         return ShellWords.of(List.of(launcher));
@@ -176,7 +149,6 @@ final class NewCommand extends Subcommand {
 
     private String readme(String name, Template template, Map<String, String> texts) {
         String files = texts.keySet().stream()
-                .filter(file -> !file.equals(TEST))
                 .map(file -> "| `%s` | %s |%n".formatted(file, about(file, name)))
                 .collect(Collectors.joining());
         return """
@@ -190,12 +162,12 @@ final class NewCommand extends Subcommand {
                 %s
                 ```
 
-                The first runs it, with the page. The second tells what can be set, its robots, agents, ends and metrics. The third runs
-                it with three seeds, and fails where one does not end in success.
+                The first runs it, with the page. The second tells what can be set, its robots, agents, ends and metrics. The third
+                %s.
 
                 | file | |
                 |---|---|
-                %s%s
+                %s
                 %s
                 """.formatted(
                         name,
@@ -203,14 +175,22 @@ final class NewCommand extends Subcommand {
                         origin(),
                         name,
                         name,
-                        ON_WINDOWS ? testAgent("rsal", Scenario.fileIn(name)) : "./" + TEST,
+                        test("rsal", Scenario.fileIn(name), template),
+                        ends(template)
+                                ? "runs it with three seeds, and fails when one does not end in success"
+                                : "runs it for 30 s, as fast as it can",
                         files,
-                        ON_WINDOWS ? "" : "| `test.sh` | the test |\n",
                         about());
     }
 
-    private static String testAgent(String command, Object scenario) {
-        return "%s test-agent %s --seeds 3".formatted(command, scenario);
+    /// The command that tests it. A scenario without an end of its own can't succeed, so that it is run for a while.
+    private static String test(String command, Object scenario, Template template) {
+        return (ends(template) ? "%s test-agent %s --seeds 3" : "%s run %s --headless --speed max --for 30")
+                .formatted(command, scenario);
+    }
+
+    private static boolean ends(Template template) {
+        return !template.scenario().plan(RunOptions.NONE).stops().isEmpty();
     }
 
     private String about() {
@@ -254,9 +234,6 @@ final class NewCommand extends Subcommand {
             for (Map.Entry<String, String> text : texts.entrySet()) {
                 Files.writeString(folder.resolve(text.getKey()), text.getValue());
             }
-            if (!ON_WINDOWS && !folder.resolve(TEST).toFile().setExecutable(true, false)) {
-                throw new IOException("'%s' can't be made executable".formatted(TEST));
-            }
         } catch (FileAlreadyExistsException e) {
             throw there(folder);
         } catch (NoSuchFileException e) {
@@ -271,7 +248,7 @@ final class NewCommand extends Subcommand {
         return new InvalidSettings(Location.of(folder.toString()), "This is there already.", "Choose another name.");
     }
 
-    private void tell(String own, Path folder, List<String> files) {
+    private void tell(String own, Path folder, Template template, List<String> files) {
         Path run = folder.resolve(Scenario.fileIn(own));
         List<String> all =
                 files.stream().map(file -> folder.resolve(file).toString()).toList();
@@ -281,7 +258,7 @@ final class NewCommand extends Subcommand {
         }
         all.forEach(out()::println);
         out().println("\nRun it by   %s run %s%nTest it by  %s"
-                .formatted(command(), run, ON_WINDOWS ? testAgent(command(), run) : folder.resolve(TEST)));
+                .formatted(command(), run, test(command(), run, template)));
         out().flush();
     }
 }

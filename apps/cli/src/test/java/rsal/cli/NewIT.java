@@ -5,8 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
-import java.util.stream.Collectors;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -35,19 +33,8 @@ class NewIT {
         }
     }
 
-    private Ended test(String name, String... seeds) throws Exception {
-        Path command = folder.resolve("my rsal");
-        Files.writeString(
-                command,
-                "#!/bin/sh\nexec %s \"$@\"\n"
-                        .formatted(
-                                rsal.command().stream().map("'%s'"::formatted).collect(Collectors.joining(" "))));
-        assertThat(command.toFile().setExecutable(true)).isTrue();
-        var builder =
-                new ProcessBuilder("./test.sh").directory(folder.resolve(name).toFile());
-        builder.command().addAll(List.of(seeds));
-        builder.environment().putAll(Map.of("RSAL", command.toString()));
-        return Ended.of(builder.start());
+    private Ended test(String name, String seeds) throws Exception {
+        return rsal.run("test-agent", "%s/%s.yaml".formatted(name, name), "--seeds", seeds);
     }
 
     @Test
@@ -59,8 +46,8 @@ class NewIT {
                         "chase/chase.yaml",
                         "chase/Hunter.java",
                         "Run it by   rsal run chase/chase.yaml",
-                        "Test it by  chase/test.sh");
-        assertThat(made("chase")).containsExactly("Hunter.java", "README.md", "chase.yaml", "test.sh");
+                        "Test it by  rsal test-agent chase/chase.yaml --seeds 3");
+        assertThat(made("chase")).containsExactly("Hunter.java", "README.md", "chase.yaml");
         for (String file : made("chase")) {
             assertThat(folder.resolve("chase").resolve(file)).content().doesNotContain(folder.toString());
         }
@@ -70,7 +57,7 @@ class NewIT {
         Ended run = rsal.run("run", "chase/chase.yaml", "--headless", "--speed", "max", "--seed", "3");
         assertThat(run.code()).as(run.err()).isEqualTo(Exit.SUCCESS);
         assertThat(run.out()).startsWith("chase:default, seed 3\n").containsPattern("outcome +success");
-        assertThat(test("chase", "1", "2").code()).isEqualTo(Exit.SUCCESS);
+        assertThat(test("chase", "2").code()).isEqualTo(Exit.SUCCESS);
         assertThat(rsal.run("show", "chase/Hunter.java").out()).contains("catchDistance", "Navigator");
     }
 
@@ -78,7 +65,7 @@ class NewIT {
     void aControllerIsWhatOneBeginsWithWhenOneSaysSo() throws Exception {
         Ended ended = rsal.run("new", "crawl", "--kind", "controller");
         assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
-        assertThat(made("crawl")).containsExactly("Cautious.java", "README.md", "crawl.yaml", "test.sh");
+        assertThat(made("crawl")).containsExactly("Cautious.java", "README.md", "crawl.yaml");
         assertThat(folder.resolve("crawl/README.md")).content().contains("a controller in Java", "own-controller.md");
         Ended run = rsal.run("run", "crawl/crawl.yaml", "--headless", "--speed", "max", "--seed", "3");
         assertThat(run.code()).as(run.err()).isEqualTo(Exit.SUCCESS);
@@ -90,7 +77,7 @@ class NewIT {
     void aMetricIsWhatOneBeginsWithWhenOneSaysSo() throws Exception {
         Ended ended = rsal.run("new", "spacing", "--kind", "metric");
         assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
-        assertThat(made("spacing")).containsExactly("README.md", "Spacing.java", "spacing.yaml", "test.sh");
+        assertThat(made("spacing")).containsExactly("README.md", "Spacing.java", "spacing.yaml");
         assertThat(folder.resolve("spacing/README.md")).content().contains("a metric in Java", "own-metric.md");
         Ended run = rsal.run("run", "spacing/spacing.yaml", "--headless", "--speed", "max", "--seed", "3");
         assertThat(run.code()).as(run.err()).isEqualTo(Exit.SUCCESS);
@@ -138,9 +125,9 @@ class NewIT {
         Path scenario = folder.resolve("chase/chase.yaml");
         String text = Files.readString(scenario);
         Files.writeString(scenario, text.replace("time > 300", "time > 3"));
-        assertThat(test("chase").code()).isEqualTo(Exit.NO_SUCCESS);
+        assertThat(test("chase", "1").code()).isEqualTo(Exit.NO_SUCCESS);
         Files.writeString(scenario, text.replace("world:", "wrld:"));
-        assertThat(test("chase").code()).isEqualTo(Exit.INVALID);
+        assertThat(test("chase", "1").code()).isEqualTo(Exit.INVALID);
     }
 
     @Test
@@ -149,12 +136,12 @@ class NewIT {
         assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
         JsonNode result = JsonMapper.shared().readTree(ended.out());
         assertThat(result.get("run").stringValue()).isEqualTo("chase/chase.yaml");
-        assertThat(result.get("files").size()).isEqualTo(4);
-        assertThat(made("chase")).containsExactly("README.md", "chase.yaml", "hunter.asl", "test.sh");
+        assertThat(result.get("files").size()).isEqualTo(3);
+        assertThat(made("chase")).containsExactly("README.md", "chase.yaml", "hunter.asl");
 
-        Ended test = test("chase", "3");
+        Ended test = test("chase", "3:3");
         assertThat(test.code()).as(test.out() + test.err()).isEqualTo(Exit.SUCCESS);
-        assertThat(test.out()).contains("chase.yaml: valid", "chase:default, seed 3");
+        assertThat(test.out()).contains("1 of 1 runs ended in success.");
         assertThat(rsal.run("show", "chase/hunter.asl").out()).contains("+!hunt");
     }
 

@@ -71,9 +71,10 @@ public final class SweepFolder implements AutoCloseable {
         }
     }
 
+    /// Locks a byte behind all that will ever be there: on Windows, what is locked can't be read either, not even here.
     private static boolean isOurs(FileChannel rows) throws IOException {
         try {
-            return rows.tryLock() != null;
+            return rows.tryLock(Long.MAX_VALUE - 1, 1, false) != null;
         } catch (OverlappingFileLockException _) { // by this process
             return false;
         }
@@ -310,7 +311,7 @@ public final class SweepFolder implements AutoCloseable {
             write(channel, text);
             channel.force(true);
         }
-        Files.move(part, file, StandardCopyOption.ATOMIC_MOVE);
+        Files.move(part, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
     }
 
     private static void write(FileChannel channel, String text) throws IOException {

@@ -3,7 +3,10 @@ package rsal.experiment;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
+import com.google.common.jimfs.Configuration;
+import com.google.common.jimfs.Jimfs;
 import java.io.IOException;
+import java.nio.file.FileSystem;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
@@ -97,6 +100,17 @@ class SweepRunTest {
         assertThat(Files.readAllLines(rows)).hasSize(8);
         assertThat(Files.readAllLines(out.resolve(SweepFolder.TABLE))).hasSize(9);
         assertThat(SweepFolder.manifest(out).sessions()).hasSize(2);
+    }
+
+    @Test
+    void goesOnInAFolderOfWindows() throws Exception {
+        try (FileSystem windows = Jimfs.newFileSystem(Configuration.windows())) {
+            out = windows.getPath("C:\\Users\\Bob\\my sweep");
+            create(sweep).close();
+            run(sweep, SweepFolder.resume(out, sweep, Guards.session()), 2);
+            assertThat(SweepFolder.rows(out)).hasSize(8);
+            assertThat(Files.readAllLines(out.resolve(SweepFolder.TABLE))).hasSize(9);
+        }
     }
 
     @Test

@@ -3,6 +3,9 @@ package rsal.recording;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import com.google.common.jimfs.Configuration;
+import com.google.common.jimfs.Jimfs;
+import java.nio.file.FileSystem;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -26,6 +29,17 @@ class CsvExportTest {
 
     @BeforeEach
     void export() throws Exception {
+        export(folder);
+    }
+
+    @Test
+    void exportsToAFolderOfWindows() throws Exception {
+        try (FileSystem windows = Jimfs.newFileSystem(Configuration.windows())) {
+            export(Files.createDirectories(windows.getPath("C:\\Users\\Bob\\my tables")));
+        }
+    }
+
+    private static void export(Path folder) throws Exception {
         Path recording = folder.resolve("run.mcap");
         Recorded.run(Recorded.plan(SCENARIO, 1, 20), recording);
         try (McapFile file = McapFile.open(recording)) {

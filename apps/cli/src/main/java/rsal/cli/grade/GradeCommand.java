@@ -21,6 +21,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import rsal.cli.terminal.Destination;
 import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.FileName;
 import rsal.cli.terminal.Subcommand;
 import rsal.cli.terminal.TextTable;
 import rsal.cli.terminal.Unreachable;
@@ -39,11 +40,12 @@ public final class GradeCommand extends Subcommand {
     private static final String ROWS = "grades.csv";
     private static final String SUMMARY = "summary.csv";
 
-    @Parameters(paramLabel = "FOLDER", description = "Has one folder for each student.")
+    @Parameters(converter = FileName.class, paramLabel = "FOLDER", description = "Has one folder for each student.")
     private String folder = "";
 
     @Option(
             names = "--scenario",
+            converter = FileName.class,
             paramLabel = "FILE.yaml",
             required = true,
             description = "The scenario, in a folder with all files that it needs but for the agent.")

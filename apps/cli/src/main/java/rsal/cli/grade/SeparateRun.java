@@ -145,7 +145,7 @@ record SeparateRun(List<String> java, Path folder, String scenario, Path logs, D
             String line = out.lines().filter(each -> each.startsWith("{")).reduce("", (_, last) -> last);
             try {
                 JsonNode result = JsonMapper.shared().readTree(line);
-                return result.isObject() ? result(seed, code, result, err) : Result.failed(seed, "broken", NO_RESULT);
+                return result.isObject() ? result(seed, code, result) : Result.failed(seed, "broken", NO_RESULT);
             } catch (JacksonException e) {
                 return Result.failed(seed, "broken", NO_RESULT);
             }
@@ -161,7 +161,7 @@ record SeparateRun(List<String> java, Path folder, String scenario, Path logs, D
         };
     }
 
-    private static Result result(long seed, int code, JsonNode result, String err) {
+    private static Result result(long seed, int code, JsonNode result) {
         var metrics = new LinkedHashMap<String, Double>();
         result.path("metrics").properties().stream()
                 .filter(metric -> metric.getValue().isNumber())
@@ -172,7 +172,6 @@ record SeparateRun(List<String> java, Path folder, String scenario, Path logs, D
                 .map(agent -> "%s failed: %s"
                         .formatted(agent.getKey(), agent.getValue().asString("")))
                 .collect(Collectors.joining("; "));
-        String message = !failed.isEmpty() || code == Exit.SUCCESS ? failed : lastLine(err);
         return new Result(
                 seed,
                 outcome,
@@ -180,7 +179,7 @@ record SeparateRun(List<String> java, Path folder, String scenario, Path logs, D
                 result.path("simulatedSeconds").asDouble(0),
                 result.path("eventHash").asString(""),
                 metrics,
-                shortened(message));
+                shortened(failed));
     }
 
     private static String lastLine(String text) {

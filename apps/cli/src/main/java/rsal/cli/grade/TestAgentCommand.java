@@ -11,9 +11,11 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 import rsal.cli.show.ScenarioReference;
 import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.FileName;
 import rsal.cli.terminal.Subcommand;
 import rsal.cli.terminal.TextTable;
 import rsal.cli.terminal.Unreachable;
+import rsal.scenario.RunOptions;
 
 /// `rsal test-agent`
 @Command(
@@ -22,7 +24,10 @@ import rsal.cli.terminal.Unreachable;
                 "Test agents of your own: run their scenario with several seeds, each in a process of its own with bounded"
                         + " time and memory. Ends with 0 when each run ends in success, else with 4.")
 public final class TestAgentCommand extends Subcommand {
-    @Parameters(paramLabel = "SCENARIO[:CONFIGURATION]", description = ScenarioReference.WHAT + ".")
+    @Parameters(
+            converter = FileName.class,
+            paramLabel = "SCENARIO[:CONFIGURATION]",
+            description = ScenarioReference.WHAT + ".")
     private String scenario = "";
 
     @Mixin
@@ -31,7 +36,13 @@ public final class TestAgentCommand extends Subcommand {
     @Override
     protected int run() throws InterruptedException {
         limits.check(spec.commandLine());
-        ScenarioReference.parse(scenario).load();
+        ScenarioReference reference = ScenarioReference.parse(scenario);
+        reference
+                .load()
+                .plan(reference
+                        .configuration()
+                        .map(RunOptions.NONE::withConfiguration)
+                        .orElse(RunOptions.NONE)); // tells mistakes once
         try {
             Path logs = Files.createTempDirectory("rsal-test-agent-");
             SeparateRun run = limits.run(Path.of("").toAbsolutePath(), scenario, logs);

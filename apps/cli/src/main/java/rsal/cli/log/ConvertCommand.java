@@ -16,6 +16,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import rsal.cli.terminal.Destination;
 import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.FileName;
 import rsal.cli.terminal.Mistake;
 import rsal.cli.terminal.Subcommand;
 import rsal.cli.terminal.Unreachable;
@@ -40,6 +41,7 @@ import rsal.world.yaml.YamlFormat;
 public final class ConvertCommand extends Subcommand {
     @Parameters(
             index = "0",
+            converter = FileName.class,
             paramLabel = "FILE.world|ROBOT.urdf",
             description = "The world's or the robot's file; a .xacro file must be expanded first.")
     private String file = "";

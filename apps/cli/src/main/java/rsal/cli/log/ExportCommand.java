@@ -14,6 +14,7 @@ import picocli.CommandLine.Parameters;
 import rsal.cli.show.RecordingFile;
 import rsal.cli.terminal.Destination;
 import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.FileName;
 import rsal.cli.terminal.LifeSigns;
 import rsal.cli.terminal.Subcommand;
 import rsal.cli.terminal.Unreachable;
@@ -42,7 +43,10 @@ import rsal.time.AllowedToReadWallClock;
         })
 @AllowedToReadWallClock("Prints now and then how much of an animation is drawn.")
 public final class ExportCommand extends Subcommand {
-    @Parameters(paramLabel = "FILE.mcap", description = "A recording, from 'rsal run --record'.")
+    @Parameters(
+            converter = FileName.class,
+            paramLabel = "FILE.mcap",
+            description = "A recording, from 'rsal run --record'.")
     private String name = "";
 
     @ArgGroup(multiplicity = "1")

@@ -19,6 +19,7 @@ import rsal.cli.log.LocalizeResult.RunView;
 import rsal.cli.log.LocalizeResult.Summary;
 import rsal.cli.terminal.Destination;
 import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.FileName;
 import rsal.cli.terminal.Mistake;
 import rsal.cli.terminal.Subcommand;
 import rsal.data.Covariance2d;
@@ -61,7 +62,7 @@ public final class LocalizeCommand extends Subcommand {
     private static final int MOST_PARTICLES = 1_000_000;
     private static final double OFF_MAP = 5; // m; how far off a map a start may be
 
-    @Parameters(index = "0", paramLabel = "LOG", description = "The log's file.")
+    @Parameters(index = "0", converter = FileName.class, paramLabel = "LOG", description = "The log's file.")
     private String file = "";
 
     @ArgGroup(multiplicity = "1")

@@ -15,6 +15,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
+import rsal.cli.terminal.FileName;
 import rsal.navigation.amcl.OdometryModel;
 import rsal.navigation.log.BrokenLog;
 import rsal.navigation.log.LaserHints;
@@ -50,6 +51,7 @@ final class LogOptions {
 
     @Option(
             names = "--reference",
+            converter = FileName.class,
             paramLabel = "LOG",
             description = "Another log of the same scans, whose poses are right: the corrected one of a raw log.")
     private @Nullable String reference;

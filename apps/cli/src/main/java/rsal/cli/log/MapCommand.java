@@ -21,6 +21,7 @@ import rsal.cli.log.MapResult.Strained;
 import rsal.cli.log.MapResult.ThroughWalls;
 import rsal.cli.terminal.Destination;
 import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.FileName;
 import rsal.cli.terminal.Subcommand;
 import rsal.data.OccupancyGrid;
 import rsal.map.RosMap;
@@ -54,7 +55,12 @@ import rsal.time.AllowedToReadWallClock;
         })
 @AllowedToReadWallClock("Tells how long it took.")
 public final class MapCommand extends Subcommand {
-    @Parameters(index = "0..*", arity = "1..*", paramLabel = "LOG", description = "The log's file; one for each robot.")
+    @Parameters(
+            index = "0..*",
+            arity = "1..*",
+            converter = FileName.class,
+            paramLabel = "LOG",
+            description = "The log's file; one for each robot.")
     private List<String> files = List.of();
 
     @Option(names = "--out", required = true, paramLabel = "DIR", description = "The folder to write to.")

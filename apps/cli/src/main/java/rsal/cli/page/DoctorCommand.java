@@ -9,6 +9,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -16,6 +17,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import rsal.cli.terminal.Exit;
@@ -155,9 +157,18 @@ public final class DoctorCommand extends Subcommand {
     private static Optional<Path> program(String... names) {
         String path = Optional.ofNullable(System.getenv("PATH")).orElse("");
         return Arrays.stream(path.split(File.pathSeparator))
-                .flatMap(folder -> Arrays.stream(names).map(name -> Path.of(folder, name)))
+                .flatMap(folder -> Arrays.stream(names).flatMap(name -> file(folder, name)))
                 .filter(Files::isExecutable)
                 .findFirst();
+    }
+
+    /// A program in a folder of the PATH, which can have anything in it. On Windows, names of programs end in `.exe`.
+    private static Stream<Path> file(String folder, String name) {
+        try {
+            return Stream.of(Path.of(folder, name), Path.of(folder, name + ".exe"));
+        } catch (InvalidPathException e) {
+            return Stream.empty();
+        }
     }
 
     /// What a program prints when asked for its version, if that looks like one.

@@ -21,6 +21,7 @@ import rsal.cli.page.PageRuns;
 import rsal.cli.show.ScenarioReference;
 import rsal.cli.terminal.ClosedAtExit;
 import rsal.cli.terminal.CommandWords;
+import rsal.cli.terminal.FileName;
 import rsal.cli.terminal.Progress;
 import rsal.cli.terminal.Subcommand;
 import rsal.cli.terminal.TextTable;
@@ -55,6 +56,7 @@ public final class BridgeCommand extends Subcommand {
 
     @Parameters(
             index = "1",
+            converter = FileName.class,
             paramLabel = "SCENARIO[:CONFIGURATION]",
             arity = "0..1",
             defaultValue = ScenarioReference.DEFAULT,

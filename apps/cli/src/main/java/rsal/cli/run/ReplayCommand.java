@@ -19,6 +19,7 @@ import rsal.cli.page.PageRuns;
 import rsal.cli.show.RecordingFile;
 import rsal.cli.terminal.ClosedAtExit;
 import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.FileName;
 import rsal.cli.terminal.Subcommand;
 import rsal.engine.report.RunEvent;
 import rsal.recording.Playback;
@@ -43,7 +44,10 @@ import rsal.settings.Location;
                     + " recording was cut off, where that was so."
         })
 public final class ReplayCommand extends Subcommand {
-    @Parameters(paramLabel = "FILE.mcap", description = "A recording, from 'rsal run --record'.")
+    @Parameters(
+            converter = FileName.class,
+            paramLabel = "FILE.mcap",
+            description = "A recording, from 'rsal run --record'.")
     private String name = "";
 
     @Option(names = "--verify", description = "Run it again and compare, without a page.")

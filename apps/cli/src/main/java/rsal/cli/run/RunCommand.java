@@ -20,6 +20,7 @@ import rsal.cli.show.ScenarioReference;
 import rsal.cli.terminal.ClosedAtExit;
 import rsal.cli.terminal.CommandWords;
 import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.FileName;
 import rsal.cli.terminal.Progress;
 import rsal.cli.terminal.Subcommand;
 import rsal.engine.LiveRun;
@@ -41,6 +42,7 @@ public final class RunCommand extends Subcommand {
             Map.of("success", Exit.SUCCESS, "failure", Exit.NO_SUCCESS, "timeout", Exit.NO_SUCCESS);
 
     @Parameters(
+            converter = FileName.class,
             paramLabel = "SCENARIO[:CONFIGURATION]",
             arity = "0..1",
             defaultValue = ScenarioReference.DEFAULT,
@@ -83,6 +85,7 @@ public final class RunCommand extends Subcommand {
 
     @Option(
             names = "--with",
+            converter = FileName.class,
             paramLabel = "SCENARIO[:CONFIGURATION]",
             description = "Another scenario joins: its agents without a robot come along, as 'distribution:found',"
                     + " which spreads the robots again and again.")

@@ -12,6 +12,7 @@ import rsal.cli.page.Onlookers;
 import rsal.cli.page.PageChoices;
 import rsal.cli.page.PageRuns;
 import rsal.cli.show.ScenarioReference;
+import rsal.cli.terminal.FileName;
 import rsal.cli.terminal.Subcommand;
 import rsal.engine.LiveRun;
 import rsal.engine.report.RunResult;
@@ -30,6 +31,7 @@ import rsal.server.RunServer;
         })
 public final class ServeCommand extends Subcommand {
     @Parameters(
+            converter = FileName.class,
             paramLabel = "SCENARIO",
             arity = "0..*",
             description =

@@ -14,14 +14,10 @@ public record ScenarioReference(String nameOrFile, Optional<String> configuratio
             "A built-in scenario ('rsal list'), a file, or its folder (scenario.yaml, or named like the"
                     + " folder, as 'rsal new' makes them)";
 
+    /// @param typed as [rsal.cli.terminal.FileName] reads it
     public static ScenarioReference parse(String typed) {
-        return parse(typed, File.separatorChar);
-    }
-
-    /// @param separator of folders, beside `/`: on Windows, `C:\labs\hunt.yaml` is a file
-    static ScenarioReference parse(String typed, char separator) {
         int colon = typed.lastIndexOf(':');
-        boolean inFolder = Math.max(typed.lastIndexOf('/'), typed.lastIndexOf(separator)) > colon;
+        boolean inFolder = typed.lastIndexOf('/') > colon; // on Windows, `C:/labs/hunt.yaml` is a file
         if (colon < 0 || inFolder || new File(typed).exists()) {
             return new ScenarioReference(typed, Optional.empty());
         }

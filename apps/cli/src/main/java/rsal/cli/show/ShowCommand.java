@@ -15,6 +15,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.FileName;
 import rsal.cli.terminal.Subcommand;
 import rsal.cli.terminal.Unreachable;
 import rsal.map.Maps;
@@ -38,6 +39,7 @@ public final class ShowCommand extends Subcommand {
     private static final int PICTURE = 1600; // longest side [px]
 
     @Parameters(
+            converter = FileName.class,
             paramLabel = "SCENARIO[:CONFIGURATION]|WORLD|AGENT|NAME",
             description =
                     ScenarioReference.WHAT

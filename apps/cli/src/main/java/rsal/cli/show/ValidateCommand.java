@@ -9,6 +9,7 @@ import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.FileName;
 import rsal.cli.terminal.Mistake;
 import rsal.cli.terminal.Subcommand;
 import rsal.map.Maps;
@@ -27,6 +28,7 @@ import rsal.settings.Problem;
                         + " programs and recordings. Reports every error and starts nothing.")
 public final class ValidateCommand extends Subcommand {
     @Parameters(
+            converter = FileName.class,
             paramLabel = "SCENARIO[:CONFIGURATION]|FILE",
             arity = "1..*",
             description = ScenarioReference.WHAT

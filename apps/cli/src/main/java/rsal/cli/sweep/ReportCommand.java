@@ -11,6 +11,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import rsal.cli.terminal.Destination;
 import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.FileName;
 import rsal.cli.terminal.Subcommand;
 import rsal.cli.terminal.Unreachable;
 import rsal.experiment.Findings;
@@ -28,7 +29,10 @@ import rsal.experiment.report.Report.Written;
             "The sweep may still go on."
         })
 public final class ReportCommand extends Subcommand {
-    @Parameters(paramLabel = "DIR", description = "The folder of a sweep ('rsal sweep … --out DIR').")
+    @Parameters(
+            converter = FileName.class,
+            paramLabel = "DIR",
+            description = "The folder of a sweep ('rsal sweep … --out DIR').")
     private String sweep = "";
 
     @Option(

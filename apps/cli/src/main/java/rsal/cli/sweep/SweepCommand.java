@@ -22,6 +22,7 @@ import rsal.cli.show.ScenarioReference;
 import rsal.cli.terminal.ClosedAtExit;
 import rsal.cli.terminal.Destination;
 import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.FileName;
 import rsal.cli.terminal.Mistake;
 import rsal.cli.terminal.Subcommand;
 import rsal.cli.terminal.Unreachable;
@@ -52,7 +53,10 @@ import rsal.time.AllowedToReadWallClock;
 public final class SweepCommand extends Subcommand {
     private static final int SEEDS = 10; // when nothing is said
 
-    @Parameters(paramLabel = "SCENARIO[:CONFIGURATION]", description = ScenarioReference.WHAT + ".")
+    @Parameters(
+            converter = FileName.class,
+            paramLabel = "SCENARIO[:CONFIGURATION]",
+            description = ScenarioReference.WHAT + ".")
     private String scenario = "";
 
     @Option(
