@@ -80,7 +80,7 @@ class ReadmeTest {
 
     @Test
     void theVersionIsTheSameEverywhere() throws IOException {
-        String version = Build.name().replaceFirst("^rsal ", "").replaceFirst(" .*", "");
+        String version = version();
         assertThat(Files.readString(ROOT.resolve("CITATION.cff"))).contains("\nversion: " + version + "\n");
         assertThat(Files.readString(ROOT.resolve("CHANGELOG.md"))).contains("\n## " + version);
         assertThat(Files.readString(ROOT.resolve("apps/release/src/main/java/rsal/release/Dist.java")))
@@ -93,5 +93,31 @@ class ReadmeTest {
     @Test
     void itsAnimationIsSmall() throws IOException {
         assertThat(Files.size(ROOT.resolve("docs/images/hunt.gif"))).isLessThan(3_000_000);
+    }
+
+    @Test
+    void badgesAreTrue() throws IOException {
+        String pom = Files.readString(ROOT.resolve("pom.xml"));
+        assertThat(badge("version")).startsWith("version: " + version() + ",");
+        assertThat(badge("license")).isEqualTo("license: Apache-2.0");
+        assertThat(Files.readString(ROOT.resolve("LICENSE"))).contains("Apache License", "Version 2.0");
+        assertThat(pom).contains("<java.version>25</java.version>");
+        assertThat(badge("java")).isEqualTo("Java: 25 or newer");
+    }
+
+    private static String version() {
+        return Build.name().replaceFirst("^rsal ", "").replaceFirst(" .*", "");
+    }
+
+    /// What a badge shows, which is what the README says of it to those who see no images.
+    private static String badge(String name) throws IOException {
+        String shown = Pattern.compile("aria-label=\"([^\"]+)\"")
+                .matcher(Files.readString(ROOT.resolve("docs/images/badges/%s.svg".formatted(name))))
+                .results()
+                .map(label -> label.group(1))
+                .findFirst()
+                .orElseThrow();
+        assertThat(readme()).contains("![%s](docs/images/badges/%s.svg)".formatted(shown, name));
+        return shown;
     }
 }
