@@ -1,0 +1,190 @@
+package rsal.ros2.cdr;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+
+/// Reads a message from its bytes, value after value. Values are aligned to their sizes, counted from behind the
+/// encapsulation header. Allocates only the arrays and texts that it returns. Of one thread.
+public final class CdrReader {
+    private static final int HEADER = 4; // bytes: which representation, and options
+    private static final int BIG_ENDIAN = 0;
+    private static final int LITTLE_ENDIAN = 1;
+    private static final int COUNT = 4; // bytes of the length of a text or sequence
+
+    private final ByteBuffer bytes;
+    private final int origin;
+
+    private CdrReader(ByteBuffer bytes) {
+        this.bytes = bytes;
+        this.origin = bytes.position();
+    }
+
+    /// @param payload with its encapsulation header, from its position to its limit; not copied
+    /// @throws InvalidCdr when it is in another representation than XCDR1, as no ROS 2 writes it
+    public static CdrReader of(ByteBuffer payload) throws InvalidCdr {
+        ByteBuffer bytes = payload.slice().order(ByteOrder.BIG_ENDIAN);
+        if (bytes.remaining() < HEADER) {
+            throw new InvalidCdr("A message of %d bytes has no header; it should have at least %d."
+                    .formatted(bytes.remaining(), HEADER));
+        }
+        int representation = bytes.getShort(0) & 0xffff;
+        if (representation != BIG_ENDIAN && representation != LITTLE_ENDIAN) {
+            throw new InvalidCdr("Representation 0x%04x of a message is not supported; 0x0000 and 0x0001 are (XCDR1)."
+                    .formatted(representation));
+        }
+        bytes.position(HEADER);
+        return new CdrReader(
+                bytes.order(representation == LITTLE_ENDIAN ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN));
+    }
+
+    /// @param payload with its encapsulation header; not copied
+    public static CdrReader of(byte[] payload) throws InvalidCdr {
+        return of(ByteBuffer.wrap(payload));
+    }
+
+    /// Whether nothing is left but the bytes that fill up to a multiple of 4.
+    public boolean isAtEnd() {
+        return bytes.remaining() == 0;
+    }
+
+    /// How many bytes are left.
+    public int remaining() {
+        return bytes.remaining();
+    }
+
+    public boolean bool() throws InvalidCdr {
+        return int8() != 0;
+    }
+
+    public byte int8() throws InvalidCdr {
+        need(1, 1);
+        return bytes.get();
+    }
+
+    public short int16() throws InvalidCdr {
+        need(2, 2);
+        return bytes.getShort();
+    }
+
+    public int int32() throws InvalidCdr {
+        need(4, 4);
+        return bytes.getInt();
+    }
+
+    public long int64() throws InvalidCdr {
+        need(8, 8);
+        return bytes.getLong();
+    }
+
+    public float float32() throws InvalidCdr {
+        need(4, 4);
+        return bytes.getFloat();
+    }
+
+    public double float64() throws InvalidCdr {
+        need(8, 8);
+        return bytes.getDouble();
+    }
+
+    /// A text of UTF-8. What is no UTF-8 becomes `�`.
+    public String text() throws InvalidCdr {
+        int length = textLength();
+        var text = new byte[Math.max(0, length - 1)]; // a zero ends it
+        bytes.get(text);
+        if (length > 0) {
+            bytes.get();
+        }
+        return new String(text, StandardCharsets.UTF_8);
+    }
+
+    /// Leaves a text out.
+    public void skipText() throws InvalidCdr {
+        bytes.position(bytes.position() + textLength());
+    }
+
+    private int textLength() throws InvalidCdr {
+        int length = int32();
+        if (length < 0 || length > bytes.remaining()) {
+            throw tooMany("A text", Integer.toUnsignedLong(length));
+        }
+        return length;
+    }
+
+    /// The number of elements of a sequence.
+    ///
+    /// @param least bytes that an element takes at least, so that no memory is allocated for what cannot be there
+    public int count(int least) throws InvalidCdr {
+        int count = int32();
+        if (count < 0 || count > bytes.remaining() / Math.max(1, least)) {
+            throw tooMany("A sequence", Integer.toUnsignedLong(count));
+        }
+        return count;
+    }
+
+    private InvalidCdr tooMany(String what, long count) {
+        return new InvalidCdr("%s at byte %d claims to have %d elements, but only %d bytes follow."
+                .formatted(what, bytes.position() - origin - COUNT, count, bytes.remaining()));
+    }
+
+    public byte[] int8s(int count) throws InvalidCdr {
+        need(1, count);
+        var array = new byte[count];
+        bytes.get(array);
+        return array;
+    }
+
+    public short[] int16s(int count) throws InvalidCdr {
+        need(2, 2L * count);
+        var array = new short[count];
+        bytes.asShortBuffer().get(array);
+        bytes.position(bytes.position() + 2 * count);
+        return array;
+    }
+
+    public int[] int32s(int count) throws InvalidCdr {
+        need(4, 4L * count);
+        var array = new int[count];
+        bytes.asIntBuffer().get(array);
+        bytes.position(bytes.position() + 4 * count);
+        return array;
+    }
+
+    public long[] int64s(int count) throws InvalidCdr {
+        need(8, 8L * count);
+        var array = new long[count];
+        bytes.asLongBuffer().get(array);
+        bytes.position(bytes.position() + 8 * count);
+        return array;
+    }
+
+    public float[] float32s(int count) throws InvalidCdr {
+        need(4, 4L * count);
+        var array = new float[count];
+        bytes.asFloatBuffer().get(array);
+        bytes.position(bytes.position() + 4 * count);
+        return array;
+    }
+
+    public double[] float64s(int count) throws InvalidCdr {
+        need(8, 8L * count);
+        var array = new double[count];
+        bytes.asDoubleBuffer().get(array);
+        bytes.position(bytes.position() + 8 * count);
+        return array;
+    }
+
+    /// Goes to the next multiple of a size, unless nothing follows, as an empty array has no alignment.
+    private void need(int alignment, long size) throws InvalidCdr {
+        if (size == 0) {
+            return;
+        }
+        int at = bytes.position() - origin;
+        int begin = (at + alignment - 1) & -alignment;
+        if (begin + size > bytes.limit() - origin) {
+            throw new InvalidCdr("The message ends at byte %d, within a value of %d bytes at byte %d."
+                    .formatted(bytes.limit() - origin, size, begin));
+        }
+        bytes.position(origin + begin);
+    }
+}

@@ -1,0 +1,53 @@
+package rsal.ros2.cdr;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Objects;
+import rsal.ros2.type.MessageType;
+
+/// A message of any type, field by field. Handed over, not copied: arrays must not be changed afterwards.
+///
+/// | field | value |
+/// |---|---|
+/// | `bool` | [Boolean] |
+/// | integers | [Long]; of `uint64` the bits |
+/// | `float32`, `float64` | [Double] |
+/// | `string` | [String] |
+/// | message | [RosMessage] |
+/// | several `int8`, `uint8`, `byte`, `bool` | `byte[]` |
+/// | several `int16`, `int32`, `int64` and unsigned ones | `short[]`, `int[]`, `long[]`, unsigned ones by their bits |
+/// | several `float32`, `float64` | `float[]`, `double[]` |
+/// | several texts, messages | a [java.util.List] |
+///
+/// @param fields by name, in the order of the type
+public record RosMessage(MessageType type, Map<String, Object> fields) {
+    public RosMessage {
+        fields = Collections.unmodifiableMap(new LinkedHashMap<>(fields));
+    }
+
+    /// The value of a field.
+    ///
+    /// @throws NullPointerException when the type has no such field
+    /// @throws ClassCastException when it is of another type
+    public <T> T get(String field, Class<T> type) {
+        return type.cast(Objects.requireNonNull(fields.get(field), () -> "There is no field '%s'.".formatted(field)));
+    }
+
+    /// A message within, a number, a text.
+    public RosMessage message(String field) {
+        return get(field, RosMessage.class);
+    }
+
+    public String text(String field) {
+        return get(field, String.class);
+    }
+
+    public long integer(String field) {
+        return get(field, Long.class);
+    }
+
+    public double number(String field) {
+        return get(field, Double.class);
+    }
+}

@@ -1,0 +1,16 @@
+package rsal.ros2.type;
+
+import java.util.Locale;
+
+/// Distributions of ROS 2, whose definitions of some types differ. The oldest first.
+public enum Distribution {
+    HUMBLE,
+    JAZZY,
+    KILTED,
+    LYRICAL;
+
+    /// `jazzy`
+    String folder() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+}

@@ -1,0 +1,105 @@
+package rsal.ros2.type;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Collection;
+import java.util.EnumMap;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/// Types by name. Immutable.
+public final class TypeLibrary {
+    private static final String COMMON = "common"; // what is the same in all distributions
+    private static final List<String> PACKAGES = List.of(
+            "action_msgs",
+            "builtin_interfaces",
+            "diagnostic_msgs",
+            "geographic_msgs",
+            "geometry_msgs",
+            "lifecycle_msgs",
+            "nav2_msgs",
+            "nav_msgs",
+            "rcl_interfaces",
+            "rmw_dds_common",
+            "rosgraph_msgs",
+            "sensor_msgs",
+            "service_msgs",
+            "simulation_interfaces",
+            "std_msgs",
+            "std_srvs",
+            "tf2_msgs",
+            "trajectory_msgs",
+            "type_description_interfaces",
+            "unique_identifier_msgs",
+            "vision_msgs",
+            "visualization_msgs");
+    private static final Map<Distribution, TypeLibrary> KNOWN = new EnumMap<>(Distribution.class);
+
+    private final Map<String, MessageType> types;
+
+    private TypeLibrary(Map<String, MessageType> types) {
+        this.types = types;
+    }
+
+    /// The types of a distribution that come with RSAL. Read once.
+    public static TypeLibrary of(Distribution distribution) {
+        synchronized (KNOWN) {
+            return KNOWN.computeIfAbsent(distribution, TypeLibrary::read);
+        }
+    }
+
+    /// Types that need no others.
+    public static TypeLibrary of(Collection<MessageType> types) {
+        return new TypeLibrary(Map.of()).with(types);
+    }
+
+    private static TypeLibrary read(Distribution distribution) {
+        var types = new HashMap<String, MessageType>();
+        for (String folder : List.of(COMMON, distribution.folder())) {
+            for (String name : PACKAGES) {
+                definitions("%s/%s.msgs".formatted(folder, name)).forEach(type -> types.put(type.name(), type));
+            }
+        }
+        return new TypeLibrary(Map.copyOf(types));
+    }
+
+    private static Stream<MessageType> definitions(String file) {
+        try (InputStream in = TypeLibrary.class.getResourceAsStream(file)) {
+            return in == null
+                    ? Stream.empty()
+                    : DefinitionReader.blocks(new String(in.readAllBytes(), StandardCharsets.UTF_8)).stream();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /// Also with these, which replace those of the same names.
+    public TypeLibrary with(Collection<MessageType> others) {
+        var all = new HashMap<>(types);
+        others.forEach(type -> all.put(type.name(), type));
+        return new TypeLibrary(Map.copyOf(all));
+    }
+
+    /// @param name in full
+    public Optional<MessageType> find(String name) {
+        return Optional.ofNullable(types.get(name));
+    }
+
+    /// @param name in full
+    /// @throws InvalidDefinition when there is none
+    public MessageType get(String name) {
+        return find(name)
+                .orElseThrow(() -> new InvalidDefinition(
+                        "There is no definition of '%s'. Add its file to your folder of definitions.".formatted(name)));
+    }
+
+    /// All of them, in no order.
+    public Collection<MessageType> all() {
+        return types.values();
+    }
+}
