@@ -20,7 +20,7 @@ import rsal.robot.Robot;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
-/// Goes to and fro between two posts and challenges whoever comes near.
+/// Goes to and fro between two posts and challenges each robot that comes near.
 public final class Sentry implements AgentType {
     private static final Parameter<Double> X1 = Parameter.number("x1", 0, -1000, 1000, "m", "Where the first post is.");
     private static final Parameter<Double> Y1 = Parameter.number("y1", 0, -1000, 1000, "m", "Where the first post is.");
@@ -40,7 +40,7 @@ public final class Sentry implements AgentType {
 
     @Override
     public String description() {
-        return "Goes to and fro between two posts and challenges whoever comes near.";
+        return "Goes to and fro between two posts and challenges each robot that comes near.";
     }
 
     @Override

@@ -38,7 +38,7 @@ import rsal.engine.report.RunEvent;
 import rsal.engine.report.SentMessage;
 import rsal.engine.report.Snapshot;
 import rsal.engine.report.Teammate;
-import rsal.recording.mcap.ByteSink;
+import rsal.mcap.ByteSink;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.ProtoWriter;
 

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.HashMap;
 import java.util.Map;
-import rsal.recording.mcap.McapWriter;
+import rsal.mcap.McapWriter;
 
 /// Messages of a run go to a file. Each kind of them is described there once.
 final class McapSink implements MessageSink {

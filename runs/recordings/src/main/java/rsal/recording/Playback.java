@@ -22,7 +22,7 @@ import rsal.engine.report.RunEvent;
 import rsal.engine.report.RunResult;
 import rsal.engine.report.SentMessage;
 import rsal.engine.report.Snapshot;
-import rsal.recording.mcap.Channel;
+import rsal.mcap.Channel;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.MessageType.Kind;
 import rsal.scenario.RunPlan;

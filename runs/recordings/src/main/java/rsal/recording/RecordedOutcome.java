@@ -9,8 +9,8 @@ import java.util.OptionalDouble;
 import java.util.stream.Stream;
 import rsal.data.Pose2d;
 import rsal.engine.report.RunResult;
-import rsal.recording.mcap.McapWriter;
-import rsal.recording.mcap.Metadata;
+import rsal.mcap.McapWriter;
+import rsal.mcap.Metadata;
 import rsal.scenario.RunPlan;
 
 /// How a recorded run ended, as metadata of its file.

@@ -10,8 +10,8 @@ import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 import rsal.engine.report.RunObserver;
 import rsal.engine.report.RunResult;
+import rsal.mcap.McapWriter;
 import rsal.recording.Backlog.Entry;
-import rsal.recording.mcap.McapWriter;
 
 /// Records a run: what its witness is told on the run's thread is written on one of its own, `recorder`.
 ///

@@ -10,8 +10,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import rsal.engine.report.RunEvent;
-import rsal.recording.mcap.AttachmentEntry;
-import rsal.recording.mcap.McapFile;
+import rsal.mcap.AttachmentEntry;
+import rsal.mcap.McapFile;
 import rsal.recording.proto.ProtoReader;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
@@ -45,7 +45,7 @@ public final class Recording implements Closeable {
             throw new InvalidSettings(
                     Location.of(name),
                     "This is an MCAP, but no recording of a run.",
-                    "Maybe it is from another program, or was cut off at its very beginning.");
+                    "Maybe it is a bag of ROS 2, for 'rsal map' and 'rsal localize', or was cut off at its very beginning.");
         }
         String format = recording.run.getOrDefault(Origin.FORMAT_KEY, Origin.FORMAT);
         if (!format.equals(Origin.FORMAT)) {

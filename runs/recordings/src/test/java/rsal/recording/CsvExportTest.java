@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.data.OccupancyGrid;
 import rsal.map.Maps;
-import rsal.recording.mcap.McapFile;
+import rsal.mcap.McapFile;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
 

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import rsal.recording.mcap.OfficialPython;
+import rsal.testkit.OfficialPython;
 
 /// The official Python packages read a recording, checksums included, decode every message by the schemas in the file,
 /// and find Foxglove's kinds of messages to be Foxglove's.

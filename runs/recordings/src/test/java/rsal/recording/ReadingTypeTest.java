@@ -42,7 +42,7 @@ import rsal.data.Stamped;
 import rsal.data.Twist2d;
 import rsal.device.Planner;
 import rsal.engine.report.NavigatorState;
-import rsal.recording.mcap.ByteSink;
+import rsal.mcap.ByteSink;
 import rsal.recording.proto.ProtoWriter;
 
 class ReadingTypeTest {

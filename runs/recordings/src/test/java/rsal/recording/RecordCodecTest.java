@@ -11,7 +11,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import rsal.data.Pose2d;
 import rsal.data.Rgb;
-import rsal.recording.mcap.ByteSink;
+import rsal.mcap.ByteSink;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.ProtoWriter;
 import rsal.robot.DeviceKinds;

@@ -10,8 +10,8 @@ import java.nio.file.StandardOpenOption;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import rsal.recording.mcap.McapWriter;
-import rsal.recording.mcap.Metadata;
+import rsal.mcap.McapWriter;
+import rsal.mcap.Metadata;
 import rsal.settings.InvalidSettings;
 
 /// Recordings of other versions of RSAL.

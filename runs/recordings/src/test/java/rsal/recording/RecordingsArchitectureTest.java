@@ -1,6 +1,6 @@
 package rsal.recording;
 
-import rsal.recording.mcap.McapFile;
+import rsal.mcap.McapFile;
 import rsal.testkit.architecture.ArchitectureRules;
 
 class RecordingsArchitectureTest extends ArchitectureRules {

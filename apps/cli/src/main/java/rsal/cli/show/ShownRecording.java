@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import rsal.cli.terminal.TextTable;
+import rsal.mcap.Schema;
 import rsal.recording.Recording;
-import rsal.recording.mcap.Schema;
 
 /// What is in a recording.
 ///

@@ -2,6 +2,8 @@ package rsal.navigation.log;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
 
 /// A format of logs of a robot's laser and odometry. Found by [java.util.ServiceLoader]; an implementation has no
 /// state and may be called on any thread.
@@ -22,4 +24,15 @@ public interface LogFormat {
     /// @throws BrokenLog when the file is cut short, damaged, too large or of another kind
     /// @throws IOException when the file can't be read
     void read(String file, InputStream in, LaserHints hints, LogCollector log) throws IOException;
+
+    /// Reads a log from its file, or from the folder that has it. Formats that are read by an index, not from the
+    /// beginning to the end, do that here.
+    ///
+    /// @throws BrokenLog as above
+    /// @throws IOException when the file can't be read
+    default void read(Path file, LaserHints hints, LogCollector log) throws IOException {
+        try (InputStream in = Files.newInputStream(file)) {
+            read(file.toString(), in, hints, log);
+        }
+    }
 }

@@ -8,6 +8,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.ServiceLoader;
+import java.util.stream.Stream;
 
 /// The formats of logs that are installed.
 public final class LogFormats {
@@ -23,15 +24,16 @@ public final class LogFormats {
                 .toList();
     }
 
-    /// Reads a log by the format with the longest suffix that its name ends with.
+    /// Reads a log by the format with the longest suffix that its name ends with; of a folder, that the name of a file
+    /// in it
+    /// ends with.
     ///
     /// @throws BrokenLog when the file is cut short, damaged, too large or no log
     /// @throws IOException when the file can't be read
     public static RobotLog read(Path file, LaserHints hints) throws IOException {
-        LogFormat format = of(file.toString());
-        try (InputStream in = Files.newInputStream(file)) {
-            return read(format, file.toString(), in, hints);
-        }
+        var log = new LogCollector(file.toString(), hints);
+        of(file).read(file, hints, log);
+        return log.log();
     }
 
     /// @param file its name, for messages
@@ -39,6 +41,20 @@ public final class LogFormats {
         var log = new LogCollector(file, hints);
         format.read(file, in, hints, log);
         return log.log();
+    }
+
+    private static LogFormat of(Path file) throws IOException {
+        if (!Files.isDirectory(file)) {
+            return of(file.toString());
+        }
+        try (Stream<Path> files = Files.list(file)) {
+            return files.map(Path::toString)
+                    .sorted()
+                    .map(LogFormats::of)
+                    .filter(format -> !format.suffix().isEmpty())
+                    .findFirst()
+                    .orElseThrow(() -> new BrokenLog(file.toString(), 0, "There is no log in this folder."));
+        }
     }
 
     private static LogFormat of(String file) {

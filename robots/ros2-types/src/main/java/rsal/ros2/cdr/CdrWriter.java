@@ -13,7 +13,8 @@ public final class CdrWriter {
     private static final byte LITTLE_ENDIAN = 1;
     private static final int FIRST_CAPACITY = 256;
 
-    private ByteBuffer bytes = buffer(new byte[FIRST_CAPACITY]);
+    private byte[] array = new byte[FIRST_CAPACITY];
+    private ByteBuffer bytes = buffer(array); // over the array
 
     public CdrWriter() {
         clear();
@@ -31,7 +32,7 @@ public final class CdrWriter {
 
     /// What was written, with the encapsulation header.
     public byte[] toBytes() {
-        return Arrays.copyOf(bytes.array(), bytes.position());
+        return Arrays.copyOf(array, bytes.position());
     }
 
     public CdrWriter bool(boolean value) {
@@ -126,8 +127,8 @@ public final class CdrWriter {
         int padding = -at & (alignment - 1);
         if (bytes.remaining() < padding + size) {
             int wanted = Math.addExact(bytes.position() + padding, size);
-            byte[] larger = Arrays.copyOf(bytes.array(), Math.max(wanted, 2 * bytes.capacity()));
-            bytes = buffer(larger).position(bytes.position());
+            array = Arrays.copyOf(array, Math.max(wanted, 2 * array.length));
+            bytes = buffer(array).position(bytes.position());
         }
         for (int i = 0; i < padding; i++) {
             bytes.put((byte) 0);

@@ -11,8 +11,8 @@ import rsal.ros2.type.Field;
 import rsal.ros2.type.FieldType;
 import rsal.ros2.type.FieldType.Repeat;
 import rsal.ros2.type.InvalidDefinition;
-import rsal.ros2.type.MessageType;
 import rsal.ros2.type.Primitive;
+import rsal.ros2.type.RosType;
 import rsal.ros2.type.TypeLibrary;
 
 /// Reads and writes messages of a type, as its definition says. For messages that come often there are readers without
@@ -23,7 +23,7 @@ import rsal.ros2.type.TypeLibrary;
 public final class MessageCodec {
     private static final int MOST_LEVELS = 64; // of messages within messages
 
-    private final MessageType type;
+    private final RosType type;
     private final List<Slot> slots;
 
     /// A field, and how messages within it are read.
@@ -33,18 +33,18 @@ public final class MessageCodec {
         }
     }
 
-    private MessageCodec(MessageType type, List<Slot> slots) {
+    private MessageCodec(RosType type, List<Slot> slots) {
         this.type = type;
         this.slots = slots;
     }
 
     /// @param library has all types within
     /// @throws InvalidDefinition when it lacks one, or a type has itself within
-    public static MessageCodec of(MessageType type, TypeLibrary library) {
+    public static MessageCodec of(RosType type, TypeLibrary library) {
         return of(type, library, new HashMap<>(), 0);
     }
 
-    private static MessageCodec of(MessageType type, TypeLibrary library, Map<String, MessageCodec> known, int level) {
+    private static MessageCodec of(RosType type, TypeLibrary library, Map<String, MessageCodec> known, int level) {
         if (level > MOST_LEVELS) {
             throw new InvalidDefinition(
                     "'%s' has messages within messages, more than %d levels deep.".formatted(type.name(), MOST_LEVELS));
@@ -79,7 +79,7 @@ public final class MessageCodec {
         return sum;
     }
 
-    public MessageType type() {
+    public RosType type() {
         return type;
     }
 
@@ -239,8 +239,8 @@ public final class MessageCodec {
             return;
         }
         int count = count(value);
-        boolean isWrong = field.repeat() == Repeat.ARRAY && count != field.count()
-                || field.repeat() == Repeat.BOUNDED && count > field.count();
+        boolean isWrong = (field.repeat() == Repeat.ARRAY && count != field.count())
+                || (field.repeat() == Repeat.BOUNDED && count > field.count());
         if (isWrong) {
             throw new IllegalArgumentException("Field '%s' has %d elements instead of %s%d."
                     .formatted(

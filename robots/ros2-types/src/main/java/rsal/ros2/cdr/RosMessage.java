@@ -2,9 +2,10 @@ package rsal.ros2.cdr;
 
 import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import rsal.ros2.type.MessageType;
+import rsal.ros2.type.RosType;
 
 /// A message of any type, field by field. Handed over, not copied: arrays must not be changed afterwards.
 ///
@@ -18,10 +19,10 @@ import rsal.ros2.type.MessageType;
 /// | several `int8`, `uint8`, `byte`, `bool` | `byte[]` |
 /// | several `int16`, `int32`, `int64` and unsigned ones | `short[]`, `int[]`, `long[]`, unsigned ones by their bits |
 /// | several `float32`, `float64` | `float[]`, `double[]` |
-/// | several texts, messages | a [java.util.List] |
+/// | several texts, messages | a [List] |
 ///
 /// @param fields by name, in the order of the type
-public record RosMessage(MessageType type, Map<String, Object> fields) {
+public record RosMessage(RosType type, Map<String, Object> fields) {
     public RosMessage {
         fields = Collections.unmodifiableMap(new LinkedHashMap<>(fields));
     }
@@ -34,9 +35,13 @@ public record RosMessage(MessageType type, Map<String, Object> fields) {
         return type.cast(Objects.requireNonNull(fields.get(field), () -> "There is no field '%s'.".formatted(field)));
     }
 
-    /// A message within, a number, a text.
     public RosMessage message(String field) {
         return get(field, RosMessage.class);
+    }
+
+    public List<RosMessage> messages(String field) {
+        List<?> all = get(field, List.class);
+        return all.stream().map(RosMessage.class::cast).toList();
     }
 
     public String text(String field) {

@@ -27,7 +27,7 @@ public final class DefinitionReader {
     /// @param name in full, `sensor_msgs/msg/LaserScan`
     /// @param text of a `.msg` file
     /// @throws InvalidDefinition when it can't be read
-    public static MessageType message(String name, String text) {
+    public static RosType message(String name, String text) {
         checkName(name);
         if (text.length() > MOST_CHARACTERS) {
             throw new InvalidDefinition(
@@ -46,14 +46,14 @@ public final class DefinitionReader {
             throw new InvalidDefinition(
                     "%s has %d fields. At most %d are allowed.".formatted(name, fields.size(), MOST_FIELDS));
         }
-        return new MessageType(name, fields);
+        return new RosType(name, fields);
     }
 
     /// The messages of a service.
     ///
     /// @param name `std_srvs/srv/SetBool`
     /// @param text of a `.srv` file
-    public static List<MessageType> service(String name, String text) {
+    public static List<RosType> service(String name, String text) {
         String[] parts = parts(name, text, 2);
         return List.of(message(name + "_Request", parts[0]), message(name + "_Response", parts[1]));
     }
@@ -62,7 +62,7 @@ public final class DefinitionReader {
     ///
     /// @param name `nav2_msgs/action/Spin`
     /// @param text of an `.action` file
-    public static List<MessageType> action(String name, String text) {
+    public static List<RosType> action(String name, String text) {
         String[] parts = parts(name, text, 3);
         return List.of(
                 message(name + "_Goal", parts[0]),
@@ -79,7 +79,7 @@ public final class DefinitionReader {
     /// other one a line of 80 `=` and a line `MSG: std_msgs/Header`.
     ///
     /// @param name of the first
-    public static List<MessageType> withDependencies(String name, String text) {
+    public static List<RosType> withDependencies(String name, String text) {
         String[] blocks = NEXT.split(text, -1);
         return Stream.concat(
                         Stream.of(message(name, blocks[0])),
@@ -88,14 +88,14 @@ public final class DefinitionReader {
     }
 
     /// All blocks of a text that begins with a line of 80 `=`.
-    static List<MessageType> blocks(String text) {
+    static List<RosType> blocks(String text) {
         return NEXT.splitAsStream(text)
                 .filter(block -> !block.isBlank())
                 .map(DefinitionReader::block)
                 .toList();
     }
 
-    private static MessageType block(String block) {
+    private static RosType block(String block) {
         String first = block.lines().findFirst().orElse("");
         if (!first.startsWith(NAME)) {
             throw new InvalidDefinition("'%s' should be a line like 'MSG: std_msgs/Header'.".formatted(first));

@@ -19,7 +19,7 @@ public final class TypeHash {
     /// `RIHS01_64c1…`
     ///
     /// @throws InvalidDefinition when the library lacks a type within
-    public static String of(MessageType type, TypeLibrary library) {
+    public static String of(RosType type, TypeLibrary library) {
         String description = description(type, library);
         try {
             byte[] hash = MessageDigest.getInstance("SHA-256").digest(description.getBytes(StandardCharsets.UTF_8));
@@ -29,18 +29,18 @@ public final class TypeHash {
         }
     }
 
-    private static String description(MessageType type, TypeLibrary library) {
-        var within = new TreeMap<String, MessageType>();
+    private static String description(RosType type, TypeLibrary library) {
+        var within = new TreeMap<String, RosType>();
         collect(type, library, within);
         return "{\"type_description\": %s, \"referenced_type_descriptions\": [%s]}"
                 .formatted(
                         json(type), within.values().stream().map(TypeHash::json).collect(Collectors.joining(", ")));
     }
 
-    private static void collect(MessageType type, TypeLibrary library, SortedMap<String, MessageType> into) {
+    private static void collect(RosType type, TypeLibrary library, SortedMap<String, RosType> into) {
         for (Field field : type.fields()) {
             if (field.type().element() instanceof Element.Nested(String name) && !into.containsKey(name)) {
-                MessageType nested = library.get(name);
+                RosType nested = library.get(name);
                 into.put(name, nested);
                 if (into.size() > MOST_TYPES) {
                     throw new InvalidDefinition(
@@ -51,7 +51,7 @@ public final class TypeHash {
         }
     }
 
-    private static String json(MessageType type) {
+    private static String json(RosType type) {
         return "{\"type_name\": \"%s\", \"fields\": [%s]}"
                 .formatted(
                         type.name(), type.fields().stream().map(TypeHash::json).collect(Collectors.joining(", ")));

@@ -40,9 +40,9 @@ public final class TypeLibrary {
             "visualization_msgs");
     private static final Map<Distribution, TypeLibrary> KNOWN = new EnumMap<>(Distribution.class);
 
-    private final Map<String, MessageType> types;
+    private final Map<String, RosType> types;
 
-    private TypeLibrary(Map<String, MessageType> types) {
+    private TypeLibrary(Map<String, RosType> types) {
         this.types = types;
     }
 
@@ -54,12 +54,12 @@ public final class TypeLibrary {
     }
 
     /// Types that need no others.
-    public static TypeLibrary of(Collection<MessageType> types) {
+    public static TypeLibrary of(Collection<RosType> types) {
         return new TypeLibrary(Map.of()).with(types);
     }
 
     private static TypeLibrary read(Distribution distribution) {
-        var types = new HashMap<String, MessageType>();
+        var types = new HashMap<String, RosType>();
         for (String folder : List.of(COMMON, distribution.folder())) {
             for (String name : PACKAGES) {
                 definitions("%s/%s.msgs".formatted(folder, name)).forEach(type -> types.put(type.name(), type));
@@ -68,7 +68,7 @@ public final class TypeLibrary {
         return new TypeLibrary(Map.copyOf(types));
     }
 
-    private static Stream<MessageType> definitions(String file) {
+    private static Stream<RosType> definitions(String file) {
         try (InputStream in = TypeLibrary.class.getResourceAsStream(file)) {
             return in == null
                     ? Stream.empty()
@@ -79,27 +79,27 @@ public final class TypeLibrary {
     }
 
     /// Also with these, which replace those of the same names.
-    public TypeLibrary with(Collection<MessageType> others) {
+    public TypeLibrary with(Collection<RosType> others) {
         var all = new HashMap<>(types);
         others.forEach(type -> all.put(type.name(), type));
         return new TypeLibrary(Map.copyOf(all));
     }
 
     /// @param name in full
-    public Optional<MessageType> find(String name) {
+    public Optional<RosType> find(String name) {
         return Optional.ofNullable(types.get(name));
     }
 
     /// @param name in full
     /// @throws InvalidDefinition when there is none
-    public MessageType get(String name) {
+    public RosType get(String name) {
         return find(name)
                 .orElseThrow(() -> new InvalidDefinition(
                         "There is no definition of '%s'. Add its file to your folder of definitions.".formatted(name)));
     }
 
     /// All of them, in no order.
-    public Collection<MessageType> all() {
+    public Collection<RosType> all() {
         return types.values();
     }
 }

@@ -20,7 +20,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rsal.ros2.type.DefinitionReader;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.InvalidDefinition;
-import rsal.ros2.type.MessageType;
+import rsal.ros2.type.RosType;
 import rsal.ros2.type.TypeLibrary;
 import rsal.testkit.Rounds;
 import tools.jackson.databind.JsonNode;
@@ -118,7 +118,7 @@ class MessageCodecTest {
         TypeLibrary library = TypeLibrary.of(distribution);
         var random = new RandomMessages(7, library);
         assertThat(library.all()).hasSizeGreaterThan(300);
-        for (MessageType type : library.all()) {
+        for (RosType type : library.all()) {
             MessageCodec codec = MessageCodec.of(type, library);
             for (int i = 0; i < 5; i++) {
                 RosMessage message = random.of(type);
@@ -159,8 +159,8 @@ class MessageCodecTest {
 
     @Test
     void whatAnOlderPeerLacksAtTheEndIsZeroAndWhatANewerOneAddsIsIgnored() throws Exception {
-        MessageType old = DefinitionReader.message("a_msgs/msg/A", "int32 a\n");
-        MessageType now = DefinitionReader.message("a_msgs/msg/A", "int32 a\nstring b\nfloat64[2] c\nint8[] d\n");
+        RosType old = DefinitionReader.message("a_msgs/msg/A", "int32 a\n");
+        RosType now = DefinitionReader.message("a_msgs/msg/A", "int32 a\nstring b\nfloat64[2] c\nint8[] d\n");
         MessageCodec older = MessageCodec.of(old, JAZZY);
         MessageCodec newer = MessageCodec.of(now, JAZZY);
         RosMessage read = newer.read(older.write(new RosMessage(old, Map.of("a", 5L))));
@@ -183,7 +183,7 @@ class MessageCodecTest {
 
     @Test
     void whatDoesNotFitIsRefused() {
-        MessageType type = DefinitionReader.message("a_msgs/msg/A", "int8[2] a\nstring<=3[<=1] b\n");
+        RosType type = DefinitionReader.message("a_msgs/msg/A", "int8[2] a\nstring<=3[<=1] b\n");
         MessageCodec codec = MessageCodec.of(type, JAZZY);
         assertThatThrownBy(() -> codec.write(new RosMessage(type, Map.of("a", new byte[3], "b", List.of()))))
                 .hasMessage("Field 'a' has 3 elements instead of 2.");
@@ -199,7 +199,7 @@ class MessageCodecTest {
 
     @Test
     void aTypeWithinItselfIsRefused() {
-        MessageType type = DefinitionReader.message("a_msgs/msg/A", "a_msgs/A a\n");
+        RosType type = DefinitionReader.message("a_msgs/msg/A", "a_msgs/A a\n");
         assertThatThrownBy(() -> MessageCodec.of(type, TypeLibrary.of(List.of(type))))
                 .isInstanceOf(InvalidDefinition.class)
                 .hasMessageContaining("'a_msgs/msg/A'");

@@ -6,8 +6,8 @@ import java.util.SplittableRandom;
 import rsal.ros2.type.Element;
 import rsal.ros2.type.Field;
 import rsal.ros2.type.FieldType;
-import rsal.ros2.type.MessageType;
 import rsal.ros2.type.Primitive;
+import rsal.ros2.type.RosType;
 import rsal.ros2.type.TypeLibrary;
 
 /// Messages of any type, with values that may be anything.
@@ -22,7 +22,7 @@ final class RandomMessages {
         this.library = library;
     }
 
-    RosMessage of(MessageType type) {
+    RosMessage of(RosType type) {
         var fields = new LinkedHashMap<String, Object>();
         for (Field field : type.fields()) {
             fields.put(field.name(), value(field.type()));

@@ -17,7 +17,7 @@ class DefinitionReaderTest {
 
     @Test
     void readsAllFormsOfFields() {
-        MessageType type = DefinitionReader.message("my_msgs/msg/All", """
+        RosType type = DefinitionReader.message("my_msgs/msg/All", """
                 # a comment
                 Header header
                 float64[9] k   # an array
@@ -60,14 +60,14 @@ class DefinitionReaderTest {
                 .containsExactly(
                         TypeLibrary.of(Distribution.JAZZY).get("std_srvs/srv/SetBool_Request"),
                         TypeLibrary.of(Distribution.JAZZY).get("std_srvs/srv/SetBool_Response"));
-        List<MessageType> action = DefinitionReader.action("nav2_msgs/action/Spin", """
+        List<RosType> action = DefinitionReader.action("nav2_msgs/action/Spin", """
                 float32 target_yaw
                 ---
                 ---
                 float32 angular_distance_traveled
                 """);
         assertThat(action)
-                .extracting(MessageType::name)
+                .extracting(RosType::name)
                 .contains("nav2_msgs/action/Spin_SendGoal_Request", "nav2_msgs/action/Spin_FeedbackMessage");
         assertThat(action)
                 .filteredOn(type ->
@@ -78,7 +78,7 @@ class DefinitionReaderTest {
 
     @Test
     void aSchemaOfMcapHasAllThatItNeeds() {
-        List<MessageType> types =
+        List<RosType> types =
                 DefinitionReader.withDependencies("a_msgs/msg/A", """
                 std_msgs/Header header
                 %s
@@ -91,7 +91,7 @@ class DefinitionReaderTest {
                 uint32 nanosec
                 """.formatted("=".repeat(80), "=".repeat(80)));
         assertThat(types)
-                .extracting(MessageType::name)
+                .extracting(RosType::name)
                 .containsExactly("a_msgs/msg/A", "std_msgs/msg/Header", "builtin_interfaces/msg/Time");
     }
 

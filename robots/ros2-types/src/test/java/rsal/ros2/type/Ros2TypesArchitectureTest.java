@@ -4,6 +4,6 @@ import rsal.testkit.architecture.ArchitectureRules;
 
 class Ros2TypesArchitectureTest extends ArchitectureRules {
     Ros2TypesArchitectureTest() {
-        super(MessageType.class);
+        super(RosType.class);
     }
 }

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import rsal.recording.mcap.ByteSink;
+import rsal.mcap.ByteSink;
 
 /// A kind of messages: its fields with their numbers. Immutable.
 ///

@@ -1,6 +1,6 @@
 package rsal.recording.proto;
 
-import rsal.recording.mcap.ByteSink;
+import rsal.mcap.ByteSink;
 
 /// Writes messages field by field into a sink that is kept: no field allocates anything. What has its default (0,
 /// empty)

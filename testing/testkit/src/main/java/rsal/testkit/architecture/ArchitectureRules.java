@@ -1,5 +1,6 @@
 package rsal.testkit.architecture;
 
+import static com.tngtech.archunit.base.DescribedPredicate.not;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
@@ -225,7 +226,17 @@ public abstract class ArchitectureRules {
                 .that()
                 .resideInAnyPackage(ROBOT_SYSTEMS)
                 .should()
-                .dependOnClassesThat(within(with(APPS, with(AGENTS, NAVIGATION)))));
+                .dependOnClassesThat(within(with(APPS, AGENTS))));
+    }
+
+    /// Except the contract of formats of logs, by which they bring recordings of theirs.
+    @Test
+    void robotSystemsDoNotNavigate() {
+        check(noClasses()
+                .that()
+                .resideInAnyPackage(ROBOT_SYSTEMS)
+                .should()
+                .dependOnClassesThat(within(NAVIGATION).and(not(within("rsal.navigation.log..")))));
     }
 
     /// What makes devices and plugins of them sees devices and settings.

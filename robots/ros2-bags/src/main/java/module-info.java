@@ -1,0 +1,10 @@
+/// Recordings of ROS 2 (bags), read as logs of a robot's laser and odometry.
+module rsal.ros2.bags {
+    requires rsal.mcap;
+    requires rsal.navigation;
+    requires rsal.ros2.types;
+    requires static org.jspecify;
+
+    provides rsal.navigation.log.LogFormat with
+            rsal.ros2.bag.BagFormat;
+}

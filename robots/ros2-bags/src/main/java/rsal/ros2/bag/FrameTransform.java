@@ -1,0 +1,82 @@
+package rsal.ros2.bag;
+
+import rsal.data.Pose2d;
+import rsal.ros2.cdr.RosMessage;
+
+/// Where a frame is in another one, in space (`geometry_msgs/Transform`).
+///
+/// @param x [m]
+/// @param y [m]
+/// @param z [m]
+/// @param rotation a unit quaternion
+record FrameTransform(double x, double y, double z, Quaternion rotation) {
+    static final FrameTransform NONE = new FrameTransform(0, 0, 0, new Quaternion(0, 0, 0, 1));
+
+    /// @param message `geometry_msgs/Transform` or `geometry_msgs/Pose`
+    /// @param translation name of its first field
+    /// @param rotation name of its second field
+    static FrameTransform of(RosMessage message, String translation, String rotation) {
+        RosMessage place = message.message(translation);
+        RosMessage turned = message.message(rotation);
+        return new FrameTransform(
+                place.number("x"),
+                place.number("y"),
+                place.number("z"),
+                new Quaternion(turned.number("x"), turned.number("y"), turned.number("z"), turned.number("w")).unit());
+    }
+
+    /// First the other one, then this.
+    FrameTransform compose(FrameTransform other) {
+        double[] moved = rotation.rotated(other.x, other.y, other.z);
+        return new FrameTransform(x + moved[0], y + moved[1], z + moved[2], rotation.times(other.rotation));
+    }
+
+    FrameTransform inverse() {
+        Quaternion back = rotation.conjugate();
+        double[] moved = back.rotated(-x, -y, -z);
+        return new FrameTransform(moved[0], moved[1], moved[2], back);
+    }
+
+    /// As seen from above: the heading is that of the x axis.
+    Pose2d planar() {
+        double[] ahead = rotation.rotated(1, 0, 0);
+        return new Pose2d(x, y, Math.atan2(ahead[1], ahead[0]));
+    }
+
+    /// Whether its z axis points down.
+    boolean isUpsideDown() {
+        return rotation.rotated(0, 0, 1)[2] < 0;
+    }
+
+    boolean isFinite() {
+        return Double.isFinite(x + y + z + rotation.x() + rotation.y() + rotation.z() + rotation.w());
+    }
+
+    /// A rotation in space.
+    record Quaternion(double x, double y, double z, double w) {
+        /// Of length 1; none at all where it has none, as of messages that nobody filled.
+        Quaternion unit() {
+            double length = Math.sqrt(x * x + y * y + z * z + w * w);
+            return length == 0
+                    ? new Quaternion(0, 0, 0, 1)
+                    : new Quaternion(x / length, y / length, z / length, w / length);
+        }
+
+        Quaternion conjugate() {
+            return new Quaternion(-x, -y, -z, w);
+        }
+
+        Quaternion times(Quaternion other) {
+            return new Quaternion(
+                    w * other.x + x * other.w + y * other.z - z * other.y,
+                    w * other.y - x * other.z + y * other.w + z * other.x,
+                    w * other.z + x * other.y - y * other.x + z * other.w,
+                    w * other.w - x * other.x - y * other.y - z * other.z);
+        }
+
+        double[] rotated(double vx, double vy, double vz) {
+            Quaternion turned = times(new Quaternion(vx, vy, vz, 0)).times(conjugate());
+            return new double[] {turned.x, turned.y, turned.z};
+        }
+    }
+}

@@ -1,0 +1,5 @@
+/// Bags of rosbag2 in MCAP: scans, odometry, and where the laser is mounted.
+@NullMarked
+package rsal.ros2.bag;
+
+import org.jspecify.annotations.NullMarked;
