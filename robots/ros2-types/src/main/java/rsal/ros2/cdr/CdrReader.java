@@ -43,9 +43,11 @@ public final class CdrReader {
         return of(ByteBuffer.wrap(payload));
     }
 
-    /// Whether nothing is left but the bytes that fill up to a multiple of 4.
-    public boolean isAtEnd() {
-        return bytes.remaining() == 0;
+    /// Whether no value of this alignment can follow: nothing is left, or what some writers fill up with to a multiple
+    /// of
+    /// 4 bytes.
+    public boolean isAtEnd(int alignment) {
+        return begin(alignment) >= bytes.limit() - origin;
     }
 
     /// How many bytes are left.
@@ -179,12 +181,16 @@ public final class CdrReader {
         if (size == 0) {
             return;
         }
-        int at = bytes.position() - origin;
-        int begin = (at + alignment - 1) & -alignment;
+        int begin = begin(alignment);
         if (begin + size > bytes.limit() - origin) {
             throw new InvalidCdr("The message ends at byte %d, within a value of %d bytes at byte %d."
                     .formatted(bytes.limit() - origin, size, begin));
         }
         bytes.position(origin + begin);
+    }
+
+    /// Where the next value begins, counted from behind the header.
+    private int begin(int alignment) {
+        return (bytes.position() - origin + alignment - 1) & -alignment;
     }
 }

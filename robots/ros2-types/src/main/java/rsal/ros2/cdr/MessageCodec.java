@@ -31,6 +31,14 @@ public final class MessageCodec {
         MessageCodec codec() {
             return nested.getFirst();
         }
+
+        /// Of its first byte. Fields of messages within are asked for themselves.
+        int alignment() {
+            if (field.type().isSequence()) {
+                return Integer.BYTES;
+            }
+            return nested.isEmpty() ? least : 1;
+        }
     }
 
     private MessageCodec(RosType type, List<Slot> slots) {
@@ -92,7 +100,7 @@ public final class MessageCodec {
     public RosMessage read(CdrReader in) throws InvalidCdr {
         var fields = LinkedHashMap.<String, Object>newLinkedHashMap(slots.size());
         for (Slot slot : slots) {
-            fields.put(slot.field().name(), in.isAtEnd() ? zero(slot) : read(slot, in));
+            fields.put(slot.field().name(), in.isAtEnd(slot.alignment()) ? zero(slot) : read(slot, in));
         }
         return new RosMessage(type, fields);
     }

@@ -171,6 +171,21 @@ class MessageCodecTest {
         assertThat(older.read(newer.write(read)).integer("a")).isEqualTo(5);
     }
 
+    /// As Cyclone DDS fills payloads up to a multiple of 4 bytes.
+    @Test
+    void bytesThatFillUpAreNoFields() throws Exception {
+        RosType old = DefinitionReader.message("a_msgs/msg/A", "string a\n");
+        RosType now = DefinitionReader.message("a_msgs/msg/A", "string a\nuint8 b\nint32 c\nTime d\nint8[] e\n");
+        RosType time = DefinitionReader.message("a_msgs/msg/Time", "int64 sec\n");
+        byte[] written = MessageCodec.of(old, JAZZY).write(new RosMessage(old, Map.of("a", "")));
+        byte[] filled = Arrays.copyOf(written, 12);
+        RosMessage read = MessageCodec.of(now, JAZZY.with(List.of(time))).read(filled);
+        assertThat(read.integer("b")).isZero();
+        assertThat(read.integer("c")).isZero();
+        assertThat(read.message("d").integer("sec")).isZero();
+        assertThat(read.get("e", byte[].class)).isEmpty();
+    }
+
     @Test
     void countsThatCannotBeTakeNoMemory() {
         MessageCodec codec = MessageCodec.of(JAZZY.get("sensor_msgs/msg/PointCloud"), JAZZY);
