@@ -1,6 +1,5 @@
-/// Runs in MCAP files: [rsal.recording.proto] is what is in the messages, and [rsal.recording] what of a run becomes
-/// which
-/// message. Knows runs as people see them, and nothing of what is behind.
+/// Runs in MCAP files: [rsal.recording.proto] is what is in the messages, and [rsal.recording] what of a run
+/// becomes which message. Knows runs as people see them, and nothing of what is behind.
 module rsal.recordings {
     requires rsal.models;
     requires rsal.worlds;

@@ -17,9 +17,8 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/// `rsal dist`: packs a release for each system. The launcher builds what is packed, and says where it is. The command
-/// line
-/// has the help (`DistCommand`).
+/// `rsal dist`: packs a release for each system. The launcher builds what is packed, and says where it is. The
+/// command line has the help (`DistCommand`).
 @Command(name = "rsal dist")
 final class Dist implements Callable<Integer> {
     private static final int UNREACHABLE = 5; // as rsal.cli.terminal.Exit
@@ -35,8 +34,7 @@ final class Dist implements Callable<Integer> {
             "container/grafana/rsal.json");
 
     /// Texts of licences that no jar or package carries: of JADE and Jason, ASM, zstd-jni, javax.json, and of the
-    /// search
-    /// of the documentation.
+    /// search of the documentation.
     private static final List<String> LICENCES = List.of(
             "LGPL-2.1.txt",
             "LGPL-3.txt",

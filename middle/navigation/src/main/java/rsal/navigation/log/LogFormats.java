@@ -24,9 +24,8 @@ public final class LogFormats {
                 .toList();
     }
 
-    /// Reads a log by the format with the longest suffix that its name ends with; of a folder, that the name of a file
-    /// in it
-    /// ends with.
+    /// Reads a log by the format with the longest suffix that its name ends with; of a folder, that the name of a
+    /// file in it ends with.
     ///
     /// @throws BrokenLog when the file is cut short, damaged, too large or no log
     /// @throws IOException when the file can't be read

@@ -32,10 +32,9 @@ import rsal.ros2.type.InvalidDefinition;
 import rsal.ros2.type.RosType;
 import rsal.ros2.type.TypeLibrary;
 
-/// Reads the files of one bag: first where frames are on the robot, as what is said once may stand anywhere, then scans
-/// and odometry. Topics are found by their types; of several of a type, the one with the most messages is taken. Times
-/// are
-/// those of the messages' headers, not of their arrival.
+/// Reads the files of one bag: first where frames are on the robot, as what is said once may stand anywhere, then
+/// scans and odometry. Topics are found by their types; of several of a type, the one with the most messages is
+/// taken. Times are those of the messages' headers, not of their arrival.
 final class BagReader {
     private static final String SCAN = "sensor_msgs/msg/LaserScan";
     private static final String ODOMETRY = "nav_msgs/msg/Odometry";

@@ -43,9 +43,8 @@ public final class CdrReader {
         return of(ByteBuffer.wrap(payload));
     }
 
-    /// Whether no value of this alignment can follow: nothing is left, or what some writers fill up with to a multiple
-    /// of
-    /// 4 bytes.
+    /// Whether no value of this alignment can follow: nothing is left, or what some writers fill up with to a
+    /// multiple of 4 bytes.
     public boolean isAtEnd(int alignment) {
         return begin(alignment) >= bytes.limit() - origin;
     }

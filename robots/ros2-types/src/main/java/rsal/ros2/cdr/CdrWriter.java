@@ -5,9 +5,8 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
-/// Writes a message as bytes, value after value: XCDR1, little endian, as all ROS 2 in use does. Grows as needed, and
-/// can
-/// be used again. Of one thread.
+/// Writes a message as bytes, value after value: XCDR1, little endian, as all ROS 2 in use does. Grows as needed,
+/// and can be used again. Of one thread.
 public final class CdrWriter {
     private static final int HEADER = 4;
     private static final byte LITTLE_ENDIAN = 1;

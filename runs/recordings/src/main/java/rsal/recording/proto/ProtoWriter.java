@@ -3,8 +3,7 @@ package rsal.recording.proto;
 import rsal.mcap.ByteSink;
 
 /// Writes messages field by field into a sink that is kept: no field allocates anything. What has its default (0,
-/// empty)
-/// is left out, as proto3 does. For one thread.
+/// empty) is left out, as proto3 does. For one thread.
 public final class ProtoWriter {
     private static final int VARINT = 0;
     private static final int FIXED64 = 1;
