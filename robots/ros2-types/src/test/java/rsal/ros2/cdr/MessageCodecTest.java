@@ -226,7 +226,7 @@ class MessageCodecTest {
         var random = new SplittableRandom(5);
         List<Vector> vectors = vectors();
         int refused = 0;
-        int rounds = Rounds.of(50_000, 1_000_000);
+        int rounds = Rounds.of(20_000, 1_000_000);
         for (int i = 0; i < rounds; i++) {
             Vector vector = vectors.get(random.nextInt(vectors.size()));
             byte[] bytes = Arrays.copyOf(
