@@ -102,7 +102,11 @@ public final class CommandApi {
         if (!command.isSafe().test(arguments)) {
             checkControl(request);
         }
-        Answers.whenDone(request, execute(request, command, arguments));
+        CompletionStage<Answer> answer = execute(request, command, arguments);
+        if (command.parameters().isEmpty()) {
+            Http.skipBody(request); // not before: an emergency stop waits for nobody
+        }
+        Answers.whenDone(request, answer);
     }
 
     private CompletionStage<Answer> execute(Context request, OperatorCommand command, Arguments arguments) {
