@@ -48,11 +48,11 @@ final class BagReader {
     private final LaserHints hints;
     private final LogCollector log;
     private final StaticFrames frames = new StaticFrames();
-    private final Map<String, MessageCodec> codecs = new HashMap<>(); // by type and definition
+    private final Map<Schema, MessageCodec> codecs = new HashMap<>(); // of each file
     private final Map<String, Long> counts = new HashMap<>(); // of messages by topic, in all files
     private final Map<String, String> types = new HashMap<>(); // by topic
     private @Nullable String base;
-    private int number; // of the message, from 1
+    private int number; // of the message, from 1; 0 before scans are read
 
     BagReader(String name, LaserHints hints, LogCollector log) {
         this.name = name;
@@ -71,11 +71,11 @@ final class BagReader {
                 channel -> isStatic(channel) || odometry.equals(Optional.of(channel.topic())),
                 (channel, _, _, _, data) -> {
                     if (isStatic(channel)) {
-                        message(bag, channel, data)
+                        message(bag, channel, data, false)
                                 .ifPresent(message ->
                                         message.messages("transforms").forEach(this::addFrame));
                     } else if (base == null) { // the first names it
-                        message(bag, channel, data)
+                        message(bag, channel, data, false)
                                 .ifPresent(message -> base = StaticFrames.named(message.text("child_frame_id")));
                     }
                 });
@@ -110,17 +110,16 @@ final class BagReader {
                 (channel, _, _, _, data) -> {
                     number++;
                     boolean isScan = channel.topic().equals(scans);
-                    try {
-                        RosMessage message = codec(bag, channel).read(CdrReader.of(data));
-                        if (isScan) {
-                            addScan(message);
-                        } else if (odometry.isPresent()) {
-                            addOdometry(message);
-                        } else {
-                            addTransforms(message);
-                        }
-                    } catch (InvalidCdr | InvalidDefinition e) {
-                        log.skip(number, "not readable", String.valueOf(e.getMessage()), isScan);
+                    RosMessage message = message(bag, channel, data, isScan).orElse(null);
+                    if (message == null) {
+                        return;
+                    }
+                    if (isScan) {
+                        addScan(message);
+                    } else if (odometry.isPresent()) {
+                        addOdometry(message);
+                    } else {
+                        addTransforms(message);
                     }
                 });
         bag.damage().forEach(damage -> log.skip(number, "damaged", damage, false));
@@ -145,11 +144,11 @@ final class BagReader {
     }
 
     /// Skips what can't be read.
-    private Optional<RosMessage> message(McapFile bag, Channel channel, ByteBuffer data) {
+    private Optional<RosMessage> message(McapFile bag, Channel channel, ByteBuffer data, boolean isScan) {
         try {
             return Optional.of(codec(bag, channel).read(CdrReader.of(data)));
         } catch (InvalidCdr | InvalidDefinition e) {
-            log.skip(0, "not readable", String.valueOf(e.getMessage()), false);
+            log.skip(number, "not readable", String.valueOf(e.getMessage()), isScan);
             return Optional.empty();
         }
     }
@@ -160,18 +159,17 @@ final class BagReader {
 
     /// By the definition that the bag has; of bags without any, by that of ROS 2 Jazzy.
     private MessageCodec codec(McapFile bag, Channel channel) {
-        Schema schema = bag.schema(channel).orElseThrow();
-        String definition =
-                schema.encoding().equals("ros2msg") ? new String(schema.data(), StandardCharsets.UTF_8) : "";
-        return codecs.computeIfAbsent(schema.name() + "\n" + definition, _ -> codec(schema.name(), definition));
+        return codecs.computeIfAbsent(bag.schema(channel).orElseThrow(), BagReader::codec);
     }
 
-    private static MessageCodec codec(String type, String definition) {
+    private static MessageCodec codec(Schema schema) {
         TypeLibrary library = TypeLibrary.of(Distribution.JAZZY);
+        String definition =
+                schema.encoding().equals("ros2msg") ? new String(schema.data(), StandardCharsets.UTF_8) : "";
         if (definition.isBlank()) {
-            return MessageCodec.of(library.get(type), library);
+            return MessageCodec.of(library.get(schema.name()), library);
         }
-        List<RosType> types = DefinitionReader.withDependencies(type, definition);
+        List<RosType> types = DefinitionReader.withDependencies(schema.name(), definition);
         return MessageCodec.of(types.getFirst(), library.with(types));
     }
 

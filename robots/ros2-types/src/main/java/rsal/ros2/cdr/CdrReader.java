@@ -49,11 +49,6 @@ public final class CdrReader {
         return begin(alignment) >= bytes.limit() - origin;
     }
 
-    /// How many bytes are left.
-    public int remaining() {
-        return bytes.remaining();
-    }
-
     public boolean bool() throws InvalidCdr {
         return int8() != 0;
     }
@@ -99,11 +94,6 @@ public final class CdrReader {
         return new String(text, StandardCharsets.UTF_8);
     }
 
-    /// Leaves a text out.
-    public void skipText() throws InvalidCdr {
-        bytes.position(bytes.position() + textLength());
-    }
-
     private int textLength() throws InvalidCdr {
         int length = int32();
         if (length < 0 || length > bytes.remaining()) {
@@ -136,43 +126,46 @@ public final class CdrReader {
     }
 
     public short[] int16s(int count) throws InvalidCdr {
-        need(2, 2L * count);
+        ByteBuffer elements = elements(2, count);
         var array = new short[count];
-        bytes.asShortBuffer().get(array);
-        bytes.position(bytes.position() + 2 * count);
+        elements.asShortBuffer().get(array);
         return array;
     }
 
     public int[] int32s(int count) throws InvalidCdr {
-        need(4, 4L * count);
+        ByteBuffer elements = elements(4, count);
         var array = new int[count];
-        bytes.asIntBuffer().get(array);
-        bytes.position(bytes.position() + 4 * count);
+        elements.asIntBuffer().get(array);
         return array;
     }
 
     public long[] int64s(int count) throws InvalidCdr {
-        need(8, 8L * count);
+        ByteBuffer elements = elements(8, count);
         var array = new long[count];
-        bytes.asLongBuffer().get(array);
-        bytes.position(bytes.position() + 8 * count);
+        elements.asLongBuffer().get(array);
         return array;
     }
 
     public float[] float32s(int count) throws InvalidCdr {
-        need(4, 4L * count);
+        ByteBuffer elements = elements(4, count);
         var array = new float[count];
-        bytes.asFloatBuffer().get(array);
-        bytes.position(bytes.position() + 4 * count);
+        elements.asFloatBuffer().get(array);
         return array;
     }
 
     public double[] float64s(int count) throws InvalidCdr {
-        need(8, 8L * count);
+        ByteBuffer elements = elements(8, count);
         var array = new double[count];
-        bytes.asDoubleBuffer().get(array);
-        bytes.position(bytes.position() + 8 * count);
+        elements.asDoubleBuffer().get(array);
         return array;
+    }
+
+    /// The bytes of so many elements, which count as read.
+    private ByteBuffer elements(int size, int count) throws InvalidCdr {
+        need(size, (long) size * count);
+        int begin = bytes.position();
+        bytes.position(begin + size * count);
+        return bytes.slice(begin, size * count).order(bytes.order());
     }
 
     /// Goes to the next multiple of a size, unless nothing follows, as an empty array has no alignment.

@@ -83,38 +83,36 @@ public final class CdrWriter {
     }
 
     public CdrWriter int16s(short[] values) {
-        ByteBuffer room = room(2, 2 * values.length);
-        room.asShortBuffer().put(values);
-        room.position(room.position() + 2 * values.length);
+        elements(2, values.length).asShortBuffer().put(values);
         return this;
     }
 
     public CdrWriter int32s(int[] values) {
-        ByteBuffer room = room(4, 4 * values.length);
-        room.asIntBuffer().put(values);
-        room.position(room.position() + 4 * values.length);
+        elements(4, values.length).asIntBuffer().put(values);
         return this;
     }
 
     public CdrWriter int64s(long[] values) {
-        ByteBuffer room = room(8, 8 * values.length);
-        room.asLongBuffer().put(values);
-        room.position(room.position() + 8 * values.length);
+        elements(8, values.length).asLongBuffer().put(values);
         return this;
     }
 
     public CdrWriter float32s(float[] values) {
-        ByteBuffer room = room(4, 4 * values.length);
-        room.asFloatBuffer().put(values);
-        room.position(room.position() + 4 * values.length);
+        elements(4, values.length).asFloatBuffer().put(values);
         return this;
     }
 
     public CdrWriter float64s(double[] values) {
-        ByteBuffer room = room(8, 8 * values.length);
-        room.asDoubleBuffer().put(values);
-        room.position(room.position() + 8 * values.length);
+        elements(8, values.length).asDoubleBuffer().put(values);
         return this;
+    }
+
+    /// The room of so many elements, which counts as written.
+    private ByteBuffer elements(int size, int count) {
+        ByteBuffer room = room(size, size * count);
+        int begin = room.position();
+        room.position(begin + size * count);
+        return room.slice(begin, size * count).order(room.order());
     }
 
     /// Fills up with zeros to a multiple of a size, and grows for what follows. Nothing aligns nothing.

@@ -15,8 +15,7 @@ import rsal.ros2.type.Primitive;
 import rsal.ros2.type.RosType;
 import rsal.ros2.type.TypeLibrary;
 
-/// Reads and writes messages of a type, as its definition says. For messages that come often there are readers without
-/// maps. Immutable, for any thread.
+/// Reads and writes messages of a type, as its definition says. Immutable, for any thread.
 ///
 /// Tolerant as ROS 2 needs it: fields that are missing at the end of a message, as of an older peer, have zeros, and
 /// bytes behind the last field are ignored.

@@ -14,11 +14,6 @@ public record RosType(String name, List<Field> fields) {
         fields = fields.isEmpty() ? List.of(NOTHING) : List.copyOf(fields);
     }
 
-    /// `sensor_msgs`
-    public String packageName() {
-        return name.substring(0, name.indexOf('/'));
-    }
-
     /// Its name in DDS: `sensor_msgs::msg::dds_::LaserScan_`.
     public String ddsName() {
         int last = name.lastIndexOf('/');
