@@ -36,4 +36,13 @@ public record LaserScan(
     public double distance(int beam) {
         return Rep117.distance(ranges[beam], rangeMin);
     }
+
+    /// The same scan of a laser that is mounted upside down, so that its ranges go clockwise.
+    public LaserScan mirrored() {
+        var mirrored = new float[count()];
+        for (int i = 0; i < mirrored.length; i++) {
+            mirrored[i] = ranges[mirrored.length - 1 - i];
+        }
+        return new LaserScan(baseFromLaser, -angle(count() - 1), angleIncrement, rangeMin, rangeMax, mirrored);
+    }
 }

@@ -5,7 +5,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
-import rsal.data.LaserScan;
 import rsal.navigation.log.LogEntry.Motion;
 import rsal.navigation.log.LogEntry.Scan;
 
@@ -43,7 +42,7 @@ public final class LogCollector {
                 if (ranges > RobotLog.MOST_READINGS) {
                     throw tooMuch(scan, "readings", RobotLog.MOST_READINGS);
                 }
-                scans.add(hints.upsideDown() ? scan.with(mirrored(scan.scan())) : scan);
+                scans.add(hints.upsideDown() ? scan.with(scan.scan().mirrored()) : scan);
             }
             case Motion motion -> add(motions, motion, "odometry", MOST_MOTIONS);
             case LogEntry.Parameter parameter -> add(parameters, parameter, "parameters", MOST_PARAMETERS);
@@ -104,21 +103,5 @@ public final class LogCollector {
                 new Skipped(skipped, skippedScans, firstSkipped, otherKinds),
                 hints.rangeMax(),
                 degrees);
-    }
-
-    /// The same scan, as its ranges go clockwise.
-    private static LaserScan mirrored(LaserScan scan) {
-        int count = scan.count();
-        var mirrored = new float[count];
-        for (int i = 0; i < count; i++) {
-            mirrored[i] = scan.ranges()[count - 1 - i];
-        }
-        return new LaserScan(
-                scan.baseFromLaser(),
-                -scan.angle(count - 1),
-                scan.angleIncrement(),
-                scan.rangeMin(),
-                scan.rangeMax(),
-                mirrored);
     }
 }

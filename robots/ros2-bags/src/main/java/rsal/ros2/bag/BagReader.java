@@ -226,27 +226,21 @@ final class BagReader {
         }
         String frame = message.message("header").text("frame_id");
         Optional<FrameTransform> mount = frames.find(base == null ? BASE_FRAME : base, frame);
-        boolean isUpsideDown = mount.map(FrameTransform::isUpsideDown).orElse(false);
         double rangeMin = message.number("range_min");
         double rangeMax = Math.min(message.number("range_max"), hints.rangeMax());
         int broken = limit(ranges, rangeMin, rangeMax);
-        if (increment < 0 != isUpsideDown) { // else both, or neither
+        if (increment < 0) {
             reverse(ranges);
         }
-        double last = angleMin + (ranges.length - 1) * increment;
-        double first = isUpsideDown ? -Math.max(angleMin, last) : Math.min(angleMin, last);
-        log.add(new Scan(
-                number,
-                time(message),
-                new LaserScan(
-                        mount.map(FrameTransform::planar).orElse(Pose2d.ORIGIN),
-                        first,
-                        Math.abs(increment),
-                        rangeMin,
-                        rangeMax,
-                        ranges),
-                new Poses.Untold(),
-                broken));
+        var scan = new LaserScan(
+                mount.map(FrameTransform::planar).orElse(Pose2d.ORIGIN),
+                Math.min(angleMin, angleMin + (ranges.length - 1) * increment),
+                Math.abs(increment),
+                rangeMin,
+                rangeMax,
+                ranges);
+        boolean isUpsideDown = mount.map(FrameTransform::isUpsideDown).orElse(false);
+        log.add(new Scan(number, time(message), isUpsideDown ? scan.mirrored() : scan, new Poses.Untold(), broken));
     }
 
     /// Makes ranges what REP 117 says: −∞ too close, +∞ nothing there, NaN broken.
