@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.catchThrowable;
 import static rsal.server.Errand.TOKEN;
 
 import java.io.ByteArrayInputStream;
-import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
@@ -126,15 +125,8 @@ class ListeningTest {
         return token == null ? request : request.header("Authorization", "Bearer " + token);
     }
 
-    /// Again where the connection is gone: the server closes those of requests that it refused without reading them,
-    /// which
-    /// a client notices only when it uses one again.
     private HttpResponse<String> send(HttpRequest.Builder request) throws Exception {
-        try {
-            return client.send(request.build(), HttpResponse.BodyHandlers.ofString());
-        } catch (IOException e) {
-            return client.send(request.build(), HttpResponse.BodyHandlers.ofString());
-        }
+        return client.send(request.build(), HttpResponse.BodyHandlers.ofString());
     }
 
     private int get(String path, String token) throws Exception {

@@ -299,6 +299,40 @@ class RunServerTest {
                     .isEqualTo(403);
         }
 
+        /// None of these reads what it is sent.
+        private static final List<String> UNREAD = List.of(
+                "/api/session",
+                "/api/run/pause",
+                "/api/run/estop",
+                "/api/run/no-such-command",
+                "/nothing",
+                "/api/live");
+
+        /// Else a client's next request on the connection fails.
+        @ParameterizedTest
+        @ValueSource(booleans = {true, false})
+        void keepsConnectionsBehindBodiesThatItDoesNotRead(boolean trusted) throws IOException {
+            for (String path : UNREAD) {
+                String first = "POST %s HTTP/1.1\r\n%s\r\n%sContent-Length: 5\r\n\r\n{\"a\":"
+                        .formatted(path, host, trusted ? WITH_TOKEN + "\r\n" : "");
+                String second = "GET /healthz HTTP/1.1\r\n%s\r\nConnection: close\r\n\r\n".formatted(host);
+                Response both = RawHttp.send(port, (first + second).getBytes(StandardCharsets.ISO_8859_1));
+                assertThat(both.text().split("HTTP/1.1 ", -1)).as(path).hasSize(3);
+                assertThat(both.text()).as(path).contains("HTTP/1.1 200");
+            }
+        }
+
+        @ParameterizedTest
+        @ValueSource(booleans = {true, false})
+        void saysThatItClosesConnectionsWhoseBodiesAreStillToCome(boolean trusted) throws IOException {
+            for (String path : UNREAD) {
+                String head = "POST %s HTTP/1.1\r\n%s\r\n%sContent-Length: 5\r\n\r\n"
+                        .formatted(path, host, trusted ? WITH_TOKEN + "\r\n" : "");
+                Response answer = RawHttp.send(port, head.getBytes(StandardCharsets.ISO_8859_1));
+                assertThat(answer.text()).as(path).containsIgnoringCase("\r\nConnection: close\r\n");
+            }
+        }
+
         @Test
         void closedToOtherMachines() throws IOException {
             for (NetworkInterface network : NetworkInterface.networkInterfaces().toList()) {

@@ -81,15 +81,6 @@ public final class Http {
         return Json.readObject(body(request, MAX_MESSAGE), names);
     }
 
-    /// Reads what a request still has, if that is no more than a message. Else the server would close the connection
-    /// behind
-    /// the answer, and the client's next request on it would fail.
-    public static void skipBody(Context request) throws IOException {
-        if (request.contentLength() <= MAX_MESSAGE) {
-            request.bodyInputStream().readNBytes(MAX_MESSAGE);
-        }
-    }
-
     private static String body(Context request, int most) throws IOException {
         byte[] body = request.bodyInputStream().readNBytes(most + 1);
         if (body.length > most) {

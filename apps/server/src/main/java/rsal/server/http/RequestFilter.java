@@ -1,8 +1,10 @@
 package rsal.server.http;
 
+import java.nio.ByteBuffer;
 import java.util.Map;
 import java.util.regex.Pattern;
 import org.eclipse.jetty.http.HttpHeader;
+import org.eclipse.jetty.http.HttpHeaderValue;
 import org.eclipse.jetty.io.Content;
 import org.eclipse.jetty.server.Handler;
 import org.eclipse.jetty.server.Request;
@@ -40,7 +42,8 @@ final class RequestFilter extends Handler.Wrapper {
     }
 
     @Override
-    public boolean handle(Request request, Response response, Callback callback) throws Exception {
+    public boolean handle(Request request, Response plain, Callback callback) throws Exception {
+        var response = new Answer(request, plain);
         SECURITY_HEADERS.forEach(response.getHeaders()::put);
         response.getHeaders().put(HttpHeader.CACHE_CONTROL, "no-store");
         try {
@@ -80,6 +83,22 @@ final class RequestFilter extends Handler.Wrapper {
     private static boolean isRemote(Request request) {
         return PageServer.REMOTE.equals(
                 request.getConnectionMetaData().getConnector().getName());
+    }
+
+    /// What is answered. Where a request's body has not come in whole when the answer begins, the answer says that the
+    /// connection closes, as Jetty closes it then: a client that is not told so fails with its next request.
+    private static final class Answer extends Response.Wrapper {
+        Answer(Request request, Response wrapped) {
+            super(request, wrapped);
+        }
+
+        @Override
+        public void write(boolean last, ByteBuffer content, Callback callback) {
+            if (!isCommitted() && !getRequest().consumeAvailable()) {
+                getHeaders().put(HttpHeader.CONNECTION, HttpHeaderValue.CLOSE);
+            }
+            super.write(last, content, callback);
+        }
     }
 
     private static void refuse(Refusal refusal, Response response, Callback callback) {

@@ -102,11 +102,7 @@ public final class CommandApi {
         if (!command.isSafe().test(arguments)) {
             checkControl(request);
         }
-        CompletionStage<Answer> answer = execute(request, command, arguments);
-        if (command.parameters().isEmpty()) {
-            Http.skipBody(request); // not before: an emergency stop waits for nobody
-        }
-        Answers.whenDone(request, answer);
+        Answers.whenDone(request, execute(request, command, arguments));
     }
 
     private CompletionStage<Answer> execute(Context request, OperatorCommand command, Arguments arguments) {
