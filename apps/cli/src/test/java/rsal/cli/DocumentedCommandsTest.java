@@ -34,7 +34,7 @@ class DocumentedCommandsTest {
                 .toList();
     }
 
-    private static List<String> commands(Path page) throws IOException {
+    static List<String> commands(Path page) throws IOException {
         return BLOCK.matcher(Files.readString(TOP.resolve(page)))
                 .results()
                 .flatMap(block -> COMMAND.matcher(block.group(1)).results())
@@ -43,7 +43,7 @@ class DocumentedCommandsTest {
                 .toList();
     }
 
-    private static String[] words(String command) {
+    static String[] words(String command) {
         return WORD.matcher(command)
                 .results()
                 .map(DocumentedCommandsTest::unquoted)

@@ -15,13 +15,17 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 
-/// The packages that those publish who make MCAP and its well-known schemas, and rosbags, which writes and reads
-/// bags of ROS 2, in a Python of their own in the project's `target` folder: made the first time, which needs
-/// Python and its registry. Where they can't be had, a test is skipped and says so; in CI it fails. Tests run in
+/// The packages that those publish who make MCAP and its well-known schemas; Cyclone DDS; and rosbags, which writes and
+/// reads bags of ROS 2. They are in a Python of their own in the project's `target` folder: made the first time, which
+/// needs Python and its registry. Where they can't be had, a test is skipped and says so; in CI it fails. Tests run in
 /// several processes: one of them installs, the others wait for it.
 public final class OfficialPython {
     private static final List<String> PACKAGES = List.of(
-            "mcap==1.6.0", "mcap-protobuf-support==0.6.0", "foxglove-schemas-protobuf==0.4.0", "rosbags==0.11.9");
+            "mcap==1.6.0",
+            "mcap-protobuf-support==0.6.0",
+            "foxglove-schemas-protobuf==0.4.0",
+            "rosbags==0.11.9",
+            "cyclonedds==11.0.1");
     private static final Path HOME =
             Path.of("..", "..", "target", "official-python").toAbsolutePath().normalize();
     private static final int PATIENCE_SECONDS = 240;

@@ -1,0 +1,53 @@
+package rsal.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.zip.GZIPOutputStream;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import rsal.cli.terminal.Exit;
+
+/// Types the commands of pages that have no test of their own: those that end by themselves, in their order, in one
+/// folder that has the log of a robot.
+class HowTosIT {
+    private static final Path TOP = Path.of("../..").toAbsolutePath().normalize();
+
+    /// What a command has that shows a page or waits for one, or needs the recording of a real robot.
+    private static final List<String> LEFT_OUT = List.of("lab_bag", "first-robot.log", "--odometry-noise");
+
+    @TempDir
+    Path folder;
+
+    @ParameterizedTest
+    @ValueSource(strings = {"record", "mapping", "localization"})
+    void commandsDoWhatTheyAreFor(String page) throws Exception {
+        writeLog();
+        Files.createSymbolicLink(folder.resolve("docs"), TOP.resolve("docs"));
+        var rsal = new Rsal(folder);
+        List<String> commands = DocumentedCommandsTest.commands(Path.of("docs/how-to/" + page + ".md")).stream()
+                .filter(HowTosIT::ends)
+                .toList();
+        assertThat(commands).isNotEmpty();
+        for (String command : commands) {
+            Ended ended = rsal.run(DocumentedCommandsTest.words(command));
+            assertThat(ended.code()).as(command + "\n" + ended.err()).isEqualTo(Exit.SUCCESS);
+        }
+    }
+
+    private static boolean ends(String command) {
+        boolean shows = command.startsWith("run") && !command.contains("--headless")
+                || command.startsWith("replay") && !command.contains("--verify");
+        return !shows && LEFT_OUT.stream().noneMatch(command::contains);
+    }
+
+    private void writeLog() throws IOException {
+        try (var log = new GZIPOutputStream(Files.newOutputStream(folder.resolve("lab.log.gz")))) {
+            log.write(RoomLog.whole().getBytes());
+        }
+    }
+}

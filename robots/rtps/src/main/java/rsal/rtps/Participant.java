@@ -1,0 +1,601 @@
+package rsal.rtps;
+
+import java.net.InetSocketAddress;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+import rsal.rtps.WriterProxy.Arrival;
+import rsal.rtps.discovery.BuiltinEndpoint;
+import rsal.rtps.discovery.EndpointData;
+import rsal.rtps.discovery.ParticipantData;
+import rsal.rtps.discovery.Qos;
+import rsal.rtps.wire.EntityId;
+import rsal.rtps.wire.Guid;
+import rsal.rtps.wire.GuidPrefix;
+import rsal.rtps.wire.InvalidRtps;
+import rsal.rtps.wire.MessageReader;
+import rsal.rtps.wire.MessageReader.Origin;
+import rsal.rtps.wire.MessageWriter;
+import rsal.rtps.wire.ParameterId;
+import rsal.rtps.wire.ParameterList;
+import rsal.rtps.wire.Submessage;
+import rsal.rtps.wire.Submessage.Content;
+
+/// One that takes part in a DDS domain: finds others, tells them of its writers and readers, and exchanges samples.
+///
+/// This is the protocol only: datagrams and times are handed in, and nothing happens between the calls. So whole
+/// networks, with loss and delay, run in a test. Of one thread at a time. All times `now` are of one clock that never
+/// goes back [ns].
+public final class Participant {
+    private static final long SECOND = 1_000_000_000; // ns
+    private static final int FIRST_ANNOUNCEMENTS = 5;
+    private static final long BETWEEN_FIRST_ANNOUNCEMENTS = SECOND / 10;
+    private static final long BETWEEN_ANNOUNCEMENTS = 3 * SECOND;
+    private static final int MOST_ANNOUNCED = 16 << 10; // B of what one participant or endpoint says of itself
+    private static final byte[] ENCAPSULATION = {0, 3, 0, 0}; // PL_CDR_LE
+    private static final int PL_CDR_BE = 2;
+    private static final int PL_CDR_LE = 3;
+    private static final int GONE = 0b11; // disposed and unregistered, in STATUS_INFO
+
+    private final ParticipantData self;
+    private final RtpsLimits limits;
+    private final Transmitter network;
+    private final GraphListener graph;
+    private final MessageWriter messages;
+    private final AssemblyBudget budget;
+    private final SampleWriter.Exchange exchange;
+    private final Map<BuiltinEndpoint, SampleWriter> tellers = new LinkedHashMap<>();
+    private final Map<BuiltinEndpoint, SampleReader> hearers = new LinkedHashMap<>();
+    private final Map<EntityId, SampleWriter> writers = new LinkedHashMap<>(); // with the tellers
+    private final Map<EntityId, SampleReader> readers = new LinkedHashMap<>(); // with the hearers
+    private final Map<GuidPrefix, RemoteParticipant> others = new LinkedHashMap<>();
+    private final Set<GuidPrefix> refused = new HashSet<>();
+    private final Map<Guid, List<SampleReader>> listening = new HashMap<>(); // by the writer they read from
+    private int entities;
+    private int announcements;
+    private long announceAt;
+    private long due;
+    private long now;
+    private long malformed;
+    private long surplus;
+
+    /// @param self as it announces itself; its built-in endpoints are [BuiltinEndpoint#ALL]
+    /// @param fragmentSize most of a sample that one datagram has [B], up to 65,000: less than packets of
+    ///     the network have, or more where all is on one machine
+    /// @param graph hears who is there
+    /// @param now [ns]
+    public Participant(
+            ParticipantData self,
+            int fragmentSize,
+            RtpsLimits limits,
+            Transmitter network,
+            GraphListener graph,
+            long now) {
+        if (fragmentSize < 256 || fragmentSize > MessageWriter.MOST - MessageWriter.OVERHEAD) {
+            throw new IllegalArgumentException("Fragments of %d bytes do not fit datagrams.".formatted(fragmentSize));
+        }
+        this.self = self;
+        this.limits = limits;
+        this.network = network;
+        this.graph = graph;
+        this.now = now;
+        messages = new MessageWriter(self.prefix());
+        budget = new AssemblyBudget(limits);
+        exchange = new SampleWriter.Exchange(messages, network, fragmentSize);
+        announceAt = now;
+        due = now;
+        for (BuiltinEndpoint builtin : BuiltinEndpoint.RELIABLE) {
+            Qos qos = Qos.LATCHED.keep(Qos.KEEP_ALL);
+            var teller = new SampleWriter(endpoint(builtin.writer(), "", "", qos, ""), exchange);
+            var hearer = new SampleReader(
+                    endpoint(builtin.reader(), "", "", qos, ""), budget, sample -> hear(builtin, sample));
+            tellers.put(builtin, teller);
+            hearers.put(builtin, hearer);
+            writers.put(builtin.writer(), teller);
+            readers.put(builtin.reader(), hearer);
+        }
+        tellThatWeLive();
+    }
+
+    private EndpointData endpoint(EntityId entity, String topic, String type, Qos qos, String userData) {
+        return new EndpointData(new Guid(self.prefix(), entity), topic, type, qos, List.of(), userData);
+    }
+
+    /// One sample for all time: the leases of our writers never end (DDSI-RTPS 2.5, 8.4.13).
+    private void tellThatWeLive() {
+        var sample = ByteBuffer.allocate(28).order(ByteOrder.LITTLE_ENDIAN);
+        sample.put(new byte[] {0, 1, 0, 0}); // CDR_LE
+        var guid = new Guid(self.prefix(), new EntityId(1)); // the kind of liveliness: automatic
+        guid.write(sample);
+        sample.putInt(1); // one octet of data, as Cyclone DDS sends
+        Guid key = guid;
+        teller(BuiltinEndpoint.LIVELINESS).write(key, 0, Content.DATA, Optional.empty(), sample.array(), now);
+    }
+
+    private SampleWriter teller(BuiltinEndpoint builtin) {
+        return Objects.requireNonNull(tellers.get(builtin)); // it has all of them
+    }
+
+    public ParticipantData self() {
+        return self;
+    }
+
+    /// All other participants that are there.
+    public Collection<ParticipantData> participants() {
+        return others.values().stream().map(other -> other.data).toList();
+    }
+
+    /// All writers and readers of others.
+    public List<EndpointData> endpoints() {
+        return others.values().stream()
+                .flatMap(other -> other.endpoints.values().stream())
+                .toList();
+    }
+
+    /// How many datagrams were malformed in whole or in part.
+    public long malformed() {
+        return malformed;
+    }
+
+    /// How many participants and endpoints were refused because there are too many.
+    public long surplus() {
+        return surplus;
+    }
+
+    /// @param userData that others see; empty for none
+    public SampleWriter createWriter(String topic, String type, Qos qos, String userData, long time) {
+        advance(time);
+        EndpointData data = endpoint(EntityId.writer(++entities), topic, type, qos, userData);
+        var writer = new SampleWriter(data, exchange);
+        writers.put(data.guid().entity(), writer);
+        announce(BuiltinEndpoint.PUBLICATIONS, data);
+        readers.values().stream().filter(each -> fit(data, each.data())).forEach(writer::matchNeighbor);
+        others.values().forEach(other -> other.endpoints.values().forEach(each -> match(writer, other, each)));
+        wake(now);
+        return writer;
+    }
+
+    /// @param listener gets the samples
+    public SampleReader createReader(
+            String topic, String type, Qos qos, String userData, SampleListener listener, long time) {
+        advance(time);
+        EndpointData data = endpoint(EntityId.reader(++entities), topic, type, qos, userData);
+        var reader = new SampleReader(data, budget, sample -> {
+            if (sample.content() == Content.DATA) {
+                listener.onSample(new SampleListener.Sample(
+                        sample.writer(), sample.number(), sample.timestamp(), sample.inlineQos(), sample.payload()));
+            }
+        });
+        readers.put(data.guid().entity(), reader);
+        announce(BuiltinEndpoint.SUBSCRIPTIONS, data);
+        writers.values().stream().filter(each -> fit(each.data(), data)).forEach(each -> each.matchNeighbor(reader));
+        others.values().forEach(other -> other.endpoints.values().forEach(each -> match(reader, other, each)));
+        wake(now);
+        return reader;
+    }
+
+    private static boolean fit(EndpointData writer, EndpointData reader) {
+        return writer.topic().equals(reader.topic())
+                && !writer.topic().isEmpty()
+                && writer.mismatch(reader).isEmpty();
+    }
+
+    /// @param timestamp when the sample is from [ns] since 1970
+    /// @param payload with its encapsulation header; not changed any more
+    public void write(SampleWriter writer, long timestamp, byte[] payload, long time) {
+        advance(time);
+        writer.write(timestamp, payload, now);
+        wake(writer.due());
+    }
+
+    public void remove(SampleWriter writer, long time) {
+        advance(time);
+        Guid guid = writer.data().guid();
+        if (writers.remove(guid.entity(), writer)) {
+            withdraw(BuiltinEndpoint.PUBLICATIONS, guid);
+            wake(now);
+        }
+    }
+
+    public void remove(SampleReader reader, long time) {
+        advance(time);
+        Guid guid = reader.data().guid();
+        if (readers.remove(guid.entity(), reader)) {
+            List.copyOf(reader.writers().keySet()).forEach(writer -> unmatch(reader, writer));
+            writers.values().forEach(writer -> writer.unmatch(guid));
+            withdraw(BuiltinEndpoint.SUBSCRIPTIONS, guid);
+            wake(now);
+        }
+    }
+
+    /// Tells all others that this participant leaves. Twice, since the first message can be lost.
+    public void close(long time) {
+        advance(time);
+        for (int i = 0; i < 2; i++) {
+            var guid = new Guid(self.prefix(), EntityId.PARTICIPANT);
+            announcement(GuidPrefix.UNKNOWN, Content.KEY, gone(guid), key(ParameterId.PARTICIPANT_GUID, guid), 2);
+            network.announce(messages.message());
+            others.values()
+                    .forEach(other -> other.metatraffic
+                            .addresses()
+                            .forEach(address -> network.send(messages.message(), address)));
+        }
+    }
+
+    /// @param datagram from its position to its limit; used again afterwards
+    public void receive(ByteBuffer datagram, InetSocketAddress from, long time) {
+        advance(time);
+        try {
+            MessageReader.read(datagram, (origin, submessage) -> receive(origin, submessage, from));
+        } catch (InvalidRtps e) {
+            malformed++;
+        }
+    }
+
+    /// Does what is due, such as telling again what nobody acknowledged.
+    ///
+    /// @return when it is next to be called [ns]; earlier after other calls ([#due()])
+    public long tick(long time) {
+        advance(time);
+        if (now >= due) {
+            due = Long.MAX_VALUE;
+            announce();
+            expire();
+            readers.values().forEach(reader -> wake(reader.tick(messages, network, now)));
+            for (SampleWriter writer : writers.values()) {
+                writer.tick(now);
+                wake(writer.due());
+            }
+        }
+        return due;
+    }
+
+    /// When [#tick] is next to be called [ns].
+    public long due() {
+        return due;
+    }
+
+    private void advance(long time) {
+        now = Math.max(now, time);
+    }
+
+    private void wake(long at) {
+        due = Math.min(due, at);
+    }
+
+    private void announce() {
+        if (now >= announceAt) {
+            announcement(GuidPrefix.UNKNOWN, Content.DATA, Optional.empty(), parameters(self::write), 1);
+            network.announce(messages.message());
+            announcements++;
+            announceAt =
+                    now + (announcements < FIRST_ANNOUNCEMENTS ? BETWEEN_FIRST_ANNOUNCEMENTS : BETWEEN_ANNOUNCEMENTS);
+        }
+        wake(announceAt);
+    }
+
+    /// Puts together a message about this participant.
+    private void announcement(
+            GuidPrefix to,
+            Content content,
+            Optional<Consumer<ParameterList.Writer>> inlineQos,
+            byte[] payload,
+            long number) {
+        messages.begin(to)
+                .data(EntityId.PARTICIPANT_READER, EntityId.PARTICIPANT_WRITER, number, inlineQos, content, payload);
+    }
+
+    private void expire() {
+        for (RemoteParticipant other : List.copyOf(others.values())) {
+            if (now >= other.expiry) {
+                lose(other);
+            } else {
+                wake(other.expiry);
+            }
+        }
+    }
+
+    private void announce(BuiltinEndpoint to, EndpointData data) {
+        teller(to).write(data.guid(), 0, Content.DATA, Optional.empty(), parameters(data::write), now);
+    }
+
+    private void withdraw(BuiltinEndpoint from, Guid guid) {
+        teller(from).write(guid, 0, Content.KEY, gone(guid), key(ParameterId.ENDPOINT_GUID, guid), now);
+    }
+
+    private static byte[] key(int id, Guid guid) {
+        return parameters(list -> list.put(id, guid::write));
+    }
+
+    private static Optional<Consumer<ParameterList.Writer>> gone(Guid guid) {
+        return Optional.of(list -> list.put(ParameterId.KEY_HASH, guid::write)
+                .put(ParameterId.STATUS_INFO, to -> to.put(new byte[] {0, 0, 0, GONE})));
+    }
+
+    private static byte[] parameters(Consumer<ParameterList.Writer> write) {
+        var bytes = ByteBuffer.allocate(MOST_ANNOUNCED).order(ByteOrder.LITTLE_ENDIAN);
+        bytes.put(ENCAPSULATION);
+        var list = new ParameterList.Writer(bytes.slice().order(ByteOrder.LITTLE_ENDIAN));
+        write.accept(list);
+        int end = ENCAPSULATION.length + list.end();
+        return Arrays.copyOf(bytes.array(), end);
+    }
+
+    private void receive(Origin origin, Submessage submessage, InetSocketAddress from) {
+        GuidPrefix self = this.self.prefix();
+        boolean forUs = origin.destination().equals(GuidPrefix.UNKNOWN)
+                || origin.destination().equals(self);
+        if (origin.source().equals(self) || !forUs) {
+            return;
+        }
+        if (submessage.writer().equals(EntityId.PARTICIPANT_WRITER)) {
+            if (submessage instanceof Submessage.Data data) {
+                onParticipant(origin, data, from);
+            }
+            return;
+        }
+        Guid writer = origin.guid(submessage.writer());
+        switch (submessage) {
+            case Submessage.Data data ->
+                proxies(writer, data.reader(), proxy -> proxy.receive(Arrival.of(writer, origin.timestamp(), data)));
+            case Submessage.DataFragments part ->
+                proxies(writer, part.reader(), proxy -> proxy.receive(part, origin.timestamp()));
+            case Submessage.Heartbeat heartbeat ->
+                proxies(writer, heartbeat.reader(), proxy -> {
+                    proxy.receive(heartbeat, now);
+                    proxy.request(messages, network, now);
+                    wake(proxy.due());
+                });
+            case Submessage.Gap gap -> proxies(writer, gap.reader(), proxy -> proxy.receive(gap));
+            case Submessage.AckNack answer -> {
+                SampleWriter own = writers.get(answer.writer());
+                if (own != null) {
+                    own.receive(origin, answer, now);
+                    wake(own.due());
+                }
+            }
+            case Submessage.NackFragments nack -> {
+                SampleWriter own = writers.get(nack.writer());
+                if (own != null) {
+                    own.receive(origin, nack, now);
+                    wake(own.due());
+                }
+            }
+        }
+    }
+
+    /// @param reader for whom it is; [EntityId#UNKNOWN] for all that read from the writer
+    private void proxies(Guid writer, EntityId reader, Consumer<WriterProxy> action) {
+        for (SampleReader each : List.copyOf(listening.getOrDefault(writer, List.of()))) {
+            if (reader.equals(EntityId.UNKNOWN)
+                    || reader.equals(each.data().guid().entity())) {
+                WriterProxy proxy = each.writers().get(writer);
+                if (proxy != null) {
+                    action.accept(proxy);
+                }
+            }
+        }
+    }
+
+    private void onParticipant(Origin origin, Submessage.Data sample, InetSocketAddress from) {
+        try {
+            if (isGone(sample.inlineQos())) {
+                RemoteParticipant other = others.get(origin.source());
+                if (other != null) {
+                    lose(other);
+                }
+            } else if (sample.content() == Content.DATA) {
+                ParticipantData data = ParticipantData.of(list(sample.payload()));
+                boolean isOfOurDomain =
+                        data.domain().equals(self.domain()) || data.domain().isEmpty();
+                if (data.prefix().equals(origin.source())
+                        && isOfOurDomain
+                        && data.domainTag().isEmpty()) {
+                    meet(data, from);
+                }
+            }
+        } catch (InvalidRtps e) {
+            malformed++;
+        }
+    }
+
+    private void meet(ParticipantData data, InetSocketAddress from) {
+        RemoteParticipant known = others.get(data.prefix());
+        if (known == null) {
+            if (others.size() >= limits.participants()) {
+                if (refused.size() < limits.participants() && refused.add(data.prefix())) {
+                    surplus++;
+                }
+                return;
+            }
+            known = new RemoteParticipant(
+                    data,
+                    Addressee.of(data.prefix(), data.metatraffic(), from),
+                    Addressee.of(data.prefix(), data.userTraffic(), from));
+            others.put(data.prefix(), known);
+            welcome(known);
+            graph.onParticipant(data);
+        }
+        known.isAlive(now);
+        wake(known.expiry);
+    }
+
+    /// So that it does not have to wait for the next announcement.
+    private void welcome(RemoteParticipant other) {
+        announcement(other.data.prefix(), Content.DATA, Optional.empty(), parameters(self::write), 1);
+        other.metatraffic.addresses().forEach(address -> network.send(messages.message(), address));
+        for (BuiltinEndpoint builtin : BuiltinEndpoint.RELIABLE) {
+            if ((other.data.builtinEndpoints() & builtin.writerBit()) != 0) {
+                match(
+                        Objects.requireNonNull(hearers.get(builtin)),
+                        other.metatraffic,
+                        new Guid(other.data.prefix(), builtin.writer()),
+                        true);
+            }
+            if ((other.data.builtinEndpoints() & builtin.readerBit()) != 0) {
+                teller(builtin)
+                        .match(new Guid(other.data.prefix(), builtin.reader()), other.metatraffic, Qos.LATCHED, now);
+            }
+        }
+        wake(now);
+    }
+
+    private void lose(RemoteParticipant other) {
+        GuidPrefix prefix = other.data.prefix();
+        others.remove(prefix);
+        refused.clear();
+        writers.values().forEach(writer -> writer.unmatchAll(prefix));
+        for (SampleReader reader : readers.values()) {
+            reader.writers().keySet().stream()
+                    .filter(writer -> writer.prefix().equals(prefix))
+                    .toList()
+                    .forEach(writer -> unmatch(reader, writer));
+        }
+        other.endpoints.keySet().forEach(graph::onEndpointLost);
+        graph.onParticipantLost(prefix);
+    }
+
+    /// What another participant tells of its writers and readers.
+    private void hear(BuiltinEndpoint builtin, Arrival sample) {
+        RemoteParticipant other = others.get(sample.writer().prefix());
+        if (other == null || builtin.equals(BuiltinEndpoint.LIVELINESS)) {
+            return;
+        }
+        boolean isWriter = builtin.equals(BuiltinEndpoint.PUBLICATIONS);
+        try {
+            if (isGone(sample.inlineQos())) {
+                key(sample).ifPresent(guid -> forget(other, guid));
+            } else if (sample.content() == Content.DATA) {
+                EndpointData data = EndpointData.of(list(sample.payload()), isWriter);
+                if (data.guid().prefix().equals(other.data.prefix()) && data.isWriter() == isWriter) {
+                    learn(other, data);
+                }
+            }
+        } catch (InvalidRtps e) {
+            malformed++;
+        }
+    }
+
+    private static boolean isGone(ParameterList inlineQos) {
+        return inlineQos
+                .find(ParameterId.STATUS_INFO, Integer.BYTES)
+                .map(info -> (info.get(Integer.BYTES - 1) & GONE) != 0) // octets, whatever their order
+                .orElse(false);
+    }
+
+    private static Optional<Guid> key(Arrival sample) throws InvalidRtps {
+        Optional<Guid> hash =
+                sample.inlineQos().find(ParameterId.KEY_HASH, Guid.BYTES).map(Guid::read);
+        if (hash.isPresent() || sample.content() == Content.NONE) {
+            return hash;
+        }
+        return list(sample.payload())
+                .find(ParameterId.ENDPOINT_GUID, Guid.BYTES)
+                .map(Guid::read);
+    }
+
+    private static ParameterList list(ByteBuffer payload) throws InvalidRtps {
+        ByteBuffer bytes = payload.slice().order(ByteOrder.BIG_ENDIAN);
+        int encapsulation = bytes.remaining() < 4 ? -1 : bytes.getInt() >>> 16;
+        if (encapsulation != PL_CDR_BE && encapsulation != PL_CDR_LE) {
+            throw new InvalidRtps("What a participant tells of itself is no parameter list.");
+        }
+        bytes.order(encapsulation == PL_CDR_LE ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
+        return ParameterList.read(bytes);
+    }
+
+    private void learn(RemoteParticipant other, EndpointData data) {
+        EndpointData before = other.endpoints.get(data.guid());
+        if (data.equals(before)) {
+            return;
+        }
+        if (before == null && other.endpoints.size() >= limits.endpoints()) {
+            surplus++;
+            return;
+        }
+        if (before != null) {
+            forget(other, data.guid());
+        }
+        other.endpoints.put(data.guid(), data);
+        graph.onEndpoint(data);
+        if (data.isWriter()) {
+            List.copyOf(readers.values()).forEach(reader -> match(reader, other, data));
+        } else {
+            List.copyOf(writers.values()).forEach(writer -> match(writer, other, data));
+        }
+        wake(now);
+    }
+
+    private void forget(RemoteParticipant other, Guid guid) {
+        if (other.endpoints.remove(guid) == null) {
+            return;
+        }
+        writers.values().forEach(writer -> writer.unmatch(guid));
+        readers.values().forEach(reader -> unmatch(reader, guid));
+        graph.onEndpointLost(guid);
+    }
+
+    private void match(SampleWriter own, RemoteParticipant other, EndpointData reader) {
+        if (!reader.isWriter() && isOfOneTopic(own.data(), reader)) {
+            own.data()
+                    .mismatch(reader)
+                    .ifPresentOrElse(
+                            why -> graph.onMismatch(own.data(), reader, why),
+                            () -> own.match(reader, addressee(other, reader), now));
+        }
+    }
+
+    private void match(SampleReader own, RemoteParticipant other, EndpointData writer) {
+        if (writer.isWriter() && isOfOneTopic(own.data(), writer)) {
+            writer.mismatch(own.data())
+                    .ifPresentOrElse(
+                            why -> graph.onMismatch(own.data(), writer, why),
+                            () -> match(
+                                    own,
+                                    addressee(other, writer),
+                                    writer.guid(),
+                                    writer.qos().isReliable()));
+        }
+    }
+
+    private static boolean isOfOneTopic(EndpointData own, EndpointData other) {
+        return own.topic().equals(other.topic()) && !own.topic().isEmpty();
+    }
+
+    private void match(SampleReader own, Addressee addressee, Guid writer, boolean isReliable) {
+        own.match(writer, addressee, isReliable, now);
+        List<SampleReader> all = listening.computeIfAbsent(writer, _ -> new ArrayList<>(1));
+        if (!all.contains(own)) {
+            all.add(own);
+        }
+    }
+
+    private void unmatch(SampleReader own, Guid writer) {
+        own.unmatch(writer);
+        List<SampleReader> all = listening.get(writer);
+        if (all != null && all.remove(own) && all.isEmpty()) {
+            listening.remove(writer);
+        }
+    }
+
+    private static Addressee addressee(RemoteParticipant other, EndpointData endpoint) {
+        if (endpoint.locators().isEmpty()) {
+            return other.userTraffic;
+        }
+        InetSocketAddress known = other.metatraffic.addresses().isEmpty()
+                ? new InetSocketAddress(0)
+                : other.metatraffic.addresses().getFirst();
+        return Addressee.of(other.data.prefix(), endpoint.locators(), known);
+    }
+}

@@ -1,0 +1,104 @@
+package rsal.rtps;
+
+import java.util.ArrayDeque;
+import java.util.BitSet;
+import java.util.Deque;
+import rsal.rtps.wire.Guid;
+
+/// A reader as one of our writers knows it: which samples it has, and which it is still to get (DDSI-RTPS 2.5, 8.4.7
+/// and 8.4.9).
+final class ReaderProxy {
+    private static final long MILLISECOND = 1_000_000; // ns
+    private static final long FIRST_HEARTBEAT = 20 * MILLISECOND; // then doubled, until the reader answers
+    private static final long LAST_HEARTBEAT = 500 * MILLISECOND;
+
+    final Guid guid;
+    final Addressee addressee;
+    final boolean isReliable;
+
+    /// Samples up to this one are not for it: they were written before it came.
+    final long start;
+
+    /// Samples in fragments that are being sent.
+    final Deque<Stream> streams = new ArrayDeque<>();
+
+    long acknowledged;
+    boolean isHeard;
+    long paced = Long.MIN_VALUE; // when fragments were sent [ns]
+    long repaired = Long.MIN_VALUE / 2; // when samples were sent again [ns]
+    private int newestAnswer; // its count
+    private int newestNack;
+    private boolean hasAnswered;
+    private boolean hasNacked;
+    private long patience = FIRST_HEARTBEAT;
+    private long heartbeatAt;
+
+    /// A sample in fragments, of which those that are set are still to be sent.
+    record Stream(KeptSample sample, BitSet fragments) {}
+
+    ReaderProxy(Guid guid, Addressee addressee, boolean isReliable, long start, long now) {
+        this.guid = guid;
+        this.addressee = addressee;
+        this.isReliable = isReliable;
+        this.start = start;
+        acknowledged = start;
+        heartbeatAt = isReliable ? now : Long.MAX_VALUE;
+    }
+
+    /// When it is next told what there is [ns].
+    long heartbeatAt() {
+        return heartbeatAt;
+    }
+
+    /// Was told what there is; is told again later if it does not answer.
+    void told(long now) {
+        if (isReliable) {
+            heartbeatAt = now + patience;
+            patience = Math.min(2 * patience, LAST_HEARTBEAT);
+        }
+    }
+
+    /// Something new was written.
+    void expectAnswer(long now) {
+        patience = FIRST_HEARTBEAT;
+        told(now);
+    }
+
+    /// @param last number that was written
+    /// @return false for an answer that is not newer than the one before
+    boolean answered(int count, long base, long last, long now) {
+        if (hasAnswered && count - newestAnswer <= 0) {
+            return false;
+        }
+        newestAnswer = count;
+        hasAnswered = true;
+        patience = FIRST_HEARTBEAT; // it is there
+        if (base > 0) {
+            isHeard = true;
+            acknowledged = Math.max(acknowledged, Math.min(base - 1, last));
+        }
+        heartbeatAt = acknowledged >= last && isHeard ? Long.MAX_VALUE : now + patience;
+        return true;
+    }
+
+    boolean isNewNack(int count) {
+        if (hasNacked && count - newestNack <= 0) {
+            return false;
+        }
+        newestNack = count;
+        hasNacked = true;
+        return true;
+    }
+
+    /// The stream of a sample, which may be under way.
+    Stream stream(KeptSample sample) {
+        for (Stream stream : streams) {
+            if (stream.sample.number() == sample.number()) {
+                return stream;
+            }
+        }
+        var stream = new Stream(sample, new BitSet());
+        streams.add(stream);
+        return stream;
+    }
+}

@@ -1,0 +1,29 @@
+package rsal.rtps;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import rsal.rtps.discovery.EndpointData;
+import rsal.rtps.discovery.ParticipantData;
+import rsal.rtps.wire.Guid;
+
+/// Another participant, and what it has told of its writers and readers.
+final class RemoteParticipant {
+    private static final long LEAST_LEASE = 500_000_000; // ns
+    private static final long MOST_LEASE = 3_600_000_000_000L;
+
+    final ParticipantData data;
+    final Addressee metatraffic;
+    final Addressee userTraffic;
+    final Map<Guid, EndpointData> endpoints = new LinkedHashMap<>();
+    long expiry; // when it is gone unless it announces itself again [ns]
+
+    RemoteParticipant(ParticipantData data, Addressee metatraffic, Addressee userTraffic) {
+        this.data = data;
+        this.metatraffic = metatraffic;
+        this.userTraffic = userTraffic;
+    }
+
+    void isAlive(long now) {
+        expiry = now + Math.clamp(data.lease(), LEAST_LEASE, MOST_LEASE);
+    }
+}

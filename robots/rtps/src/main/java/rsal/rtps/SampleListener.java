@@ -1,0 +1,19 @@
+package rsal.rtps;
+
+import java.nio.ByteBuffer;
+import rsal.rtps.wire.Guid;
+import rsal.rtps.wire.ParameterList;
+
+/// Gets the samples of a reader, those of one writer in order, each once. Called while the participant is locked: be
+/// quick.
+public interface SampleListener {
+    /// @param sample valid during the call only
+    void onSample(Sample sample);
+
+    /// @param writer who wrote it
+    /// @param number of this writer's samples, from 1 on
+    /// @param timestamp when it was written [ns] since 1970; −1 where the writer does not say
+    /// @param inlineQos what came beside it
+    /// @param payload with its encapsulation header, from position to limit
+    record Sample(Guid writer, long number, long timestamp, ParameterList inlineQos, ByteBuffer payload) {}
+}

@@ -1,0 +1,374 @@
+package rsal.rtps;
+
+import java.nio.ByteBuffer;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.NavigableMap;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.Consumer;
+import java.util.stream.LongStream;
+import rsal.rtps.ReaderProxy.Stream;
+import rsal.rtps.discovery.EndpointData;
+import rsal.rtps.discovery.Qos;
+import rsal.rtps.wire.EntityId;
+import rsal.rtps.wire.Guid;
+import rsal.rtps.wire.GuidPrefix;
+import rsal.rtps.wire.MessageReader.Origin;
+import rsal.rtps.wire.MessageWriter;
+import rsal.rtps.wire.NumberSet;
+import rsal.rtps.wire.ParameterList;
+import rsal.rtps.wire.Submessage.AckNack;
+import rsal.rtps.wire.Submessage.Content;
+import rsal.rtps.wire.Submessage.Gap;
+import rsal.rtps.wire.Submessage.Heartbeat;
+import rsal.rtps.wire.Submessage.NackFragments;
+
+/// A writer of ours: keeps its newest samples, sends them to its readers, and again to those who lack them.
+///
+/// Samples that fit into no datagram go in fragments, some at a time, so that they do not fill the buffers of those who
+/// receive them.
+public final class SampleWriter {
+    private static final long MILLISECOND = 1_000_000; // ns
+    private static final int MOST_KEPT = 1_000; // samples, of those that keep all
+    private static final int MOST_WITHDRAWN = 64; // keys of which the last sample is kept
+    private static final int BURST = 128 << 10; // B of fragments to one reader in a millisecond
+    private static final int MOST_REPAIRED = 256 << 10; // B of samples sent again at once
+    private static final long BETWEEN_REPAIRS = 2 * MILLISECOND;
+
+    private final EndpointData data;
+    private final Exchange exchange;
+    private final NavigableMap<Long, KeptSample> kept = new TreeMap<>();
+    private final Map<Guid, Long> numbers = new HashMap<>(); // by key
+    private final Deque<Guid> withdrawn = new ArrayDeque<>(); // keys
+    private final Map<Guid, ReaderProxy> readers = new LinkedHashMap<>();
+    private final List<SampleReader> neighbors = new ArrayList<>(); // of the same participant
+    private long last;
+    private int heartbeats;
+
+    /// What writers share.
+    ///
+    /// @param fragmentSize most of a sample that one datagram has [B]
+    record Exchange(MessageWriter messages, Transmitter network, int fragmentSize) {}
+
+    SampleWriter(EndpointData data, Exchange exchange) {
+        this.data = data;
+        this.exchange = exchange;
+    }
+
+    /// As it is announced.
+    public EndpointData data() {
+        return data;
+    }
+
+    /// How many readers it has.
+    public int matched() {
+        return readers.size() + neighbors.size();
+    }
+
+    /// Whether all reliable readers have all samples.
+    public boolean isAcknowledged() {
+        return readers.values().stream().allMatch(each -> !each.isReliable || each.acknowledged >= last);
+    }
+
+    /// @param timestamp [ns] since 1970
+    /// @param payload with its encapsulation header; not changed any more
+    /// @param now [ns]
+    void write(long timestamp, byte[] payload, long now) {
+        write(new KeptSample(last + 1, timestamp, Optional.empty(), Content.DATA, Optional.empty(), payload), now);
+    }
+
+    /// @param key of which this replaces the sample before
+    void write(
+            Guid key,
+            long timestamp,
+            Content content,
+            Optional<Consumer<ParameterList.Writer>> inlineQos,
+            byte[] payload,
+            long now) {
+        Long before = numbers.put(key, last + 1);
+        if (before != null) {
+            kept.remove(before);
+        }
+        if (content == Content.KEY) {
+            withdrawn.add(key);
+            if (withdrawn.size() > MOST_WITHDRAWN) {
+                kept.remove(numbers.remove(withdrawn.remove()));
+            }
+        }
+        write(new KeptSample(last + 1, timestamp, Optional.of(key), content, inlineQos, payload), now);
+    }
+
+    private void write(KeptSample sample, long now) {
+        last = sample.number();
+        kept.put(last, sample);
+        if (sample.key().isEmpty()) {
+            while (kept.size() > Math.min(data.qos().depth(), MOST_KEPT)) {
+                forget(kept.pollFirstEntry().getValue());
+            }
+        }
+        neighbors.forEach(reader -> reader.deliver(arrival(sample)));
+        if (!readers.isEmpty()) {
+            send(sample, now);
+        }
+    }
+
+    /// Best effort means that of two the newer one matters.
+    private void forget(KeptSample sample) {
+        readers.values()
+                .forEach(reader -> reader.streams.removeIf(each -> each.sample().number() == sample.number()));
+    }
+
+    private WriterProxy.Arrival arrival(KeptSample sample) {
+        return new WriterProxy.Arrival(
+                data.guid(),
+                sample.number(),
+                sample.timestamp(),
+                ParameterList.EMPTY,
+                sample.content(),
+                ByteBuffer.wrap(sample.payload()).asReadOnlyBuffer(),
+                false);
+    }
+
+    /// One datagram to each participant that has readers of it, or the first fragments.
+    private void send(KeptSample sample, long now) {
+        if (isLarge(sample)) {
+            readers.values().forEach(reader -> begin(reader, sample, now));
+            return;
+        }
+        var groups = new LinkedHashMap<Addressee, List<ReaderProxy>>();
+        readers.values()
+                .forEach(reader -> groups.computeIfAbsent(reader.addressee, _ -> new ArrayList<>(1))
+                        .add(reader));
+        groups.forEach((addressee, group) -> {
+            EntityId to = group.size() == 1 ? group.getFirst().guid.entity() : EntityId.UNKNOWN;
+            begin(addressee.prefix());
+            put(sample, to);
+            if (group.stream().anyMatch(reader -> reader.isReliable)) {
+                heartbeat(to, false);
+                group.forEach(reader -> reader.expectAnswer(now));
+            }
+            send(addressee);
+        });
+    }
+
+    private boolean isLarge(KeptSample sample) {
+        return sample.payload().length > exchange.fragmentSize();
+    }
+
+    private void begin(ReaderProxy reader, KeptSample sample, long now) {
+        reader.stream(sample).fragments().set(0, fragments(sample));
+        stream(reader, now);
+    }
+
+    private int fragments(KeptSample sample) {
+        return (sample.payload().length + exchange.fragmentSize() - 1) / exchange.fragmentSize();
+    }
+
+    /// Sends the next fragments to a reader, if that is due.
+    private void stream(ReaderProxy reader, long now) {
+        if (reader.streams.isEmpty() || reader.paced > now - MILLISECOND) {
+            return;
+        }
+        reader.paced = now;
+        int sent = 0;
+        while (sent < BURST && !reader.streams.isEmpty()) {
+            Stream stream = reader.streams.getFirst();
+            KeptSample sample = stream.sample();
+            int fragment = stream.fragments().nextSetBit(0);
+            if (fragment < 0) {
+                reader.streams.removeFirst();
+                continue;
+            }
+            stream.fragments().clear(fragment);
+            begin(reader.addressee.prefix());
+            exchange.messages.timestamp(sample.timestamp());
+            exchange.messages.fragment(
+                    reader.guid.entity(),
+                    data.guid().entity(),
+                    sample.number(),
+                    fragment + 1,
+                    exchange.fragmentSize,
+                    sample.payload());
+            if (stream.fragments().isEmpty()) {
+                reader.streams.removeFirst();
+                if (reader.isReliable && reader.streams.isEmpty()) {
+                    heartbeat(reader.guid.entity(), false);
+                    reader.expectAnswer(now);
+                }
+            }
+            send(reader.addressee);
+            sent += exchange.fragmentSize;
+        }
+    }
+
+    void match(EndpointData reader, Addressee addressee, long now) {
+        match(reader.guid(), addressee, reader.qos(), now);
+    }
+
+    /// @param wanted the reader's quality of service
+    void match(Guid reader, Addressee addressee, Qos wanted, long now) {
+        if (readers.containsKey(reader)) {
+            return;
+        }
+        boolean reliable = wanted.isReliable() && data.qos().isReliable();
+        boolean late = wanted.isLatched() && data.qos().isLatched();
+        var proxy = new ReaderProxy(reader, addressee, reliable, late && reliable ? 0 : last, now);
+        readers.put(reader, proxy);
+        if (reliable) {
+            begin(addressee.prefix());
+            if (proxy.start > 0) {
+                exchange.messages.gap(gap(reader.entity(), 1, NumberSet.empty(proxy.start + 1)));
+            }
+            heartbeat(reader.entity(), false);
+            send(addressee);
+            proxy.told(now);
+        }
+    }
+
+    void matchNeighbor(SampleReader reader) {
+        neighbors.add(reader);
+        if (reader.data().qos().isLatched() && data.qos().isLatched()) {
+            kept.values().forEach(sample -> reader.deliver(arrival(sample)));
+        }
+    }
+
+    void unmatch(Guid reader) {
+        readers.remove(reader);
+        neighbors.removeIf(each -> each.data().guid().equals(reader));
+    }
+
+    void unmatchAll(GuidPrefix participant) {
+        readers.keySet().removeIf(each -> each.prefix().equals(participant));
+    }
+
+    /// Sends what a reader lacks, and tells it what never comes.
+    void receive(Origin origin, AckNack answer, long now) {
+        ReaderProxy reader = readers.get(origin.guid(answer.reader()));
+        if (reader == null
+                || !reader.isReliable
+                || !reader.answered(answer.count(), answer.missing().base(), last, now)) {
+            return;
+        }
+        if (answer.missing().isEmpty() || answer.missing().base() < 1) {
+            if (!answer.isFinal()) {
+                begin(reader.addressee.prefix());
+                heartbeat(reader.guid.entity(), true);
+                send(reader.addressee);
+            }
+        } else if (now - reader.repaired >= BETWEEN_REPAIRS) {
+            reader.repaired = now;
+            repair(reader, answer.missing(), now);
+        }
+    }
+
+    private void repair(ReaderProxy reader, NumberSet missing, long now) {
+        var never = new ArrayList<Long>();
+        int bytes = 0;
+        for (long number : missing.numbers().filter(each -> each <= last).toArray()) {
+            KeptSample sample = number > reader.start ? kept.get(number) : null;
+            if (sample == null) {
+                never.add(number);
+            } else if (bytes < MOST_REPAIRED) {
+                bytes += sample.payload().length;
+                if (isLarge(sample)) {
+                    begin(reader, sample, now);
+                } else {
+                    begin(reader.addressee.prefix());
+                    put(sample, reader.guid.entity());
+                    send(reader.addressee);
+                }
+            }
+        }
+        begin(reader.addressee.prefix());
+        if (!never.isEmpty()) {
+            exchange.messages.gap(gap(reader.guid.entity(), never));
+        }
+        heartbeat(reader.guid.entity(), false);
+        send(reader.addressee);
+        reader.told(now);
+    }
+
+    private Gap gap(EntityId reader, List<Long> numbers) {
+        int run = 1;
+        while (run < numbers.size() && numbers.get(run) == numbers.get(run - 1) + 1) {
+            run++;
+        }
+        long start = numbers.getFirst();
+        LongStream more = numbers.stream().skip(run).mapToLong(Long::longValue);
+        return gap(reader, start, NumberSet.of(start + run, more));
+    }
+
+    private Gap gap(EntityId reader, long start, NumberSet more) {
+        return new Gap(reader, data.guid().entity(), start, more);
+    }
+
+    /// Sends the fragments that a reader lacks.
+    void receive(Origin origin, NackFragments nack, long now) {
+        ReaderProxy reader = readers.get(origin.guid(nack.reader()));
+        KeptSample sample = kept.get(nack.number());
+        if (reader == null || !reader.isReliable || !reader.isNewNack(nack.count()) || sample == null) {
+            return;
+        }
+        if (isLarge(sample) && nack.number() > reader.start) {
+            Stream stream = reader.stream(sample);
+            nack.missing()
+                    .numbers()
+                    .filter(each -> each >= 1 && each <= fragments(sample))
+                    .forEach(each -> stream.fragments().set((int) each - 1));
+            stream(reader, now);
+        }
+    }
+
+    /// Tells readers what there is that did not answer, and sends fragments.
+    void tick(long now) {
+        for (ReaderProxy reader : readers.values()) {
+            stream(reader, now);
+            if (reader.streams.isEmpty() && reader.heartbeatAt() <= now) {
+                begin(reader.addressee.prefix());
+                heartbeat(reader.guid.entity(), false);
+                send(reader.addressee);
+                reader.told(now);
+            }
+        }
+    }
+
+    /// When there is next something to send [ns].
+    long due() {
+        long due = Long.MAX_VALUE;
+        for (ReaderProxy reader : readers.values()) {
+            due = Math.min(due, reader.streams.isEmpty() ? reader.heartbeatAt() : reader.paced + MILLISECOND);
+        }
+        return due;
+    }
+
+    private void begin(GuidPrefix destination) {
+        exchange.messages.begin(destination);
+    }
+
+    private void put(KeptSample sample, EntityId reader) {
+        exchange.messages
+                .timestamp(sample.timestamp())
+                .data(
+                        reader,
+                        data.guid().entity(),
+                        sample.number(),
+                        sample.inlineQos(),
+                        sample.content(),
+                        sample.payload());
+    }
+
+    private void heartbeat(EntityId reader, boolean isFinal) {
+        long first = kept.isEmpty() ? last + 1 : kept.firstKey();
+        exchange.messages.heartbeat(new Heartbeat(reader, data.guid().entity(), first, last, ++heartbeats, isFinal));
+    }
+
+    private void send(Addressee addressee) {
+        addressee.addresses().forEach(address -> exchange.network.send(exchange.messages.message(), address));
+    }
+}

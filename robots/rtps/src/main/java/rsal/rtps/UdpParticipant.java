@@ -1,0 +1,353 @@
+package rsal.rtps;
+
+import java.io.IOException;
+import java.net.BindException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.NetworkInterface;
+import java.net.StandardProtocolFamily;
+import java.net.StandardSocketOptions;
+import java.nio.ByteBuffer;
+import java.nio.channels.DatagramChannel;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.LongSupplier;
+import java.util.random.RandomGenerator;
+import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
+import rsal.rtps.discovery.BuiltinEndpoint;
+import rsal.rtps.discovery.EndpointData;
+import rsal.rtps.discovery.ParticipantData;
+import rsal.rtps.discovery.Qos;
+import rsal.rtps.wire.GuidPrefix;
+import rsal.rtps.wire.Locator;
+import rsal.rtps.wire.MessageWriter;
+
+/// A [Participant] on UDP sockets, with a thread that receives.
+///
+/// Safe for several threads. Listeners are called on its thread, and on threads that write for readers of the same
+/// participant.
+public final class UdpParticipant implements AutoCloseable {
+    private static final int VENDOR = 0x0152; // which nobody else uses
+    private static final int BUFFER = 4 << 20; // B; the system may give less
+    private static final int AT_ONCE = 64; // datagrams between two looks at the clock
+    private static final int LOCAL_FRAGMENT = 60_000; // B
+    private static final int NETWORK_FRAGMENT = 1_344; // B; with its headers, it fits into a packet of Ethernet
+    private static final long MILLISECOND = 1_000_000; // ns
+
+    private final LongSupplier clock; // ns
+    private final Sockets sockets;
+    private final Selector selector;
+    private final Thread thread;
+    private final Participant participant; // its own lock
+    private volatile boolean isClosed;
+    private long sleepsUntil = Long.MIN_VALUE; // [ns], under the lock
+
+    /// Where and as whom to take part.
+    ///
+    /// @param domain 0 to 232, `ROS_DOMAIN_ID`
+    /// @param address of this machine, by which others are reached; a loopback one for others on this machine only
+    /// @param peers other machines to look for participants on, beside the multicast group
+    /// @param lease within which it announces itself again
+    /// @param name for people
+    /// @param userData for ROS, `enclave=/;`
+    public record Options(
+            int domain, InetAddress address, List<InetAddress> peers, Duration lease, String name, String userData) {
+        public Options {
+            if (domain < 0 || domain > DomainPorts.LAST_DOMAIN) {
+                throw new IllegalArgumentException("Domain %d is none; there are 0 to %d, of which 0 to 101 are safe."
+                        .formatted(domain, DomainPorts.LAST_DOMAIN));
+            }
+            peers = List.copyOf(peers);
+        }
+
+        /// On this machine only.
+        public static Options local(int domain, String name) {
+            return new Options(
+                    domain, InetAddress.getLoopbackAddress(), List.of(), Duration.ofSeconds(20), name, "enclave=/;");
+        }
+    }
+
+    /// @param clock of real time, in which networks live [ns], such as `System::nanoTime`
+    /// @param random for the participant's name, which nobody else may have
+    /// @param graph hears who is there
+    /// @throws IOException when no port is free, or the address is not of this machine
+    public UdpParticipant(Options options, LongSupplier clock, RandomGenerator random, GraphListener graph)
+            throws IOException {
+        this.clock = clock;
+        sockets = Sockets.open(options);
+        selector = Selector.open();
+        for (DatagramChannel channel : sockets.channels()) {
+            channel.configureBlocking(false).register(selector, SelectionKey.OP_READ);
+        }
+        var prefix = new GuidPrefix((long) VENDOR << 48 | random.nextLong() >>> 16, random.nextInt());
+        var here = List.of(Locator.udp(sockets.here()));
+        var self = new ParticipantData(
+                prefix,
+                Optional.of(options.domain),
+                "",
+                BuiltinEndpoint.ALL,
+                options.lease.toNanos(),
+                here,
+                here,
+                options.name,
+                options.userData);
+        int fragment = options.address.isLoopbackAddress() ? LOCAL_FRAGMENT : NETWORK_FRAGMENT;
+        participant = new Participant(self, fragment, RtpsLimits.DEFAULT, sockets, graph, clock.getAsLong());
+        thread = Thread.ofPlatform().daemon().name("rtps").start(this::receive);
+    }
+
+    public SampleWriter createWriter(String topic, String type, Qos qos, String userData) {
+        synchronized (participant) {
+            SampleWriter writer = participant.createWriter(topic, type, qos, userData, clock.getAsLong());
+            wakeUp();
+            return writer;
+        }
+    }
+
+    public SampleReader createReader(String topic, String type, Qos qos, String userData, SampleListener listener) {
+        synchronized (participant) {
+            SampleReader reader = participant.createReader(topic, type, qos, userData, listener, clock.getAsLong());
+            wakeUp();
+            return reader;
+        }
+    }
+
+    /// @param timestamp when the sample is from [ns] since 1970
+    /// @param payload with its encapsulation header; not changed any more
+    public void write(SampleWriter writer, long timestamp, byte[] payload) {
+        synchronized (participant) {
+            participant.write(writer, timestamp, payload, clock.getAsLong());
+            wakeUp();
+        }
+    }
+
+    public void remove(SampleWriter writer) {
+        synchronized (participant) {
+            participant.remove(writer, clock.getAsLong());
+            wakeUp();
+        }
+    }
+
+    public void remove(SampleReader reader) {
+        synchronized (participant) {
+            participant.remove(reader, clock.getAsLong());
+            wakeUp();
+        }
+    }
+
+    /// How many readers a writer has.
+    public int matched(SampleWriter writer) {
+        synchronized (participant) {
+            return writer.matched();
+        }
+    }
+
+    public int matched(SampleReader reader) {
+        synchronized (participant) {
+            return reader.matched();
+        }
+    }
+
+    public List<ParticipantData> participants() {
+        synchronized (participant) {
+            return List.copyOf(participant.participants());
+        }
+    }
+
+    public List<EndpointData> endpoints() {
+        synchronized (participant) {
+            return participant.endpoints();
+        }
+    }
+
+    /// The newest failure to send or receive, as when a network is down. Nothing ends by it.
+    public Optional<IOException> failure() {
+        return Optional.ofNullable(sockets.failure);
+    }
+
+    /// Only if the thread would sleep too long.
+    private void wakeUp() {
+        if (participant.due() < sleepsUntil) {
+            selector.wakeup();
+        }
+    }
+
+    private void receive() {
+        var buffer = ByteBuffer.allocateDirect(MessageWriter.MOST);
+        while (!isClosed) {
+            try {
+                long sleep;
+                synchronized (participant) {
+                    sleepsUntil = participant.tick(clock.getAsLong());
+                    sleep = sleepsUntil - clock.getAsLong();
+                }
+                selector.select(Math.max(1, (sleep + MILLISECOND - 1) / MILLISECOND));
+                selector.selectedKeys().clear();
+                synchronized (participant) {
+                    sleepsUntil = Long.MIN_VALUE; // it is awake
+                }
+                for (DatagramChannel channel : sockets.channels()) {
+                    receive(channel, buffer);
+                }
+            } catch (IOException e) {
+                sockets.failed(e);
+            }
+        }
+    }
+
+    private void receive(DatagramChannel channel, ByteBuffer buffer) throws IOException {
+        for (int i = 0; i < AT_ONCE && !isClosed; i++) {
+            buffer.clear();
+            var from = (InetSocketAddress) channel.receive(buffer);
+            if (from == null) {
+                return;
+            }
+            buffer.flip();
+            synchronized (participant) {
+                participant.receive(buffer, from, clock.getAsLong());
+            }
+        }
+    }
+
+    /// Tells all others that it leaves.
+    @Override
+    public void close() {
+        if (isClosed) {
+            return;
+        }
+        isClosed = true;
+        selector.wakeup();
+        try {
+            thread.join();
+            participant.close(clock.getAsLong());
+            selector.close();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        } catch (IOException e) {
+            sockets.failed(e);
+        }
+        sockets.close();
+    }
+
+    /// The sockets of a participant: one for all that is for it alone, and one for the multicast group.
+    private static final class Sockets implements Transmitter {
+        private static final String GROUP = "239.255.0.1";
+        private static final int LOCAL_PEERS = 33; // participants of one machine that are looked for
+
+        private final DatagramChannel own;
+        private final @Nullable DatagramChannel group;
+        private final List<InetSocketAddress> announced;
+        private final InetSocketAddress here;
+        private volatile @Nullable IOException failure; // the newest
+
+        private Sockets(
+                DatagramChannel own,
+                @Nullable DatagramChannel group,
+                List<InetSocketAddress> announced,
+                InetSocketAddress here) {
+            this.own = own;
+            this.group = group;
+            this.announced = announced;
+            this.here = here;
+        }
+
+        static Sockets open(Options options) throws IOException {
+            NetworkInterface network = NetworkInterface.getByInetAddress(options.address);
+            if (network == null) {
+                throw new BindException("No network of this machine has the address %s.".formatted(options.address));
+            }
+            DatagramChannel own = DatagramChannel.open(StandardProtocolFamily.INET);
+            try {
+                own.setOption(StandardSocketOptions.SO_RCVBUF, BUFFER);
+                own.setOption(StandardSocketOptions.SO_SNDBUF, BUFFER);
+                own.setOption(StandardSocketOptions.IP_MULTICAST_IF, network);
+                own.setOption(StandardSocketOptions.IP_MULTICAST_LOOP, true);
+                bind(own, options);
+                var announced = new ArrayList<InetSocketAddress>();
+                announced.add(new InetSocketAddress(GROUP, DomainPorts.multicast(options.domain)));
+                var peers = new ArrayList<>(options.peers);
+                peers.add(InetAddress.getLoopbackAddress());
+                for (InetAddress peer : peers) {
+                    IntStream.range(0, LOCAL_PEERS)
+                            .mapToObj(i -> new InetSocketAddress(peer, DomainPorts.unicast(options.domain, i)))
+                            .forEach(announced::add);
+                }
+                var here = (InetSocketAddress) own.getLocalAddress();
+                return new Sockets(own, join(options, network), announced, here);
+            } catch (IOException | RuntimeException e) {
+                own.close();
+                throw e;
+            }
+        }
+
+        /// To the first port that is free, so that others on this machine find it without multicast.
+        private static void bind(DatagramChannel channel, Options options) throws IOException {
+            for (int i = 0; i < DomainPorts.PARTICIPANTS; i++) {
+                try {
+                    channel.bind(new InetSocketAddress(options.address, DomainPorts.unicast(options.domain, i)));
+                    return;
+                } catch (BindException e) {
+                    // somebody else's; the next one may be free
+                }
+            }
+            channel.bind(new InetSocketAddress(options.address, 0));
+        }
+
+        /// @return null where the network has no multicast
+        private static @Nullable DatagramChannel join(Options options, NetworkInterface network) throws IOException {
+            DatagramChannel group = DatagramChannel.open(StandardProtocolFamily.INET);
+            try {
+                group.setOption(StandardSocketOptions.SO_REUSEADDR, true);
+                if (group.supportedOptions().contains(StandardSocketOptions.SO_REUSEPORT)) {
+                    group.setOption(StandardSocketOptions.SO_REUSEPORT, true);
+                }
+                group.bind(new InetSocketAddress(DomainPorts.multicast(options.domain)));
+                group.join(InetAddress.getByName(GROUP), network);
+                return group;
+            } catch (IOException e) {
+                group.close();
+                return null;
+            }
+        }
+
+        List<DatagramChannel> channels() {
+            return group == null ? List.of(own) : List.of(own, group);
+        }
+
+        InetSocketAddress here() {
+            return here;
+        }
+
+        void failed(IOException e) {
+            failure = e;
+        }
+
+        @Override
+        public void send(ByteBuffer datagram, InetSocketAddress to) {
+            try {
+                own.send(datagram.duplicate(), to);
+            } catch (IOException e) {
+                failed(e); // as one that is lost on the way
+            }
+        }
+
+        @Override
+        public void announce(ByteBuffer datagram) {
+            announced.forEach(to -> send(datagram, to));
+        }
+
+        void close() {
+            try (own;
+                    var _ = group) {
+                // both
+            } catch (IOException e) {
+                failed(e);
+            }
+        }
+    }
+}

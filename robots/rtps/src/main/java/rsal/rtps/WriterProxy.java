@@ -1,0 +1,271 @@
+package rsal.rtps;
+
+import java.nio.ByteBuffer;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.Consumer;
+import java.util.stream.LongStream;
+import rsal.rtps.wire.EntityId;
+import rsal.rtps.wire.Guid;
+import rsal.rtps.wire.MessageWriter;
+import rsal.rtps.wire.NumberSet;
+import rsal.rtps.wire.ParameterList;
+import rsal.rtps.wire.Submessage.AckNack;
+import rsal.rtps.wire.Submessage.Content;
+import rsal.rtps.wire.Submessage.Data;
+import rsal.rtps.wire.Submessage.DataFragments;
+import rsal.rtps.wire.Submessage.Gap;
+import rsal.rtps.wire.Submessage.Heartbeat;
+import rsal.rtps.wire.Submessage.NackFragments;
+
+/// A writer as one of our readers knows it: which of its samples have come (DDSI-RTPS 2.5, 8.4.10 and 8.4.12).
+final class WriterProxy {
+    private static final long MILLISECOND = 1_000_000; // ns
+    private static final long BETWEEN_REQUESTS = 10 * MILLISECOND;
+    private static final long FIRST_REQUEST = 100 * MILLISECOND; // doubled each time, until there is a heartbeat
+    private static final long LAST_REQUEST = 2_000 * MILLISECOND;
+    private static final int MOST_INCOMPLETE = 4; // samples in fragments
+
+    private final Guid guid;
+    private final EntityId reader;
+    private final Addressee addressee;
+    private final boolean isReliable;
+    private final AssemblyBudget budget;
+    private final Consumer<Arrival> receiver;
+    private final TreeMap<Long, Arrival> early = new TreeMap<>();
+    private final TreeMap<Long, Assembly> incomplete = new TreeMap<>();
+    private int earlyBytes;
+    private long next = 1; // that is to be delivered
+    private long last; // that is known to have been written
+    private boolean isHeard; // by a heartbeat
+    private int heartbeats; // count of the newest
+    private int requests; // count of the newest
+    private long requested = Long.MIN_VALUE / 2; // when [ns]
+    private long due; // of the next request [ns]; [Timestamp#INFINITE] for none
+    private long patience = FIRST_REQUEST; // ns
+
+    /// A sample that has come, or a number for which none comes.
+    ///
+    /// @param isGap whether none comes
+    record Arrival(
+            Guid writer,
+            long number,
+            long timestamp,
+            ParameterList inlineQos,
+            Content content,
+            ByteBuffer payload,
+            boolean isGap) {
+        static Arrival of(Guid writer, long timestamp, Data data) {
+            return new Arrival(
+                    writer, data.number(), timestamp, data.inlineQos(), data.content(), data.payload(), false);
+        }
+
+        static Arrival gap(Guid writer, long number) {
+            return new Arrival(writer, number, 0, ParameterList.EMPTY, Content.NONE, ByteBuffer.allocate(0), true);
+        }
+
+        Arrival copied() {
+            var copy = new byte[payload.remaining()];
+            payload.duplicate().get(copy);
+            return new Arrival(writer, number, timestamp, inlineQos.copy(), content, ByteBuffer.wrap(copy), isGap);
+        }
+    }
+
+    /// @param isReliable whether both sides are
+    /// @param receiver gets the samples, in order
+    /// @param now [ns]
+    WriterProxy(
+            Guid guid,
+            EntityId reader,
+            Addressee addressee,
+            boolean isReliable,
+            AssemblyBudget budget,
+            Consumer<Arrival> receiver,
+            long now) {
+        this.guid = guid;
+        this.reader = reader;
+        this.addressee = addressee;
+        this.isReliable = isReliable;
+        this.budget = budget;
+        this.receiver = receiver;
+        due = isReliable ? now : Long.MAX_VALUE;
+    }
+
+    void receive(Arrival sample) {
+        long number = sample.number;
+        if (number < next) {
+            return;
+        }
+        drop(number);
+        last = Math.max(last, number);
+        if (!isReliable) {
+            next = number + 1;
+            incomplete.headMap(next).keySet().stream().toList().forEach(this::drop);
+            receiver.accept(sample);
+        } else if (number == next) {
+            next++;
+            receiver.accept(sample);
+            drain();
+        } else if (early.size() < budget.limits().early()
+                && earlyBytes + sample.payload.remaining() <= budget.limits().earlyBytes()) {
+            keep(sample.copied());
+        }
+    }
+
+    private void keep(Arrival sample) {
+        if (early.putIfAbsent(sample.number, sample) == null) {
+            earlyBytes += sample.payload.remaining();
+        }
+    }
+
+    /// Delivers those that waited for one before them.
+    private void drain() {
+        while (!early.isEmpty() && early.firstKey() <= next) {
+            Arrival sample = early.pollFirstEntry().getValue();
+            earlyBytes -= sample.payload.remaining();
+            if (sample.number == next) {
+                next++;
+                if (!sample.isGap) {
+                    receiver.accept(sample);
+                }
+            }
+        }
+    }
+
+    void receive(DataFragments part, long timestamp) {
+        long number = part.number();
+        if (number < next || early.containsKey(number)) {
+            return;
+        }
+        last = Math.max(last, number);
+        Assembly assembly = incomplete.get(number);
+        if (assembly == null) {
+            if (!hasRoom(number) || !budget.take(part.sampleSize())) {
+                return;
+            }
+            assembly = new Assembly(part);
+            incomplete.put(number, assembly);
+        }
+        assembly.add(part);
+        if (assembly.isComplete()) {
+            receive(new Arrival(
+                    guid,
+                    number,
+                    timestamp,
+                    part.inlineQos(),
+                    Content.DATA,
+                    ByteBuffer.wrap(assembly.payload()),
+                    false));
+        }
+    }
+
+    /// Of a reliable writer the earliest ones are wanted first, of any other one the newest.
+    private boolean hasRoom(long number) {
+        if (incomplete.size() < MOST_INCOMPLETE) {
+            return true;
+        }
+        long surplus = isReliable ? incomplete.lastKey() : incomplete.firstKey();
+        if (isReliable ? number > surplus : number < surplus) {
+            return false;
+        }
+        drop(surplus);
+        return true;
+    }
+
+    private void drop(long number) {
+        Assembly assembly = incomplete.remove(number);
+        if (assembly != null) {
+            budget.give(assembly.bytes());
+        }
+    }
+
+    void receive(Heartbeat heartbeat, long now) {
+        if (!isReliable || (isHeard && heartbeat.count() - heartbeats <= 0)) {
+            return;
+        }
+        heartbeats = heartbeat.count();
+        isHeard = true;
+        due = Long.MAX_VALUE;
+        last = Math.max(last, heartbeat.last());
+        skip(heartbeat.first());
+        if (!heartbeat.isFinal() || next <= last) {
+            due = Math.max(now, requested + BETWEEN_REQUESTS);
+        }
+    }
+
+    /// What is below that number does not come any more.
+    private void skip(long first) {
+        if (first > next) {
+            incomplete.headMap(first).keySet().stream().toList().forEach(this::drop);
+            while (!early.isEmpty() && early.firstKey() < first) { // those that came are not lost
+                next = early.firstKey();
+                drain();
+            }
+            next = Math.max(next, first);
+            drain();
+        }
+    }
+
+    void receive(Gap gap) {
+        if (!isReliable) {
+            return;
+        }
+        if (gap.start() <= next && gap.more().base() > next) {
+            next = gap.more().base();
+            incomplete.headMap(next).keySet().stream().toList().forEach(this::drop);
+            drain();
+        } else {
+            LongStream.range(gap.start(), gap.more().base())
+                    .limit(budget.limits().early())
+                    .forEach(this::leaveOut);
+        }
+        gap.more().numbers().forEach(this::leaveOut);
+        last = Math.max(last, next - 1);
+    }
+
+    private void leaveOut(long number) {
+        if (number == next) {
+            drop(number);
+            next++;
+            drain();
+        } else if (number > next && early.size() < budget.limits().early()) {
+            keep(Arrival.gap(guid, number));
+        }
+    }
+
+    /// When it next has something to ask for [ns].
+    long due() {
+        return due;
+    }
+
+    /// Asks for what is missing, or whether there is anything, if that is due.
+    void request(MessageWriter messages, Transmitter network, long now) {
+        if (due > now) {
+            return;
+        }
+        requested = now;
+        due = Long.MAX_VALUE;
+        if (!isHeard) {
+            due = now + patience;
+            patience = Math.min(2 * patience, LAST_REQUEST);
+        }
+        messages.begin(addressee.prefix());
+        NumberSet missing = NumberSet.of(
+                next,
+                LongStream.rangeClosed(next, Math.min(last, next + NumberSet.MOST - 1))
+                        .filter(number -> !early.containsKey(number) && !incomplete.containsKey(number)));
+        messages.ackNack(new AckNack(reader, guid.entity(), missing, ++requests, isHeard));
+        incomplete.forEach((number, assembly) -> missing(assembly)
+                .ifPresent(fragments ->
+                        messages.nackFragments(new NackFragments(reader, guid.entity(), number, fragments, requests))));
+        addressee.addresses().forEach(address -> network.send(messages.message(), address));
+    }
+
+    private static Optional<NumberSet> missing(Assembly assembly) {
+        return assembly.missing().boxed().findFirst().map(first -> NumberSet.of(first, assembly.missing()));
+    }
+
+    void close() {
+        incomplete.keySet().stream().toList().forEach(this::drop);
+    }
+}
