@@ -2,7 +2,7 @@
 module rsal.ros2.bags {
     requires rsal.mcap;
     requires rsal.navigation;
-    requires rsal.ros2.types;
+    requires rsal.ros2.messages;
     requires static org.jspecify;
 
     provides rsal.navigation.log.LogFormat with

@@ -11,7 +11,6 @@ import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import rsal.data.LaserScan;
-import rsal.data.Pose2d;
 import rsal.mcap.Channel;
 import rsal.mcap.McapFile;
 import rsal.mcap.Schema;
@@ -26,6 +25,9 @@ import rsal.ros2.cdr.CdrReader;
 import rsal.ros2.cdr.InvalidCdr;
 import rsal.ros2.cdr.MessageCodec;
 import rsal.ros2.cdr.RosMessage;
+import rsal.ros2.message.FrameTransform;
+import rsal.ros2.message.FrameTree;
+import rsal.ros2.message.ScanMessage;
 import rsal.ros2.type.DefinitionReader;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.InvalidDefinition;
@@ -47,7 +49,7 @@ final class BagReader {
     private final String name;
     private final LaserHints hints;
     private final LogCollector log;
-    private final StaticFrames frames = new StaticFrames();
+    private final FrameTree frames = new FrameTree();
     private final Map<Schema, MessageCodec> codecs = new HashMap<>(); // of each file
     private final Map<String, Long> counts = new HashMap<>(); // of messages by topic, in all files
     private final Map<String, String> types = new HashMap<>(); // by topic
@@ -71,25 +73,16 @@ final class BagReader {
                 channel -> isStatic(channel) || odometry.equals(Optional.of(channel.topic())),
                 (channel, _, _, _, data) -> {
                     if (isStatic(channel)) {
-                        message(bag, channel, data, false)
-                                .ifPresent(message ->
-                                        message.messages("transforms").forEach(this::addFrame));
+                        message(bag, channel, data, false).ifPresent(frames::add);
                     } else if (base == null) { // the first names it
                         message(bag, channel, data, false)
-                                .ifPresent(message -> base = StaticFrames.named(message.text("child_frame_id")));
+                                .ifPresent(message -> base = FrameTree.named(message.text("child_frame_id")));
                     }
                 });
     }
 
     private boolean isStatic(Channel channel) {
         return TRANSFORMS.equals(types.get(channel.topic())) && channel.topic().endsWith(STATIC);
-    }
-
-    private void addFrame(RosMessage stamped) {
-        FrameTransform transform = FrameTransform.of(stamped.message("transform"), "translation", "rotation");
-        if (transform.isFinite()) {
-            frames.add(stamped.message("header").text("frame_id"), stamped.text("child_frame_id"), transform);
-        }
     }
 
     /// Scans and odometry, in the order of their arrival.
@@ -194,8 +187,8 @@ final class BagReader {
     /// Odometry as TF has it, without velocities.
     private void addTransforms(RosMessage message) throws BrokenLog {
         for (RosMessage stamped : message.messages("transforms")) {
-            String parent = StaticFrames.named(stamped.message("header").text("frame_id"));
-            String child = StaticFrames.named(stamped.text("child_frame_id"));
+            String parent = FrameTree.named(stamped.message("header").text("frame_id"));
+            String child = FrameTree.named(stamped.text("child_frame_id"));
             FrameTransform transform = FrameTransform.of(stamped.message("transform"), "translation", "rotation");
             if (isOdom(parent) && isBase(child) && transform.isFinite()) {
                 base = child;
@@ -213,60 +206,19 @@ final class BagReader {
     }
 
     private void addScan(RosMessage message) throws BrokenLog {
-        double angleMin = message.number("angle_min");
-        double increment = message.number("angle_increment");
-        float[] ranges = message.get("ranges", float[].class);
-        if (!Double.isFinite(angleMin + increment) || Math.abs(increment) * (ranges.length - 1) > 2 * Math.PI + 0.1) {
+        ScanMessage scan = ScanMessage.of(message);
+        if (!scan.isPossible()) {
             log.skip(
                     number,
                     "a laser that can't be",
-                    "Its first angle is '%s', the angle between readings '%s'.".formatted(angleMin, increment),
+                    "Its first angle is '%s', the angle between readings '%s'."
+                            .formatted(scan.angleMin(), scan.angleIncrement()),
                     true);
             return;
         }
-        String frame = message.message("header").text("frame_id");
-        Optional<FrameTransform> mount = frames.find(base == null ? BASE_FRAME : base, frame);
-        double rangeMin = message.number("range_min");
-        double rangeMax = Math.min(message.number("range_max"), hints.rangeMax());
-        int broken = limit(ranges, rangeMin, rangeMax);
-        if (increment < 0) {
-            reverse(ranges);
-        }
-        var scan = new LaserScan(
-                mount.map(FrameTransform::planar).orElse(Pose2d.ORIGIN),
-                Math.min(angleMin, angleMin + (ranges.length - 1) * increment),
-                Math.abs(increment),
-                rangeMin,
-                rangeMax,
-                ranges);
-        boolean isUpsideDown = mount.map(FrameTransform::isUpsideDown).orElse(false);
-        log.add(new Scan(number, time(message), isUpsideDown ? scan.mirrored() : scan, new Poses.Untold(), broken));
-    }
-
-    /// Makes ranges what REP 117 says: −∞ too close, +∞ nothing there, NaN broken.
-    ///
-    /// @return how many are no ranges
-    private static int limit(float[] ranges, double rangeMin, double rangeMax) {
-        int broken = 0;
-        for (int i = 0; i < ranges.length; i++) {
-            float range = ranges[i];
-            if (Float.isNaN(range) || (range <= 0 && range != Float.NEGATIVE_INFINITY)) {
-                broken++;
-                ranges[i] = Float.NaN;
-            } else if (range < rangeMin) {
-                ranges[i] = Float.NEGATIVE_INFINITY;
-            } else if (range >= rangeMax) {
-                ranges[i] = Float.POSITIVE_INFINITY;
-            }
-        }
-        return broken;
-    }
-
-    private static void reverse(float[] ranges) {
-        for (int i = 0, k = ranges.length - 1; i < k; i++, k--) {
-            float range = ranges[i];
-            ranges[i] = ranges[k];
-            ranges[k] = range;
-        }
+        Optional<FrameTransform> mount = frames.find(base == null ? BASE_FRAME : base, scan.frame());
+        int broken = scan.broken();
+        LaserScan read = scan.scan(mount.orElse(FrameTransform.NONE), hints.rangeMax());
+        log.add(new Scan(number, time(message), read, new Poses.Untold(), broken));
     }
 }

@@ -94,6 +94,30 @@ public final class CdrReader {
         return new String(text, StandardCharsets.UTF_8);
     }
 
+    /// The same; where it is the likely one, that object.
+    ///
+    /// @param likely of ASCII
+    public String text(String likely) throws InvalidCdr {
+        int begin = bytes.position();
+        int length = textLength();
+        if (length == likely.length() + 1 && isNext(likely)) {
+            bytes.position(bytes.position() + length);
+            return likely;
+        }
+        bytes.position(begin);
+        return text();
+    }
+
+    private boolean isNext(String text) {
+        int at = bytes.position();
+        for (int i = 0; i < text.length(); i++) {
+            if (bytes.get(at + i) != text.charAt(i)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     private int textLength() throws InvalidCdr {
         int length = int32();
         if (length < 0 || length > bytes.remaining()) {
@@ -158,6 +182,11 @@ public final class CdrReader {
         var array = new double[count];
         elements.asDoubleBuffer().get(array);
         return array;
+    }
+
+    /// Leaves out so many elements of that size.
+    public void skip(int size, int count) throws InvalidCdr {
+        elements(size, count);
     }
 
     /// The bytes of so many elements, which count as read.

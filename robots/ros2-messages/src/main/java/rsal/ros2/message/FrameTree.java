@@ -1,11 +1,12 @@
-package rsal.ros2.bag;
+package rsal.ros2.message;
 
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import rsal.ros2.cdr.RosMessage;
 
-/// Frames that do not move on the robot (`/tf_static`): a tree. The newest transform of a frame counts.
-final class StaticFrames {
+/// Where frames are in others (`/tf`, `/tf_static`): a tree. The newest transform of a frame counts. Of one thread.
+public final class FrameTree {
     private static final int MOST_FRAMES = 10_000;
     private static final int MOST_LEVELS = 1_000; // so that a circle ends
 
@@ -16,14 +17,24 @@ final class StaticFrames {
     /// Where a frame is in the root of its tree.
     private record Rooted(String root, FrameTransform rootFromFrame) {}
 
-    void add(String parent, String child, FrameTransform parentFromChild) {
-        if (links.size() < MOST_FRAMES) {
+    /// Those of a `tf2_msgs/TFMessage`. What has no numbers is left out.
+    public void add(RosMessage transforms) {
+        for (RosMessage stamped : transforms.messages("transforms")) {
+            FrameTransform transform = FrameTransform.of(stamped.message("transform"), "translation", "rotation");
+            if (transform.isFinite()) {
+                add(stamped.message("header").text("frame_id"), stamped.text("child_frame_id"), transform);
+            }
+        }
+    }
+
+    public void add(String parent, String child, FrameTransform parentFromChild) {
+        if (links.size() < MOST_FRAMES || links.containsKey(named(child))) {
             links.put(named(child), new Link(named(parent), parentFromChild));
         }
     }
 
     /// Where one frame is in another one; empty when they are not in the same tree.
-    Optional<FrameTransform> find(String frame, String other) {
+    public Optional<FrameTransform> find(String frame, String other) {
         Optional<Rooted> one = rooted(named(frame));
         Optional<Rooted> two = rooted(named(other));
         return one.flatMap(from -> two.filter(to -> to.root().equals(from.root()))
@@ -45,7 +56,7 @@ final class StaticFrames {
     }
 
     /// Old names of frames begin with a slash.
-    static String named(String frame) {
+    public static String named(String frame) {
         return frame.startsWith("/") ? frame.substring(1) : frame;
     }
 }

@@ -1,4 +1,4 @@
-package rsal.ros2.bag;
+package rsal.ros2.message;
 
 import rsal.data.Pose2d;
 import rsal.ros2.cdr.RosMessage;
@@ -9,13 +9,13 @@ import rsal.ros2.cdr.RosMessage;
 /// @param y [m]
 /// @param z [m]
 /// @param rotation a unit quaternion
-record FrameTransform(double x, double y, double z, Quaternion rotation) {
-    static final FrameTransform NONE = new FrameTransform(0, 0, 0, new Quaternion(0, 0, 0, 1));
+public record FrameTransform(double x, double y, double z, Quaternion rotation) {
+    public static final FrameTransform NONE = new FrameTransform(0, 0, 0, new Quaternion(0, 0, 0, 1));
 
     /// @param message `geometry_msgs/Transform` or `geometry_msgs/Pose`
     /// @param translation name of its first field
     /// @param rotation name of its second field
-    static FrameTransform of(RosMessage message, String translation, String rotation) {
+    public static FrameTransform of(RosMessage message, String translation, String rotation) {
         RosMessage place = message.message(translation);
         RosMessage turned = message.message(rotation);
         return new FrameTransform(
@@ -26,34 +26,40 @@ record FrameTransform(double x, double y, double z, Quaternion rotation) {
     }
 
     /// First the other one, then this.
-    FrameTransform compose(FrameTransform other) {
+    public FrameTransform compose(FrameTransform other) {
         double[] moved = rotation.rotated(other.x, other.y, other.z);
         return new FrameTransform(x + moved[0], y + moved[1], z + moved[2], rotation.times(other.rotation));
     }
 
-    FrameTransform inverse() {
+    public FrameTransform inverse() {
         Quaternion back = rotation.conjugate();
         double[] moved = back.rotated(-x, -y, -z);
         return new FrameTransform(moved[0], moved[1], moved[2], back);
     }
 
+    /// In the plane.
+    public static FrameTransform of(Pose2d pose) {
+        double half = pose.theta() / 2;
+        return new FrameTransform(pose.x(), pose.y(), 0, new Quaternion(0, 0, Math.sin(half), Math.cos(half)));
+    }
+
     /// As seen from above: the heading is that of the x axis.
-    Pose2d planar() {
+    public Pose2d planar() {
         double[] ahead = rotation.rotated(1, 0, 0);
         return new Pose2d(x, y, Math.atan2(ahead[1], ahead[0]));
     }
 
     /// Whether its z axis points down.
-    boolean isUpsideDown() {
+    public boolean isUpsideDown() {
         return rotation.rotated(0, 0, 1)[2] < 0;
     }
 
-    boolean isFinite() {
+    public boolean isFinite() {
         return Double.isFinite(x + y + z + rotation.x() + rotation.y() + rotation.z() + rotation.w());
     }
 
     /// A rotation in space.
-    record Quaternion(double x, double y, double z, double w) {
+    public record Quaternion(double x, double y, double z, double w) {
         /// Of length 1; none at all where it has none, as of messages that nobody filled.
         Quaternion unit() {
             double length = Math.sqrt(x * x + y * y + z * z + w * w);

@@ -1,0 +1,196 @@
+package rsal.ros2.message;
+
+import java.time.Instant;
+import java.util.List;
+import rsal.data.BatteryState;
+import rsal.data.Covariance2d;
+import rsal.data.LaserScan;
+import rsal.data.OccupancyGrid;
+import rsal.data.Odometry;
+import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
+import rsal.data.RangeArray;
+import rsal.data.Twist2d;
+import rsal.ros2.cdr.CdrWriter;
+import rsal.ros2.message.FrameTransform.Quaternion;
+
+/// Values of ours as messages of ROS 2, in CDR. All of their types are the same in Humble, Jazzy, Kilted and Lyrical.
+/// Of
+/// one thread.
+public final class RosMessages {
+    private static final int COVARIANCES = 36; // of x, y, z, and turns about these axes
+    private static final float SECONDS_PER_HOUR = 3_600;
+    private static final double NOMINAL = 12; // V, of batteries that don't tell
+
+    private final CdrWriter writer = new CdrWriter();
+
+    /// Where a frame is in another one.
+    public record Transform(Instant time, String parent, String child, FrameTransform parentFromChild) {}
+
+    private CdrWriter header(Instant time, String frame) {
+        return writer.int32((int) time.getEpochSecond()).int32(time.getNano()).text(frame);
+    }
+
+    /// `geometry_msgs/Twist`
+    public byte[] twist(Twist2d velocity) {
+        writer.clear();
+        write(velocity);
+        return writer.toBytes();
+    }
+
+    /// `geometry_msgs/TwistStamped`
+    ///
+    /// @param frame of the robot
+    public byte[] twist(Twist2d velocity, Instant time, String frame) {
+        writer.clear();
+        header(time, frame);
+        write(velocity);
+        return writer.toBytes();
+    }
+
+    private void write(Twist2d velocity) {
+        writer.float64(velocity.vx()).float64(velocity.vy()).float64(0);
+        writer.float64(0).float64(0).float64(velocity.omega());
+    }
+
+    private void write(FrameTransform transform) {
+        writer.float64(transform.x()).float64(transform.y()).float64(transform.z());
+        Quaternion turned = transform.rotation();
+        writer.float64(turned.x()).float64(turned.y()).float64(turned.z()).float64(turned.w());
+    }
+
+    /// `nav_msgs/Odometry`, with covariances of 0, which is to say unknown.
+    public byte[] odometry(Instant time, Odometry odometry, String frame, String childFrame) {
+        writer.clear();
+        header(time, frame).text(childFrame);
+        write(FrameTransform.of(odometry.odomFromBase()));
+        writer.float64s(new double[COVARIANCES]);
+        write(odometry.velocity());
+        writer.float64s(new double[COVARIANCES]);
+        return writer.toBytes();
+    }
+
+    /// `sensor_msgs/LaserScan`
+    ///
+    /// @param period from one scan to the next [s]; 0 where it is unknown
+    public byte[] scan(Instant time, LaserScan scan, String frame, double period) {
+        writer.clear();
+        header(time, frame)
+                .float32((float) scan.angleMin())
+                .float32((float) scan.angle(scan.count() - 1))
+                .float32((float) scan.angleIncrement())
+                .float32(0)
+                .float32((float) period)
+                .float32((float) scan.rangeMin())
+                .float32((float) scan.rangeMax())
+                .int32(scan.count())
+                .float32s(scan.ranges())
+                .int32(0); // no intensities
+        return writer.toBytes();
+    }
+
+    /// `sensor_msgs/Range` of one sonar. Its last field came with Jazzy; older programs ignore it.
+    public byte[] range(Instant time, RangeArray ranges, int sensor, String frame) {
+        writer.clear();
+        header(time, frame)
+                .int8((byte) 0) // ultrasound
+                .float32((float) ranges.fieldOfView())
+                .float32((float) ranges.rangeMin())
+                .float32((float) ranges.rangeMax())
+                .float32(ranges.ranges()[sensor])
+                .float32(0); // an unknown variance
+        return writer.toBytes();
+    }
+
+    /// `tf2_msgs/TFMessage`
+    public byte[] transforms(List<Transform> transforms) {
+        writer.clear().int32(transforms.size());
+        for (Transform each : transforms) {
+            header(each.time, each.parent).text(each.child);
+            write(each.parentFromChild);
+        }
+        return writer.toBytes();
+    }
+
+    /// `geometry_msgs/PoseWithCovarianceStamped`
+    public byte[] pose(Instant time, PoseEstimate estimate, String frame) {
+        writer.clear();
+        header(time, frame);
+        write(FrameTransform.of(estimate.mapFromBase()));
+        Covariance2d spread = estimate.covariance();
+        var all = new double[COVARIANCES];
+        all[0] = spread.xx();
+        all[1] = spread.xy();
+        all[5] = spread.xTheta();
+        all[6] = spread.xy();
+        all[7] = spread.yy();
+        all[11] = spread.yTheta();
+        all[30] = spread.xTheta();
+        all[31] = spread.yTheta();
+        all[35] = spread.thetaTheta();
+        writer.float64s(all);
+        return writer.toBytes();
+    }
+
+    /// The plane's part of a covariance of six dimensions.
+    public static Covariance2d planar(double[] all) {
+        return new Covariance2d(all[0], all[1], all[5], all[7], all[11], all[35]);
+    }
+
+    /// `sensor_msgs/BatteryState`, which has charges in Ah: of a battery that knows no voltage, at 12 V.
+    public byte[] battery(Instant time, BatteryState state, String frame) {
+        double voltage = Double.isNaN(state.voltage()) ? NOMINAL : state.voltage();
+        double perHour = SECONDS_PER_HOUR * voltage;
+        writer.clear();
+        header(time, frame)
+                .float32((float) voltage)
+                .float32(Float.NaN) // temperature
+                .float32((float) (state.power() / voltage))
+                .float32((float) (state.charge() / perHour))
+                .float32((float) (state.capacity() / perHour))
+                .float32(Float.NaN) // by design
+                .float32((float) state.level())
+                .int8(status(state))
+                .int8((byte) 0) // health
+                .int8((byte) 0) // technology
+                .bool(true)
+                .int32(0) // cells' voltages
+                .int32(0) // cells' temperatures
+                .text("")
+                .text("");
+        return writer.toBytes();
+    }
+
+    private static byte status(BatteryState state) {
+        return switch (state.charging()) {
+            case UNKNOWN -> 0;
+            case CHARGING -> 1;
+            case DISCHARGING, GIVING -> 2;
+            case FULL -> 4;
+        };
+    }
+
+    /// `nav_msgs/OccupancyGrid`
+    public byte[] map(Instant time, OccupancyGrid map, String frame) {
+        var origin = new Pose2d(map.originX(), map.originY(), 0);
+        writer.clear();
+        header(time, frame)
+                .int32((int) time.getEpochSecond())
+                .int32(time.getNano())
+                .float32((float) map.resolution())
+                .int32(map.width())
+                .int32(map.height());
+        write(FrameTransform.of(origin));
+        byte[] cells = map.cells(); // their values and order are those of ROS
+        writer.int32(cells.length).int8s(cells);
+        return writer.toBytes();
+    }
+
+    /// `rosgraph_msgs/Clock`
+    public byte[] clock(Instant time) {
+        return writer.clear()
+                .int32((int) time.getEpochSecond())
+                .int32(time.getNano())
+                .toBytes();
+    }
+}
