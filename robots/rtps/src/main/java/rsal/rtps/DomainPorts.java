@@ -1,5 +1,7 @@
 package rsal.rtps;
 
+import java.util.OptionalInt;
+
 /// Which UDP ports participants of a domain use (DDSI-RTPS 2.5, 9.6.2.3).
 public final class DomainPorts {
     /// Whose ports exist.
@@ -18,6 +20,13 @@ public final class DomainPorts {
     /// Where all participants hear of new ones.
     public static int multicast(int domain) {
         return BASE + OF_DOMAIN * domain;
+    }
+
+    /// The other way round; empty for a port where no domain's participants hear of new ones.
+    public static OptionalInt domain(int multicastPort) {
+        int domain = (multicastPort - BASE) / OF_DOMAIN;
+        boolean isOne = domain >= 0 && domain <= LAST_DOMAIN && multicast(domain) == multicastPort;
+        return isOne ? OptionalInt.of(domain) : OptionalInt.empty();
     }
 
     /// Where one participant receives.

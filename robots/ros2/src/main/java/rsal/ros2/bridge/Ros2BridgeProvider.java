@@ -1,0 +1,53 @@
+package rsal.ros2.bridge;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.security.SecureRandom;
+import java.time.Duration;
+import java.util.List;
+import rsal.ros2.link.RosNetwork;
+import rsal.ros2.link.RtpsLink;
+import rsal.ros2.type.Distribution;
+import rsal.rtps.DomainPorts;
+import rsal.rtps.UdpParticipant;
+import rsal.system.Bridge;
+import rsal.system.BridgeContext;
+import rsal.system.BridgeProvider;
+import rsal.time.AllowedToReadWallClock;
+import rsal.time.Scheduler;
+
+/// Publishes robots to ROS 2, each in its namespace. The port says which domain: that where its participants hear of
+/// each
+/// other.
+@AllowedToReadWallClock("Networks live in real time.")
+public final class Ros2BridgeProvider implements BridgeProvider {
+    private static final String NODE = "rsal_bridge";
+    private static final Duration LEASE = Duration.ofSeconds(20);
+
+    @Override
+    public String key() {
+        return "ros2";
+    }
+
+    @Override
+    public String description() {
+        return "Publishes robots to programs of ROS 2, such as RViz, and takes their velocities (DDS).";
+    }
+
+    /// That of the domain in `ROS_DOMAIN_ID`, or of 0.
+    @Override
+    public int defaultPort() {
+        return DomainPorts.multicast(RosNetwork.domain());
+    }
+
+    @Override
+    public Bridge open(InetSocketAddress at, BridgeContext context, Scheduler scheduler) throws IOException {
+        int domain = DomainPorts.domain(at.getPort())
+                .orElseThrow(
+                        () -> new IOException("No domain of ROS 2 has the port %d: that of domain D is 7400 + 250 · D."
+                                .formatted(at.getPort())));
+        var options = new UdpParticipant.Options(domain, at.getAddress(), List.of(), LEASE, NODE, RosNetwork.ENCLAVE);
+        var link = new RtpsLink(options, Distribution.JAZZY, NODE, System::nanoTime, new SecureRandom());
+        return new Ros2Bridge(link, context, at.getPort(), scheduler);
+    }
+}

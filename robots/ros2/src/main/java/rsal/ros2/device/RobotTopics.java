@@ -1,0 +1,81 @@
+package rsal.ros2.device;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import rsal.ros2.link.Profile;
+import rsal.ros2.link.RosEndpoint;
+import rsal.ros2.link.RosTopic;
+
+/// What is published and subscribed to in the namespace of a robot.
+///
+/// @param namespace `/robot1`; empty for topics without any
+/// @param all of the network
+public record RobotTopics(String namespace, List<RosEndpoint> all) {
+    public RobotTopics {
+        all = List.copyOf(all);
+    }
+
+    private boolean isOurs(RosTopic topic) {
+        return topic.name().startsWith(namespace + "/")
+                && (!namespace.isEmpty() || topic.name().lastIndexOf('/') == 0);
+    }
+
+    /// Topics of a type that somebody publishes.
+    ///
+    /// @param preferred what the first one is called, if it is there; the others by their names, `sonar_2` before
+    ///     `sonar_10`
+    List<RosTopic> published(String type, String preferred) {
+        return all.stream()
+                .filter(RosEndpoint::isPublisher)
+                .map(RosEndpoint::topic)
+                .filter(topic -> topic.type().equals(type) && isOurs(topic))
+                .distinct()
+                .sorted(Comparator.<RosTopic>comparingInt(
+                                topic -> topic.name().equals(namespace + "/" + preferred) ? 0 : 1)
+                        .thenComparingInt(topic -> topic.name().length())
+                        .thenComparing(RosTopic::name))
+                .toList();
+    }
+
+    /// A topic of that name that somebody subscribes to, of the first of these types that there is.
+    Optional<RosTopic> subscribed(String name, List<String> types) {
+        return types.stream()
+                .map(type -> new RosTopic(namespace + "/" + name, type))
+                .filter(topic -> all.stream()
+                        .anyMatch(each -> !each.isPublisher() && each.topic().equals(topic)))
+                .findFirst();
+    }
+
+    /// The robot's own topic where somebody publishes it, the one of all robots otherwise.
+    RosTopic ownOrShared(String name, String type) {
+        var own = new RosTopic(namespace + "/" + name, type);
+        return isPublished(own) ? own : new RosTopic("/" + name, type);
+    }
+
+    private boolean isPublished(RosTopic topic) {
+        return all.stream().anyMatch(each -> each.isPublisher() && each.topic().equals(topic));
+    }
+
+    /// As its publishers offer it, so that a subscription fits all of them; [Profile#SENSOR_DATA] where there is none.
+    Profile profile(RosTopic topic) {
+        return all.stream()
+                .filter(each -> each.isPublisher() && each.topic().equals(topic))
+                .map(RosEndpoint::profile)
+                .min(Comparator.naturalOrder())
+                .orElse(Profile.SENSOR_DATA);
+    }
+
+    /// For people: what there is.
+    public String words() {
+        String here = all.stream()
+                .map(RosEndpoint::topic)
+                .filter(this::isOurs)
+                .map(topic -> "'%s' (%s)".formatted(topic.name(), topic.type()))
+                .distinct()
+                .sorted()
+                .collect(Collectors.joining(", "));
+        return here.isEmpty() ? "There are no topics in its namespace." : "Its namespace has %s.".formatted(here);
+    }
+}

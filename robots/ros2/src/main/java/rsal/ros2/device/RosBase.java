@@ -1,0 +1,155 @@
+package rsal.ros2.device;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Optional;
+import rsal.data.Odometry;
+import rsal.data.Pose2d;
+import rsal.data.Twist2d;
+import rsal.device.DeviceInfo;
+import rsal.device.DriveBase;
+import rsal.robot.RobotModel.Drive;
+import rsal.ros2.link.RosLink.Publication;
+import rsal.ros2.message.OdometryMessage;
+import rsal.ros2.message.RosMessages;
+
+/// Wheels that take `geometry_msgs/Twist` or `TwistStamped` and publish `nav_msgs/Odometry`. Robots of ROS stop by
+/// themselves when no command comes, or don't: so the newest one is published ten times a second while it is fresh, and
+/// then a stop.
+final class RosBase extends RosSensor<Odometry> implements DriveBase {
+    private static final Duration AGAIN = Duration.ofMillis(100);
+    private static final Duration STALL = Duration.ofMillis(300); // longer than robots take to begin
+    private static final double SLOWEST = 0.01; // m/s, rad/s
+
+    private final Publication commands;
+    private final boolean isStamped;
+    private final Drive drive;
+    private final Duration watchdog;
+    private final Frames frames;
+    private final RobotClock clock;
+    private final RosMessages messages = new RosMessages();
+    private boolean enabled;
+    private Optional<Twist2d> wanted = Optional.empty();
+    private Instant wantedAt = Instant.MIN;
+    private Instant sentAt = Instant.MIN;
+    private Instant blockedSince = Instant.MAX;
+    private Pose2d reported = Pose2d.ORIGIN;
+    private Pose2d odomFromTheirs = Pose2d.ORIGIN; // others may use the robot's odometry: it is not set, but ours is
+
+    /// @param isStamped whether the robot wants `TwistStamped`
+    /// @param watchdog after which the robot stops when nothing more is commanded
+    /// @param armed whether its motors are on
+    RosBase(
+            DeviceInfo info,
+            String topic,
+            Publication commands,
+            boolean isStamped,
+            Drive drive,
+            Duration watchdog,
+            boolean armed,
+            Frames frames,
+            RobotClock clock) {
+        super(info, info.robot() + "/odom", topic);
+        this.commands = commands;
+        this.isStamped = isStamped;
+        this.drive = drive;
+        this.watchdog = watchdog;
+        this.enabled = armed;
+        this.frames = frames;
+        this.clock = clock;
+    }
+
+    void take(OdometryMessage message) {
+        if (message.isFinite()) {
+            reported = message.odomFromBase();
+            heard(frames.now());
+            tell(
+                    clock.time(message.stamp()),
+                    new Odometry(odomFromTheirs.compose(reported), message.velocity(), isStalled(message.velocity())));
+        }
+    }
+
+    /// ROS has no word for it: whether the robot has been told to move for a while, and stands.
+    private boolean isStalled(Twist2d measured) {
+        boolean moves = wanted.filter(RosBase::isMotion).isEmpty() || isMotion(measured);
+        if (moves) {
+            blockedSince = Instant.MAX;
+        } else if (blockedSince.equals(Instant.MAX)) {
+            blockedSince = frames.now();
+        }
+        return !moves && blockedSince.plus(STALL).isBefore(frames.now());
+    }
+
+    private static boolean isMotion(Twist2d velocity) {
+        return Math.hypot(velocity.vx(), velocity.vy()) > SLOWEST || Math.abs(velocity.omega()) > SLOWEST;
+    }
+
+    @Override
+    public void command(Twist2d velocity) {
+        if (!velocity.isFinite()) {
+            throw new IllegalArgumentException(
+                    "A velocity must be finite, but '%s' was given '%s'.".formatted(info().id(), velocity));
+        }
+        if (enabled) {
+            Twist2d feasible = drive.feasible(velocity);
+            wanted = Optional.of(feasible);
+            wantedAt = frames.now();
+            send(feasible);
+        }
+    }
+
+    /// Publishes the newest command again, or a stop when it is too old.
+    void drive(Instant now) {
+        if (wanted.isPresent()) {
+            if (wantedAt.plus(watchdog).isBefore(now.plus(RosRobot.LOOK))) {
+                stop();
+            } else if (!sentAt.plus(AGAIN).isAfter(now)) {
+                send(wanted.get());
+            }
+        }
+    }
+
+    private void stop() {
+        wanted = Optional.empty();
+        send(Twist2d.STOP);
+    }
+
+    private void send(Twist2d velocity) {
+        sentAt = frames.now();
+        long stamp = clock.stamp();
+        commands.publish(
+                stamp,
+                isStamped
+                        ? messages.twist(velocity, Instant.ofEpochSecond(0, stamp), frames.base())
+                        : messages.twist(velocity));
+    }
+
+    @Override
+    public void enable(boolean enabled) {
+        this.enabled = enabled;
+        if (!enabled) {
+            stop();
+        }
+    }
+
+    @Override
+    public boolean enabled() {
+        return enabled;
+    }
+
+    @Override
+    public void resetOdometry(Pose2d odomFromBase) {
+        odomFromTheirs = odomFromBase.compose(reported.inverse());
+    }
+
+    /// In the robot's own frame, whatever ours was set to.
+    Pose2d reported() {
+        return reported;
+    }
+
+    /// Stops the robot, for good.
+    void end() {
+        enabled = false;
+        stop();
+    }
+}

@@ -1,0 +1,251 @@
+package rsal.ros2.device;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import rsal.device.Device;
+import rsal.device.DeviceInfo;
+import rsal.device.Localizer;
+import rsal.robot.Robot;
+import rsal.robot.RobotModel.Part;
+import rsal.robot.RobotSpec;
+import rsal.ros2.cdr.MessageCodec;
+import rsal.ros2.cdr.RosMessage;
+import rsal.ros2.link.Inbox;
+import rsal.ros2.link.Profile;
+import rsal.ros2.link.RosLink;
+import rsal.ros2.link.RosLink.Subscribed;
+import rsal.ros2.link.RosTopic;
+import rsal.ros2.message.OdometryMessage;
+import rsal.ros2.message.ScanMessage;
+import rsal.ros2.type.TypeLibrary;
+import rsal.time.Scheduler;
+
+/// A robot whose devices are topics: for each part of its model the one that fits.
+public final class RosRobot {
+    /// How often it is to be looked after.
+    public static final Duration LOOK = Duration.ofMillis(50);
+
+    private static final String DRIVER = "ros2";
+    private static final String ODOMETRY = "nav_msgs/msg/Odometry";
+    private static final String SCAN = "sensor_msgs/msg/LaserScan";
+    private static final String RANGE = "sensor_msgs/msg/Range";
+    private static final String BATTERY = "sensor_msgs/msg/BatteryState";
+    private static final String POSE = "geometry_msgs/msg/PoseWithCovarianceStamped";
+    private static final String TRANSFORMS = "tf2_msgs/msg/TFMessage";
+    private static final List<String> COMMANDS = List.of("geometry_msgs/msg/Twist", "geometry_msgs/msg/TwistStamped");
+    private static final int TRANSFORMS_WAITING = 100;
+
+    private final RobotSpec spec;
+    private final RobotTopics topics;
+    private final RosLink link;
+    private final TypeLibrary types;
+    private final Scheduler scheduler;
+    private final Frames frames;
+    private final RobotClock clock;
+    private final RosBase base;
+    private final Subscribed driven;
+    private final Map<RosSensor<?>, Subscribed> sensors = new LinkedHashMap<>();
+    private final List<Device> devices = new ArrayList<>();
+    private final List<Runnable> others = new ArrayList<>(); // close what is no sensor's
+    private final List<Consumer<OdometryMessage>> drivenListeners = new ArrayList<>();
+
+    /// What a robot lacks without which it can't be used, for people; empty when all is there.
+    ///
+    /// @param topics of its namespace
+    public static List<String> lacking(RobotTopics topics) {
+        var lacking = new ArrayList<String>();
+        if (topics.published(ODOMETRY, "odom").isEmpty()) {
+            lacking.add("odometry (%s)".formatted(ODOMETRY));
+        }
+        if (topics.subscribed("cmd_vel", COMMANDS).isEmpty()) {
+            lacking.add("a subscriber of 'cmd_vel' (%s)".formatted(String.join(" or ", COMMANDS)));
+        }
+        return lacking;
+    }
+
+    /// Sensors of its model that it does not publish, by name: the robot is used without them.
+    public static List<String> without(RobotSpec spec, RobotTopics topics) {
+        var without = new ArrayList<String>();
+        int lasers = 0;
+        for (Map.Entry<String, Part> part : spec.model().sensors().entrySet()) {
+            boolean isThere = switch (part.getValue()) {
+                case Part.Laser _ -> topics.published(SCAN, "scan").size() > lasers++;
+                case Part.Battery _ ->
+                    !topics.published(BATTERY, "battery_state").isEmpty();
+                case Part.Sonars sonars ->
+                    topics.published(RANGE, "").size()
+                            >= sonars.baseFromSensors().size();
+                default -> true;
+            };
+            if (!isThere) {
+                without.add(part.getKey());
+            }
+        }
+        return without;
+    }
+
+    /// Whether a part can be made of topics.
+    public static boolean has(Part part) {
+        return switch (part) {
+            case Part.Laser _, Part.Sonars _, Part.Battery _ -> true;
+            case Part.Own own -> own.makes().equals(Localizer.class);
+            default -> false;
+        };
+    }
+
+    /// @param topics that have all that it needs: nothing is [#lacking]
+    /// @param watchdog after which it stops when nothing more is commanded
+    /// @param armed whether its motors are on from the beginning
+    public RosRobot(
+            RobotSpec spec,
+            RobotTopics topics,
+            RosLink link,
+            TypeLibrary types,
+            Duration watchdog,
+            boolean armed,
+            Scheduler scheduler) {
+        this.spec = spec;
+        this.topics = topics;
+        this.link = link;
+        this.types = types;
+        this.scheduler = scheduler;
+        frames = new Frames(scheduler);
+        clock = new RobotClock(scheduler);
+        RosTopic commands = topics.subscribed("cmd_vel", COMMANDS).orElseThrow();
+        RosTopic odometry = topics.published(ODOMETRY, "odom").getFirst();
+        var publication = link.advertise(commands, Profile.DEFAULT);
+        others.add(publication::close);
+        base = new RosBase(
+                new DeviceInfo(spec.id(), "base", DRIVER),
+                odometry.name(),
+                publication,
+                commands.type().equals(COMMANDS.getLast()),
+                spec.model().drive(),
+                watchdog,
+                armed,
+                frames,
+                clock);
+        driven = link.subscribe(odometry, Profile.SENSOR_DATA, odometryInbox());
+        add(base, driven);
+        others.add(link.subscribe(
+                topics.ownOrShared("tf", TRANSFORMS),
+                Profile.DEFAULT,
+                inbox(TRANSFORMS, TRANSFORMS_WAITING, frames::add))::close);
+        others.add(link.subscribe(
+                topics.ownOrShared("tf_static", TRANSFORMS),
+                Profile.LATCHED,
+                inbox(TRANSFORMS, TRANSFORMS_WAITING, frames::add))::close);
+        List<String> without = without(spec, topics);
+        int lasers = 0;
+        for (Map.Entry<String, Part> part : spec.model().sensors().entrySet()) {
+            if (without.contains(part.getKey())) {
+                continue;
+            }
+            var info = new DeviceInfo(spec.id(), part.getKey(), DRIVER);
+            switch (part.getValue()) {
+                case Part.Laser laser -> addLaser(info, laser, lasers++);
+                case Part.Sonars sonars -> addSonars(info, sonars);
+                case Part.Battery _ -> addBattery(info);
+                case Part.Own _ -> addLocalizer(info);
+                default -> throw new IllegalArgumentException("'%s' is refused before.".formatted(part.getKey()));
+            }
+        }
+    }
+
+    private void add(RosSensor<?> device, Subscribed subscription) {
+        sensors.put(device, subscription);
+        devices.add(device);
+    }
+
+    private Inbox<OdometryMessage> odometryInbox() {
+        return new Inbox<>(
+                1, bytes -> OdometryMessage.read(bytes, frames.odom(), frames.base()), scheduler, message -> {
+                    frames.add(message);
+                    base.take(message);
+                    drivenListeners.forEach(listener -> listener.accept(message));
+                });
+    }
+
+    private Inbox<RosMessage> inbox(String type, int capacity, Consumer<RosMessage> receiver) {
+        MessageCodec codec = MessageCodec.of(types.get(type), types);
+        return new Inbox<>(capacity, codec::read, scheduler, receiver);
+    }
+
+    private void addLaser(DeviceInfo info, Part.Laser part, int number) {
+        RosTopic topic = topics.published(SCAN, "scan").get(number);
+        var laser = new RosLaser(info, topic.name(), part, frames, clock);
+        String likely = topic.name().substring(1);
+        add(
+                laser,
+                link.subscribe(
+                        topic,
+                        Profile.SENSOR_DATA,
+                        new Inbox<>(1, bytes -> ScanMessage.read(bytes, likely), scheduler, laser::take)));
+    }
+
+    private void addSonars(DeviceInfo info, Part.Sonars part) {
+        List<RosTopic> all = topics.published(RANGE, "");
+        var sonars = new RosSonars(info, all.getFirst().name(), part, frames, clock);
+        for (int i = 0; i < part.baseFromSensors().size(); i++) {
+            int sensor = i;
+            Subscribed subscription = link.subscribe(
+                    all.get(i), Profile.SENSOR_DATA, inbox(RANGE, 1, message -> sonars.take(sensor, message)));
+            if (i == 0) {
+                add(sonars, subscription);
+            } else {
+                others.add(subscription::close);
+            }
+        }
+    }
+
+    private void addBattery(DeviceInfo info) {
+        RosTopic topic = topics.published(BATTERY, "battery_state").getFirst();
+        var battery = new RosBattery(info, topic.name(), frames, clock);
+        add(battery, link.subscribe(topic, Profile.SENSOR_DATA, inbox(BATTERY, 1, battery::take)));
+    }
+
+    /// Its pose may come as a topic, or by TF alone.
+    private void addLocalizer(DeviceInfo info) {
+        RosTopic topic = topics.published(POSE, "amcl_pose").stream()
+                .findFirst()
+                .orElseGet(() -> new RosTopic(topics.namespace() + "/amcl_pose", POSE));
+        var initial = link.advertise(new RosTopic(topics.namespace() + "/initialpose", POSE), Profile.DEFAULT);
+        others.add(initial::close);
+        var localizer = new RosLocalizer(info, topic.name(), initial, frames, clock);
+        drivenListeners.add(localizer::take);
+        Profile offered = topics.profile(topic);
+        Profile wanted = offered == Profile.SENSOR_DATA ? Profile.DEFAULT : offered;
+        others.add(link.subscribe(topic, wanted, inbox(POSE, 1, localizer::take))::close);
+        devices.add(localizer);
+    }
+
+    /// Whether it has told where it is by its wheels, so that agents can begin.
+    public boolean isReady() {
+        return base.hasTold();
+    }
+
+    public Robot robot() {
+        return new Robot(spec.id(), spec.role(), spec.model(), spec.marker(), devices);
+    }
+
+    /// Drives on, and looks how its devices are.
+    ///
+    /// @return whether it is there: somebody publishes its odometry
+    public boolean look(Instant now) {
+        base.drive(now);
+        sensors.forEach((sensor, subscription) -> sensor.look(now, subscription.publishers()));
+        return driven.publishers() > 0;
+    }
+
+    /// Stops it, for good.
+    public void end() {
+        base.end();
+        sensors.values().forEach(Subscribed::close);
+        others.forEach(Runnable::run);
+    }
+}

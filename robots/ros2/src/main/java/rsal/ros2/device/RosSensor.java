@@ -1,0 +1,65 @@
+package rsal.ros2.device;
+
+import java.time.Duration;
+import java.time.Instant;
+import rsal.data.Stamped;
+import rsal.device.DeviceInfo;
+import rsal.device.Health;
+import rsal.device.SensorCore;
+
+/// A device whose readings come as messages. When they stop coming, or nobody publishes them any more, its health says
+/// so.
+abstract class RosSensor<T> extends SensorCore<T> {
+    private static final Duration PATIENCE = Duration.ofMillis(500); // of what comes more often
+    private static final int MISSED = 3; // readings in a row
+
+    private final String frame;
+    private final String source;
+    private Instant told = Instant.MIN;
+    private Duration period = Duration.ZERO; // the newest
+
+    /// @param frame of its readings
+    /// @param source where they come from, for people
+    RosSensor(DeviceInfo info, String frame, String source) {
+        super(info);
+        this.frame = frame;
+        this.source = source;
+    }
+
+    /// A new reading; times go up, whatever the robot says.
+    final void tell(Instant time, T value) {
+        Instant after = latest().map(last -> last.time().plusNanos(1)).orElse(Instant.MIN);
+        deliver(new Stamped<>(time.isBefore(after) ? after : time, frame, value));
+    }
+
+    /// A message has come.
+    final void heard(Instant now) {
+        if (!told.equals(Instant.MIN)) {
+            period = Duration.between(told, now);
+        }
+        told = now;
+    }
+
+    /// Looks whether it is still told something.
+    ///
+    /// @param publishers how many publish it
+    final void look(Instant now, int publishers) {
+        if (publishers == 0) {
+            health(new Health.Lost("Nobody publishes %s.".formatted(source)));
+            return;
+        }
+        Duration patience =
+                PATIENCE.compareTo(period.multipliedBy(MISSED)) > 0 ? PATIENCE : period.multipliedBy(MISSED);
+        if (!told.equals(Instant.MIN) && told.plus(patience).isBefore(now)) {
+            health(new Health.Stale("Nothing came on %s for %.1f s.".formatted(source, patience.toMillis() / 1e3)));
+        }
+    }
+
+    final boolean hasTold() {
+        return !told.equals(Instant.MIN);
+    }
+
+    final void lost(String why) {
+        health(new Health.Lost(why));
+    }
+}

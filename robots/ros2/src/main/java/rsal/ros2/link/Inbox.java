@@ -1,0 +1,78 @@
+package rsal.ros2.link;
+
+import java.nio.ByteBuffer;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.concurrent.Executor;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
+import rsal.ros2.cdr.CdrReader;
+import rsal.ros2.cdr.InvalidCdr;
+
+/// Takes messages from the link's thread to the run's. Where the run is slow, the newest ones stay.
+///
+/// @param <M> a message
+public final class Inbox<M> implements Consumer<ByteBuffer> {
+    private final int capacity;
+    private final Decoder<M> decoder;
+    private final Executor run;
+    private final Consumer<M> receiver;
+    private final Deque<M> waiting = new ArrayDeque<>();
+    private final AtomicLong malformed = new AtomicLong();
+
+    /// Reads a message.
+    ///
+    /// @param <M> a message
+    public interface Decoder<M> {
+        M read(CdrReader bytes) throws InvalidCdr;
+    }
+
+    /// @param capacity how many messages wait at most
+    /// @param run whose thread receives them
+    public Inbox(int capacity, Decoder<M> decoder, Executor run, Consumer<M> receiver) {
+        this.capacity = capacity;
+        this.decoder = decoder;
+        this.run = run;
+        this.receiver = receiver;
+    }
+
+    @Override
+    public void accept(ByteBuffer bytes) {
+        M message;
+        try {
+            message = decoder.read(CdrReader.of(bytes));
+        } catch (InvalidCdr e) {
+            malformed.incrementAndGet();
+            return;
+        }
+        boolean isFirst;
+        synchronized (waiting) {
+            isFirst = waiting.isEmpty();
+            if (waiting.size() == capacity) {
+                waiting.removeFirst();
+            }
+            waiting.addLast(message);
+        }
+        if (isFirst) {
+            run.execute(this::deliver);
+        }
+    }
+
+    private void deliver() {
+        while (true) {
+            M message;
+            synchronized (waiting) {
+                message = waiting.pollFirst();
+            }
+            if (message == null) {
+                return;
+            }
+            receiver.accept(message);
+        }
+    }
+
+    /// How many messages could not be read.
+    public long malformed() {
+        return malformed.get();
+    }
+}

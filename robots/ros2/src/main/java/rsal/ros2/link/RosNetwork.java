@@ -1,0 +1,32 @@
+package rsal.ros2.link;
+
+/// What programs of ROS 2 agree on by their environment.
+public final class RosNetwork {
+    /// What participants of ROS 2 say of themselves, without which tools don't list their nodes.
+    public static final String ENCLAVE = "enclave=/;";
+
+    private static final String DOMAIN = "ROS_DOMAIN_ID";
+
+    private RosNetwork() {}
+
+    /// `ROS_DOMAIN_ID`; 0 where that is not set.
+    ///
+    /// @throws IllegalArgumentException when it is no number
+    public static int domain() {
+        String set = System.getenv(DOMAIN);
+        if (set == null || set.isBlank()) {
+            return 0;
+        }
+        try {
+            return Integer.parseInt(set.strip());
+        } catch (NumberFormatException e) {
+            throw new IllegalArgumentException("%s is '%s', which is no number.".formatted(DOMAIN, set), e);
+        }
+    }
+
+    /// The namespace of a robot that has none of its own: its id, with `_` for what names of ROS can't have.
+    public static String namespace(String robot) {
+        String name = robot.replaceAll("[^A-Za-z0-9_]", "_");
+        return "/" + (Character.isDigit(name.charAt(0)) ? "_" + name : name);
+    }
+}

@@ -1,0 +1,182 @@
+package rsal.ros2.system;
+
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.security.SecureRandom;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.regex.Pattern;
+import rsal.robot.RobotModel.Part;
+import rsal.robot.RobotSpec;
+import rsal.ros2.device.RosRobot;
+import rsal.ros2.link.RosNetwork;
+import rsal.ros2.link.RtpsLink;
+import rsal.ros2.type.Distribution;
+import rsal.ros2.type.TypeLibrary;
+import rsal.rtps.UdpParticipant;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+import rsal.system.RobotSystem;
+import rsal.system.RobotSystemProvider;
+import rsal.system.RobotSystemProvider.InvalidRobots.Problem;
+import rsal.time.AllowedToReadWallClock;
+import rsal.time.Scheduler;
+
+/// Robots of ROS 2, real ones or those of another simulator. They follow real time.
+@AllowedToReadWallClock("Networks live in real time.")
+public final class Ros2Provider implements RobotSystemProvider {
+    private static final String NODE = "rsal";
+    private static final Duration LEASE = Duration.ofSeconds(20);
+    private static final Pattern NAMESPACE = Pattern.compile("/|(/[A-Za-z_][A-Za-z0-9_]*)+");
+    private static final int FROM_ENVIRONMENT = -1;
+
+    private static final Parameter<String> NAMESPACES = Parameter.text(
+            "namespaces",
+            "",
+            "The robots' namespaces, in order, separated by commas: /robot1, /robot2; / for topics without a namespace."
+                    + " Default: their ids, with _ for -.");
+    private static final Parameter<Integer> DOMAIN = Parameter.integer(
+            "domain",
+            FROM_ENVIRONMENT,
+            FROM_ENVIRONMENT,
+            232,
+            "",
+            "The domain of ROS 2; -1 takes ROS_DOMAIN_ID of the environment, or 0.");
+    private static final Parameter<String> ADDRESS = Parameter.text(
+            "address",
+            "127.0.0.1",
+            "The address of this machine by which robots reach it. With 127.0.0.1, only programs on this machine are"
+                    + " found.");
+    private static final Parameter<String> PEERS = Parameter.text(
+            "peers", "", "Machines to look for robots on where the network has no multicast, separated by commas.");
+    private static final Parameter<String> DISTRIBUTION = Parameter.choice(
+            "distribution",
+            words(Distribution.JAZZY),
+            Arrays.stream(Distribution.values()).map(Ros2Provider::words).toList(),
+            "The distribution of ROS 2 that the robots run.");
+    private static final Parameter<Double> WATCHDOG =
+            Parameter.number("watchdog", 0.5, 0.1, 10, "s", "A base stops when no command came for this long.");
+    private static final Parameter<Boolean> ARMED = Parameter.flag(
+            "armed", false, "Whether motors are on from the beginning. Else robots stand until somebody arms them.");
+
+    private static String words(Distribution distribution) {
+        return distribution.name().toLowerCase(Locale.ROOT);
+    }
+
+    @Override
+    public String key() {
+        return "ros2";
+    }
+
+    @Override
+    public String description() {
+        return "Joins robots of ROS 2 over the network (DDS). No ROS is needed on this machine.";
+    }
+
+    @Override
+    public boolean followsSchedulerTime() {
+        return false;
+    }
+
+    @Override
+    public List<Parameter<?>> parameters() {
+        return List.of(NAMESPACES, DOMAIN, ADDRESS, PEERS, DISTRIBUTION, WATCHDOG, ARMED);
+    }
+
+    @Override
+    public boolean startsDisarmed(Arguments settings) {
+        return !settings.get(ARMED);
+    }
+
+    @Override
+    public RobotSystem create(Config config, Scheduler scheduler) {
+        Arguments settings = config.settings();
+        var problems = new ArrayList<Problem>();
+        for (RobotSpec robot : config.robots()) {
+            for (Part part : robot.model().sensors().values()) {
+                if (!RosRobot.has(part)) {
+                    problems.add(new Problem(
+                            robot.id(),
+                            "model",
+                            "Robots of ROS 2 can't have its '%s' yet: lasers, sonars, batteries and localizers are read."
+                                    .formatted(part.name())));
+                }
+            }
+        }
+        try {
+            Map<RobotSpec, String> namespaces = namespaces(settings, config.robots());
+            UdpParticipant.Options network = network(settings);
+            if (problems.isEmpty()) {
+                var distribution =
+                        Distribution.valueOf(settings.get(DISTRIBUTION).toUpperCase(Locale.ROOT));
+                return new Ros2System(
+                        namespaces,
+                        () -> new RtpsLink(network, distribution, NODE, System::nanoTime, new SecureRandom()),
+                        TypeLibrary.of(distribution),
+                        settings.seconds(WATCHDOG),
+                        settings.get(ARMED),
+                        scheduler);
+            }
+        } catch (IllegalArgumentException e) {
+            String robot =
+                    config.robots().isEmpty() ? "" : config.robots().getFirst().id();
+            problems.add(new Problem(robot, "mrs", String.valueOf(e.getMessage())));
+        }
+        throw new InvalidRobots(problems);
+    }
+
+    private static UdpParticipant.Options network(Arguments settings) {
+        var peers = new ArrayList<InetAddress>();
+        for (String peer : list(settings.get(PEERS))) {
+            peers.add(address("peers", peer));
+        }
+        return new UdpParticipant.Options(
+                settings.get(DOMAIN) == FROM_ENVIRONMENT ? RosNetwork.domain() : settings.get(DOMAIN),
+                address("address", settings.get(ADDRESS).strip()),
+                peers,
+                LEASE,
+                NODE,
+                RosNetwork.ENCLAVE);
+    }
+
+    private static InetAddress address(String setting, String text) {
+        try {
+            return InetAddress.getByName(text);
+        } catch (UnknownHostException e) {
+            throw new IllegalArgumentException("'%s' has no machine called '%s'.".formatted(setting, text), e);
+        }
+    }
+
+    private static List<String> list(String text) {
+        return text.isBlank() ? List.of() : List.of(text.strip().split("\\s*,\\s*", -1));
+    }
+
+    private static Map<RobotSpec, String> namespaces(Arguments settings, List<RobotSpec> robots) {
+        List<String> given = list(settings.get(NAMESPACES));
+        List<String> all = given.isEmpty()
+                ? robots.stream().map(robot -> RosNetwork.namespace(robot.id())).toList()
+                : given;
+        if (all.size() < robots.size()) {
+            throw new IllegalArgumentException(
+                    "As many 'namespaces' as robots are needed: %d, not %d.".formatted(robots.size(), all.size()));
+        }
+        var namespaces = new LinkedHashMap<RobotSpec, String>();
+        for (int i = 0; i < robots.size(); i++) {
+            String namespace = all.get(i).startsWith("/") ? all.get(i) : "/" + all.get(i);
+            if (!NAMESPACE.matcher(namespace).matches()) {
+                throw new IllegalArgumentException(
+                        "'%s' is no namespace of ROS 2. Write one such as /robot1.".formatted(namespace));
+            }
+            if (namespaces.containsValue(namespace)) {
+                throw new IllegalArgumentException("Two robots have the namespace '%s'.".formatted(namespace));
+            }
+            namespaces.put(robots.get(i), namespace);
+        }
+        return namespaces;
+    }
+}

@@ -1,0 +1,195 @@
+package rsal.ros2.system;
+
+import java.io.IOException;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import rsal.device.Listeners;
+import rsal.device.SimulationControl;
+import rsal.device.Subscription;
+import rsal.robot.Robot;
+import rsal.robot.RobotSpec;
+import rsal.ros2.device.RobotTopics;
+import rsal.ros2.device.RosRobot;
+import rsal.ros2.link.RosEndpoint;
+import rsal.ros2.link.RosLink;
+import rsal.ros2.type.TypeLibrary;
+import rsal.system.RobotSystem;
+import rsal.time.Scheduler;
+import rsal.time.Task;
+
+/// Robots of ROS 2. One whose odometry nobody publishes any more is gone, and appears again when somebody does.
+final class Ros2System implements RobotSystem {
+    private static final Logger LOG = System.getLogger(Ros2System.class.getName());
+    private static final Duration PATIENCE = Duration.ofSeconds(8);
+    private static final Duration SETTLING = Duration.ofSeconds(2); // of topics, after the first of a robot
+
+    private final Map<RobotSpec, String> namespaces;
+    private final Opening opening;
+    private final TypeLibrary types;
+    private final Duration watchdog;
+    private final boolean armed;
+    private final Scheduler scheduler;
+    private final Map<RobotSpec, RosRobot> found = new LinkedHashMap<>();
+    private final Map<RobotSpec, Instant> seen = new LinkedHashMap<>();
+    private final Map<RosRobot, Boolean> present = new LinkedHashMap<>();
+    private final CompletableFuture<List<Robot>> discovered = new CompletableFuture<>();
+    private final Listeners<Change> changes = new Listeners<>(e -> {
+        throw e;
+    });
+    private Optional<Task> looking = Optional.empty();
+    private @Nullable RosLink link;
+    private Instant patienceEnds = Instant.MAX;
+    private boolean closed;
+
+    /// Joins the network.
+    interface Opening {
+        RosLink open() throws IOException;
+    }
+
+    /// @param namespaces of the robots: `/robot1`, or `/` for topics without one
+    Ros2System(
+            Map<RobotSpec, String> namespaces,
+            Opening opening,
+            TypeLibrary types,
+            Duration watchdog,
+            boolean armed,
+            Scheduler scheduler) {
+        this.namespaces = namespaces;
+        this.opening = opening;
+        this.types = types;
+        this.watchdog = watchdog;
+        this.armed = armed;
+        this.scheduler = scheduler;
+    }
+
+    @Override
+    public CompletionStage<List<Robot>> discover() {
+        if (closed) {
+            return CompletableFuture.failedStage(new IllegalStateException("This robot system is closed."));
+        }
+        try {
+            link = opening.open();
+        } catch (IOException e) {
+            return CompletableFuture.failedStage(
+                    new IOException("The network of ROS 2 can't be joined: %s".formatted(e.getMessage()), e));
+        }
+        patienceEnds = scheduler.instant().plus(PATIENCE);
+        looking = Optional.of(scheduler.every(RosRobot.LOOK, this::look));
+        return discovered;
+    }
+
+    private void look() {
+        if (closed || link == null) {
+            return;
+        }
+        Instant now = scheduler.instant();
+        if (!discovered.isDone()) {
+            search(link, now);
+        }
+        found.values().forEach(robot -> {
+            boolean isThere = robot.look(now);
+            if (discovered.isDone() && isThere != present.getOrDefault(robot, true)) {
+                tell(robot, isThere);
+            }
+            present.put(robot, isThere);
+        });
+    }
+
+    private void tell(RosRobot robot, boolean isThere) {
+        Robot its = robot.robot();
+        changes.tell(
+                isThere
+                        ? new Change.Appeared(its)
+                        : new Change.Gone(its.id(), "Nobody publishes its odometry any more."));
+    }
+
+    private void search(RosLink network, Instant now) {
+        List<RosEndpoint> all = network.endpoints();
+        namespaces.forEach((spec, namespace) -> {
+            RobotTopics topics = topics(namespace, all);
+            if (!found.containsKey(spec) && RosRobot.lacking(topics).isEmpty()) {
+                Instant first = seen.computeIfAbsent(spec, _ -> now);
+                List<String> without = RosRobot.without(spec, topics);
+                if (without.isEmpty() || now.isAfter(first.plus(SETTLING))) {
+                    found.put(spec, new RosRobot(spec, topics, network, types, watchdog, armed, scheduler));
+                    if (!without.isEmpty()) {
+                        LOG.log(
+                                Level.INFO,
+                                () -> "Robot '%s' publishes nothing for %s."
+                                        .formatted(spec.id(), String.join(", ", without)));
+                    }
+                }
+            }
+        });
+        List<RosRobot> ready = namespaces.keySet().stream()
+                .map(found::get)
+                .filter(Objects::nonNull)
+                .filter(RosRobot::isReady)
+                .toList();
+        if (ready.size() == namespaces.size()) {
+            discovered.complete(ready.stream().map(RosRobot::robot).toList());
+        } else if (now.isAfter(patienceEnds)) {
+            discovered.completeExceptionally(new IOException(missing(all)));
+        }
+    }
+
+    private static RobotTopics topics(String namespace, List<RosEndpoint> all) {
+        return new RobotTopics(namespace.equals("/") ? "" : namespace, all);
+    }
+
+    /// For people: what the first robot that was not found lacks.
+    private String missing(List<RosEndpoint> all) {
+        for (Map.Entry<RobotSpec, String> each : namespaces.entrySet()) {
+            RobotTopics topics = topics(each.getValue(), all);
+            List<String> lacking = RosRobot.lacking(topics);
+            if (!lacking.isEmpty()) {
+                return "Robot '%s' was not found in the namespace '%s': it lacks %s. %s %s"
+                        .formatted(
+                                each.getKey().id(),
+                                each.getValue(),
+                                String.join(", ", lacking),
+                                topics.words(),
+                                all.isEmpty()
+                                        ? "Nothing of ROS 2 was found at all; maybe another 'domain' or 'address'?"
+                                        : "");
+            }
+        }
+        return "A robot publishes no odometry, though it has a topic for it.";
+    }
+
+    @Override
+    public Subscription onChange(Consumer<? super Change> listener) {
+        return changes.add(listener);
+    }
+
+    /// None that is ours: its robots are as real as any.
+    @Override
+    public Optional<SimulationControl> simulation() {
+        return Optional.empty();
+    }
+
+    @Override
+    public void close() {
+        if (closed) {
+            return;
+        }
+        closed = true;
+        looking.ifPresent(Task::cancel);
+        found.values().forEach(RosRobot::end);
+        found.clear();
+        if (link != null) {
+            link.close();
+        }
+    }
+}

@@ -1,0 +1,110 @@
+package rsal.ros2;
+
+import java.nio.ByteBuffer;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import rsal.ros2.link.Profile;
+import rsal.ros2.link.RosEndpoint;
+import rsal.ros2.link.RosLink;
+import rsal.ros2.link.RosTopic;
+
+/// A network of ROS 2 in memory: whoever joins it hears the others at once, on the thread that publishes. Of one
+/// thread.
+public final class MemoryNetwork {
+    private final List<Member> members = new ArrayList<>();
+
+    private record Hearing(RosTopic topic, Profile profile, Consumer<ByteBuffer> listener) {
+        /// Whether what is offered is enough.
+        boolean fits(Profile offered) {
+            return offered.compareTo(profile) >= 0;
+        }
+    }
+
+    private record Offer(RosTopic topic, Profile profile) {}
+
+    public RosLink join() {
+        var member = new Member();
+        members.add(member);
+        return member;
+    }
+
+    private final class Member implements RosLink {
+        private final List<Hearing> hearings = new ArrayList<>();
+        private final List<Offer> offers = new ArrayList<>();
+        private final Map<Offer, byte[]> latched = new HashMap<>();
+
+        @Override
+        public List<RosEndpoint> endpoints() {
+            var all = new ArrayList<RosEndpoint>();
+            members.stream().filter(each -> each != this).forEach(other -> {
+                other.offers.forEach(offer -> all.add(new RosEndpoint(offer.topic, true, offer.profile)));
+                other.hearings.forEach(hearing -> all.add(new RosEndpoint(hearing.topic, false, hearing.profile)));
+            });
+            return all;
+        }
+
+        @Override
+        public Publication advertise(RosTopic topic, Profile profile) {
+            var offer = new Offer(topic, profile);
+            offers.add(offer);
+            return new Publication() {
+                @Override
+                public void publish(long time, byte[] message) {
+                    if (profile == Profile.LATCHED) {
+                        latched.put(offer, message);
+                    }
+                    List.copyOf(members).forEach(member -> member.hear(offer, message));
+                }
+
+                @Override
+                public void close() {
+                    offers.remove(offer);
+                    latched.remove(offer);
+                }
+            };
+        }
+
+        private void hear(Offer offer, byte[] message) {
+            List.copyOf(hearings).stream()
+                    .filter(each -> each.topic.equals(offer.topic) && each.fits(offer.profile))
+                    .forEach(each -> each.listener.accept(ByteBuffer.wrap(message)));
+        }
+
+        @Override
+        public Subscribed subscribe(RosTopic topic, Profile profile, Consumer<ByteBuffer> listener) {
+            var hearing = new Hearing(topic, profile, listener);
+            hearings.add(hearing);
+            if (profile == Profile.LATCHED) {
+                members.forEach(member -> member.latched.forEach((offer, message) -> {
+                    if (offer.topic.equals(topic)) {
+                        listener.accept(ByteBuffer.wrap(message));
+                    }
+                }));
+            }
+            return new Subscribed() {
+                @Override
+                public int publishers() {
+                    return (int) members.stream()
+                            .flatMap(member -> member.offers.stream())
+                            .filter(offer -> offer.topic.equals(topic) && hearing.fits(offer.profile))
+                            .count();
+                }
+
+                @Override
+                public void close() {
+                    hearings.remove(hearing);
+                }
+            };
+        }
+
+        @Override
+        public void close() {
+            hearings.clear();
+            offers.clear();
+            members.remove(this);
+        }
+    }
+}

@@ -1,0 +1,154 @@
+package rsal.ros2.bridge;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import rsal.data.Twist2d;
+import rsal.ros2.MemoryNetwork;
+import rsal.ros2.cdr.CdrReader;
+import rsal.ros2.cdr.InvalidCdr;
+import rsal.ros2.cdr.MessageCodec;
+import rsal.ros2.cdr.RosMessage;
+import rsal.ros2.link.RosEndpoint;
+import rsal.ros2.link.RosLink;
+import rsal.ros2.link.RosTopic;
+import rsal.ros2.message.FrameTree;
+import rsal.ros2.message.ScanMessage;
+import rsal.ros2.type.Distribution;
+import rsal.ros2.type.TypeLibrary;
+import rsal.sim.SimProvider;
+import rsal.system.Bridge;
+import rsal.system.ExportedDevice;
+import rsal.system.RobotSystemProvider;
+import rsal.testkit.contract.RobotBench;
+
+/// What programs of ROS 2 hear of a simulated robot, read by the definitions of its types.
+class Ros2BridgeTest extends RobotBench {
+    private static final TypeLibrary TYPES = TypeLibrary.of(Distribution.JAZZY);
+
+    private final MemoryNetwork network = new MemoryNetwork();
+    private final RosLink there = network.join();
+    private final Map<String, List<RosMessage>> heard = new HashMap<>();
+    private Bridge bridge;
+
+    @Override
+    protected RobotSystemProvider provider() {
+        return new SimProvider();
+    }
+
+    @Override
+    protected Map<String, String> parts() {
+        return Map.of("battery", "pioneer-battery");
+    }
+
+    /// Subscribes to all there is, with what each topic offers.
+    @BeforeEach
+    void publish() {
+        bridge = PublishedRobots.publish(List.of(robot()), WORLD.grid(), network.join(), run);
+        advance(0.3); // sonars are known when they have measured
+        for (RosEndpoint endpoint : there.endpoints()) {
+            if (endpoint.isPublisher()) {
+                RosTopic topic = endpoint.topic();
+                MessageCodec codec = MessageCodec.of(TYPES.get(topic.type()), TYPES);
+                there.subscribe(topic, endpoint.profile(), bytes -> {
+                    try {
+                        heard.computeIfAbsent(topic.name(), _ -> new ArrayList<>())
+                                .add(codec.read(CdrReader.of(bytes)));
+                    } catch (InvalidCdr e) {
+                        throw new AssertionError(topic.name(), e);
+                    }
+                });
+            }
+        }
+        drive(Twist2d.drive(0.3, 0.2), 3);
+    }
+
+    @AfterEach
+    void close() {
+        bridge.close();
+    }
+
+    private List<RosMessage> all(String topic) {
+        return heard.getOrDefault(topic, List.of());
+    }
+
+    @Test
+    void topicsAreThoseOfARobot() {
+        assertThat(heard).containsKeys("/clock", "/r1/odom", "/r1/scan", "/r1/tf", "/r1/tf_static", "/r1/map");
+        assertThat(heard).containsKeys("/r1/sonar_0", "/r1/sonar_7", "/r1/battery_state");
+        assertThat(bridge.offers())
+                .contains(
+                        new ExportedDevice(7400, "/r1/odom", "r1/base"),
+                        new ExportedDevice(7400, "/r1/cmd_vel", "r1/base"),
+                        new ExportedDevice(7400, "/r1/scan", "r1/laser"));
+        assertThat(there.endpoints())
+                .filteredOn(each -> !each.isPublisher())
+                .extracting(each -> each.topic().type())
+                .contains("geometry_msgs/msg/Twist", "geometry_msgs/msg/TwistStamped");
+    }
+
+    /// What RViz and Nav2 need: each scan's frame is connected with `odom`, and times go up.
+    @Test
+    void framesAreConnectedAndTimesGoUp() {
+        var frames = new FrameTree();
+        all("/r1/tf_static").forEach(frames::add);
+        all("/r1/tf").forEach(frames::add);
+        for (String topic : List.of("/r1/scan", "/r1/odom", "/r1/sonar_3")) {
+            long before = 0;
+            for (RosMessage message : all(topic)) {
+                RosMessage header = message.message("header");
+                assertThat(frames.find("odom", header.text("frame_id")))
+                        .as(topic)
+                        .isPresent();
+                assertThat(ScanMessage.stamp(header)).as(topic).isGreaterThan(before);
+                before = ScanMessage.stamp(header);
+            }
+        }
+        assertThat(all("/r1/odom")).hasSizeGreaterThan(20);
+        assertThat(all("/r1/scan")).hasSizeGreaterThan(10);
+        assertThat(all("/clock")).hasSizeGreaterThan(250);
+    }
+
+    @Test
+    void scansSayWhatTheLaserSees() {
+        RosMessage scan = all("/r1/scan").getLast();
+        float[] ranges = scan.get("ranges", float[].class);
+        int beams = ranges.length;
+        assertThat(scan.number("angle_min") + (beams - 1) * scan.number("angle_increment"))
+                .isCloseTo(scan.number("angle_max"), within(1e-3));
+        assertThat(beams).isGreaterThan(100);
+        for (float range : ranges) {
+            assertThat(Float.isInfinite(range)
+                            || (range >= scan.number("range_min") && range <= scan.number("range_max")))
+                    .isTrue();
+        }
+    }
+
+    @Test
+    void theMapIsThatOfTheWorldForThoseWhoComeLate() {
+        RosMessage map = all("/r1/map").getFirst();
+        assertThat(map.get("data", byte[].class)).isEqualTo(WORLD.grid().cells());
+        assertThat(map.message("info").integer("width")).isEqualTo(WORLD.grid().width());
+    }
+
+    @Test
+    void theBatteryTellsItsLevel() {
+        assertThat(all("/r1/battery_state").getLast().number("percentage")).isBetween(0.5, 1.0);
+    }
+
+    @Test
+    void aRobotThatLeavesIsNotThereAnyMore() throws Exception {
+        bridge.leave("r1");
+        assertThat(there.endpoints()).extracting(each -> each.topic().name()).containsExactly("/clock");
+        assertThat(bridge.offers()).isEmpty();
+        bridge.join(robot());
+        assertThat(bridge.offers()).isNotEmpty();
+    }
+}

@@ -1,0 +1,79 @@
+package rsal.ros2.system;
+
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Nested;
+import rsal.system.RobotSystemProvider;
+import rsal.testkit.contract.BatteryContract;
+import rsal.testkit.contract.DriveBaseContract;
+import rsal.testkit.contract.LaserScannerContract;
+import rsal.testkit.contract.LocalizerContract;
+import rsal.testkit.contract.OmnidirectionalDriveContract;
+import rsal.testkit.contract.RobotSystemContract;
+import rsal.testkit.contract.SonarArrayContract;
+import rsal.testkit.fake.FakeLocalizer;
+import rsal.testkit.fake.FakeProvider;
+
+/// Robots of ROS 2 are robots like any other.
+class Ros2ContractTest {
+    @Nested
+    class Whole extends RobotSystemContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverRos();
+        }
+    }
+
+    @Nested
+    class Drive extends DriveBaseContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverRos();
+        }
+    }
+
+    @Nested
+    class Omnidirectional extends OmnidirectionalDriveContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverRos();
+        }
+    }
+
+    @Nested
+    class Laser extends LaserScannerContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverRos();
+        }
+    }
+
+    @Nested
+    class Sonar extends SonarArrayContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverRos();
+        }
+    }
+
+    @Nested
+    class Battery extends BatteryContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverRos();
+        }
+    }
+
+    @Nested
+    class OwnLocalizer extends LocalizerContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverRos(new FakeProvider(), List.of(new FakeLocalizer.Driver()));
+        }
+
+        @Override
+        protected Map<String, String> parts() {
+            return Map.of("localizer", "own-localizer");
+        }
+    }
+}
