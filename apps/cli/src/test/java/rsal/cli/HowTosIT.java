@@ -3,6 +3,7 @@ package rsal.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -37,14 +38,14 @@ class HowTosIT {
     }
 
     private static boolean ends(String command) {
-        boolean shows = command.startsWith("run") && !command.contains("--headless")
-                || command.startsWith("replay") && !command.contains("--verify");
+        boolean shows = (command.startsWith("run") && !command.contains("--headless"))
+                || (command.startsWith("replay") && !command.contains("--verify"));
         return !shows && LEFT_OUT.stream().noneMatch(command::contains);
     }
 
     private void writeLog() throws IOException {
         try (var log = new GZIPOutputStream(Files.newOutputStream(folder.resolve("lab.log.gz")))) {
-            log.write(RoomLog.whole().getBytes());
+            log.write(RoomLog.whole().getBytes(StandardCharsets.UTF_8));
         }
     }
 }

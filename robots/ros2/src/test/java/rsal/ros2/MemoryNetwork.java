@@ -11,7 +11,7 @@ import rsal.ros2.link.RosEndpoint;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosTopic;
 
-/// A network of ROS 2 in memory: whoever joins it hears the others at once, on the thread that publishes. Of one
+/// A network of ROS 2 in memory: all who join it hear the others at once, on the thread that publishes. Of one
 /// thread.
 public final class MemoryNetwork {
     private final List<Member> members = new ArrayList<>();

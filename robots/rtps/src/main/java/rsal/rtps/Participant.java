@@ -3,10 +3,7 @@ package rsal.rtps;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collection;
-import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -42,11 +39,6 @@ public final class Participant {
     private static final int FIRST_ANNOUNCEMENTS = 5;
     private static final long BETWEEN_FIRST_ANNOUNCEMENTS = SECOND / 10;
     private static final long BETWEEN_ANNOUNCEMENTS = 3 * SECOND;
-    private static final int MOST_ANNOUNCED = 16 << 10; // B of what one participant or endpoint says of itself
-    private static final byte[] ENCAPSULATION = {0, 3, 0, 0}; // PL_CDR_LE
-    private static final int PL_CDR_BE = 2;
-    private static final int PL_CDR_LE = 3;
-    private static final int GONE = 0b11; // disposed and unregistered, in STATUS_INFO
 
     private final ParticipantData self;
     private final RtpsLimits limits;
@@ -57,11 +49,9 @@ public final class Participant {
     private final SampleWriter.Exchange exchange;
     private final Map<BuiltinEndpoint, SampleWriter> tellers = new LinkedHashMap<>();
     private final Map<BuiltinEndpoint, SampleReader> hearers = new LinkedHashMap<>();
-    private final Map<EntityId, SampleWriter> writers = new LinkedHashMap<>(); // with the tellers
-    private final Map<EntityId, SampleReader> readers = new LinkedHashMap<>(); // with the hearers
+    private final OwnEndpoints own; // with the tellers and hearers
     private final Map<GuidPrefix, RemoteParticipant> others = new LinkedHashMap<>();
     private final Set<GuidPrefix> refused = new HashSet<>();
-    private final Map<Guid, List<SampleReader>> listening = new HashMap<>(); // by the writer they read from
     private int entities;
     private int announcements;
     private long announceAt;
@@ -90,6 +80,7 @@ public final class Participant {
         this.network = network;
         this.graph = graph;
         this.now = now;
+        own = new OwnEndpoints(graph);
         messages = new MessageWriter(self.prefix());
         budget = new AssemblyBudget(limits);
         exchange = new SampleWriter.Exchange(messages, network, fragmentSize);
@@ -102,8 +93,8 @@ public final class Participant {
                     endpoint(builtin.reader(), "", "", qos, ""), budget, sample -> hear(builtin, sample));
             tellers.put(builtin, teller);
             hearers.put(builtin, hearer);
-            writers.put(builtin.writer(), teller);
-            readers.put(builtin.reader(), hearer);
+            own.add(teller, List.of(), now);
+            own.add(hearer, List.of(), now);
         }
         tellThatWeLive();
     }
@@ -158,10 +149,8 @@ public final class Participant {
         advance(time);
         EndpointData data = endpoint(EntityId.writer(++entities), topic, type, qos, userData);
         var writer = new SampleWriter(data, exchange);
-        writers.put(data.guid().entity(), writer);
         announce(BuiltinEndpoint.PUBLICATIONS, data);
-        readers.values().stream().filter(each -> fit(data, each.data())).forEach(writer::matchNeighbor);
-        others.values().forEach(other -> other.endpoints.values().forEach(each -> match(writer, other, each)));
+        own.add(writer, others.values(), now);
         wake(now);
         return writer;
     }
@@ -177,18 +166,10 @@ public final class Participant {
                         sample.writer(), sample.number(), sample.timestamp(), sample.inlineQos(), sample.payload()));
             }
         });
-        readers.put(data.guid().entity(), reader);
         announce(BuiltinEndpoint.SUBSCRIPTIONS, data);
-        writers.values().stream().filter(each -> fit(each.data(), data)).forEach(each -> each.matchNeighbor(reader));
-        others.values().forEach(other -> other.endpoints.values().forEach(each -> match(reader, other, each)));
+        own.add(reader, others.values(), now);
         wake(now);
         return reader;
-    }
-
-    private static boolean fit(EndpointData writer, EndpointData reader) {
-        return writer.topic().equals(reader.topic())
-                && !writer.topic().isEmpty()
-                && writer.mismatch(reader).isEmpty();
     }
 
     /// @param timestamp when the sample is from [ns] since 1970
@@ -201,20 +182,16 @@ public final class Participant {
 
     public void remove(SampleWriter writer, long time) {
         advance(time);
-        Guid guid = writer.data().guid();
-        if (writers.remove(guid.entity(), writer)) {
-            withdraw(BuiltinEndpoint.PUBLICATIONS, guid);
+        if (own.remove(writer)) {
+            withdraw(BuiltinEndpoint.PUBLICATIONS, writer.data().guid());
             wake(now);
         }
     }
 
     public void remove(SampleReader reader, long time) {
         advance(time);
-        Guid guid = reader.data().guid();
-        if (readers.remove(guid.entity(), reader)) {
-            List.copyOf(reader.writers().keySet()).forEach(writer -> unmatch(reader, writer));
-            writers.values().forEach(writer -> writer.unmatch(guid));
-            withdraw(BuiltinEndpoint.SUBSCRIPTIONS, guid);
+        if (own.remove(reader)) {
+            withdraw(BuiltinEndpoint.SUBSCRIPTIONS, reader.data().guid());
             wake(now);
         }
     }
@@ -224,7 +201,12 @@ public final class Participant {
         advance(time);
         for (int i = 0; i < 2; i++) {
             var guid = new Guid(self.prefix(), EntityId.PARTICIPANT);
-            announcement(GuidPrefix.UNKNOWN, Content.KEY, gone(guid), key(ParameterId.PARTICIPANT_GUID, guid), 2);
+            announcement(
+                    GuidPrefix.UNKNOWN,
+                    Content.KEY,
+                    DiscoveryMessages.gone(guid),
+                    DiscoveryMessages.key(ParameterId.PARTICIPANT_GUID, guid),
+                    2);
             network.announce(messages.message());
             others.values()
                     .forEach(other -> other.metatraffic
@@ -252,11 +234,7 @@ public final class Participant {
             due = Long.MAX_VALUE;
             announce();
             expire();
-            readers.values().forEach(reader -> wake(reader.tick(messages, network, now)));
-            for (SampleWriter writer : writers.values()) {
-                writer.tick(now);
-                wake(writer.due());
-            }
+            wake(own.tick(messages, network, now));
         }
         return due;
     }
@@ -276,7 +254,8 @@ public final class Participant {
 
     private void announce() {
         if (now >= announceAt) {
-            announcement(GuidPrefix.UNKNOWN, Content.DATA, Optional.empty(), parameters(self::write), 1);
+            announcement(
+                    GuidPrefix.UNKNOWN, Content.DATA, Optional.empty(), DiscoveryMessages.parameters(self::write), 1);
             network.announce(messages.message());
             announcements++;
             announceAt =
@@ -307,29 +286,19 @@ public final class Participant {
     }
 
     private void announce(BuiltinEndpoint to, EndpointData data) {
-        teller(to).write(data.guid(), 0, Content.DATA, Optional.empty(), parameters(data::write), now);
+        teller(to)
+                .write(data.guid(), 0, Content.DATA, Optional.empty(), DiscoveryMessages.parameters(data::write), now);
     }
 
     private void withdraw(BuiltinEndpoint from, Guid guid) {
-        teller(from).write(guid, 0, Content.KEY, gone(guid), key(ParameterId.ENDPOINT_GUID, guid), now);
-    }
-
-    private static byte[] key(int id, Guid guid) {
-        return parameters(list -> list.put(id, guid::write));
-    }
-
-    private static Optional<Consumer<ParameterList.Writer>> gone(Guid guid) {
-        return Optional.of(list -> list.put(ParameterId.KEY_HASH, guid::write)
-                .put(ParameterId.STATUS_INFO, to -> to.put(new byte[] {0, 0, 0, GONE})));
-    }
-
-    private static byte[] parameters(Consumer<ParameterList.Writer> write) {
-        var bytes = ByteBuffer.allocate(MOST_ANNOUNCED).order(ByteOrder.LITTLE_ENDIAN);
-        bytes.put(ENCAPSULATION);
-        var list = new ParameterList.Writer(bytes.slice().order(ByteOrder.LITTLE_ENDIAN));
-        write.accept(list);
-        int end = ENCAPSULATION.length + list.end();
-        return Arrays.copyOf(bytes.array(), end);
+        teller(from)
+                .write(
+                        guid,
+                        0,
+                        Content.KEY,
+                        DiscoveryMessages.gone(guid),
+                        DiscoveryMessages.key(ParameterId.ENDPOINT_GUID, guid),
+                        now);
     }
 
     private void receive(Origin origin, Submessage submessage, InetSocketAddress from) {
@@ -348,55 +317,39 @@ public final class Participant {
         Guid writer = origin.guid(submessage.writer());
         switch (submessage) {
             case Submessage.Data data ->
-                proxies(writer, data.reader(), proxy -> proxy.receive(Arrival.of(writer, origin.timestamp(), data)));
+                own.proxies(
+                        writer, data.reader(), proxy -> proxy.receive(Arrival.of(writer, origin.timestamp(), data)));
             case Submessage.DataFragments part ->
-                proxies(writer, part.reader(), proxy -> proxy.receive(part, origin.timestamp()));
+                own.proxies(writer, part.reader(), proxy -> proxy.receive(part, origin.timestamp()));
             case Submessage.Heartbeat heartbeat ->
-                proxies(writer, heartbeat.reader(), proxy -> {
+                own.proxies(writer, heartbeat.reader(), proxy -> {
                     proxy.receive(heartbeat, now);
                     proxy.request(messages, network, now);
                     wake(proxy.due());
                 });
-            case Submessage.Gap gap -> proxies(writer, gap.reader(), proxy -> proxy.receive(gap));
-            case Submessage.AckNack answer -> {
-                SampleWriter own = writers.get(answer.writer());
-                if (own != null) {
-                    own.receive(origin, answer, now);
-                    wake(own.due());
-                }
-            }
-            case Submessage.NackFragments nack -> {
-                SampleWriter own = writers.get(nack.writer());
-                if (own != null) {
-                    own.receive(origin, nack, now);
-                    wake(own.due());
-                }
-            }
-        }
-    }
-
-    /// @param reader for whom it is; [EntityId#UNKNOWN] for all that read from the writer
-    private void proxies(Guid writer, EntityId reader, Consumer<WriterProxy> action) {
-        for (SampleReader each : List.copyOf(listening.getOrDefault(writer, List.of()))) {
-            if (reader.equals(EntityId.UNKNOWN)
-                    || reader.equals(each.data().guid().entity())) {
-                WriterProxy proxy = each.writers().get(writer);
-                if (proxy != null) {
-                    action.accept(proxy);
-                }
-            }
+            case Submessage.Gap gap -> own.proxies(writer, gap.reader(), proxy -> proxy.receive(gap));
+            case Submessage.AckNack answer ->
+                own.writer(answer.writer()).ifPresent(its -> {
+                    its.receive(origin, answer, now);
+                    wake(its.due());
+                });
+            case Submessage.NackFragments nack ->
+                own.writer(nack.writer()).ifPresent(its -> {
+                    its.receive(origin, nack, now);
+                    wake(its.due());
+                });
         }
     }
 
     private void onParticipant(Origin origin, Submessage.Data sample, InetSocketAddress from) {
         try {
-            if (isGone(sample.inlineQos())) {
+            if (DiscoveryMessages.isGone(sample.inlineQos())) {
                 RemoteParticipant other = others.get(origin.source());
                 if (other != null) {
                     lose(other);
                 }
             } else if (sample.content() == Content.DATA) {
-                ParticipantData data = ParticipantData.of(list(sample.payload()));
+                ParticipantData data = ParticipantData.of(DiscoveryMessages.list(sample.payload()));
                 boolean isOfOurDomain =
                         data.domain().equals(self.domain()) || data.domain().isEmpty();
                 if (data.prefix().equals(origin.source())
@@ -433,15 +386,16 @@ public final class Participant {
 
     /// So that it does not have to wait for the next announcement.
     private void welcome(RemoteParticipant other) {
-        announcement(other.data.prefix(), Content.DATA, Optional.empty(), parameters(self::write), 1);
+        announcement(other.data.prefix(), Content.DATA, Optional.empty(), DiscoveryMessages.parameters(self::write), 1);
         other.metatraffic.addresses().forEach(address -> network.send(messages.message(), address));
         for (BuiltinEndpoint builtin : BuiltinEndpoint.RELIABLE) {
             if ((other.data.builtinEndpoints() & builtin.writerBit()) != 0) {
-                match(
+                own.match(
                         Objects.requireNonNull(hearers.get(builtin)),
                         other.metatraffic,
                         new Guid(other.data.prefix(), builtin.writer()),
-                        true);
+                        true,
+                        now);
             }
             if ((other.data.builtinEndpoints() & builtin.readerBit()) != 0) {
                 teller(builtin)
@@ -455,13 +409,7 @@ public final class Participant {
         GuidPrefix prefix = other.data.prefix();
         others.remove(prefix);
         refused.clear();
-        writers.values().forEach(writer -> writer.unmatchAll(prefix));
-        for (SampleReader reader : readers.values()) {
-            reader.writers().keySet().stream()
-                    .filter(writer -> writer.prefix().equals(prefix))
-                    .toList()
-                    .forEach(writer -> unmatch(reader, writer));
-        }
+        own.forgetAll(prefix);
         other.endpoints.keySet().forEach(graph::onEndpointLost);
         graph.onParticipantLost(prefix);
     }
@@ -474,10 +422,10 @@ public final class Participant {
         }
         boolean isWriter = builtin.equals(BuiltinEndpoint.PUBLICATIONS);
         try {
-            if (isGone(sample.inlineQos())) {
-                key(sample).ifPresent(guid -> forget(other, guid));
+            if (DiscoveryMessages.isGone(sample.inlineQos())) {
+                DiscoveryMessages.key(sample).ifPresent(guid -> forget(other, guid));
             } else if (sample.content() == Content.DATA) {
-                EndpointData data = EndpointData.of(list(sample.payload()), isWriter);
+                EndpointData data = EndpointData.of(DiscoveryMessages.list(sample.payload()), isWriter);
                 if (data.guid().prefix().equals(other.data.prefix()) && data.isWriter() == isWriter) {
                     learn(other, data);
                 }
@@ -485,34 +433,6 @@ public final class Participant {
         } catch (InvalidRtps e) {
             malformed++;
         }
-    }
-
-    private static boolean isGone(ParameterList inlineQos) {
-        return inlineQos
-                .find(ParameterId.STATUS_INFO, Integer.BYTES)
-                .map(info -> (info.get(Integer.BYTES - 1) & GONE) != 0) // octets, whatever their order
-                .orElse(false);
-    }
-
-    private static Optional<Guid> key(Arrival sample) throws InvalidRtps {
-        Optional<Guid> hash =
-                sample.inlineQos().find(ParameterId.KEY_HASH, Guid.BYTES).map(Guid::read);
-        if (hash.isPresent() || sample.content() == Content.NONE) {
-            return hash;
-        }
-        return list(sample.payload())
-                .find(ParameterId.ENDPOINT_GUID, Guid.BYTES)
-                .map(Guid::read);
-    }
-
-    private static ParameterList list(ByteBuffer payload) throws InvalidRtps {
-        ByteBuffer bytes = payload.slice().order(ByteOrder.BIG_ENDIAN);
-        int encapsulation = bytes.remaining() < 4 ? -1 : bytes.getInt() >>> 16;
-        if (encapsulation != PL_CDR_BE && encapsulation != PL_CDR_LE) {
-            throw new InvalidRtps("What a participant tells of itself is no parameter list.");
-        }
-        bytes.order(encapsulation == PL_CDR_LE ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
-        return ParameterList.read(bytes);
     }
 
     private void learn(RemoteParticipant other, EndpointData data) {
@@ -529,73 +449,14 @@ public final class Participant {
         }
         other.endpoints.put(data.guid(), data);
         graph.onEndpoint(data);
-        if (data.isWriter()) {
-            List.copyOf(readers.values()).forEach(reader -> match(reader, other, data));
-        } else {
-            List.copyOf(writers.values()).forEach(writer -> match(writer, other, data));
-        }
+        own.learn(other, data, now);
         wake(now);
     }
 
     private void forget(RemoteParticipant other, Guid guid) {
-        if (other.endpoints.remove(guid) == null) {
-            return;
+        if (other.endpoints.remove(guid) != null) {
+            own.forget(guid);
+            graph.onEndpointLost(guid);
         }
-        writers.values().forEach(writer -> writer.unmatch(guid));
-        readers.values().forEach(reader -> unmatch(reader, guid));
-        graph.onEndpointLost(guid);
-    }
-
-    private void match(SampleWriter own, RemoteParticipant other, EndpointData reader) {
-        if (!reader.isWriter() && isOfOneTopic(own.data(), reader)) {
-            own.data()
-                    .mismatch(reader)
-                    .ifPresentOrElse(
-                            why -> graph.onMismatch(own.data(), reader, why),
-                            () -> own.match(reader, addressee(other, reader), now));
-        }
-    }
-
-    private void match(SampleReader own, RemoteParticipant other, EndpointData writer) {
-        if (writer.isWriter() && isOfOneTopic(own.data(), writer)) {
-            writer.mismatch(own.data())
-                    .ifPresentOrElse(
-                            why -> graph.onMismatch(own.data(), writer, why),
-                            () -> match(
-                                    own,
-                                    addressee(other, writer),
-                                    writer.guid(),
-                                    writer.qos().isReliable()));
-        }
-    }
-
-    private static boolean isOfOneTopic(EndpointData own, EndpointData other) {
-        return own.topic().equals(other.topic()) && !own.topic().isEmpty();
-    }
-
-    private void match(SampleReader own, Addressee addressee, Guid writer, boolean isReliable) {
-        own.match(writer, addressee, isReliable, now);
-        List<SampleReader> all = listening.computeIfAbsent(writer, _ -> new ArrayList<>(1));
-        if (!all.contains(own)) {
-            all.add(own);
-        }
-    }
-
-    private void unmatch(SampleReader own, Guid writer) {
-        own.unmatch(writer);
-        List<SampleReader> all = listening.get(writer);
-        if (all != null && all.remove(own) && all.isEmpty()) {
-            listening.remove(writer);
-        }
-    }
-
-    private static Addressee addressee(RemoteParticipant other, EndpointData endpoint) {
-        if (endpoint.locators().isEmpty()) {
-            return other.userTraffic;
-        }
-        InetSocketAddress known = other.metatraffic.addresses().isEmpty()
-                ? new InetSocketAddress(0)
-                : other.metatraffic.addresses().getFirst();
-        return Addressee.of(other.data.prefix(), endpoint.locators(), known);
     }
 }

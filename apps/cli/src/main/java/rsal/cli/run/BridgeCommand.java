@@ -44,14 +44,14 @@ import rsal.system.ExportedDevice;
         description = {
             "Run a scenario or a world, and offer its robots to programs that speak another system's protocol.",
             "'rsal bridge player WORLD' serves them to clients of Player, 'rsal bridge player FILE.cfg' what that says."
-                    + " It goes on until the run ends, or Ctrl-C."
+                    + " 'rsal bridge ros2 SCENARIO' publishes them to programs of ROS 2. It goes on until the run ends, or Ctrl-C."
         })
 public final class BridgeCommand extends Subcommand {
     @Parameters(
             index = "0",
             paramLabel = "PROTOCOL",
             description = "One of those that 'rsal list bridges' names: player; player-3.0 for programs that were built"
-                    + " for Player 3.0")
+                    + " for Player 3.0; ros2 for programs of ROS 2")
     private String key = "";
 
     @Parameters(
@@ -71,7 +71,8 @@ public final class BridgeCommand extends Subcommand {
             paramLabel = "P",
             converter = PageChoices.Port.class,
             description = "Where to listen for the first robot, the others after it; 0: any ports that are free. Left"
-                    + " out: where the protocol's programs look (player: 6665). The ports of a file move along.")
+                    + " out: where the protocol's programs look (player: 6665). The ports of a file move along."
+                    + " For ros2 the port of its domain, 7400 + 250 times its number; left out: ROS_DOMAIN_ID.")
     private @Nullable Integer port;
 
     @Option(

@@ -36,7 +36,7 @@ public sealed interface Submessage {
 
     /// A sample.
     ///
-    /// @param inlineQos parts of the message, as the payload: copied by whoever keeps them
+    /// @param inlineQos parts of the message, as the payload: copied by all who keep them
     /// @param payload with its encapsulation header, from position to limit
     record Data(
             EntityId reader, EntityId writer, long number, ParameterList inlineQos, Content content, ByteBuffer payload)
