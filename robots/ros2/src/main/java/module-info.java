@@ -8,6 +8,8 @@ module rsal.ros2 {
 
     provides rsal.system.BridgeProvider with
             rsal.ros2.bridge.Ros2BridgeProvider;
+    provides rsal.system.Diagnosis with
+            rsal.ros2.system.Ros2Diagnosis;
     provides rsal.system.RobotSystemProvider with
             rsal.ros2.system.Ros2Provider;
 }

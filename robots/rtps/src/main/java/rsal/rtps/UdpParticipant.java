@@ -32,7 +32,9 @@ import rsal.rtps.wire.MessageWriter;
 /// Safe for several threads. Listeners are called on its thread, and on threads that write for readers of the same
 /// participant.
 public final class UdpParticipant implements AutoCloseable {
-    private static final int VENDOR = 0x0152; // which nobody else uses
+    /// Which nobody else uses.
+    public static final int VENDOR = 0x0152;
+
     private static final int BUFFER = 4 << 20; // B; the system may give less
     private static final int AT_ONCE = 64; // datagrams between two looks at the clock
     private static final int LOCAL_FRAGMENT = 60_000; // B
@@ -163,6 +165,11 @@ public final class UdpParticipant implements AutoCloseable {
         synchronized (participant) {
             return participant.endpoints();
         }
+    }
+
+    /// Whether it hears what is sent to all.
+    public boolean hasMulticast() {
+        return sockets.channels().size() > 1;
     }
 
     /// The newest failure to send or receive, as when a network is down. Nothing ends by it.

@@ -20,9 +20,16 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
 import rsal.cli.terminal.Exit;
 import rsal.cli.terminal.Subcommand;
 import rsal.cli.terminal.TextTable;
+import rsal.scenario.installed.Providers;
+import rsal.settings.Arguments;
+import rsal.settings.Suggestion;
+import rsal.system.Diagnosis;
+import rsal.system.Diagnosis.Finding;
 
 /// `rsal doctor`
 @Command(name = "doctor", description = "Look at this machine: is all here that RSAL needs, and if not, what to do?")
@@ -38,16 +45,22 @@ public final class DoctorCommand extends Subcommand {
             description = "Leave out what only builds and tests RSAL, as in a release: Node.js and Chromium.")
     private boolean offline;
 
-    /// @param remedy empty when nothing is to be done
-    record Finding(String what, boolean ok, String found, String remedy) {}
+    @Parameters(
+            arity = "0..1",
+            paramLabel = "WHAT",
+            defaultValue = "",
+            description = "What to look at instead: ros2, the network of ROS 2.")
+    private String what = "";
+
+    @Option(
+            names = "--set",
+            paramLabel = "NAME=VALUE",
+            description = "Of WHAT: where to look, as domain=5 or address=192.168.1.5.")
+    private Map<String, String> set = Map.of();
 
     @Override
     protected int run() {
-        boolean release = System.getProperty("rsal.docs") != null;
-        var findings = new ArrayList<>(List.of(jdk(), cores(), memory(), fastStart(release), port(), page()));
-        if (!offline && !release) {
-            findings.addAll(List.of(node(), chromium()));
-        }
+        List<Finding> findings = what.isEmpty() ? machine() : diagnosis();
         if (json) {
             printJson(Map.of("findings", findings));
         } else {
@@ -56,12 +69,37 @@ public final class DoctorCommand extends Subcommand {
         return Exit.SUCCESS;
     }
 
+    private List<Finding> machine() {
+        boolean release = System.getProperty("rsal.docs") != null;
+        var findings = new ArrayList<>(List.of(jdk(), cores(), memory(), fastStart(release), port(), page()));
+        if (!offline && !release) {
+            findings.addAll(List.of(node(), chromium()));
+        }
+        return findings;
+    }
+
+    private List<Finding> diagnosis() {
+        Map<String, Diagnosis> all = Providers.byKey(Diagnosis.class, Diagnosis::key);
+        Diagnosis one = all.get(what);
+        if (one == null) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "There is nothing called '%s' to look at. %s"
+                            .formatted(what, Suggestion.among(what, all.keySet())));
+        }
+        try {
+            return one.look(Arguments.parse(one.parameters(), set));
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(spec.commandLine(), String.valueOf(e.getMessage()), e);
+        }
+    }
+
     private void print(List<Finding> findings) {
         var table = new TextTable("");
         for (Finding finding : findings) {
-            table.row(finding.ok ? "ok" : "warn", finding.what, finding.found);
-            if (!finding.remedy.isEmpty()) {
-                table.row("", "", "→ " + finding.remedy);
+            table.row(finding.ok() ? "ok" : "warn", finding.what(), finding.found());
+            if (!finding.remedy().isEmpty()) {
+                table.row("", "", "→ " + finding.remedy());
             }
         }
         out().print(table);

@@ -9,14 +9,20 @@ public final class RosNetwork {
 
     private RosNetwork() {}
 
+    /// Whether the environment says which domain.
+    public static boolean isSet() {
+        String set = System.getenv(DOMAIN);
+        return set != null && !set.isBlank();
+    }
+
     /// `ROS_DOMAIN_ID`; 0 where that is not set.
     ///
     /// @throws IllegalArgumentException when it is no number
     public static int domain() {
-        String set = System.getenv(DOMAIN);
-        if (set == null || set.isBlank()) {
+        if (!isSet()) {
             return 0;
         }
+        String set = System.getenv(DOMAIN);
         try {
             return Integer.parseInt(set.strip());
         } catch (NumberFormatException e) {

@@ -9,7 +9,6 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.random.RandomGenerator;
-import java.util.stream.Stream;
 import rsal.ros2.cdr.CdrWriter;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeHash;
@@ -59,16 +58,19 @@ public final class RtpsLink implements RosLink {
 
     @Override
     public List<RosEndpoint> endpoints() {
-        return participant.endpoints().stream().flatMap(RtpsLink::endpoint).toList();
+        return participant.endpoints().stream()
+                .flatMap(each -> endpoint(each).stream())
+                .toList();
     }
 
-    private static Stream<RosEndpoint> endpoint(EndpointData data) {
+    /// As ROS names it; empty for what is none of its topics.
+    public static Optional<RosEndpoint> endpoint(EndpointData data) {
         Optional<String> type = rosType(data.type());
         if (!data.topic().startsWith(TOPIC + "/") || type.isEmpty()) {
-            return Stream.of();
+            return Optional.empty();
         }
         var topic = new RosTopic(data.topic().substring(TOPIC.length()), type.get());
-        return Stream.of(new RosEndpoint(topic, data.isWriter(), profile(data.qos())));
+        return Optional.of(new RosEndpoint(topic, data.isWriter(), profile(data.qos())));
     }
 
     /// `sensor_msgs::msg::dds_::LaserScan_` for `sensor_msgs/msg/LaserScan`.

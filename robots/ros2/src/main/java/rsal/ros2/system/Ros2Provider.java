@@ -40,19 +40,19 @@ public final class Ros2Provider implements RobotSystemProvider {
             "",
             "The robots' namespaces, in order, separated by commas: /robot1, /robot2; / for topics without a namespace."
                     + " Default: their ids, with _ for -.");
-    private static final Parameter<Integer> DOMAIN = Parameter.integer(
+    static final Parameter<Integer> DOMAIN = Parameter.integer(
             "domain",
             FROM_ENVIRONMENT,
             FROM_ENVIRONMENT,
             232,
             "",
             "The domain of ROS 2; -1 takes ROS_DOMAIN_ID of the environment, or 0.");
-    private static final Parameter<String> ADDRESS = Parameter.text(
+    static final Parameter<String> ADDRESS = Parameter.text(
             "address",
             "127.0.0.1",
             "The address of this machine by which robots reach it. With 127.0.0.1, only programs on this machine are"
                     + " found.");
-    private static final Parameter<String> PEERS = Parameter.text(
+    static final Parameter<String> PEERS = Parameter.text(
             "peers", "", "Machines to look for robots on where the network has no multicast, separated by commas.");
     private static final Parameter<String> DISTRIBUTION = Parameter.choice(
             "distribution",
@@ -110,7 +110,7 @@ public final class Ros2Provider implements RobotSystemProvider {
         }
         try {
             Map<RobotSpec, String> namespaces = namespaces(settings, config.robots());
-            UdpParticipant.Options network = network(settings);
+            UdpParticipant.Options network = network(settings, NODE);
             if (problems.isEmpty()) {
                 var distribution =
                         Distribution.valueOf(settings.get(DISTRIBUTION).toUpperCase(Locale.ROOT));
@@ -130,7 +130,8 @@ public final class Ros2Provider implements RobotSystemProvider {
         throw new InvalidRobots(problems);
     }
 
-    private static UdpParticipant.Options network(Arguments settings) {
+    /// @param node as tools show it
+    static UdpParticipant.Options network(Arguments settings, String node) {
         var peers = new ArrayList<InetAddress>();
         for (String peer : list(settings.get(PEERS))) {
             peers.add(address("peers", peer));
@@ -140,7 +141,7 @@ public final class Ros2Provider implements RobotSystemProvider {
                 address("address", settings.get(ADDRESS).strip()),
                 peers,
                 LEASE,
-                NODE,
+                node,
                 RosNetwork.ENCLAVE);
     }
 

@@ -1,0 +1,203 @@
+package rsal.ros2.system;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.SecureRandom;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import rsal.ros2.link.RosNetwork;
+import rsal.ros2.link.RtpsLink;
+import rsal.rtps.GraphListener;
+import rsal.rtps.UdpParticipant;
+import rsal.rtps.discovery.EndpointData;
+import rsal.rtps.discovery.ParticipantData;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+import rsal.system.Diagnosis;
+import rsal.time.AllowedToReadWallClock;
+
+/// What of ROS 2 is found on the network, and what hides it: another domain, the loopback address, shared memory,
+/// quality of service that does not match.
+@AllowedToReadWallClock("Networks live in real time.")
+public final class Ros2Diagnosis implements Diagnosis {
+    private static final String NODE = "rsal_doctor";
+    private static final Parameter<Double> TIME = Parameter.number(
+            "time", 4, 1, 60, "s", "For how long to look; robots announce themselves every few seconds.");
+    private static final int GOOD_BUFFER = 2 << 20; // B
+    private static final Path BUFFER = Path.of("/proc/sys/net/core/rmem_max");
+    private static final Map<Integer, String> VENDORS = Map.of(
+            0x0101,
+            "RTI Connext",
+            0x0102,
+            "OpenSplice",
+            0x0103,
+            "OpenDDS",
+            0x010f,
+            "Fast DDS",
+            0x0110,
+            "Cyclone DDS",
+            0x0112,
+            "RustDDS",
+            UdpParticipant.VENDOR,
+            "RSAL");
+
+    @Override
+    public String key() {
+        return "ros2";
+    }
+
+    @Override
+    public String description() {
+        return "Looks for programs and robots of ROS 2 on the network, and says what hides them.";
+    }
+
+    @Override
+    public List<Parameter<?>> parameters() {
+        return List.of(Ros2Provider.DOMAIN, Ros2Provider.ADDRESS, Ros2Provider.PEERS, TIME);
+    }
+
+    @Override
+    public List<Finding> look(Arguments settings) {
+        UdpParticipant.Options options = Ros2Provider.network(settings, NODE);
+        var findings = new ArrayList<Finding>();
+        findings.add(new Finding(
+                "domain",
+                true,
+                "%d%s".formatted(options.domain(), RosNetwork.isSet() ? ", by ROS_DOMAIN_ID" : ""),
+                ""));
+        boolean isLocal = options.address().isLoopbackAddress();
+        findings.add(new Finding(
+                "address",
+                true,
+                options.address().getHostAddress() + (isLocal ? ", for programs on this machine" : ""),
+                isLocal ? "For robots elsewhere: --set address=ADDRESS of this machine in their network." : ""));
+        bufferSize().ifPresent(findings::add);
+        try (var participant = new UdpParticipant(options, System::nanoTime, new SecureRandom(), GraphListener.NONE)) {
+            findings.add(new Finding(
+                    "multicast",
+                    participant.hasMulticast(),
+                    participant.hasMulticast() ? "can be received" : "can't be received there",
+                    participant.hasMulticast() ? "" : "Name the robots' machines: --set peers=HOST,HOST."));
+            Thread.sleep(settings.seconds(TIME));
+            findings.addAll(of(participant.participants(), participant.endpoints()));
+        } catch (IOException e) {
+            findings.add(new Finding("network", false, String.valueOf(e.getMessage()), "Set another address."));
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+        return findings;
+    }
+
+    private static Optional<Finding> bufferSize() {
+        try (var file = Files.newBufferedReader(BUFFER)) { // which is there for the first read only
+            long most = Long.parseLong(String.valueOf(file.readLine()));
+            boolean isGood = most >= GOOD_BUFFER;
+            return Optional.of(new Finding(
+                    "buffer",
+                    isGood,
+                    "at most %d KiB for what is received".formatted(most >> 10),
+                    isGood ? "" : "For large maps and many robots: sysctl -w net.core.rmem_max=8388608"));
+        } catch (IOException | NumberFormatException e) {
+            return Optional.empty(); // not Linux
+        }
+    }
+
+    /// What there is, and what of it does not work.
+    static List<Finding> of(List<ParticipantData> participants, List<EndpointData> endpoints) {
+        var findings = new ArrayList<Finding>();
+        var vendors = new TreeMap<String, Integer>();
+        participants.forEach(each -> vendors.merge(vendor(each), 1, Integer::sum));
+        findings.add(new Finding(
+                "programs",
+                !participants.isEmpty(),
+                participants.isEmpty()
+                        ? "none of ROS 2"
+                        : vendors.entrySet().stream()
+                                .map(each -> "%d of %s".formatted(each.getValue(), each.getKey()))
+                                .collect(Collectors.joining(", ")),
+                participants.isEmpty()
+                        ? "Are they of this domain? Do they run on this machine, or in the network of the address?"
+                                + " Docker, WSL and many Wi-Fi networks need --set peers."
+                        : ""));
+        for (ParticipantData each : participants) {
+            boolean isReached = each.userTraffic().stream()
+                    .anyMatch(locator -> locator.unicast().isPresent());
+            if (!isReached) {
+                findings.add(new Finding(
+                        "program",
+                        false,
+                        "%s '%s' receives by shared memory or TCP only".formatted(vendor(each), each.name()),
+                        "Start it without FASTDDS_BUILTIN_TRANSPORTS, or with UDPv4."));
+            }
+        }
+        findings.addAll(robots(endpoints));
+        findings.addAll(mismatches(endpoints));
+        return findings;
+    }
+
+    private static String vendor(ParticipantData participant) {
+        int vendor = participant.prefix().vendor();
+        return VENDORS.getOrDefault(vendor, "DDS of vendor 0x%04x".formatted(vendor));
+    }
+
+    /// Namespaces that have what a robot needs, or a part of it.
+    private static List<Finding> robots(List<EndpointData> endpoints) {
+        Map<String, Set<String>> topics = new TreeMap<>();
+        for (EndpointData each : endpoints) {
+            RtpsLink.endpoint(each).ifPresent(endpoint -> {
+                String name = endpoint.topic().name();
+                int slash = name.lastIndexOf('/');
+                String type = endpoint.topic().type();
+                boolean isOdometry = endpoint.isPublisher() && type.equals("nav_msgs/msg/Odometry");
+                boolean isCommand = !endpoint.isPublisher() && name.endsWith("/cmd_vel");
+                boolean isScan = endpoint.isPublisher() && type.equals("sensor_msgs/msg/LaserScan");
+                if (isOdometry || isCommand || isScan) {
+                    topics.computeIfAbsent(slash == 0 ? "/" : name.substring(0, slash), _ -> new TreeSet<>())
+                            .add(isOdometry ? "odometry" : isCommand ? "cmd_vel" : "scans");
+                }
+            });
+        }
+        var findings = new ArrayList<Finding>();
+        topics.forEach((namespace, has) -> {
+            boolean isRobot = has.contains("odometry") && has.contains("cmd_vel");
+            findings.add(new Finding(
+                    "robot",
+                    isRobot,
+                    "'%s' has %s".formatted(namespace, String.join(", ", has)),
+                    isRobot ? "" : "A robot needs somebody who publishes odometry, and who subscribes to cmd_vel."));
+        });
+        return findings;
+    }
+
+    /// Writers and readers of one topic that don't fit, each reason once for a topic.
+    private static List<Finding> mismatches(List<EndpointData> endpoints) {
+        Map<String, List<EndpointData>> writers = endpoints.stream()
+                .filter(EndpointData::isWriter)
+                .collect(Collectors.groupingBy(EndpointData::topic, LinkedHashMap::new, Collectors.toList()));
+        var told = new LinkedHashSet<String>();
+        for (EndpointData reader : endpoints) {
+            if (!reader.isWriter()) {
+                for (EndpointData writer : writers.getOrDefault(reader.topic(), List.of())) {
+                    writer.mismatch(reader).ifPresent(why -> told.add("'%s': %s".formatted(topic(reader), why)));
+                }
+            }
+        }
+        return told.stream()
+                .map(each -> new Finding("topic", false, each, "Change the quality of service of one of them."))
+                .toList();
+    }
+
+    /// As ROS calls it, where it is a topic of ROS.
+    private static String topic(EndpointData endpoint) {
+        return RtpsLink.endpoint(endpoint).map(each -> each.topic().name()).orElse(endpoint.topic());
+    }
+}

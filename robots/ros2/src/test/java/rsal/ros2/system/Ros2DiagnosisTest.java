@@ -1,0 +1,94 @@
+package rsal.ros2.system;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.tuple;
+
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import rsal.rtps.discovery.BuiltinEndpoint;
+import rsal.rtps.discovery.EndpointData;
+import rsal.rtps.discovery.ParticipantData;
+import rsal.rtps.discovery.Qos;
+import rsal.rtps.wire.EntityId;
+import rsal.rtps.wire.Guid;
+import rsal.rtps.wire.GuidPrefix;
+import rsal.rtps.wire.Locator;
+import rsal.system.Diagnosis.Finding;
+
+class Ros2DiagnosisTest {
+    private static final Locator UDP = Locator.udp(new InetSocketAddress(InetAddress.getLoopbackAddress(), 7410));
+    private static final Locator SHARED_MEMORY = new Locator(16, 7410, 0, 0);
+
+    private static ParticipantData participant(int vendor, Locator locator) {
+        return new ParticipantData(
+                new GuidPrefix((long) vendor << 48, 1),
+                Optional.of(0),
+                "",
+                BuiltinEndpoint.ALL,
+                1,
+                List.of(locator),
+                List.of(locator),
+                "talker",
+                "enclave=/;");
+    }
+
+    private static EndpointData endpoint(boolean isWriter, String topic, String type, Qos qos) {
+        EntityId entity = isWriter ? EntityId.writer(1) : EntityId.reader(1);
+        return new EndpointData(new Guid(new GuidPrefix(1, 1), entity), topic, type, qos, List.of(), "");
+    }
+
+    @Test
+    void nobodyThereIsExplained() {
+        List<Finding> findings = Ros2Diagnosis.of(List.of(), List.of());
+        assertThat(findings).hasSize(1);
+        assertThat(findings.getFirst().ok()).isFalse();
+        assertThat(findings.getFirst().remedy()).contains("domain", "--set peers");
+    }
+
+    @Test
+    void programsAreCountedByWhoMadeTheirDds() {
+        List<Finding> findings = Ros2Diagnosis.of(
+                List.of(participant(0x0110, UDP), participant(0x010f, UDP), participant(0x010f, UDP)), List.of());
+        assertThat(findings).containsExactly(new Finding("programs", true, "1 of Cyclone DDS, 2 of Fast DDS", ""));
+    }
+
+    @Test
+    void sharedMemoryAloneIsNamed() {
+        List<Finding> findings = Ros2Diagnosis.of(List.of(participant(0x010f, SHARED_MEMORY)), List.of());
+        assertThat(findings.getLast().ok()).isFalse();
+        assertThat(findings.getLast().found()).isEqualTo("Fast DDS 'talker' receives by shared memory or TCP only");
+    }
+
+    @Test
+    void robotsAreNamespacesWithOdometryAndVelocities() {
+        String odometry = "nav_msgs::msg::dds_::Odometry_";
+        String twist = "geometry_msgs::msg::dds_::Twist_";
+        List<Finding> findings = Ros2Diagnosis.of(
+                List.of(participant(0x0110, UDP)),
+                List.of(
+                        endpoint(true, "rt/r1/odom", odometry, Qos.DEFAULT),
+                        endpoint(false, "rt/r1/cmd_vel", twist, Qos.DEFAULT),
+                        endpoint(true, "rt/odom", odometry, Qos.DEFAULT),
+                        endpoint(true, "rq/r1/odomRequest", odometry, Qos.DEFAULT)));
+        assertThat(findings)
+                .filteredOn(each -> each.what().equals("robot"))
+                .extracting(Finding::ok, Finding::found)
+                .containsExactly(tuple(false, "'/' has odometry"), tuple(true, "'/r1' has cmd_vel, odometry"));
+    }
+
+    @Test
+    void qualityOfServiceThatDoesNotMatchIsToldOnce() {
+        String type = "sensor_msgs::msg::dds_::LaserScan_";
+        EndpointData reader = endpoint(false, "rt/scan", type, Qos.DEFAULT);
+        List<Finding> findings = Ros2Diagnosis.of(
+                List.of(participant(0x0110, UDP)),
+                List.of(endpoint(true, "rt/scan", type, Qos.SENSOR_DATA), reader, reader));
+        assertThat(findings)
+                .filteredOn(each -> each.what().equals("topic"))
+                .extracting(Finding::found)
+                .containsExactly("'/scan': reliability: the reader wants reliable, the writer offers best effort");
+    }
+}
