@@ -5,7 +5,10 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosEndpoint;
 import rsal.ros2.link.RosLink;
@@ -16,6 +19,8 @@ import rsal.ros2.link.RosTopic;
 public final class MemoryNetwork {
     private final List<Member> members = new ArrayList<>();
 
+    private final Map<String, Function<byte[], CompletionStage<byte[]>>> services = new HashMap<>();
+
     private record Hearing(RosTopic topic, Profile profile, Consumer<ByteBuffer> listener) {
         /// Whether what is offered is enough.
         boolean fits(Profile offered) {
@@ -24,6 +29,16 @@ public final class MemoryNetwork {
     }
 
     private record Offer(RosTopic topic, Profile profile) {}
+
+    /// From now on, somebody answers requests of that name.
+    public void serve(String name, Function<byte[], CompletionStage<byte[]>> server) {
+        services.put(name, server);
+    }
+
+    /// Nobody answers them any more.
+    public void forget(String name) {
+        services.remove(name);
+    }
 
     public RosLink join() {
         var member = new Member();
@@ -98,6 +113,33 @@ public final class MemoryNetwork {
                     hearings.remove(hearing);
                 }
             };
+        }
+
+        @Override
+        public ServiceClient client(String name, String type) {
+            return new ServiceClient() {
+                @Override
+                public boolean isAvailable() {
+                    return services.containsKey(name);
+                }
+
+                @Override
+                public CompletionStage<byte[]> call(byte[] request) {
+                    var server = services.get(name);
+                    return server == null
+                            ? CompletableFuture.failedStage(new IllegalStateException("Nobody serves it."))
+                            : server.apply(request);
+                }
+
+                @Override
+                public void close() {}
+            };
+        }
+
+        @Override
+        public Served serve(String name, String type, Server server) {
+            services.put(name, server::answer);
+            return () -> services.remove(name);
         }
 
         @Override

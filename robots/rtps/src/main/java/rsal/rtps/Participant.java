@@ -173,11 +173,19 @@ public final class Participant {
     }
 
     /// @param timestamp when the sample is from [ns] since 1970
+    /// @param inlineQos writes what goes beside it, without an end; only where it fits into a datagram
     /// @param payload with its encapsulation header; not changed any more
-    public void write(SampleWriter writer, long timestamp, byte[] payload, long time) {
+    /// @return the number of the sample
+    public long write(
+            SampleWriter writer,
+            long timestamp,
+            Optional<Consumer<ParameterList.Writer>> inlineQos,
+            byte[] payload,
+            long time) {
         advance(time);
-        writer.write(timestamp, payload, now);
+        long number = writer.write(timestamp, inlineQos, payload, now);
         wake(writer.due());
+        return number;
     }
 
     public void remove(SampleWriter writer, long time) {

@@ -5,7 +5,7 @@ import rsal.rtps.wire.Guid;
 import rsal.rtps.wire.ParameterList;
 
 /// Gets the samples of a reader, those of one writer in order, each once. Called while the participant is locked: be
-/// quick.
+/// quick. It may write samples, and nothing else of the participant.
 public interface SampleListener {
     /// @param sample valid during the call only
     void onSample(Sample sample);

@@ -76,11 +76,19 @@ public final class SampleWriter {
         return readers.values().stream().allMatch(each -> !each.isReliable || each.acknowledged >= last);
     }
 
+    /// Who reads it, of other participants.
+    List<Guid> readers() {
+        return List.copyOf(readers.keySet());
+    }
+
     /// @param timestamp [ns] since 1970
+    /// @param inlineQos writes what goes beside it, without an end; only where it fits into a datagram
     /// @param payload with its encapsulation header; not changed any more
     /// @param now [ns]
-    void write(long timestamp, byte[] payload, long now) {
-        write(new KeptSample(last + 1, timestamp, Optional.empty(), Content.DATA, Optional.empty(), payload), now);
+    /// @return the number of the sample
+    long write(long timestamp, Optional<Consumer<ParameterList.Writer>> inlineQos, byte[] payload, long now) {
+        write(new KeptSample(last + 1, timestamp, Optional.empty(), Content.DATA, inlineQos, payload), now);
+        return last;
     }
 
     /// @param key of which this replaces the sample before

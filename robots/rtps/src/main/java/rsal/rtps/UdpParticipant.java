@@ -1,6 +1,8 @@
 package rsal.rtps;
 
 import java.io.IOException;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.net.BindException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
@@ -15,6 +17,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.random.RandomGenerator;
 import java.util.stream.IntStream;
@@ -23,9 +26,11 @@ import rsal.rtps.discovery.BuiltinEndpoint;
 import rsal.rtps.discovery.EndpointData;
 import rsal.rtps.discovery.ParticipantData;
 import rsal.rtps.discovery.Qos;
+import rsal.rtps.wire.Guid;
 import rsal.rtps.wire.GuidPrefix;
 import rsal.rtps.wire.Locator;
 import rsal.rtps.wire.MessageWriter;
+import rsal.rtps.wire.ParameterList;
 
 /// A [Participant] on UDP sockets, with a thread that receives.
 ///
@@ -35,6 +40,7 @@ public final class UdpParticipant implements AutoCloseable {
     /// Which nobody else uses.
     public static final int VENDOR = 0x0152;
 
+    private static final Logger LOG = System.getLogger(UdpParticipant.class.getName());
     private static final int BUFFER = 4 << 20; // B; the system may give less
     private static final int AT_ONCE = 64; // datagrams between two looks at the clock
     private static final int LOCAL_FRAGMENT = 60_000; // B
@@ -69,8 +75,7 @@ public final class UdpParticipant implements AutoCloseable {
 
         /// On this machine only.
         public static Options local(int domain, String name) {
-            return new Options(
-                    domain, InetAddress.getLoopbackAddress(), List.of(), Duration.ofSeconds(20), name, "enclave=/;");
+            return new Options(domain, InetAddress.getLoopbackAddress(), List.of(), Duration.ofSeconds(20), name, "");
         }
     }
 
@@ -122,9 +127,24 @@ public final class UdpParticipant implements AutoCloseable {
     /// @param timestamp when the sample is from [ns] since 1970
     /// @param payload with its encapsulation header; not changed any more
     public void write(SampleWriter writer, long timestamp, byte[] payload) {
+        write(writer, timestamp, Optional.empty(), payload);
+    }
+
+    /// @param inlineQos writes what goes beside the sample, without an end; only where it fits into a datagram
+    /// @return the number of the sample
+    public long write(
+            SampleWriter writer, long timestamp, Optional<Consumer<ParameterList.Writer>> inlineQos, byte[] payload) {
         synchronized (participant) {
-            participant.write(writer, timestamp, payload, clock.getAsLong());
+            long number = participant.write(writer, timestamp, inlineQos, payload, clock.getAsLong());
             wakeUp();
+            return number;
+        }
+    }
+
+    /// Readers of other participants that a writer has.
+    public List<Guid> readers(SampleWriter writer) {
+        synchronized (participant) {
+            return writer.readers();
         }
     }
 
@@ -203,6 +223,8 @@ public final class UdpParticipant implements AutoCloseable {
                 }
             } catch (IOException e) {
                 sockets.failed(e);
+            } catch (RuntimeException e) { // which must not end what others hear
+                LOG.log(Level.ERROR, "A listener of samples failed.", e);
             }
         }
     }

@@ -8,6 +8,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -214,7 +215,8 @@ class ParticipantTest {
         reader(listener, network, Qos.DEFAULT);
         network.run(SOON);
         for (int i = 0; i < 10; i++) {
-            talker.participant.write(writer, 0, sample(i, 10_000), network.now()); // faster than it is sent
+            talker.participant.write(
+                    writer, 0, Optional.empty(), sample(i, 10_000), network.now()); // faster than it is sent
         }
         network.run(Duration.ofSeconds(1));
         assertThat(heardNumbers()).isSorted().doesNotHaveDuplicates().contains(8, 9);

@@ -92,7 +92,7 @@ final class SimulatedNetwork {
         }
 
         void write(SampleWriter writer, byte[] payload) {
-            participant.write(writer, now, payload, now);
+            participant.write(writer, now, Optional.empty(), payload, now);
         }
     }
 

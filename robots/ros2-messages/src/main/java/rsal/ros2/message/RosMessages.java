@@ -12,6 +12,7 @@ import rsal.data.PoseEstimate;
 import rsal.data.RangeArray;
 import rsal.data.Twist2d;
 import rsal.ros2.cdr.CdrWriter;
+import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.message.FrameTransform.Quaternion;
 
 /// Values of ours as messages of ROS 2, in CDR. All of their types are the same in Humble, Jazzy, Kilted and Lyrical.
@@ -19,6 +20,7 @@ import rsal.ros2.message.FrameTransform.Quaternion;
 /// one thread.
 public final class RosMessages {
     private static final int COVARIANCES = 36; // of x, y, z, and turns about these axes
+    private static final long SECOND = 1_000_000_000; // ns
     private static final float SECONDS_PER_HOUR = 3_600;
     private static final double NOMINAL = 12; // V, of batteries that don't tell
 
@@ -28,7 +30,12 @@ public final class RosMessages {
     public record Transform(Instant time, String parent, String child, FrameTransform parentFromChild) {}
 
     private CdrWriter header(Instant time, String frame) {
-        return writer.int32((int) time.getEpochSecond()).int32(time.getNano()).text(frame);
+        return write(writer, time).text(frame);
+    }
+
+    /// `builtin_interfaces/Time`
+    public static CdrWriter write(CdrWriter to, Instant time) {
+        return to.int32((int) time.getEpochSecond()).int32(time.getNano());
     }
 
     /// `geometry_msgs/Twist`
@@ -132,6 +139,12 @@ public final class RosMessages {
         return writer.toBytes();
     }
 
+    /// When a message is from, by its `std_msgs/Header` [ns].
+    public static long stamp(RosMessage header) {
+        RosMessage stamp = header.message("stamp");
+        return stamp.integer("sec") * SECOND + stamp.integer("nanosec");
+    }
+
     /// The plane's part of a covariance of six dimensions.
     public static Covariance2d planar(double[] all) {
         return new Covariance2d(all[0], all[1], all[5], all[7], all[11], all[35]);
@@ -175,7 +188,7 @@ public final class RosMessages {
         var origin = new Pose2d(map.originX(), map.originY(), 0);
         writer.clear();
         header(time, frame)
-                .int32((int) time.getEpochSecond())
+                .int32((int) time.getEpochSecond()) // when it was loaded
                 .int32(time.getNano())
                 .float32((float) map.resolution())
                 .int32(map.width())
@@ -188,9 +201,6 @@ public final class RosMessages {
 
     /// `rosgraph_msgs/Clock`
     public byte[] clock(Instant time) {
-        return writer.clear()
-                .int32((int) time.getEpochSecond())
-                .int32(time.getNano())
-                .toBytes();
+        return write(writer.clear(), time).toBytes();
     }
 }

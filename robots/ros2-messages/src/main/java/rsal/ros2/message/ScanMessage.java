@@ -26,7 +26,7 @@ public record ScanMessage(
     public static ScanMessage of(RosMessage message) {
         RosMessage header = message.message("header");
         return new ScanMessage(
-                stamp(header),
+                RosMessages.stamp(header),
                 header.text("frame_id"),
                 message.number("angle_min"),
                 message.number("angle_increment"),
@@ -51,12 +51,6 @@ public record ScanMessage(
         double rangeMax = bytes.float32();
         float[] ranges = bytes.float32s(bytes.count(Float.BYTES));
         return new ScanMessage(stamp, its, angleMin, increment, rangeMin, rangeMax, ranges);
-    }
-
-    /// Of a `std_msgs/Header` [ns].
-    public static long stamp(RosMessage header) {
-        RosMessage stamp = header.message("stamp");
-        return stamp.integer("sec") * SECOND + stamp.integer("nanosec");
     }
 
     /// Whether there is such a laser: with beams of at most a whole turn.

@@ -3,7 +3,9 @@ package rsal.ros2.bridge;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import rsal.data.Covariance2d;
 import rsal.data.LaserScan;
@@ -18,6 +20,7 @@ import rsal.device.Device;
 import rsal.device.DriveBase;
 import rsal.device.LaserScanner;
 import rsal.device.Localizer;
+import rsal.device.Navigator;
 import rsal.device.SonarArray;
 import rsal.robot.Robot;
 import rsal.ros2.cdr.CdrReader;
@@ -65,7 +68,7 @@ final class PublishedRobot {
     private final RosMessages messages = new RosMessages();
     private final List<ExportedDevice> offers = new ArrayList<>();
     private final List<Runnable> ends = new ArrayList<>();
-    private final List<Transform> mounted = new ArrayList<>(); // where sensors are
+    private final Map<String, Pose2d> mounted = new LinkedHashMap<>(); // where sensors are, by their frames
     private final Publication transforms;
     private final Publication fixed;
     private final CommandTimeout timeout;
@@ -96,6 +99,7 @@ final class PublishedRobot {
                 case SonarArray sonars -> publish(sonars);
                 case Battery battery -> publish(battery);
                 case Localizer localizer -> publish(localizer);
+                case Navigator navigator -> publish(navigator);
                 default -> {}
             }
         }
@@ -176,7 +180,9 @@ final class PublishedRobot {
     }
 
     private void tellScan(Publication scans, String frame, Stamped<LaserScan> reading) {
-        mount(reading.time(), frame, reading.value().baseFromLaser());
+        if (mount(frame, reading.value().baseFromLaser())) {
+            publishMountings(reading.time());
+        }
         double period = 0; // which no device tells
         scans.publish(0, messages.scan(reading.time(), reading.value(), frame, period));
     }
@@ -185,28 +191,36 @@ final class PublishedRobot {
         var publications = new ArrayList<Publication>(); // one for each, once it is known how many there are
         ends.add(sonars.subscribe(reading -> {
             RangeArray ranges = reading.value();
+            boolean isNew = false;
             for (int i = 0; i < ranges.count(); i++) {
                 String name = "%s_%d".formatted(sonars.info().name(), i);
                 if (i == publications.size()) {
                     publications.add(advertise(name, "sensor_msgs/msg/Range", Profile.DEFAULT));
                     offer(sonars, name);
                 }
-                mount(reading.time(), name, ranges.baseFromSensors().get(i));
+                isNew |= mount(name, ranges.baseFromSensors().get(i));
                 publications.get(i).publish(0, messages.range(reading.time(), ranges, i, name));
+            }
+            if (isNew) {
+                publishMountings(reading.time());
             }
         })::cancel);
     }
 
-    /// Publishes all mountings again, as those who come late get the last message only.
-    private void mount(Instant time, String frame, Pose2d baseFromFrame) {
-        boolean isKnown = mounted.stream()
-                .anyMatch(each -> each.child().equals(frame)
-                        && each.parentFromChild().planar().equals(baseFromFrame));
-        if (!isKnown) {
-            mounted.removeIf(each -> each.child().equals(frame));
-            mounted.add(new Transform(time, BASE, frame, FrameTransform.of(baseFromFrame)));
-            fixed.publish(0, messages.transforms(mounted));
-        }
+    /// Notes where a sensor is.
+    ///
+    /// @return whether that is new
+    private boolean mount(String frame, Pose2d baseFromFrame) {
+        return !baseFromFrame.equals(mounted.put(frame, baseFromFrame));
+    }
+
+    /// All of them, as those who come late get the last message only.
+    private void publishMountings(Instant time) {
+        fixed.publish(
+                0,
+                messages.transforms(mounted.entrySet().stream()
+                        .map(each -> new Transform(time, BASE, each.getKey(), FrameTransform.of(each.getValue())))
+                        .toList()));
     }
 
     private void publish(Battery battery) {
@@ -226,6 +240,12 @@ final class PublishedRobot {
                 Profile.DEFAULT,
                 new Inbox<>(1, codec::read, scheduler, belief -> relocalize(localizer, belief)))::close);
         ends.add(localizer.subscribe(reading -> tellPose(poses, reading))::cancel);
+    }
+
+    private void publish(Navigator navigator) {
+        String name = namespace + "/navigate_to_pose";
+        offer(navigator, "navigate_to_pose");
+        ends.add(new PublishedNavigator(navigator, link, TYPES, name, scheduler)::close);
     }
 
     private static void relocalize(Localizer localizer, RosMessage message) {

@@ -3,7 +3,6 @@ package rsal.ros2.bridge;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.security.SecureRandom;
-import java.time.Duration;
 import java.util.List;
 import rsal.ros2.link.RosNetwork;
 import rsal.ros2.link.RtpsLink;
@@ -22,7 +21,6 @@ import rsal.time.Scheduler;
 @AllowedToReadWallClock("Networks live in real time.")
 public final class Ros2BridgeProvider implements BridgeProvider {
     private static final String NODE = "rsal_bridge";
-    private static final Duration LEASE = Duration.ofSeconds(20);
 
     @Override
     public String key() {
@@ -46,7 +44,8 @@ public final class Ros2BridgeProvider implements BridgeProvider {
                 .orElseThrow(
                         () -> new IOException("No domain of ROS 2 has the port %d: that of domain D is 7400 + 250 · D."
                                 .formatted(at.getPort())));
-        var options = new UdpParticipant.Options(domain, at.getAddress(), List.of(), LEASE, NODE, RosNetwork.ENCLAVE);
+        var options = new UdpParticipant.Options(
+                domain, at.getAddress(), List.of(), RosNetwork.LEASE, NODE, RosNetwork.ENCLAVE);
         var link = new RtpsLink(options, Distribution.JAZZY, NODE, System::nanoTime, new SecureRandom());
         return new Ros2Bridge(link, context, at.getPort(), scheduler);
     }

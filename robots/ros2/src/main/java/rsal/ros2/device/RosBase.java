@@ -2,7 +2,10 @@ package rsal.ros2.device;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import rsal.data.Odometry;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
@@ -28,6 +31,7 @@ final class RosBase extends RosSensor<Odometry> implements DriveBase {
     private final Frames frames;
     private final RobotClock clock;
     private final RosMessages messages = new RosMessages();
+    private final List<Consumer<Boolean>> motorListeners = new ArrayList<>();
     private boolean enabled;
     private Optional<Twist2d> wanted = Optional.empty();
     private Instant wantedAt = Instant.MIN;
@@ -130,6 +134,12 @@ final class RosBase extends RosSensor<Odometry> implements DriveBase {
         if (!enabled) {
             stop();
         }
+        motorListeners.forEach(listener -> listener.accept(enabled));
+    }
+
+    /// Tells those that drive it, too, each time that its motors are switched.
+    void onMotors(Consumer<Boolean> listener) {
+        motorListeners.add(listener);
     }
 
     @Override

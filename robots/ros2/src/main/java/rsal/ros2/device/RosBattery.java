@@ -5,7 +5,7 @@ import rsal.data.BatteryState.Charging;
 import rsal.device.Battery;
 import rsal.device.DeviceInfo;
 import rsal.ros2.cdr.RosMessage;
-import rsal.ros2.message.ScanMessage;
+import rsal.ros2.message.RosMessages;
 
 /// A battery that publishes `sensor_msgs/BatteryState`.
 final class RosBattery extends RosSensor<BatteryState> implements Battery {
@@ -26,7 +26,7 @@ final class RosBattery extends RosSensor<BatteryState> implements Battery {
         double whole = Double.isNaN(capacity) ? message.number("design_capacity") : capacity;
         heard(frames.now());
         tell(
-                clock.time(ScanMessage.stamp(message.message("header"))),
+                clock.time(RosMessages.stamp(message.message("header"))),
                 new BatteryState(
                         message.number("charge") * SECONDS_PER_HOUR * voltage,
                         whole * SECONDS_PER_HOUR * voltage,

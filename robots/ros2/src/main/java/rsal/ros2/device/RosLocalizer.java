@@ -21,7 +21,6 @@ import rsal.ros2.link.RosLink.Publication;
 import rsal.ros2.message.FrameTransform;
 import rsal.ros2.message.OdometryMessage;
 import rsal.ros2.message.RosMessages;
-import rsal.ros2.message.ScanMessage;
 
 /// A robot's own localizer, such as Nav2's `amcl`: a pose now and then (`amcl_pose`), and where odometry begins on the
 /// map
@@ -81,7 +80,7 @@ final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
         if (mapFromBase.isFinite() && spread.isFinite()) {
             covariance = spread;
             mapFromOdom = mapFromBase.compose(
-                    odomFromBase(ScanMessage.stamp(message.message("header"))).inverse());
+                    odomFromBase(RosMessages.stamp(message.message("header"))).inverse());
         }
     }
 

@@ -6,10 +6,14 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Consumer;
+import java.util.random.RandomGenerator;
 import rsal.device.Device;
 import rsal.device.DeviceInfo;
 import rsal.device.Localizer;
+import rsal.device.Mapper;
+import rsal.device.Navigator;
 import rsal.robot.Robot;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
@@ -38,6 +42,9 @@ public final class RosRobot {
     private static final String POSE = "geometry_msgs/msg/PoseWithCovarianceStamped";
     private static final String TRANSFORMS = "tf2_msgs/msg/TFMessage";
     private static final List<String> COMMANDS = List.of("geometry_msgs/msg/Twist", "geometry_msgs/msg/TwistStamped");
+    private static final String NAVIGATE = "nav2_msgs/action/NavigateToPose";
+    private static final String MAP = "nav_msgs/msg/OccupancyGrid";
+    private static final Set<Class<? extends Device>> OWN = Set.of(Localizer.class, Navigator.class, Mapper.class);
     private static final int TRANSFORMS_WAITING = 100;
 
     private final RobotSpec spec;
@@ -51,6 +58,7 @@ public final class RosRobot {
     private final Subscribed driven;
     private final Map<RosSensor<?>, Subscribed> sensors = new LinkedHashMap<>();
     private final List<Device> devices = new ArrayList<>();
+    private final List<RosNavigator> navigators = new ArrayList<>(); // one at most
     private final List<Runnable> others = new ArrayList<>(); // close what is no sensor's
     private final List<Consumer<OdometryMessage>> drivenListeners = new ArrayList<>();
 
@@ -93,7 +101,7 @@ public final class RosRobot {
     public static boolean has(Part part) {
         return switch (part) {
             case Part.Laser _, Part.Sonars _, Part.Battery _ -> true;
-            case Part.Own own -> own.makes().equals(Localizer.class);
+            case Part.Own own -> OWN.contains(own.makes());
             default -> false;
         };
     }
@@ -101,6 +109,7 @@ public final class RosRobot {
     /// @param topics that have all that it needs: nothing is [#lacking]
     /// @param watchdog after which it stops when nothing more is commanded
     /// @param armed whether its motors are on from the beginning
+    /// @param random for ids of goals, which nobody else may have
     public RosRobot(
             RobotSpec spec,
             RobotTopics topics,
@@ -108,7 +117,8 @@ public final class RosRobot {
             TypeLibrary types,
             Duration watchdog,
             boolean armed,
-            Scheduler scheduler) {
+            Scheduler scheduler,
+            RandomGenerator random) {
         this.spec = spec;
         this.topics = topics;
         this.link = link;
@@ -151,6 +161,8 @@ public final class RosRobot {
                 case Part.Laser laser -> addLaser(info, laser, lasers++);
                 case Part.Sonars sonars -> addSonars(info, sonars);
                 case Part.Battery _ -> addBattery(info);
+                case Part.Own own when own.makes().equals(Navigator.class) -> addNavigator(info, random);
+                case Part.Own own when own.makes().equals(Mapper.class) -> addMap(info);
                 case Part.Own _ -> addLocalizer(info);
                 default -> throw new IllegalArgumentException("'%s' is refused before.".formatted(part.getKey()));
             }
@@ -218,10 +230,28 @@ public final class RosRobot {
         others.add(initial::close);
         var localizer = new RosLocalizer(info, topic.name(), initial, frames, clock);
         drivenListeners.add(localizer::take);
-        Profile offered = topics.profile(topic);
-        Profile wanted = offered == Profile.SENSOR_DATA ? Profile.DEFAULT : offered;
-        others.add(link.subscribe(topic, wanted, inbox(POSE, 1, localizer::take))::close);
+        others.add(link.subscribe(topic, reliable(topic), inbox(POSE, 1, localizer::take))::close);
         devices.add(localizer);
+    }
+
+    private void addMap(DeviceInfo info) {
+        RosTopic topic = topics.ownOrShared("map", MAP);
+        var map = new PublicMap(info, topic.name(), clock);
+        add(map, link.subscribe(topic, reliable(topic), inbox(MAP, 1, map::take)));
+    }
+
+    /// As it is offered, and so that nothing gets lost.
+    private Profile reliable(RosTopic topic) {
+        Profile offered = topics.profile(topic);
+        return offered == Profile.SENSOR_DATA ? Profile.DEFAULT : offered;
+    }
+
+    private void addNavigator(DeviceInfo info, RandomGenerator random) {
+        String name = topics.namespace() + "/navigate_to_pose";
+        var action = new ActionClient(link, types, name, NAVIGATE, scheduler, random);
+        var navigator = new RosNavigator(info, action, name, base, frames);
+        navigators.add(navigator);
+        devices.add(navigator);
     }
 
     /// Whether it has told where it is by its wheels, so that agents can begin.
@@ -238,12 +268,14 @@ public final class RosRobot {
     /// @return whether it is there: somebody publishes its odometry
     public boolean look(Instant now) {
         base.drive(now);
+        navigators.forEach(navigator -> navigator.look(now));
         sensors.forEach((sensor, subscription) -> sensor.look(now, subscription.publishers()));
         return driven.publishers() > 0;
     }
 
     /// Stops it, for good.
     public void end() {
+        navigators.forEach(RosNavigator::end);
         base.end();
         sensors.values().forEach(Subscribed::close);
         others.forEach(Runnable::run);

@@ -11,6 +11,7 @@ import rsal.device.SonarArray;
 import rsal.robot.RobotModel.Part;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.message.FrameTransform;
+import rsal.ros2.message.RosMessages;
 import rsal.ros2.message.ScanMessage;
 
 /// Sonars or infrared sensors, each of which publishes `sensor_msgs/Range`. A reading is a round of them: all, or as
@@ -47,7 +48,7 @@ final class RosSonars extends RosSensor<RangeArray> implements SonarArray {
             tellRound();
         }
         RosMessage header = message.message("header");
-        stamp = ScanMessage.stamp(header);
+        stamp = RosMessages.stamp(header);
         fieldOfView = message.number("field_of_view");
         rangeMin = message.number("min_range");
         rangeMax = message.number("max_range");

@@ -2,6 +2,7 @@ package rsal.ros2.link;
 
 import java.nio.ByteBuffer;
 import java.util.List;
+import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
 
 /// How this program takes part in ROS 2. Messages are bytes in CDR, with their encapsulation header. Safe for several
@@ -15,8 +16,46 @@ public interface RosLink extends AutoCloseable {
     /// @param listener gets each message, on a thread of the link: be quick. The bytes are valid during the call only.
     Subscribed subscribe(RosTopic topic, Profile profile, Consumer<ByteBuffer> listener);
 
+    /// A service that others offer.
+    ///
+    /// @param name with its namespace: `/robot1/set_speed`
+    /// @param type `example/srv/SetSpeed`; parts of actions are `nav2_msgs/action/NavigateToPose_SendGoal`
+    ServiceClient client(String name, String type);
+
+    /// Serves others.
+    ///
+    /// @param name and type as of [#client]
+    /// @param server gets each request
+    Served serve(String name, String type, Server server);
+
     @Override
     void close();
+
+    /// Answers requests.
+    interface Server {
+        /// @param request in CDR, with its encapsulation header; called on a thread of the link
+        /// @return the response in CDR, on any thread; none where it ends exceptionally
+        CompletionStage<byte[]> answer(byte[] request);
+    }
+
+    /// A service that we offer.
+    interface Served extends AutoCloseable {
+        @Override
+        void close();
+    }
+
+    /// Asks somebody for something. An answer never comes when the one who was asked is gone.
+    interface ServiceClient extends AutoCloseable {
+        /// Whether somebody serves it, and can answer.
+        boolean isAvailable();
+
+        /// @param request in CDR, with its encapsulation header
+        /// @return the response in CDR, on a thread of the link; exceptionally when nobody serves it
+        CompletionStage<byte[]> call(byte[] request);
+
+        @Override
+        void close();
+    }
 
     /// A topic that we publish.
     interface Publication extends AutoCloseable {

@@ -1,9 +1,14 @@
 package rsal.ros2.link;
 
+import java.time.Duration;
+
 /// What programs of ROS 2 agree on by their environment.
 public final class RosNetwork {
     /// What participants of ROS 2 say of themselves, without which tools don't list their nodes.
     public static final String ENCLAVE = "enclave=/;";
+
+    /// Within which our participants announce themselves again, or are taken for gone.
+    public static final Duration LEASE = Duration.ofSeconds(20);
 
     private static final String DOMAIN = "ROS_DOMAIN_ID";
 

@@ -5,6 +5,7 @@ import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
@@ -26,6 +27,8 @@ import rsal.rtps.wire.Guid;
 /// (`ros_discovery_info`).
 public final class RtpsLink implements RosLink {
     private static final String TOPIC = "rt"; // what DDS names of topics begin with
+    private static final String REQUEST = "rq";
+    private static final String REPLY = "rr";
     private static final String GRAPH = "ros_discovery_info";
     private static final String GRAPH_TYPE = "rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_";
     private static final int HUMBLE_GID = 24; // bytes, the last of which are 0; others have Guid.BYTES
@@ -157,6 +160,72 @@ public final class RtpsLink implements RosLink {
                 readers.remove(guid);
                 tellOfNode();
             }
+        };
+    }
+
+    @Override
+    public ServiceClient client(String name, String type) {
+        SampleWriter requests = participant.createWriter(
+                REQUEST + name + "Request",
+                ddsType(type + "_Request"),
+                Qos.DEFAULT,
+                userData(new RosTopic(name, type + "_Request")));
+        var client = new RtpsClient(participant, requests);
+        SampleReader replies = participant.createReader(
+                REPLY + name + "Reply",
+                ddsType(type + "_Response"),
+                Qos.DEFAULT,
+                userData(new RosTopic(name, type + "_Response")),
+                client::take);
+        client.repliesTo(replies);
+        writers.add(requests.data().guid());
+        readers.add(replies.data().guid());
+        tellOfNode();
+        return new ServiceClient() {
+            @Override
+            public boolean isAvailable() {
+                return client.isAvailable();
+            }
+
+            @Override
+            public CompletionStage<byte[]> call(byte[] request) {
+                return client.call(request);
+            }
+
+            @Override
+            public void close() {
+                participant.remove(requests);
+                participant.remove(replies);
+                writers.remove(requests.data().guid());
+                readers.remove(replies.data().guid());
+                tellOfNode();
+            }
+        };
+    }
+
+    @Override
+    public Served serve(String name, String type, Server server) {
+        SampleWriter replies = participant.createWriter(
+                REPLY + name + "Reply",
+                ddsType(type + "_Response"),
+                Qos.DEFAULT,
+                userData(new RosTopic(name, type + "_Response")));
+        var serving = new RtpsServer(participant, replies, server);
+        SampleReader requests = participant.createReader(
+                REQUEST + name + "Request",
+                ddsType(type + "_Request"),
+                Qos.DEFAULT,
+                userData(new RosTopic(name, type + "_Request")),
+                serving::take);
+        writers.add(replies.data().guid());
+        readers.add(requests.data().guid());
+        tellOfNode();
+        return () -> {
+            participant.remove(requests);
+            participant.remove(replies);
+            writers.remove(replies.data().guid());
+            readers.remove(requests.data().guid());
+            tellOfNode();
         };
     }
 

@@ -3,7 +3,6 @@ package rsal.ros2.system;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.security.SecureRandom;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
@@ -31,7 +30,6 @@ import rsal.time.Scheduler;
 @AllowedToReadWallClock("Networks live in real time.")
 public final class Ros2Provider implements RobotSystemProvider {
     private static final String NODE = "rsal";
-    private static final Duration LEASE = Duration.ofSeconds(20);
     private static final Pattern NAMESPACE = Pattern.compile("/|(/[A-Za-z_][A-Za-z0-9_]*)+");
     private static final int FROM_ENVIRONMENT = -1;
 
@@ -103,7 +101,7 @@ public final class Ros2Provider implements RobotSystemProvider {
                     problems.add(new Problem(
                             robot.id(),
                             "model",
-                            "Robots of ROS 2 can't have its '%s' yet: lasers, sonars, batteries and localizers are read."
+                            "Robots of ROS 2 can't have its '%s' yet: lasers, sonars, batteries, maps, localizers, navigators are."
                                     .formatted(part.name())));
                 }
             }
@@ -120,7 +118,8 @@ public final class Ros2Provider implements RobotSystemProvider {
                         TypeLibrary.of(distribution),
                         settings.seconds(WATCHDOG),
                         settings.get(ARMED),
-                        scheduler);
+                        scheduler,
+                        new SecureRandom());
             }
         } catch (IllegalArgumentException e) {
             String robot =
@@ -140,7 +139,7 @@ public final class Ros2Provider implements RobotSystemProvider {
                 settings.get(DOMAIN) == FROM_ENVIRONMENT ? RosNetwork.domain() : settings.get(DOMAIN),
                 address("address", settings.get(ADDRESS).strip()),
                 peers,
-                LEASE,
+                RosNetwork.LEASE,
                 node,
                 RosNetwork.ENCLAVE);
     }

@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
+import java.util.random.RandomGenerator;
 import org.jspecify.annotations.Nullable;
 import rsal.device.Listeners;
 import rsal.device.SimulationControl;
@@ -40,6 +41,7 @@ final class Ros2System implements RobotSystem {
     private final Duration watchdog;
     private final boolean armed;
     private final Scheduler scheduler;
+    private final RandomGenerator random;
     private final Map<RobotSpec, RosRobot> found = new LinkedHashMap<>();
     private final Map<RobotSpec, Instant> seen = new LinkedHashMap<>();
     private final Map<RosRobot, Boolean> present = new LinkedHashMap<>();
@@ -64,13 +66,15 @@ final class Ros2System implements RobotSystem {
             TypeLibrary types,
             Duration watchdog,
             boolean armed,
-            Scheduler scheduler) {
+            Scheduler scheduler,
+            RandomGenerator random) {
         this.namespaces = namespaces;
         this.opening = opening;
         this.types = types;
         this.watchdog = watchdog;
         this.armed = armed;
         this.scheduler = scheduler;
+        this.random = random;
     }
 
     @Override
@@ -122,7 +126,7 @@ final class Ros2System implements RobotSystem {
                 Instant first = seen.computeIfAbsent(spec, _ -> now);
                 List<String> without = RosRobot.without(spec, topics);
                 if (without.isEmpty() || now.isAfter(first.plus(SETTLING))) {
-                    found.put(spec, new RosRobot(spec, topics, network, types, watchdog, armed, scheduler));
+                    found.put(spec, new RosRobot(spec, topics, network, types, watchdog, armed, scheduler, random));
                     if (!without.isEmpty()) {
                         LOG.log(
                                 Level.INFO,

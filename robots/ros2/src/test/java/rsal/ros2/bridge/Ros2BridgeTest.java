@@ -20,7 +20,7 @@ import rsal.ros2.link.RosEndpoint;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.FrameTree;
-import rsal.ros2.message.ScanMessage;
+import rsal.ros2.message.RosMessages;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeLibrary;
 import rsal.sim.SimProvider;
@@ -107,13 +107,14 @@ class Ros2BridgeTest extends RobotBench {
                 assertThat(frames.find("odom", header.text("frame_id")))
                         .as(topic)
                         .isPresent();
-                assertThat(ScanMessage.stamp(header)).as(topic).isGreaterThan(before);
-                before = ScanMessage.stamp(header);
+                assertThat(RosMessages.stamp(header)).as(topic).isGreaterThan(before);
+                before = RosMessages.stamp(header);
             }
         }
         assertThat(all("/r1/odom")).hasSizeGreaterThan(20);
         assertThat(all("/r1/scan")).hasSizeGreaterThan(10);
         assertThat(all("/clock")).hasSizeGreaterThan(250);
+        assertThat(all("/r1/tf_static")).hasSizeLessThan(4); // what does not move is told once
     }
 
     @Test

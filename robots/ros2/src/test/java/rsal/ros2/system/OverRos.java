@@ -127,7 +127,13 @@ final class OverRos implements RobotSystemProvider {
             Map<RobotSpec, String> namespaces = new LinkedHashMap<>();
             config.robots().forEach(robot -> namespaces.put(robot, RosNetwork.namespace(robot.id())));
             remote = new Ros2System(
-                    namespaces, network::join, TypeLibrary.of(Distribution.JAZZY), WATCHDOG, true, scheduler);
+                    namespaces,
+                    network::join,
+                    TypeLibrary.of(Distribution.JAZZY),
+                    WATCHDOG,
+                    true,
+                    scheduler,
+                    new SplittableRandom(1));
             opened.push(remote);
             CompletableFuture<List<Robot>> found = remote.discover().toCompletableFuture();
             for (int i = 0; i < PATIENCE && !found.isDone(); i++) {

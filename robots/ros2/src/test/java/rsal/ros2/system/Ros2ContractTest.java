@@ -1,17 +1,24 @@
 package rsal.ros2.system;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Nested;
+import org.junit.jupiter.api.Test;
+import rsal.device.Mapper;
 import rsal.system.RobotSystemProvider;
 import rsal.testkit.contract.BatteryContract;
+import rsal.testkit.contract.DeviceContract;
 import rsal.testkit.contract.DriveBaseContract;
 import rsal.testkit.contract.LaserScannerContract;
 import rsal.testkit.contract.LocalizerContract;
+import rsal.testkit.contract.NavigatorContract;
 import rsal.testkit.contract.OmnidirectionalDriveContract;
 import rsal.testkit.contract.RobotSystemContract;
 import rsal.testkit.contract.SonarArrayContract;
 import rsal.testkit.fake.FakeLocalizer;
+import rsal.testkit.fake.FakeNavigator;
 import rsal.testkit.fake.FakeProvider;
 
 /// Robots of ROS 2 are robots like any other.
@@ -74,6 +81,45 @@ class Ros2ContractTest {
         @Override
         protected Map<String, String> parts() {
             return Map.of("localizer", "own-localizer");
+        }
+    }
+
+    @Nested
+    class OwnMap extends DeviceContract<Mapper> {
+        OwnMap() {
+            super(Mapper.class);
+        }
+
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverRos();
+        }
+
+        @Override
+        protected Map<String, String> parts() {
+            return Map.of("map", "own-map");
+        }
+
+        @Test
+        void isTheWholeMapAsItIsTold() {
+            advance(1);
+            assertThat(device().latest().orElseThrow().value())
+                    .usingRecursiveComparison()
+                    .isEqualTo(WORLD.grid());
+            assertThat(device().isComplete()).isTrue();
+        }
+    }
+
+    @Nested
+    class OwnNavigator extends NavigatorContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverRos(new FakeProvider(), List.of(new FakeLocalizer.Driver(), new FakeNavigator.Driver()));
+        }
+
+        @Override
+        protected Map<String, String> parts() {
+            return Map.of("navigator", "own-navigator");
         }
     }
 }

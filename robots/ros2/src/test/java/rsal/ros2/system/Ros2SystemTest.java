@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -101,7 +102,8 @@ class Ros2SystemTest {
                 TypeLibrary.of(Distribution.JAZZY),
                 Duration.ofMillis(500),
                 true,
-                run);
+                run,
+                new SplittableRandom(1));
         system.onChange(changes::add);
         return system;
     }

@@ -1,0 +1,105 @@
+package rsal.ros2.bridge;
+
+import java.time.Duration;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.function.Consumer;
+import rsal.data.Pose2d;
+import rsal.data.Stamped;
+import rsal.device.GoalHandle;
+import rsal.device.Navigator;
+import rsal.device.Navigator.Progress;
+import rsal.device.Navigator.Result;
+import rsal.device.Navigator.Tolerance;
+import rsal.ros2.bridge.ActionServer.ServedGoal;
+import rsal.ros2.bridge.ActionServer.Status;
+import rsal.ros2.cdr.CdrWriter;
+import rsal.ros2.cdr.RosMessage;
+import rsal.ros2.link.RosLink;
+import rsal.ros2.message.FrameTransform;
+import rsal.ros2.message.RosMessages;
+import rsal.ros2.type.TypeLibrary;
+import rsal.time.Scheduler;
+
+/// A navigator of ours as Nav2's action `navigate_to_pose`, as it is in Jazzy and Kilted. A new goal takes the place of
+/// the
+/// one before, which is aborted, as Nav2 does it.
+final class PublishedNavigator implements ActionServer.Handler {
+    private static final Tolerance TOLERANCE = new Tolerance(0.25, 0.25); // m, rad; those that Nav2 has
+    private static final int NO_PATH = 208; // error codes of Nav2: no valid path
+    private static final int NO_PROGRESS = 105; // failed to make progress
+    private static final String MAP = "map";
+
+    private final Navigator navigator;
+    private final ActionServer server;
+    private final Map<ServedGoal, GoalHandle<Progress, Result>> drives = new HashMap<>();
+
+    PublishedNavigator(Navigator navigator, RosLink link, TypeLibrary types, String name, Scheduler scheduler) {
+        this.navigator = navigator;
+        server = new ActionServer(link, types, name, "nav2_msgs/action/NavigateToPose", scheduler, this);
+    }
+
+    @Override
+    public void begin(ServedGoal goal, RosMessage fields) {
+        RosMessage stamped = fields.message("pose");
+        String frame = stamped.message("header").text("frame_id");
+        Pose2d mapFromGoal = FrameTransform.of(stamped.message("pose"), "position", "orientation")
+                .planar();
+        if (!mapFromGoal.isFinite() || !(frame.isEmpty() || frame.equals(MAP))) {
+            goal.end(Status.ABORTED, result(NO_PATH, "A goal must be finite, and in the frame 'map'."));
+            return;
+        }
+        GoalHandle<Progress, Result> drive = navigator.goTo(mapFromGoal, TOLERANCE);
+        drives.put(goal, drive);
+        drive.onFeedback(told -> goal.tell(writer -> write(writer, told)));
+        drive.result().thenAccept(ending -> {
+            drives.remove(goal);
+            end(goal, ending);
+        });
+    }
+
+    private static void end(ServedGoal goal, Result ending) {
+        switch (ending) {
+            case Result.Reached _ -> goal.end(Status.SUCCEEDED, result(0, ""));
+            case Result.Cancelled(String why) when goal.isCanceling() -> goal.end(Status.CANCELED, result(0, why));
+            case Result.Cancelled(String why) -> goal.end(Status.ABORTED, result(0, why));
+            case Result.NoPath(String why) -> goal.end(Status.ABORTED, result(NO_PATH, why));
+            case Result.Stuck stuck -> goal.end(Status.ABORTED, result(NO_PROGRESS, stuck.why()));
+        }
+    }
+
+    /// `NavigateToPose_Result`
+    private static Consumer<CdrWriter> result(int code, String why) {
+        return writer -> writer.int16((short) code).text(why);
+    }
+
+    /// `NavigateToPose_Feedback`
+    private static void write(CdrWriter writer, Stamped<Progress> told) {
+        Progress progress = told.value();
+        Pose2d pose = progress.mapFromBase();
+        RosMessages.write(writer, told.time()).text(MAP);
+        writer.float64(pose.x()).float64(pose.y()).float64(0).float64(0).float64(0);
+        writer.float64(Math.sin(pose.theta() / 2)).float64(Math.cos(pose.theta() / 2));
+        Duration driving = progress.driving();
+        writer.int32((int) driving.toSeconds()).int32(driving.toNanosPart());
+        writer.int32(0).int32(0); // how long it will still take is not known
+        writer.int16((short) 0).float32((float) progress.remaining());
+    }
+
+    @Override
+    public void cancel(ServedGoal goal) {
+        GoalHandle<Progress, Result> drive = drives.get(goal);
+        if (drive != null) {
+            drive.cancel();
+        }
+    }
+
+    @Override
+    public void writeNoResult(CdrWriter writer) {
+        result(0, "").accept(writer);
+    }
+
+    void close() {
+        server.close();
+    }
+}

@@ -1,0 +1,45 @@
+package rsal.ros2.link;
+
+import java.nio.ByteBuffer;
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.function.Consumer;
+import rsal.ros2.link.RosLink.Server;
+import rsal.rtps.SampleListener.Sample;
+import rsal.rtps.SampleWriter;
+import rsal.rtps.UdpParticipant;
+import rsal.rtps.wire.Guid;
+import rsal.rtps.wire.ParameterList;
+
+/// Answers requests, each in the way of its client: see [ServiceIdentity].
+final class RtpsServer {
+    private final UdpParticipant participant;
+    private final SampleWriter replies;
+    private final Server server;
+
+    RtpsServer(UdpParticipant participant, SampleWriter replies, Server server) {
+        this.participant = participant;
+        this.replies = replies;
+        this.server = server;
+    }
+
+    void take(Sample sample) {
+        var payload = new byte[sample.payload().remaining()];
+        sample.payload().get(payload);
+        Optional<ByteBuffer> identity = ServiceIdentity.in(sample.inlineQos());
+        boolean isHeader = identity.isEmpty() && ServiceIdentity.isHeader(sample.writer());
+        if (isHeader && payload.length < ServiceIdentity.BEGIN + ServiceIdentity.HEADER) {
+            return;
+        }
+        if (isHeader) {
+            byte[] header = Arrays.copyOfRange(payload, 0, ServiceIdentity.BEGIN + ServiceIdentity.HEADER);
+            server.answer(ServiceIdentity.without(payload))
+                    .thenAccept(reply -> participant.write(replies, 0, ServiceIdentity.with(header, reply)));
+        } else {
+            Guid client = identity.map(Guid::read).orElse(sample.writer());
+            long number = sample.number();
+            Consumer<ParameterList.Writer> beside = list -> ServiceIdentity.put(list, client, number);
+            server.answer(payload).thenAccept(reply -> participant.write(replies, 0, Optional.of(beside), reply));
+        }
+    }
+}
