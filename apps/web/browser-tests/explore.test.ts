@@ -41,8 +41,11 @@ describe.skipIf(!chromium)('robots that explore', () => {
     const known = free.at(-1)!;
     const before = free.length;
     await page.getByRole('slider', { name: 'Time that is shown' }).fill(String((await timeOn(page)) / 2));
-    await eventually(() => Promise.resolve(free.length > before), 'the map of then is asked for');
-    expect(free.at(-1)!).toBeLessThan(known);
+    // one that was on its way before may still come
+    await eventually(
+      () => Promise.resolve(free.length > before && free.at(-1)! < known),
+      'the map of then is asked for',
+    );
     await eventually(async () => shown !== (await seen()), 'the map of then is shown');
     await picture(page, 'explore-back');
     await page.getByRole('button', { name: 'Live' }).click();
