@@ -44,8 +44,8 @@ final class NewCommand extends Subcommand {
     private static final String ABOUT_AGENTS = """
             Agents are named by their `type` under `agents`: a file here, in Java (`.java`) or AgentSpeak (`.asl`), or one that comes
             with RSAL. Change a file and run the scenario again. `rsal list agents` tells which agents come with RSAL, and `rsal show TYPE`
-            what can be set of one. How to write your own tell `docs/tutorials/first-agent.md` and
-            `docs/tutorials/first-agentspeak-robot.md` of RSAL.""";
+            what can be set of one. The tutorials "Your first agent" and "Your first AgentSpeak robot" explain how to write one; `rsal docs --serve`
+            shows them.""";
     private static final String ABOUT_CONTROLLERS = """
             A navigator's `controller` names a file here, in Java (`.java`), or a controller that comes with RSAL. `rsal list controllers` tells
             which there are. `docs/how-to/own-controller.md` of RSAL explains how to write one.""";
@@ -162,8 +162,8 @@ final class NewCommand extends Subcommand {
                 %s
                 ```
 
-                The first runs it, with the page. The second tells what can be set, its robots, agents, ends and metrics. The third
-                %s.
+                `rsal` is the program in RSAL's folder. The first command runs the scenario and shows it on a page. The second one shows
+                what can be set, and lists robots, agents, endings and metrics. The third one %s.
 
                 | file | |
                 |---|---|

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
@@ -49,7 +50,11 @@ public final class TestAgentCommand extends Subcommand {
             SeededTrials.Trial trial =
                     new SeededTrials(limits).all(Map.of(scenario, run), _ -> {}).getFirst();
             print(trial, logs);
-            return trial.successes() == trial.results().size() ? Exit.SUCCESS : Exit.NO_SUCCESS;
+            boolean success = trial.successes() == trial.results().size();
+            if (success && !json) {
+                delete(logs);
+            }
+            return success ? Exit.SUCCESS : Exit.NO_SUCCESS;
         } catch (IOException e) {
             throw new Unreachable("Runs can't be started: %s.".formatted(e));
         }
@@ -73,5 +78,15 @@ public final class TestAgentCommand extends Subcommand {
             out().println("What they told: %s".formatted(logs));
         }
         out().flush();
+    }
+
+    /// Nobody reads what runs told that ended in success.
+    private static void delete(Path logs) throws IOException {
+        try (Stream<Path> files = Files.list(logs)) {
+            for (Path file : files.toList()) {
+                Files.delete(file);
+            }
+        }
+        Files.delete(logs);
     }
 }
