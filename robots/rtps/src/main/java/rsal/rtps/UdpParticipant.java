@@ -49,6 +49,7 @@ public final class UdpParticipant implements AutoCloseable {
 
     private final LongSupplier clock; // ns
     private final Sockets sockets;
+    private final boolean isLocal; // only programs on this machine are heard
     private final Selector selector;
     private final Thread thread;
     private final Participant participant; // its own lock
@@ -86,6 +87,7 @@ public final class UdpParticipant implements AutoCloseable {
     public UdpParticipant(Options options, LongSupplier clock, RandomGenerator random, GraphListener graph)
             throws IOException {
         this.clock = clock;
+        isLocal = options.address.isLoopbackAddress();
         sockets = Sockets.open(options);
         selector = Selector.open();
         for (DatagramChannel channel : sockets.channels()) {
@@ -236,6 +238,9 @@ public final class UdpParticipant implements AutoCloseable {
             if (from == null) {
                 return;
             }
+            if (isLocal && !from.getAddress().isLoopbackAddress()) {
+                continue; // the group's socket hears other machines, too
+            }
             buffer.flip();
             synchronized (participant) {
                 participant.receive(buffer, from, clock.getAsLong());
@@ -253,7 +258,9 @@ public final class UdpParticipant implements AutoCloseable {
         selector.wakeup();
         try {
             thread.join();
-            participant.close(clock.getAsLong());
+            synchronized (participant) {
+                participant.close(clock.getAsLong());
+            }
             selector.close();
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();

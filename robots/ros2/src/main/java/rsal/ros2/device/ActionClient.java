@@ -96,7 +96,10 @@ final class ActionClient {
         CdrWriter request = new CdrWriter().int8s(id);
         goal.accept(request);
         answer(sending.call(request.toBytes()), accepted, sent, response -> {
-            if (response.get("accepted", Boolean.class)) {
+            boolean isAccepted = response.get("accepted", Boolean.class);
+            if (isAccepted && !listeners.containsKey(sent.id)) {
+                cancel(sent); // as it was called off before the server had it
+            } else if (isAccepted) {
                 answer(results.call(new CdrWriter().int8s(id).toBytes()), ended, sent, result -> {
                     Listener last = listeners.remove(sent.id);
                     if (last != null) {

@@ -21,6 +21,8 @@ import rsal.ros2.message.RosMessages;
 /// then a stop.
 final class RosBase extends RosSensor<Odometry> implements DriveBase {
     private static final Duration AGAIN = Duration.ofMillis(100);
+    private static final Duration STOPPING = Duration.ofMillis(500);
+    private static final int LAST_WORDS = 5; // stops, of which one will arrive
     private static final Duration STALL = Duration.ofMillis(300); // longer than robots take to begin
     private static final double SLOWEST = 0.01; // m/s, rad/s
 
@@ -36,6 +38,7 @@ final class RosBase extends RosSensor<Odometry> implements DriveBase {
     private Optional<Twist2d> wanted = Optional.empty();
     private Instant wantedAt = Instant.MIN;
     private Instant sentAt = Instant.MIN;
+    private Instant stoppingUntil = Instant.MIN;
     private Instant blockedSince = Instant.MAX;
     private Pose2d reported = Pose2d.ORIGIN;
     private Pose2d odomFromTheirs = Pose2d.ORIGIN; // others may use the robot's odometry: it is not set, but ours is
@@ -110,11 +113,15 @@ final class RosBase extends RosSensor<Odometry> implements DriveBase {
             } else if (!sentAt.plus(AGAIN).isAfter(now)) {
                 send(wanted.get());
             }
+        } else if (stoppingUntil.isAfter(now)) {
+            send(Twist2d.STOP);
         }
     }
 
+    /// Told again and again for a while, as a message can get lost.
     private void stop() {
         wanted = Optional.empty();
+        stoppingUntil = frames.now().plus(STOPPING);
         send(Twist2d.STOP);
     }
 
@@ -160,6 +167,8 @@ final class RosBase extends RosSensor<Odometry> implements DriveBase {
     /// Stops the robot, for good.
     void end() {
         enabled = false;
-        stop();
+        for (int i = 0; i < LAST_WORDS; i++) {
+            stop();
+        }
     }
 }

@@ -46,6 +46,7 @@ final class RosNavigator extends DeviceCore implements Navigator {
         private final Instant begun;
         private final GoalSource<Progress, Result> goal;
         private ActionClient.@Nullable Goal sent;
+        private ActionClient.@Nullable Goal replaced; // which the robot's navigator gives up when it takes this one
         private Pose2d mapFromBase = Pose2d.ORIGIN; // as told last
 
         Drive(RosNavigator navigator, Pose2d mapFromGoal, Tolerance tolerance, Instant begun) {
@@ -72,6 +73,8 @@ final class RosNavigator extends DeviceCore implements Navigator {
 
         @Override
         public void onRefused() {
+            sent = null;
+            navigator.giveUp(this);
             navigator.end(this, new Result.NoPath("The robot's navigator refused the goal. Is it active?"));
         }
 
@@ -99,6 +102,7 @@ final class RosNavigator extends DeviceCore implements Navigator {
 
         @Override
         public void onFailure(String why) {
+            navigator.giveUp(this);
             navigator.end(this, new Result.Stuck(mapFromBase, tried(), why));
         }
     }
@@ -130,11 +134,13 @@ final class RosNavigator extends DeviceCore implements Navigator {
         var next = new Drive(this, mapFromGoal, tolerance, frames.now());
         drive = next;
         if (before != null) {
+            next.replaced = before.sent;
             before.goal.end(Result.Cancelled.by(mapFromGoal)); // the robot's navigator goes on with the next one
         }
         if (action.isAvailable()) {
             send();
         } else {
+            giveUp(next);
             end(next, new Result.Stuck(Pose2d.ORIGIN, Duration.ZERO, "Nobody serves '%s'.".formatted(name)));
         }
         return next.goal;
@@ -155,6 +161,17 @@ final class RosNavigator extends DeviceCore implements Navigator {
         goal.float64(0).float64(0);
         goal.float64(Math.sin(mapFromGoal.theta() / 2)).float64(Math.cos(mapFromGoal.theta() / 2));
         goal.text("");
+    }
+
+    /// So that the robot pursues no goal that nobody here knows of.
+    private void giveUp(Drive ended) {
+        for (ActionClient.Goal goal : new ActionClient.Goal[] {ended.replaced, ended.sent}) {
+            if (goal != null) {
+                action.cancel(goal);
+            }
+        }
+        ended.replaced = null;
+        ended.sent = null;
     }
 
     private void hold() {
@@ -202,6 +219,7 @@ final class RosNavigator extends DeviceCore implements Navigator {
             String why = "Nobody serves '%s'.".formatted(name);
             health(new Health.Lost(why));
             if (drive != null) {
+                giveUp(drive);
                 end(drive, new Result.Stuck(drive.mapFromBase, drive.tried(), why));
             }
         }

@@ -18,6 +18,7 @@ public final class Inbox<M> implements Consumer<ByteBuffer> {
     private final Executor run;
     private final Consumer<M> receiver;
     private final Deque<M> waiting = new ArrayDeque<>();
+    private boolean isScheduled; // to be delivered
     private final AtomicLong malformed = new AtomicLong();
 
     /// Reads a message.
@@ -47,7 +48,8 @@ public final class Inbox<M> implements Consumer<ByteBuffer> {
         }
         boolean isFirst;
         synchronized (waiting) {
-            isFirst = waiting.isEmpty();
+            isFirst = !isScheduled;
+            isScheduled = true;
             if (waiting.size() == capacity) {
                 waiting.removeFirst();
             }
@@ -58,16 +60,25 @@ public final class Inbox<M> implements Consumer<ByteBuffer> {
         }
     }
 
+    /// One at a time, so that a receiver that fails harms none of the others.
     private void deliver() {
-        while (true) {
-            M message;
+        M message;
+        synchronized (waiting) {
+            message = waiting.pollFirst();
+        }
+        try {
+            if (message != null) {
+                receiver.accept(message);
+            }
+        } finally {
+            boolean isMore;
             synchronized (waiting) {
-                message = waiting.pollFirst();
+                isMore = !waiting.isEmpty();
+                isScheduled = isMore;
             }
-            if (message == null) {
-                return;
+            if (isMore) {
+                run.execute(this::deliver);
             }
-            receiver.accept(message);
         }
     }
 

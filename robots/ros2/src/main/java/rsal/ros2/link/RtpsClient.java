@@ -105,6 +105,9 @@ final class RtpsClient {
         boolean isOurs = asked.equals(requests.data().guid())
                 || asked.equals(reader().data().guid());
         long number = ((long) identity.getInt() << 32) | Integer.toUnsignedLong(identity.getInt());
+        if (bySample.size() >= MOST_WAITING) {
+            bySample.values().removeIf(CompletableFuture::isDone); // replies that came twice
+        }
         if (isOurs && bySample.size() < MOST_WAITING) {
             reply(number).complete(payload);
         }

@@ -143,7 +143,10 @@ class Ros2SystemTest {
             advance(0.3, true);
             assertThat(commanded).hasSizeBetween(2, 5).containsOnly(new Twist2d(0.3, 0, 0.2));
             advance(0.5, true); // nobody commands any more
-            assertThat(commanded.getLast()).isEqualTo(Twist2d.STOP);
+            commanded.clear();
+            advance(0.2, true);
+            assertThat(commanded).hasSizeGreaterThan(2).containsOnly(Twist2d.STOP); // as one can get lost
+            advance(0.5, true);
             commanded.clear();
             advance(2, true);
             assertThat(commanded).isEmpty();

@@ -189,6 +189,25 @@ class RosNavigatorTest {
                 .isEqualTo(new Result.NoPath("The robot's navigator refused the goal. Is it active?"));
     }
 
+    /// A cancellation that overtakes its goal finds none.
+    @Test
+    void aGoalThatIsCalledOffBeforeItIsAcceptedIsCanceledAgain() {
+        navigator.goTo(GOAL).cancel();
+        advance(0.2);
+        assertThat(canceled).containsExactly(sent.getFirst(), sent.getFirst());
+        assertThat(results).isEmpty();
+    }
+
+    @Test
+    void theGoalBeforeOneThatIsRefusedIsCanceled() {
+        drive(() -> {
+            accepts = false;
+            navigator.goTo(new Pose2d(5, 5, 0));
+            advance(0.2);
+        });
+        assertThat(canceled).containsExactly(sent.getFirst());
+    }
+
     @Test
     void aNewGoalTakesTheOldOnesPlaceWhoseEndingIsNoFailure() {
         Optional<Result> first = drive(() -> {

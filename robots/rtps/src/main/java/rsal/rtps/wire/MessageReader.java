@@ -83,7 +83,7 @@ public final class MessageReader {
                 return new Origin(origin.source, GuidPrefix.read(body), origin.timestamp);
             }
             case SubmessageId.INFO_SOURCE -> {
-                body.position(8); // what is unused, version and vendor
+                body.getLong(); // what is unused, version and vendor
                 return new Origin(GuidPrefix.read(body), GuidPrefix.UNKNOWN, Origin.NO_TIME);
             }
             case SubmessageId.ACKNACK -> receiver.receive(origin, ackNack(flags, body));
