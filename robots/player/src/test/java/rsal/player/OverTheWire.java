@@ -10,7 +10,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.TimeUnit;
@@ -23,8 +22,6 @@ import rsal.device.Subscription;
 import rsal.player.bridge.PlayerBridgeProvider;
 import rsal.robot.DeviceDriver;
 import rsal.robot.Robot;
-import rsal.robot.RobotModel;
-import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
 import rsal.scene.RobotService;
 import rsal.settings.Arguments;
@@ -35,6 +32,7 @@ import rsal.system.Bridge;
 import rsal.system.BridgeContext;
 import rsal.system.RobotSystem;
 import rsal.system.RobotSystemProvider;
+import rsal.testkit.fake.Computers;
 import rsal.time.LockstepScheduler;
 import rsal.time.Phase;
 import rsal.time.Scheduler;
@@ -96,30 +94,9 @@ final class OverTheWire implements RobotSystemProvider {
     @Override
     public RobotSystem create(Config config, Scheduler scheduler) {
         player.create(config, scheduler).close(); // refuses what it has nothing for
-        List<RobotSpec> bare = config.robots().stream().map(OverTheWire::bare).toList();
+        List<RobotSpec> bare = config.robots().stream().map(Computers::bare).toList();
         var simulated = new Config(Arguments.defaults(sim.parameters()), config.scene(), bare, config.seed());
         return new Wired(config, sim.create(simulated, scheduler), (LockstepScheduler) scheduler);
-    }
-
-    /// Without what its own computer does.
-    private static RobotSpec bare(RobotSpec spec) {
-        RobotModel model = spec.model();
-        var hardware = new LinkedHashMap<>(model.sensors());
-        hardware.values().removeIf(Part.Own.class::isInstance);
-        return new RobotSpec(
-                spec.id(),
-                spec.role(),
-                new RobotModel(
-                        model.name(),
-                        model.title(),
-                        model.body(),
-                        model.drive(),
-                        hardware,
-                        model.heights(),
-                        model.carriers()),
-                spec.mapFromBase(),
-                spec.color(),
-                spec.marker());
     }
 
     private final class Wired implements RobotSystem {
@@ -139,7 +116,7 @@ final class OverTheWire implements RobotSystemProvider {
         public CompletionStage<List<Robot>> discover() {
             try {
                 List<Robot> real = simulation.discover().toCompletableFuture().join().stream()
-                        .map(this::equipped)
+                        .map(robot -> Computers.equipped(robot, computers, config, scheduler))
                         .toList();
                 scheduler.advance(FIRST_STEP); // devices offer nothing before they have measured
                 Bridge bridge = new PlayerBridgeProvider()
@@ -188,22 +165,6 @@ final class OverTheWire implements RobotSystemProvider {
                         Optional.empty()));
             }
             return services;
-        }
-
-        private Robot equipped(Robot bare) {
-            Robot robot = bare;
-            for (DeviceDriver driver : computers) {
-                robot = robot.with(driver.create(
-                        new DeviceDriver.Context(
-                                driver.key(),
-                                robot,
-                                config.scene().map(),
-                                Optional.empty(),
-                                scheduler,
-                                new SplittableRandom(config.seed())),
-                        Arguments.defaults(driver.parameters())));
-            }
-            return robot;
         }
 
         private static int port(Bridge bridge, String robot) {

@@ -15,8 +15,6 @@ import rsal.device.SimulationControl;
 import rsal.device.Subscription;
 import rsal.robot.DeviceDriver;
 import rsal.robot.Robot;
-import rsal.robot.RobotModel;
-import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
 import rsal.ros2.MemoryNetwork;
 import rsal.ros2.bridge.PublishedRobots;
@@ -28,6 +26,7 @@ import rsal.settings.Parameter;
 import rsal.sim.SimProvider;
 import rsal.system.RobotSystem;
 import rsal.system.RobotSystemProvider;
+import rsal.testkit.fake.Computers;
 import rsal.time.LockstepScheduler;
 import rsal.time.Scheduler;
 
@@ -77,30 +76,9 @@ final class OverRos implements RobotSystemProvider {
     @Override
     public RobotSystem create(Config config, Scheduler scheduler) {
         ros.create(config, scheduler).close(); // refuses what it has nothing for
-        List<RobotSpec> bare = config.robots().stream().map(OverRos::bare).toList();
+        List<RobotSpec> bare = config.robots().stream().map(Computers::bare).toList();
         var simulated = new Config(Arguments.defaults(sim.parameters()), config.scene(), bare, config.seed());
         return new Published(config, sim.create(simulated, scheduler), (LockstepScheduler) scheduler);
-    }
-
-    /// Without what its own computer does.
-    private static RobotSpec bare(RobotSpec spec) {
-        RobotModel model = spec.model();
-        var hardware = new LinkedHashMap<>(model.sensors());
-        hardware.values().removeIf(Part.Own.class::isInstance);
-        return new RobotSpec(
-                spec.id(),
-                spec.role(),
-                new RobotModel(
-                        model.name(),
-                        model.title(),
-                        model.body(),
-                        model.drive(),
-                        hardware,
-                        model.heights(),
-                        model.carriers()),
-                spec.mapFromBase(),
-                spec.color(),
-                spec.marker());
     }
 
     private final class Published implements RobotSystem {
@@ -120,7 +98,7 @@ final class OverRos implements RobotSystemProvider {
         public CompletionStage<List<Robot>> discover() {
             var network = new MemoryNetwork();
             List<Robot> real = simulation.discover().toCompletableFuture().join().stream()
-                    .map(this::equipped)
+                    .map(robot -> Computers.equipped(robot, computers, config, scheduler))
                     .toList();
             opened.push(PublishedRobots.publish(real, config.scene().map(), network.join(), scheduler));
             scheduler.advance(FIRST_STEP); // who sensors are is known when they have measured
@@ -140,22 +118,6 @@ final class OverRos implements RobotSystemProvider {
                 scheduler.advance(STEP);
             }
             return found;
-        }
-
-        private Robot equipped(Robot bare) {
-            Robot robot = bare;
-            for (DeviceDriver driver : computers) {
-                robot = robot.with(driver.create(
-                        new DeviceDriver.Context(
-                                driver.key(),
-                                robot,
-                                config.scene().map(),
-                                Optional.empty(),
-                                scheduler,
-                                new SplittableRandom(config.seed())),
-                        Arguments.defaults(driver.parameters())));
-            }
-            return robot;
         }
 
         @Override
