@@ -17,6 +17,7 @@ import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
+import rsal.system.RealRobots;
 import rsal.system.RobotSystem;
 import rsal.system.RobotSystemProvider;
 import rsal.system.RobotSystemProvider.InvalidRobots.Problem;
@@ -48,10 +49,6 @@ public final class PlayerProvider implements RobotSystemProvider {
             Arrays.stream(Delivery.values()).map(PlayerProvider::words).toList(),
             "How data comes: pushed as soon as there is some; pulled in rounds, which suits slow networks; auto pulls"
                     + " from other machines.");
-    private static final Parameter<Double> WATCHDOG =
-            Parameter.number("watchdog", 0.5, 0.1, 10, "s", "A base stops when no command came for this long.");
-    private static final Parameter<Boolean> ARMED = Parameter.flag(
-            "armed", false, "Whether motors are on from the beginning. Else robots stand until somebody arms them.");
 
     private static final String OWN = "own";
     private static final Parameter<String> SIMULATION = Parameter.text(
@@ -82,12 +79,12 @@ public final class PlayerProvider implements RobotSystemProvider {
 
     @Override
     public List<Parameter<?>> parameters() {
-        return List.of(SERVERS, HOST, PORT, INDEX, DELIVERY, WATCHDOG, ARMED, SIMULATION, NAMES);
+        return List.of(SERVERS, HOST, PORT, INDEX, DELIVERY, RealRobots.WATCHDOG, RealRobots.ARMED, SIMULATION, NAMES);
     }
 
     @Override
     public boolean startsDisarmed(Arguments settings) {
-        return !settings.get(ARMED);
+        return !settings.get(RealRobots.ARMED);
     }
 
     @Override
@@ -112,8 +109,8 @@ public final class PlayerProvider implements RobotSystemProvider {
                 berths.orElseThrow(),
                 overseer.orElseThrow(),
                 Delivery.valueOf(settings.get(DELIVERY).toUpperCase(Locale.ROOT)),
-                settings.seconds(WATCHDOG),
-                settings.get(ARMED),
+                settings.seconds(RealRobots.WATCHDOG),
+                settings.get(RealRobots.ARMED),
                 scheduler);
     }
 

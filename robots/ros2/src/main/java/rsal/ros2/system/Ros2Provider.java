@@ -20,6 +20,7 @@ import rsal.ros2.type.TypeLibrary;
 import rsal.rtps.UdpParticipant;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
+import rsal.system.RealRobots;
 import rsal.system.RobotSystem;
 import rsal.system.RobotSystemProvider;
 import rsal.system.RobotSystemProvider.InvalidRobots.Problem;
@@ -57,10 +58,6 @@ public final class Ros2Provider implements RobotSystemProvider {
             words(Distribution.JAZZY),
             Arrays.stream(Distribution.values()).map(Ros2Provider::words).toList(),
             "The distribution of ROS 2 that the robots run.");
-    private static final Parameter<Double> WATCHDOG =
-            Parameter.number("watchdog", 0.5, 0.1, 10, "s", "A base stops when no command came for this long.");
-    private static final Parameter<Boolean> ARMED = Parameter.flag(
-            "armed", false, "Whether motors are on from the beginning. Else robots stand until somebody arms them.");
 
     private static String words(Distribution distribution) {
         return distribution.name().toLowerCase(Locale.ROOT);
@@ -83,12 +80,12 @@ public final class Ros2Provider implements RobotSystemProvider {
 
     @Override
     public List<Parameter<?>> parameters() {
-        return List.of(NAMESPACES, DOMAIN, ADDRESS, PEERS, DISTRIBUTION, WATCHDOG, ARMED);
+        return List.of(NAMESPACES, DOMAIN, ADDRESS, PEERS, DISTRIBUTION, RealRobots.WATCHDOG, RealRobots.ARMED);
     }
 
     @Override
     public boolean startsDisarmed(Arguments settings) {
-        return !settings.get(ARMED);
+        return !settings.get(RealRobots.ARMED);
     }
 
     @Override
@@ -116,8 +113,8 @@ public final class Ros2Provider implements RobotSystemProvider {
                         namespaces,
                         () -> new RtpsLink(network, distribution, NODE, System::nanoTime, new SecureRandom()),
                         TypeLibrary.of(distribution),
-                        settings.seconds(WATCHDOG),
-                        settings.get(ARMED),
+                        settings.seconds(RealRobots.WATCHDOG),
+                        settings.get(RealRobots.ARMED),
                         scheduler,
                         new SecureRandom());
             }
