@@ -17,8 +17,7 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /// Two processes, which DDS on the loopback network joins: one publishes simulated robots to ROS 2, the other one
-/// drives
-/// them.
+/// drives them.
 @Timeout(value = 5, unit = TimeUnit.MINUTES)
 class Ros2RunIT {
     @TempDir

@@ -44,7 +44,7 @@ final class DiscoveryMessages {
         return Arrays.copyOf(bytes.array(), end);
     }
 
-    /// Whether that is told of a participant or endpoint.
+    /// Whether a participant or endpoint is said to be gone.
     static boolean isGone(ParameterList inlineQos) {
         return inlineQos
                 .find(ParameterId.STATUS_INFO, Integer.BYTES)

@@ -43,9 +43,7 @@ final class OwnEndpoints {
     }
 
     private static boolean fit(EndpointData writer, EndpointData reader) {
-        return writer.topic().equals(reader.topic())
-                && !writer.topic().isEmpty()
-                && writer.mismatch(reader).isEmpty();
+        return isOfOneTopic(writer, reader) && writer.mismatch(reader).isEmpty();
     }
 
     /// @return whether it was there
@@ -126,7 +124,7 @@ final class OwnEndpoints {
                     .mismatch(reader)
                     .ifPresentOrElse(
                             why -> graph.onMismatch(own.data(), reader, why),
-                            () -> own.match(reader, addressee(other, reader), now));
+                            () -> own.match(reader.guid(), addressee(other, reader), reader.qos(), now));
         }
     }
 

@@ -6,7 +6,7 @@ import rsal.rtps.discovery.EndpointData;
 import rsal.rtps.discovery.ParticipantData;
 import rsal.rtps.wire.Guid;
 
-/// Another participant, and what it has told of its writers and readers.
+/// Another participant, with the writers and readers that it has announced.
 final class RemoteParticipant {
     private static final long LEAST_LEASE = 500_000_000; // ns
     private static final long MOST_LEASE = 3_600_000_000_000L;

@@ -215,10 +215,6 @@ public final class SampleWriter {
         }
     }
 
-    void match(EndpointData reader, Addressee addressee, long now) {
-        match(reader.guid(), addressee, reader.qos(), now);
-    }
-
     /// @param wanted the reader's quality of service
     void match(Guid reader, Addressee addressee, Qos wanted, long now) {
         if (readers.containsKey(reader)) {

@@ -257,7 +257,7 @@ class ParticipantTest {
         assertThat(told).containsExactly("reliability: the reader wants reliable, the writer offers best effort");
     }
 
-    /// What is told of others.
+    /// Notes who is gone.
     private static final class Lost implements GraphListener {
         private final List<GuidPrefix> participants = new ArrayList<>();
         private final List<Guid> endpoints = new ArrayList<>();

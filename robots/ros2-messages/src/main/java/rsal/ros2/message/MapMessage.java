@@ -14,8 +14,7 @@ public final class MapMessage {
     private MapMessage() {}
 
     /// The map, with cells that are free, occupied or unknown: those between are unknown, as for ROS's `map_server`.
-    /// Empty
-    /// for one that is none, or that is turned, which no map of ours is.
+    /// Empty for one that is none, or that is turned, which no map of ours is.
     ///
     /// @param message whose cells the map takes over
     public static Optional<OccupancyGrid> of(RosMessage message) {

@@ -2,6 +2,7 @@ package rsal.ros2.message;
 
 import java.time.Instant;
 import java.util.List;
+import java.util.Optional;
 import rsal.data.BatteryState;
 import rsal.data.Covariance2d;
 import rsal.data.LaserScan;
@@ -11,13 +12,14 @@ import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.RangeArray;
 import rsal.data.Twist2d;
+import rsal.ros2.cdr.CdrReader;
 import rsal.ros2.cdr.CdrWriter;
+import rsal.ros2.cdr.InvalidCdr;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.message.FrameTransform.Quaternion;
 
 /// Values of ours as messages of ROS 2, in CDR. All of their types are the same in Humble, Jazzy, Kilted and Lyrical.
-/// Of
-/// one thread.
+/// Of one thread.
 public final class RosMessages {
     private static final int COVARIANCES = 36; // of x, y, z, and turns about these axes
     private static final long SECOND = 1_000_000_000; // ns
@@ -61,9 +63,19 @@ public final class RosMessages {
     }
 
     private void write(FrameTransform transform) {
-        writer.float64(transform.x()).float64(transform.y()).float64(transform.z());
+        write(writer, transform);
+    }
+
+    /// `geometry_msgs/Pose` or `geometry_msgs/Transform`
+    public static CdrWriter write(CdrWriter to, FrameTransform transform) {
         Quaternion turned = transform.rotation();
-        writer.float64(turned.x()).float64(turned.y()).float64(turned.z()).float64(turned.w());
+        return to.float64(transform.x())
+                .float64(transform.y())
+                .float64(transform.z())
+                .float64(turned.x())
+                .float64(turned.y())
+                .float64(turned.z())
+                .float64(turned.w());
     }
 
     /// `nav_msgs/Odometry`, with covariances of 0, which is to say unknown.
@@ -145,9 +157,28 @@ public final class RosMessages {
         return stamp.integer("sec") * SECOND + stamp.integer("nanosec");
     }
 
-    /// The plane's part of a covariance of six dimensions.
-    public static Covariance2d planar(double[] all) {
-        return new Covariance2d(all[0], all[1], all[5], all[7], all[11], all[35]);
+    /// The next `builtin_interfaces/Time` [ns].
+    static long stamp(CdrReader bytes) throws InvalidCdr {
+        long seconds = bytes.int32();
+        return seconds * SECOND + Integer.toUnsignedLong(bytes.int32());
+    }
+
+    /// The next `geometry_msgs/Twist`, in the plane.
+    public static Twist2d twist(CdrReader bytes) throws InvalidCdr {
+        double vx = bytes.float64();
+        double vy = bytes.float64();
+        bytes.skip(Double.BYTES, 3); // upwards, and turning about the other axes
+        return new Twist2d(vx, vy, bytes.float64());
+    }
+
+    /// What a `geometry_msgs/PoseWithCovarianceStamped` says, in the plane; empty when it has values that are no
+    /// numbers.
+    public static Optional<PoseEstimate> estimate(RosMessage message) {
+        RosMessage with = message.message("pose");
+        FrameTransform pose = FrameTransform.of(with.message("pose"), "position", "orientation");
+        double[] all = with.get("covariance", double[].class);
+        var spread = new Covariance2d(all[0], all[1], all[5], all[7], all[11], all[35]);
+        return Optional.of(PoseEstimate.of(pose.planar(), spread)).filter(PoseEstimate::isFinite);
     }
 
     /// `sensor_msgs/BatteryState`, which has charges in Ah: of a battery that knows no voltage, at 12 V.

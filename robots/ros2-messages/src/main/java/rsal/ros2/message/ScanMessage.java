@@ -20,7 +20,6 @@ public record ScanMessage(
         double rangeMin,
         double rangeMax,
         float[] ranges) {
-    private static final long SECOND = 1_000_000_000; // ns
     private static final double ROUND = 2 * Math.PI + 0.1; // rad; a whole turn, with an overlap
 
     public static ScanMessage of(RosMessage message) {
@@ -39,8 +38,7 @@ public record ScanMessage(
     ///
     /// @param frame that it probably has, so that no other text is made
     public static ScanMessage read(CdrReader bytes, String frame) throws InvalidCdr {
-        long seconds = bytes.int32();
-        long stamp = seconds * SECOND + Integer.toUnsignedLong(bytes.int32());
+        long stamp = RosMessages.stamp(bytes);
         String its = bytes.text(frame);
         double angleMin = bytes.float32();
         bytes.float32(); // the last angle, which follows from the others

@@ -26,8 +26,7 @@ import rsal.ros2.type.TypeLibrary;
 import rsal.time.Scheduler;
 
 /// Offers an action of ROS 2: takes goals, tells how they get on and how they ended. All but the arrival of requests is
-/// on
-/// the scheduler's thread.
+/// on the scheduler's thread.
 final class ActionServer {
     /// States of `action_msgs/GoalStatus`.
     enum Status {

@@ -22,8 +22,7 @@ import rsal.ros2.type.TypeLibrary;
 import rsal.time.Scheduler;
 
 /// A navigator of ours as Nav2's action `navigate_to_pose`, as it is in Jazzy and Kilted. A new goal takes the place of
-/// the
-/// one before, which is aborted, as Nav2 does it.
+/// the one before, which is aborted, as Nav2 does it.
 final class PublishedNavigator implements ActionServer.Handler {
     private static final Tolerance TOLERANCE = new Tolerance(0.25, 0.25); // m, rad; those that Nav2 has
     private static final int NO_PATH = 208; // error codes of Nav2: no valid path
@@ -76,10 +75,8 @@ final class PublishedNavigator implements ActionServer.Handler {
     /// `NavigateToPose_Feedback`
     private static void write(CdrWriter writer, Stamped<Progress> told) {
         Progress progress = told.value();
-        Pose2d pose = progress.mapFromBase();
         RosMessages.write(writer, told.time()).text(MAP);
-        writer.float64(pose.x()).float64(pose.y()).float64(0).float64(0).float64(0);
-        writer.float64(Math.sin(pose.theta() / 2)).float64(Math.cos(pose.theta() / 2));
+        RosMessages.write(writer, FrameTransform.of(progress.mapFromBase()));
         Duration driving = progress.driving();
         writer.int32((int) driving.toSeconds()).int32(driving.toNanosPart());
         writer.int32(0).int32(0); // how long it will still take is not known

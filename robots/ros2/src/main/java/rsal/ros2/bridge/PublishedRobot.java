@@ -7,7 +7,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import rsal.data.Covariance2d;
 import rsal.data.LaserScan;
 import rsal.data.Odometry;
 import rsal.data.Pose2d;
@@ -26,7 +25,6 @@ import rsal.robot.Robot;
 import rsal.ros2.cdr.CdrReader;
 import rsal.ros2.cdr.InvalidCdr;
 import rsal.ros2.cdr.MessageCodec;
-import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.link.Inbox;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
@@ -121,7 +119,7 @@ final class PublishedRobot {
         offer(base, "odom");
         offer(base, "cmd_vel");
         ends.add(base.subscribe(reading -> tellOdometry(odometry, reading))::cancel);
-        listen(TWIST, PublishedRobot::twist, base);
+        listen(TWIST, RosMessages::twist, base);
         listen(STAMPED_TWIST, PublishedRobot::stampedTwist, base);
         ends.add(scheduler.every(AGAIN, () -> drive(base))::cancel);
     }
@@ -131,17 +129,10 @@ final class PublishedRobot {
         ends.add(link.subscribe(new RosTopic(namespace + "/cmd_vel", type), Profile.SENSOR_DATA, inbox)::close);
     }
 
-    private static Twist2d twist(CdrReader bytes) throws InvalidCdr {
-        double vx = bytes.float64();
-        double vy = bytes.float64();
-        bytes.skip(Double.BYTES, 3); // upwards, and turning about the other axes
-        return new Twist2d(vx, vy, bytes.float64());
-    }
-
     private static Twist2d stampedTwist(CdrReader bytes) throws InvalidCdr {
         bytes.skip(Integer.BYTES, 2); // its time
         bytes.text(BASE);
-        return twist(bytes);
+        return RosMessages.twist(bytes);
     }
 
     private void obey(DriveBase base, Twist2d velocity) {
@@ -238,7 +229,11 @@ final class PublishedRobot {
         ends.add(link.subscribe(
                 new RosTopic(namespace + "/initialpose", POSE),
                 Profile.DEFAULT,
-                new Inbox<>(1, codec::read, scheduler, belief -> relocalize(localizer, belief)))::close);
+                new Inbox<>(
+                        1,
+                        codec::read,
+                        scheduler,
+                        message -> RosMessages.estimate(message).ifPresent(localizer::relocalize)))::close);
         ends.add(localizer.subscribe(reading -> tellPose(poses, reading))::cancel);
     }
 
@@ -246,16 +241,6 @@ final class PublishedRobot {
         String name = namespace + "/navigate_to_pose";
         offer(navigator, "navigate_to_pose");
         ends.add(new PublishedNavigator(navigator, link, TYPES, name, scheduler)::close);
-    }
-
-    private static void relocalize(Localizer localizer, RosMessage message) {
-        RosMessage with = message.message("pose");
-        Pose2d pose = FrameTransform.of(with.message("pose"), "position", "orientation")
-                .planar();
-        Covariance2d spread = RosMessages.planar(with.get("covariance", double[].class));
-        if (pose.isFinite() && spread.isFinite()) {
-            localizer.relocalize(PoseEstimate.of(pose, spread));
-        }
     }
 
     private void tellPose(Publication poses, Stamped<PoseEstimate> reading) {

@@ -16,8 +16,7 @@ import rsal.time.AllowedToReadWallClock;
 import rsal.time.Scheduler;
 
 /// Publishes robots to ROS 2, each in its namespace. The port says which domain: that where its participants hear of
-/// each
-/// other.
+/// each other.
 @AllowedToReadWallClock("Networks live in real time.")
 public final class Ros2BridgeProvider implements BridgeProvider {
     private static final String NODE = "rsal_bridge";

@@ -9,8 +9,7 @@ import rsal.ros2.message.MapMessage;
 import rsal.ros2.message.RosMessages;
 
 /// A map that somebody publishes as `nav_msgs/OccupancyGrid`: `map_server`, or slam_toolbox, which publishes it again
-/// and
-/// again. Where it ends is not known here, and it drives nothing.
+/// and again. Where it ends is not known here, and it drives nothing.
 final class PublicMap extends RosSensor<OccupancyGrid> implements Mapper {
     private final RobotClock clock;
 

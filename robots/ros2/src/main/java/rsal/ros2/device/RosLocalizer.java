@@ -18,13 +18,11 @@ import rsal.device.DeviceInfo;
 import rsal.device.Localizer;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.link.RosLink.Publication;
-import rsal.ros2.message.FrameTransform;
 import rsal.ros2.message.OdometryMessage;
 import rsal.ros2.message.RosMessages;
 
 /// A robot's own localizer, such as Nav2's `amcl`: a pose now and then (`amcl_pose`), and where odometry begins on the
-/// map
-/// (TF from `map` to `odom`). In between, estimates go with the odometry.
+/// map (TF from `map` to `odom`). In between, estimates go with the odometry.
 final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
     private static final int REMEMBERED = 100; // odometry, to know where the robot was when it was localized
     private static final double SURE = 0.5; // m, rad: with deviations of less a robot is localized
@@ -73,15 +71,12 @@ final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
 
     /// @param message `geometry_msgs/PoseWithCovarianceStamped`
     void take(RosMessage message) {
-        RosMessage with = message.message("pose");
-        Pose2d mapFromBase = FrameTransform.of(with.message("pose"), "position", "orientation")
-                .planar();
-        Covariance2d spread = RosMessages.planar(with.get("covariance", double[].class));
-        if (mapFromBase.isFinite() && spread.isFinite()) {
-            covariance = spread;
-            mapFromOdom = mapFromBase.compose(
-                    odomFromBase(RosMessages.stamp(message.message("header"))).inverse());
-        }
+        RosMessages.estimate(message).ifPresent(told -> {
+            covariance = told.covariance();
+            mapFromOdom = told.mapFromBase()
+                    .compose(odomFromBase(RosMessages.stamp(message.message("header")))
+                            .inverse());
+        });
     }
 
     /// Where odometry had the robot at a time, or nearest to it.

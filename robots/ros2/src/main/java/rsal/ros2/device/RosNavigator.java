@@ -17,6 +17,7 @@ import rsal.device.Navigator;
 import rsal.ros2.cdr.CdrWriter;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.message.FrameTransform;
+import rsal.ros2.message.RosMessages;
 
 /// A robot's own navigator, such as Nav2's: the action `navigate_to_pose` of the type `nav2_msgs/NavigateToPose`.
 ///
@@ -157,10 +158,7 @@ final class RosNavigator extends DeviceCore implements Navigator {
     /// `nav2_msgs/NavigateToPose_Goal`, by the behavior tree that is usual there. A time of 0 is the newest.
     private static void write(CdrWriter goal, Pose2d mapFromGoal) {
         goal.int32(0).int32(0).text(MAP);
-        goal.float64(mapFromGoal.x()).float64(mapFromGoal.y()).float64(0);
-        goal.float64(0).float64(0);
-        goal.float64(Math.sin(mapFromGoal.theta() / 2)).float64(Math.cos(mapFromGoal.theta() / 2));
-        goal.text("");
+        RosMessages.write(goal, FrameTransform.of(mapFromGoal)).text("");
     }
 
     /// So that the robot pursues no goal that nobody here knows of.

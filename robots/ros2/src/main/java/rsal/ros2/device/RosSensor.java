@@ -58,8 +58,4 @@ abstract class RosSensor<T> extends SensorCore<T> {
     final boolean hasTold() {
         return !told.equals(Instant.MIN);
     }
-
-    final void lost(String why) {
-        health(new Health.Lost(why));
-    }
 }

@@ -15,8 +15,7 @@ import rsal.ros2.message.RosMessages;
 import rsal.ros2.message.ScanMessage;
 
 /// Sonars or infrared sensors, each of which publishes `sensor_msgs/Range`. A reading is a round of them: all, or as
-/// many
-/// as told something before one told again.
+/// many as told something before one told again.
 final class RosSonars extends RosSensor<RangeArray> implements SonarArray {
     private final Part.Sonars part;
     private final Frames frames;

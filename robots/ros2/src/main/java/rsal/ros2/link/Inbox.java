@@ -4,7 +4,6 @@ import java.nio.ByteBuffer;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.concurrent.Executor;
-import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import rsal.ros2.cdr.CdrReader;
 import rsal.ros2.cdr.InvalidCdr;
@@ -19,7 +18,6 @@ public final class Inbox<M> implements Consumer<ByteBuffer> {
     private final Consumer<M> receiver;
     private final Deque<M> waiting = new ArrayDeque<>();
     private boolean isScheduled; // to be delivered
-    private final AtomicLong malformed = new AtomicLong();
 
     /// Reads a message.
     ///
@@ -43,8 +41,7 @@ public final class Inbox<M> implements Consumer<ByteBuffer> {
         try {
             message = decoder.read(CdrReader.of(bytes));
         } catch (InvalidCdr e) {
-            malformed.incrementAndGet();
-            return;
+            return; // a malformed message harms nobody
         }
         boolean isFirst;
         synchronized (waiting) {
@@ -80,10 +77,5 @@ public final class Inbox<M> implements Consumer<ByteBuffer> {
                 run.execute(this::deliver);
             }
         }
-    }
-
-    /// How many messages could not be read.
-    public long malformed() {
-        return malformed.get();
     }
 }

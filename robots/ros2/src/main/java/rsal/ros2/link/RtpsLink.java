@@ -15,6 +15,7 @@ import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeHash;
 import rsal.ros2.type.TypeLibrary;
 import rsal.rtps.GraphListener;
+import rsal.rtps.SampleListener;
 import rsal.rtps.SampleReader;
 import rsal.rtps.SampleWriter;
 import rsal.rtps.UdpParticipant;
@@ -107,21 +108,42 @@ public final class RtpsLink implements RosLink {
     }
 
     /// Which Humble does not have.
-    private String userData(RosTopic topic) {
+    private String userData(String type) {
         return distribution == Distribution.HUMBLE
                 ? ""
-                : types.find(topic.type())
-                        .map(type -> "typehash=%s;".formatted(TypeHash.of(type, types)))
+                : types.find(type)
+                        .map(known -> "typehash=%s;".formatted(TypeHash.of(known, types)))
                         .orElse("");
+    }
+
+    private SampleWriter writer(String topic, String type, Profile profile) {
+        return participant.createWriter(topic, ddsType(type), qos(profile), userData(type));
+    }
+
+    private SampleReader reader(String topic, String type, Profile profile, SampleListener listener) {
+        return participant.createReader(topic, ddsType(type), qos(profile), userData(type), listener);
+    }
+
+    /// Tells that our node has these.
+    ///
+    /// @return takes them away again
+    private Runnable opened(List<SampleWriter> newWriters, List<SampleReader> newReaders) {
+        newWriters.forEach(each -> writers.add(each.data().guid()));
+        newReaders.forEach(each -> readers.add(each.data().guid()));
+        tellOfNode();
+        return () -> {
+            newReaders.forEach(participant::remove);
+            newWriters.forEach(participant::remove);
+            newReaders.forEach(each -> readers.remove(each.data().guid()));
+            newWriters.forEach(each -> writers.remove(each.data().guid()));
+            tellOfNode();
+        };
     }
 
     @Override
     public Publication advertise(RosTopic topic, Profile profile) {
-        SampleWriter writer =
-                participant.createWriter(TOPIC + topic.name(), ddsType(topic.type()), qos(profile), userData(topic));
-        Guid guid = writer.data().guid();
-        writers.add(guid);
-        tellOfNode();
+        SampleWriter writer = writer(TOPIC + topic.name(), topic.type(), profile);
+        Runnable end = opened(List.of(writer), List.of());
         return new Publication() {
             @Override
             public void publish(long time, byte[] message) {
@@ -130,24 +152,16 @@ public final class RtpsLink implements RosLink {
 
             @Override
             public void close() {
-                participant.remove(writer);
-                writers.remove(guid);
-                tellOfNode();
+                end.run();
             }
         };
     }
 
     @Override
     public Subscribed subscribe(RosTopic topic, Profile profile, Consumer<ByteBuffer> listener) {
-        SampleReader reader = participant.createReader(
-                TOPIC + topic.name(),
-                ddsType(topic.type()),
-                qos(profile),
-                userData(topic),
-                sample -> listener.accept(sample.payload()));
-        Guid guid = reader.data().guid();
-        readers.add(guid);
-        tellOfNode();
+        SampleReader reader =
+                reader(TOPIC + topic.name(), topic.type(), profile, sample -> listener.accept(sample.payload()));
+        Runnable end = opened(List.of(), List.of(reader));
         return new Subscribed() {
             @Override
             public int publishers() {
@@ -156,31 +170,18 @@ public final class RtpsLink implements RosLink {
 
             @Override
             public void close() {
-                participant.remove(reader);
-                readers.remove(guid);
-                tellOfNode();
+                end.run();
             }
         };
     }
 
     @Override
     public ServiceClient client(String name, String type) {
-        SampleWriter requests = participant.createWriter(
-                REQUEST + name + "Request",
-                ddsType(type + "_Request"),
-                Qos.DEFAULT,
-                userData(new RosTopic(name, type + "_Request")));
+        SampleWriter requests = writer(REQUEST + name + "Request", type + "_Request", Profile.DEFAULT);
         var client = new RtpsClient(participant, requests);
-        SampleReader replies = participant.createReader(
-                REPLY + name + "Reply",
-                ddsType(type + "_Response"),
-                Qos.DEFAULT,
-                userData(new RosTopic(name, type + "_Response")),
-                client::take);
+        SampleReader replies = reader(REPLY + name + "Reply", type + "_Response", Profile.DEFAULT, client::take);
         client.repliesTo(replies);
-        writers.add(requests.data().guid());
-        readers.add(replies.data().guid());
-        tellOfNode();
+        Runnable end = opened(List.of(requests), List.of(replies));
         return new ServiceClient() {
             @Override
             public boolean isAvailable() {
@@ -194,39 +195,17 @@ public final class RtpsLink implements RosLink {
 
             @Override
             public void close() {
-                participant.remove(requests);
-                participant.remove(replies);
-                writers.remove(requests.data().guid());
-                readers.remove(replies.data().guid());
-                tellOfNode();
+                end.run();
             }
         };
     }
 
     @Override
     public Served serve(String name, String type, Server server) {
-        SampleWriter replies = participant.createWriter(
-                REPLY + name + "Reply",
-                ddsType(type + "_Response"),
-                Qos.DEFAULT,
-                userData(new RosTopic(name, type + "_Response")));
+        SampleWriter replies = writer(REPLY + name + "Reply", type + "_Response", Profile.DEFAULT);
         var serving = new RtpsServer(participant, replies, server);
-        SampleReader requests = participant.createReader(
-                REQUEST + name + "Request",
-                ddsType(type + "_Request"),
-                Qos.DEFAULT,
-                userData(new RosTopic(name, type + "_Request")),
-                serving::take);
-        writers.add(replies.data().guid());
-        readers.add(requests.data().guid());
-        tellOfNode();
-        return () -> {
-            participant.remove(requests);
-            participant.remove(replies);
-            writers.remove(replies.data().guid());
-            readers.remove(requests.data().guid());
-            tellOfNode();
-        };
+        SampleReader requests = reader(REQUEST + name + "Request", type + "_Request", Profile.DEFAULT, serving::take);
+        return opened(List.of(replies), List.of(requests))::run;
     }
 
     /// `rmw_dds_common/msg/ParticipantEntitiesInfo`: which node has which writers and readers.

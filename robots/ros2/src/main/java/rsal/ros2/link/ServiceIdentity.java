@@ -11,8 +11,8 @@ import rsal.rtps.wire.Guid;
 import rsal.rtps.wire.ParameterList;
 
 /// What joins requests and replies. Implementations of DDS have two ways: Cyclone DDS has 16 bytes in front of the
-/// message
-/// (`rmw_cyclonedds`: the client's id and a number), all others a sample identity beside it (DDS-RPC 1.0, 7.8.2).
+/// message (`rmw_cyclonedds`: the client's id and a number), all others a sample identity beside it (DDS-RPC 1.0,
+/// 7.8.2).
 final class ServiceIdentity {
     static final int BEGIN = 4; // bytes: the encapsulation header, in front of all
     static final int HEADER = 16; // bytes
