@@ -2,6 +2,7 @@ package rsal.rtps;
 
 import java.util.BitSet;
 import java.util.stream.LongStream;
+import rsal.rtps.wire.ParameterList;
 import rsal.rtps.wire.Submessage.DataFragments;
 
 /// A sample in fragments, some of which are there.
@@ -9,6 +10,8 @@ final class Assembly {
     private final int fragmentSize; // B
     private final byte[] payload;
     private final BitSet there = new BitSet(); // of fragments, from 0 on
+    private ParameterList inlineQos = ParameterList.EMPTY;
+    private long grown; // when a fragment came last [ns]
 
     Assembly(DataFragments part) {
         fragmentSize = part.fragmentSize();
@@ -16,9 +19,15 @@ final class Assembly {
     }
 
     /// Fragments of another size, or of a sample of another size, are no parts of it.
-    void add(DataFragments part) {
+    ///
+    /// @param now [ns]
+    void add(DataFragments part, long now) {
         if (part.fragmentSize() != fragmentSize || part.sampleSize() != payload.length) {
             return;
+        }
+        grown = now;
+        if (!part.inlineQos().isEmpty()) { // which some send with the first fragment only
+            inlineQos = part.inlineQos().copy();
         }
         int begin = (part.first() - 1) * fragmentSize;
         int length = Math.min(part.count() * fragmentSize, payload.length - begin);
@@ -39,6 +48,14 @@ final class Assembly {
         return LongStream.range(0, count())
                 .filter(each -> !there.get((int) each))
                 .map(each -> each + 1);
+    }
+
+    ParameterList inlineQos() {
+        return inlineQos;
+    }
+
+    long grown() {
+        return grown;
     }
 
     byte[] payload() {

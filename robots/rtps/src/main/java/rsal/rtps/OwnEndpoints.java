@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import rsal.rtps.discovery.EndpointData;
 import rsal.rtps.wire.EntityId;
 import rsal.rtps.wire.Guid;
@@ -59,6 +60,10 @@ final class OwnEndpoints {
         List.copyOf(reader.writers().keySet()).forEach(writer -> unmatch(reader, writer));
         writers.values().forEach(writer -> writer.unmatch(guid));
         return true;
+    }
+
+    Stream<SampleWriter> writers() {
+        return writers.values().stream();
     }
 
     Optional<SampleWriter> writer(EntityId entity) {

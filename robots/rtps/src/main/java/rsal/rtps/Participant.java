@@ -36,6 +36,7 @@ import rsal.rtps.wire.Submessage.Content;
 /// goes back [ns].
 public final class Participant {
     private static final long SECOND = 1_000_000_000; // ns
+    private static final long FAREWELL = SECOND / 2; // of writers whose last samples are still to be acknowledged
     private static final int FIRST_ANNOUNCEMENTS = 5;
     private static final long BETWEEN_FIRST_ANNOUNCEMENTS = SECOND / 10;
     private static final long BETWEEN_ANNOUNCEMENTS = 3 * SECOND;
@@ -52,6 +53,7 @@ public final class Participant {
     private final OwnEndpoints own; // with the tellers and hearers
     private final Map<GuidPrefix, RemoteParticipant> others = new LinkedHashMap<>();
     private final Set<GuidPrefix> refused = new HashSet<>();
+    private final Map<SampleWriter, Long> leaving = new LinkedHashMap<>(); // until when at most [ns]
     private int entities;
     private int announcements;
     private long announceAt;
@@ -160,12 +162,7 @@ public final class Participant {
             String topic, String type, Qos qos, String userData, SampleListener listener, long time) {
         advance(time);
         EndpointData data = endpoint(EntityId.reader(++entities), topic, type, qos, userData);
-        var reader = new SampleReader(data, budget, sample -> {
-            if (sample.content() == Content.DATA) {
-                listener.onSample(new SampleListener.Sample(
-                        sample.writer(), sample.number(), sample.timestamp(), sample.inlineQos(), sample.payload()));
-            }
-        });
+        var reader = new SampleReader(data, budget, new Hearing(listener, topic));
         announce(BuiltinEndpoint.SUBSCRIPTIONS, data);
         own.add(reader, others.values(), now);
         wake(now);
@@ -173,7 +170,7 @@ public final class Participant {
     }
 
     /// @param timestamp when the sample is from [ns] since 1970
-    /// @param inlineQos writes what goes beside it, without an end; only where it fits into a datagram
+    /// @param inlineQos writes what goes beside it, without an end; at most 128 B
     /// @param payload with its encapsulation header; not changed any more
     /// @return the number of the sample
     public long write(
@@ -188,12 +185,30 @@ public final class Participant {
         return number;
     }
 
+    /// Nothing more is written by it. It goes when all reliable readers have its samples, at most half a second later.
     public void remove(SampleWriter writer, long time) {
         advance(time);
-        if (own.remove(writer)) {
-            withdraw(BuiltinEndpoint.PUBLICATIONS, writer.data().guid());
-            wake(now);
-        }
+        leaving.putIfAbsent(writer, now + FAREWELL);
+        wake(now);
+    }
+
+    /// Removes writers whose last samples have arrived, or had their time to.
+    private void dismiss() {
+        leaving.entrySet().removeIf(each -> {
+            SampleWriter writer = each.getKey();
+            if (now < each.getValue() && !writer.isAcknowledged()) {
+                return false;
+            }
+            if (own.remove(writer)) {
+                withdraw(BuiltinEndpoint.PUBLICATIONS, writer.data().guid());
+            }
+            return true;
+        });
+    }
+
+    /// Whether all reliable readers of others have all that was written.
+    public boolean isAcknowledged() {
+        return own.writers().filter(each -> !tellers.containsValue(each)).allMatch(SampleWriter::isAcknowledged);
     }
 
     public void remove(SampleReader reader, long time) {
@@ -239,9 +254,11 @@ public final class Participant {
     public long tick(long time) {
         advance(time);
         if (now >= due) {
-            due = Long.MAX_VALUE;
+            due = now; // if a listener fails, what is left is done next time
             announce();
             expire();
+            dismiss();
+            due = Math.min(announceAt, earliest());
             wake(own.tick(messages, network, now));
         }
         return due;
@@ -269,7 +286,6 @@ public final class Participant {
             announceAt =
                     now + (announcements < FIRST_ANNOUNCEMENTS ? BETWEEN_FIRST_ANNOUNCEMENTS : BETWEEN_ANNOUNCEMENTS);
         }
-        wake(announceAt);
     }
 
     /// Puts together a message about this participant.
@@ -287,10 +303,20 @@ public final class Participant {
         for (RemoteParticipant other : List.copyOf(others.values())) {
             if (now >= other.expiry) {
                 lose(other);
-            } else {
-                wake(other.expiry);
             }
         }
+    }
+
+    /// When the next participant or writer goes [ns].
+    private long earliest() {
+        long earliest = Long.MAX_VALUE;
+        for (RemoteParticipant other : others.values()) {
+            earliest = Math.min(earliest, other.expiry);
+        }
+        for (long end : leaving.values()) {
+            earliest = Math.min(earliest, end);
+        }
+        return earliest;
     }
 
     private void announce(BuiltinEndpoint to, EndpointData data) {
@@ -328,7 +354,10 @@ public final class Participant {
                 own.proxies(
                         writer, data.reader(), proxy -> proxy.receive(Arrival.of(writer, origin.timestamp(), data)));
             case Submessage.DataFragments part ->
-                own.proxies(writer, part.reader(), proxy -> proxy.receive(part, origin.timestamp()));
+                own.proxies(writer, part.reader(), proxy -> {
+                    proxy.receive(part, origin.timestamp(), now);
+                    wake(proxy.due());
+                });
             case Submessage.Heartbeat heartbeat ->
                 own.proxies(writer, heartbeat.reader(), proxy -> {
                     proxy.receive(heartbeat, now);
@@ -339,7 +368,7 @@ public final class Participant {
             case Submessage.AckNack answer ->
                 own.writer(answer.writer()).ifPresent(its -> {
                     its.receive(origin, answer, now);
-                    wake(its.due());
+                    wake(leaving.containsKey(its) ? now : its.due());
                 });
             case Submessage.NackFragments nack ->
                 own.writer(nack.writer()).ifPresent(its -> {
@@ -373,6 +402,10 @@ public final class Participant {
 
     private void meet(ParticipantData data, InetSocketAddress from) {
         RemoteParticipant known = others.get(data.prefix());
+        if (known != null && !known.isWhereItWas(data)) {
+            lose(known); // it comes again
+            known = null;
+        }
         if (known == null) {
             if (others.size() >= limits.participants()) {
                 if (refused.size() < limits.participants() && refused.add(data.prefix())) {

@@ -23,6 +23,12 @@ final class RemoteParticipant {
         this.userTraffic = userTraffic;
     }
 
+    /// Whether it is to be reached as before: networks give machines new addresses.
+    boolean isWhereItWas(ParticipantData newest) {
+        return newest.metatraffic().equals(data.metatraffic())
+                && newest.userTraffic().equals(data.userTraffic());
+    }
+
     void isAlive(long now) {
         expiry = now + Math.clamp(data.lease(), LEAST_LEASE, MOST_LEASE);
     }

@@ -64,6 +64,7 @@ public final class SampleReader {
     long tick(MessageWriter messages, Transmitter network, long now) {
         long due = Long.MAX_VALUE;
         for (WriterProxy writer : writers.values()) {
+            writer.forgetOld(now);
             writer.request(messages, network, now);
             due = Math.min(due, writer.due());
         }

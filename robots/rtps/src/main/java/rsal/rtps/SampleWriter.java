@@ -82,7 +82,7 @@ public final class SampleWriter {
     }
 
     /// @param timestamp [ns] since 1970
-    /// @param inlineQos writes what goes beside it, without an end; only where it fits into a datagram
+    /// @param inlineQos writes what goes beside it, without an end; at most 128 B
     /// @param payload with its encapsulation header; not changed any more
     /// @param now [ns]
     /// @return the number of the sample
@@ -202,6 +202,7 @@ public final class SampleWriter {
                     sample.number(),
                     fragment + 1,
                     exchange.fragmentSize,
+                    sample.inlineQos(),
                     sample.payload());
             if (stream.fragments().isEmpty()) {
                 reader.streams.removeFirst();

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.net.BindException;
+import java.net.Inet4Address;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.NetworkInterface;
@@ -44,8 +45,9 @@ public final class UdpParticipant implements AutoCloseable {
     private static final int BUFFER = 4 << 20; // B; the system may give less
     private static final int AT_ONCE = 64; // datagrams between two looks at the clock
     private static final int LOCAL_FRAGMENT = 60_000; // B
-    private static final int NETWORK_FRAGMENT = 1_344; // B; with its headers, it fits into a packet of Ethernet
+    private static final int NETWORK_FRAGMENT = 1_216; // B; with heads and inline QoS, it fits a packet of Ethernet
     private static final long MILLISECOND = 1_000_000; // ns
+    private static final long FAREWELL = 500 * MILLISECOND;
 
     private final LongSupplier clock; // ns
     private final Sockets sockets;
@@ -72,6 +74,16 @@ public final class UdpParticipant implements AutoCloseable {
                         .formatted(domain, DomainPorts.LAST_DOMAIN));
             }
             peers = List.copyOf(peers);
+            require(address);
+            peers.forEach(Options::require);
+        }
+
+        private static void require(InetAddress address) {
+            if (!(address instanceof Inet4Address)) {
+                throw new IllegalArgumentException(
+                        "'%s' is an address of IPv6, which can't be used yet. Write one of IPv4."
+                                .formatted(address.getHostAddress()));
+            }
         }
 
         /// On this machine only.
@@ -132,7 +144,7 @@ public final class UdpParticipant implements AutoCloseable {
         write(writer, timestamp, Optional.empty(), payload);
     }
 
-    /// @param inlineQos writes what goes beside the sample, without an end; only where it fits into a datagram
+    /// @param inlineQos writes what goes beside the sample, without an end; at most 128 B
     /// @return the number of the sample
     public long write(
             SampleWriter writer, long timestamp, Optional<Consumer<ParameterList.Writer>> inlineQos, byte[] payload) {
@@ -248,26 +260,37 @@ public final class UdpParticipant implements AutoCloseable {
         }
     }
 
-    /// Tells all others that it leaves.
+    /// Tells all others that it leaves, when reliable readers have all samples: at most half a second later.
     @Override
     public void close() {
         if (isClosed) {
             return;
         }
-        isClosed = true;
-        selector.wakeup();
         try {
+            awaitReaders();
+            isClosed = true;
+            selector.wakeup();
             thread.join();
             synchronized (participant) {
                 participant.close(clock.getAsLong());
             }
             selector.close();
         } catch (InterruptedException e) {
+            isClosed = true;
             Thread.currentThread().interrupt();
         } catch (IOException e) {
             sockets.failed(e);
         }
         sockets.close();
+    }
+
+    private void awaitReaders() throws InterruptedException {
+        long end = clock.getAsLong() + FAREWELL;
+        synchronized (participant) {
+            while (!participant.isAcknowledged() && clock.getAsLong() < end) {
+                participant.wait(FAREWELL / MILLISECOND / 50);
+            }
+        }
     }
 
     /// The sockets of a participant: one for all that is for it alone, and one for the multicast group.

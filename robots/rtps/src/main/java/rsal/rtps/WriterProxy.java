@@ -1,6 +1,7 @@
 package rsal.rtps;
 
 import java.nio.ByteBuffer;
+import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Consumer;
@@ -25,6 +26,7 @@ final class WriterProxy {
     private static final long FIRST_REQUEST = 100 * MILLISECOND; // doubled each time, until there is a heartbeat
     private static final long LAST_REQUEST = 2_000 * MILLISECOND;
     private static final int MOST_INCOMPLETE = 4; // samples in fragments
+    private static final long INCOMPLETE_FOR = 5_000 * MILLISECOND; // without another fragment
 
     private final Guid guid;
     private final EntityId reader;
@@ -132,12 +134,16 @@ final class WriterProxy {
         }
     }
 
-    void receive(DataFragments part, long timestamp) {
+    void receive(DataFragments part, long timestamp, long now) {
         long number = part.number();
         if (number < next || early.containsKey(number)) {
             return;
         }
         last = Math.max(last, number);
+        if (part.sampleSize() > budget.limits().sample()) {
+            leaveOut(number); // it is never asked for again
+            return;
+        }
         Assembly assembly = incomplete.get(number);
         if (assembly == null) {
             if (!hasRoom(number) || !budget.take(part.sampleSize())) {
@@ -146,13 +152,13 @@ final class WriterProxy {
             assembly = new Assembly(part);
             incomplete.put(number, assembly);
         }
-        assembly.add(part);
+        assembly.add(part, now);
         if (assembly.isComplete()) {
             receive(new Arrival(
                     guid,
                     number,
                     timestamp,
-                    part.inlineQos(),
+                    assembly.inlineQos(),
                     Content.DATA,
                     ByteBuffer.wrap(assembly.payload()),
                     false));
@@ -224,6 +230,9 @@ final class WriterProxy {
     }
 
     private void leaveOut(long number) {
+        if (!isReliable) {
+            return; // nothing waits for it
+        }
         if (number == next) {
             drop(number);
             next++;
@@ -233,9 +242,20 @@ final class WriterProxy {
         }
     }
 
-    /// When it next has something to ask for [ns].
+    /// When it next has something to ask for, or to give up [ns].
     long due() {
-        return due;
+        return incomplete.values().stream()
+                .mapToLong(each -> each.grown() + INCOMPLETE_FOR)
+                .reduce(due, Math::min);
+    }
+
+    /// Forgets samples of which no more fragments come, so that they take no room from others.
+    void forgetOld(long now) {
+        incomplete.entrySet().stream()
+                .filter(each -> each.getValue().grown() + INCOMPLETE_FOR <= now)
+                .map(Map.Entry::getKey)
+                .toList()
+                .forEach(this::drop);
     }
 
     /// Asks for what is missing, or whether there is anything, if that is due.

@@ -60,8 +60,8 @@ final class SimulatedNetwork {
         final Participant participant;
         private boolean isUp = true;
 
-        private Node(int number, RtpsLimits limits, GraphListener graph, Duration lease) {
-            address = new InetSocketAddress(host(number), PORT);
+        private Node(int number, int host, RtpsLimits limits, GraphListener graph, Duration lease) {
+            address = new InetSocketAddress(host(host), PORT);
             var here = List.of(Locator.udp(address));
             var self = new ParticipantData(
                     new GuidPrefix(0x0152_0000_0000_0000L + number, 7),
@@ -122,9 +122,22 @@ final class SimulatedNetwork {
     }
 
     Node join(RtpsLimits limits, GraphListener graph, Duration lease) {
-        var node = new Node(nodes.size() + 1, limits, graph, lease);
+        var node = new Node(nodes.size() + 1, nodes.size() + 1, limits, graph, lease);
         nodes.add(node);
         return node;
+    }
+
+    /// A participant falls silent, and is there again with its name at another address.
+    Node moved(Node node) {
+        node.crash();
+        var again = new Node(
+                nodes.indexOf(node) + 1,
+                nodes.size() + 1,
+                RtpsLimits.DEFAULT,
+                GraphListener.NONE,
+                Duration.ofSeconds(20));
+        nodes.add(again);
+        return again;
     }
 
     /// Anything at all arrives, as from outside.

@@ -81,15 +81,24 @@ public final class MessageWriter {
     /// One fragment of a sample.
     ///
     /// @param fragment its number, from 1 on
+    /// @param qos writes the inline QoS of the sample without its end; empty for none
     public MessageWriter fragment(
-            EntityId reader, EntityId writer, long number, int fragment, int fragmentSize, byte[] payload) {
-        submessage(SubmessageId.DATA_FRAGMENTS, 0, () -> {
+            EntityId reader,
+            EntityId writer,
+            long number,
+            int fragment,
+            int fragmentSize,
+            Optional<Consumer<ParameterList.Writer>> qos,
+            byte[] payload) {
+        int flags = qos.isPresent() ? Flag.INLINE_QOS : 0;
+        submessage(SubmessageId.DATA_FRAGMENTS, flags, () -> {
             bytes.putShort((short) 0).putShort((short) FRAGMENT_QOS_OFFSET);
             head(reader, writer, number);
             bytes.putInt(fragment)
                     .putShort((short) 1)
                     .putShort((short) fragmentSize)
                     .putInt(payload.length);
+            inline(qos);
             int begin = (fragment - 1) * fragmentSize;
             bytes.put(payload, begin, Math.min(fragmentSize, payload.length - begin));
         });
