@@ -18,8 +18,11 @@ import rsal.rtps.wire.MessageWriter;
 
 /// Writers and readers of a participant, the built-in ones too, and with whom of others each is matched.
 final class OwnEndpoints {
+    private static final long FAREWELL = 500_000_000; // ns
+
     private final GraphListener graph;
     private final Map<EntityId, SampleWriter> writers = new LinkedHashMap<>();
+    private final Map<SampleWriter, Long> leaving = new LinkedHashMap<>(); // until when at most [ns]
     private final Map<EntityId, SampleReader> readers = new LinkedHashMap<>();
     private final Map<Guid, List<SampleReader>> listening = new HashMap<>(); // by the writer they read from
 
@@ -47,9 +50,28 @@ final class OwnEndpoints {
         return isOfOneTopic(writer, reader) && writer.mismatch(reader).isEmpty();
     }
 
-    /// @return whether it was there
-    boolean remove(SampleWriter writer) {
-        return writers.remove(writer.data().guid().entity(), writer);
+    /// Nothing more is written by it.
+    void release(SampleWriter writer, long now) {
+        if (writers.containsValue(writer)) {
+            leaving.putIfAbsent(writer, now + FAREWELL);
+        }
+    }
+
+    boolean isLeaving(SampleWriter writer) {
+        return leaving.containsKey(writer);
+    }
+
+    /// Removes those that were released when their last samples have arrived, or had their time to.
+    ///
+    /// @return who is gone
+    List<SampleWriter> dismiss(long now) {
+        List<SampleWriter> gone = leaving.entrySet().stream()
+                .filter(each -> each.getValue() <= now || each.getKey().isAcknowledged())
+                .map(Map.Entry::getKey)
+                .toList();
+        gone.forEach(leaving::remove);
+        gone.forEach(each -> writers.remove(each.data().guid().entity()));
+        return gone;
     }
 
     boolean remove(SampleReader reader) {
@@ -112,7 +134,7 @@ final class OwnEndpoints {
     ///
     /// @return when there is next something to do [ns]
     long tick(MessageWriter messages, Transmitter network, long now) {
-        long due = Long.MAX_VALUE;
+        long due = leaving.values().stream().reduce(Long.MAX_VALUE, Math::min);
         for (SampleReader reader : readers.values()) {
             due = Math.min(due, reader.tick(messages, network, now));
         }

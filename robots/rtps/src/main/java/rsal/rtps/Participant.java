@@ -36,7 +36,6 @@ import rsal.rtps.wire.Submessage.Content;
 /// goes back [ns].
 public final class Participant {
     private static final long SECOND = 1_000_000_000; // ns
-    private static final long FAREWELL = SECOND / 2; // of writers whose last samples are still to be acknowledged
     private static final int FIRST_ANNOUNCEMENTS = 5;
     private static final long BETWEEN_FIRST_ANNOUNCEMENTS = SECOND / 10;
     private static final long BETWEEN_ANNOUNCEMENTS = 3 * SECOND;
@@ -53,7 +52,6 @@ public final class Participant {
     private final OwnEndpoints own; // with the tellers and hearers
     private final Map<GuidPrefix, RemoteParticipant> others = new LinkedHashMap<>();
     private final Set<GuidPrefix> refused = new HashSet<>();
-    private final Map<SampleWriter, Long> leaving = new LinkedHashMap<>(); // until when at most [ns]
     private int entities;
     private int announcements;
     private long announceAt;
@@ -188,22 +186,8 @@ public final class Participant {
     /// Nothing more is written by it. It goes when all reliable readers have its samples, at most half a second later.
     public void remove(SampleWriter writer, long time) {
         advance(time);
-        leaving.putIfAbsent(writer, now + FAREWELL);
+        own.release(writer, now);
         wake(now);
-    }
-
-    /// Removes writers whose last samples have arrived, or had their time to.
-    private void dismiss() {
-        leaving.entrySet().removeIf(each -> {
-            SampleWriter writer = each.getKey();
-            if (now < each.getValue() && !writer.isAcknowledged()) {
-                return false;
-            }
-            if (own.remove(writer)) {
-                withdraw(BuiltinEndpoint.PUBLICATIONS, writer.data().guid());
-            }
-            return true;
-        });
     }
 
     /// Whether all reliable readers of others have all that was written.
@@ -257,8 +241,10 @@ public final class Participant {
             due = now; // if a listener fails, what is left is done next time
             announce();
             expire();
-            dismiss();
-            due = Math.min(announceAt, earliest());
+            own.dismiss(now)
+                    .forEach(gone ->
+                            withdraw(BuiltinEndpoint.PUBLICATIONS, gone.data().guid()));
+            due = Math.min(announceAt, earliestExpiry());
             wake(own.tick(messages, network, now));
         }
         return due;
@@ -307,16 +293,8 @@ public final class Participant {
         }
     }
 
-    /// When the next participant or writer goes [ns].
-    private long earliest() {
-        long earliest = Long.MAX_VALUE;
-        for (RemoteParticipant other : others.values()) {
-            earliest = Math.min(earliest, other.expiry);
-        }
-        for (long end : leaving.values()) {
-            earliest = Math.min(earliest, end);
-        }
-        return earliest;
+    private long earliestExpiry() {
+        return others.values().stream().mapToLong(other -> other.expiry).reduce(Long.MAX_VALUE, Math::min);
     }
 
     private void announce(BuiltinEndpoint to, EndpointData data) {
@@ -368,7 +346,7 @@ public final class Participant {
             case Submessage.AckNack answer ->
                 own.writer(answer.writer()).ifPresent(its -> {
                     its.receive(origin, answer, now);
-                    wake(leaving.containsKey(its) ? now : its.due());
+                    wake(own.isLeaving(its) ? now : its.due());
                 });
             case Submessage.NackFragments nack ->
                 own.writer(nack.writer()).ifPresent(its -> {
