@@ -67,7 +67,7 @@ public final class MemoryNetwork {
             offers.add(offer);
             return new Publication() {
                 @Override
-                public void publish(long time, byte[] message) {
+                public void publish(byte[] message) {
                     if (profile == Profile.LATCHED) {
                         latched.put(offer, message);
                     }

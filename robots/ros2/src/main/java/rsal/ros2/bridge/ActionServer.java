@@ -94,7 +94,7 @@ final class ActionServer {
         void tell(Consumer<CdrWriter> fields) {
             CdrWriter writer = new CdrWriter().int8s(id);
             fields.accept(writer);
-            feedback.publish(0, writer.toBytes());
+            feedback.publish(writer.toBytes());
         }
 
         /// The first ending counts.
@@ -210,7 +210,7 @@ final class ActionServer {
         for (ServedGoal goal : goals.values()) {
             RosMessages.write(writer.int8s(goal.id), goal.stamp).int8(goal.status.code);
         }
-        statuses.publish(0, writer.toBytes());
+        statuses.publish(writer.toBytes());
     }
 
     private void forget() {

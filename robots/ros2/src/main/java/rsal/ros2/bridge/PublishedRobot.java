@@ -29,6 +29,7 @@ import rsal.ros2.link.Inbox;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosLink.Publication;
+import rsal.ros2.link.RosLink.Subscribed;
 import rsal.ros2.link.RosNetwork;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.FrameTransform;
@@ -85,7 +86,7 @@ final class PublishedRobot {
         transforms = advertise("tf", TRANSFORMS, Profile.DEFAULT);
         fixed = advertise("tf_static", TRANSFORMS, Profile.LATCHED);
         Publication map = advertise("map", "nav_msgs/msg/OccupancyGrid", Profile.LATCHED);
-        map.publish(0, messages.map(scheduler.instant(), context.map(), MAP));
+        map.publish(messages.map(scheduler.instant(), context.map(), MAP));
         robot.find(DriveBase.class).ifPresent(this::publish);
         boolean isFirst = true;
         for (Device device : robot.devices()) {
@@ -119,14 +120,16 @@ final class PublishedRobot {
         offer(base, "odom");
         offer(base, "cmd_vel");
         ends.add(base.subscribe(reading -> tellOdometry(odometry, reading))::cancel);
-        listen(TWIST, RosMessages::twist, base);
-        listen(STAMPED_TWIST, PublishedRobot::stampedTwist, base);
-        ends.add(scheduler.every(AGAIN, () -> drive(base))::cancel);
+        Subscribed commands = listen(TWIST, RosMessages::twist, base);
+        Subscribed stamped = listen(STAMPED_TWIST, PublishedRobot::stampedTwist, base);
+        ends.add(scheduler.every(AGAIN, () -> drive(base, commands.publishers() + stamped.publishers()))::cancel);
     }
 
-    private void listen(String type, Inbox.Decoder<Twist2d> decoder, DriveBase base) {
+    private Subscribed listen(String type, Inbox.Decoder<Twist2d> decoder, DriveBase base) {
         var inbox = new Inbox<>(1, decoder, scheduler, velocity -> obey(base, velocity));
-        ends.add(link.subscribe(new RosTopic(namespace + "/cmd_vel", type), Profile.SENSOR_DATA, inbox)::close);
+        Subscribed commands = link.subscribe(new RosTopic(namespace + "/cmd_vel", type), Profile.SENSOR_DATA, inbox);
+        ends.add(commands::close);
+        return commands;
     }
 
     private static Twist2d stampedTwist(CdrReader bytes) throws InvalidCdr {
@@ -143,9 +146,10 @@ final class PublishedRobot {
         }
     }
 
-    /// Bases of ours stop when no command comes.
-    private void drive(DriveBase base) {
-        if (wanted.isPresent() && watch.isSilent(timeout.now(), AGAIN)) {
+    /// Bases of ours stop when no command comes, so the newest one is repeated, as long as somebody is there who gives
+    /// them.
+    private void drive(DriveBase base, int publishers) {
+        if (wanted.isPresent() && (publishers == 0 || watch.isSilent(timeout.now(), AGAIN))) {
             wanted = Optional.empty();
             base.command(Twist2d.STOP);
         }
@@ -155,13 +159,12 @@ final class PublishedRobot {
     private void tellOdometry(Publication odometry, Stamped<Odometry> reading) {
         Pose2d pose = reading.value().odomFromBase();
         odomFromBase = Optional.of(pose);
-        odometry.publish(0, messages.odometry(reading.time(), reading.value(), ODOM, BASE));
+        odometry.publish(messages.odometry(reading.time(), reading.value(), ODOM, BASE));
         transform(reading.time(), ODOM, BASE, pose);
     }
 
     private void transform(Instant time, String parent, String child, Pose2d pose) {
-        transforms.publish(
-                0, messages.transforms(List.of(new Transform(time, parent, child, FrameTransform.of(pose)))));
+        transforms.publish(messages.transforms(List.of(new Transform(time, parent, child, FrameTransform.of(pose)))));
     }
 
     private void publish(LaserScanner laser, String name) {
@@ -175,7 +178,7 @@ final class PublishedRobot {
             publishMountings(reading.time());
         }
         double period = 0; // which no device tells
-        scans.publish(0, messages.scan(reading.time(), reading.value(), frame, period));
+        scans.publish(messages.scan(reading.time(), reading.value(), frame, period));
     }
 
     private void publish(SonarArray sonars) {
@@ -190,7 +193,7 @@ final class PublishedRobot {
                     offer(sonars, name);
                 }
                 isNew |= mount(name, ranges.baseFromSensors().get(i));
-                publications.get(i).publish(0, messages.range(reading.time(), ranges, i, name));
+                publications.get(i).publish(messages.range(reading.time(), ranges, i, name));
             }
             if (isNew) {
                 publishMountings(reading.time());
@@ -207,18 +210,17 @@ final class PublishedRobot {
 
     /// All of them, as those who come late get the last message only.
     private void publishMountings(Instant time) {
-        fixed.publish(
-                0,
-                messages.transforms(mounted.entrySet().stream()
-                        .map(each -> new Transform(time, BASE, each.getKey(), FrameTransform.of(each.getValue())))
-                        .toList()));
+        fixed.publish(messages.transforms(mounted.entrySet().stream()
+                .map(each -> new Transform(time, BASE, each.getKey(), FrameTransform.of(each.getValue())))
+                .toList()));
     }
 
     private void publish(Battery battery) {
         Publication states = advertise("battery_state", "sensor_msgs/msg/BatteryState", Profile.DEFAULT);
         offer(battery, "battery_state");
-        ends.add(battery.subscribe(
-                reading -> states.publish(0, messages.battery(reading.time(), reading.value(), BASE)))::cancel);
+        ends.add(
+                battery.subscribe(reading -> states.publish(messages.battery(reading.time(), reading.value(), BASE)))
+                        ::cancel);
     }
 
     private void publish(Localizer localizer) {
@@ -244,7 +246,7 @@ final class PublishedRobot {
     }
 
     private void tellPose(Publication poses, Stamped<PoseEstimate> reading) {
-        poses.publish(0, messages.pose(reading.time(), reading.value(), MAP));
+        poses.publish(messages.pose(reading.time(), reading.value(), MAP));
         odomFromBase.ifPresent(pose -> transform(
                 reading.time(), MAP, ODOM, reading.value().mapFromBase().compose(pose.inverse())));
     }

@@ -44,7 +44,7 @@ final class Ros2Bridge implements Bridge {
     }
 
     private void tick() {
-        clock.publish(0, messages.clock(scheduler.instant()));
+        clock.publish(messages.clock(scheduler.instant()));
     }
 
     @Override

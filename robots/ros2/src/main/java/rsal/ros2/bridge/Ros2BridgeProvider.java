@@ -2,22 +2,18 @@ package rsal.ros2.bridge;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
-import java.security.SecureRandom;
 import java.util.List;
 import rsal.ros2.link.RosNetwork;
-import rsal.ros2.link.RtpsLink;
 import rsal.ros2.type.Distribution;
 import rsal.rtps.DomainPorts;
 import rsal.rtps.UdpParticipant;
 import rsal.system.Bridge;
 import rsal.system.BridgeContext;
 import rsal.system.BridgeProvider;
-import rsal.time.AllowedToReadWallClock;
 import rsal.time.Scheduler;
 
 /// Publishes robots to ROS 2, each in its namespace. The port says which domain: that where its participants hear of
 /// each other.
-@AllowedToReadWallClock("Networks live in real time.")
 public final class Ros2BridgeProvider implements BridgeProvider {
     private static final String NODE = "rsal_bridge";
 
@@ -45,7 +41,6 @@ public final class Ros2BridgeProvider implements BridgeProvider {
                                 .formatted(at.getPort())));
         var options = new UdpParticipant.Options(
                 domain, at.getAddress(), List.of(), RosNetwork.LEASE, NODE, RosNetwork.ENCLAVE);
-        var link = new RtpsLink(options, Distribution.JAZZY, NODE, System::nanoTime, new SecureRandom());
-        return new Ros2Bridge(link, context, at.getPort(), scheduler);
+        return new Ros2Bridge(RosNetwork.join(options, Distribution.JAZZY, NODE), context, at.getPort(), scheduler);
     }
 }

@@ -1,9 +1,12 @@
 package rsal.ros2.device;
 
+import java.time.Duration;
+import java.time.Instant;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.HexFormat;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
 import java.util.random.RandomGenerator;
@@ -25,6 +28,8 @@ import rsal.time.Scheduler;
 final class ActionClient {
     private static final int FEEDBACK_WAITING = 10;
     private static final int ID = 16; // bytes
+    private static final Duration ANSWER = Duration.ofSeconds(5); // to a goal: yes or no
+    private static final Duration SILENCE = Duration.ofSeconds(10); // of one that tells how goals get on
 
     private final ServiceClient sending;
     private final ServiceClient results;
@@ -34,7 +39,31 @@ final class ActionClient {
     private final MessageCodec ended;
     private final Scheduler scheduler;
     private final RandomGenerator random;
-    private final Map<String, Listener> listeners = new HashMap<>(); // of goals under way, by their ids
+    private final Map<String, Pursuit> pursuits = new HashMap<>(); // goals under way, by their ids
+
+    /// A goal under way, as it is known here.
+    private static final class Pursuit {
+        private final Listener listener;
+        private boolean isAccepted;
+        private boolean hasFeedback;
+        private Instant heard; // the newest of it, or when it was sent
+
+        Pursuit(Listener listener, Instant sent) {
+            this.listener = listener;
+            this.heard = sent;
+        }
+
+        /// Why it is lost; empty as long as it is not. Servers need not tell how a goal gets on.
+        Optional<String> loss(Instant now) {
+            Duration silence = Duration.between(heard, now);
+            if (!isAccepted && silence.compareTo(ANSWER) > 0) {
+                return Optional.of("The robot did not answer within %d s.".formatted(ANSWER.toSeconds()));
+            }
+            return hasFeedback && silence.compareTo(SILENCE) > 0
+                    ? Optional.of("The robot has told nothing of the goal for %d s.".formatted(SILENCE.toSeconds()))
+                    : Optional.empty();
+        }
+    }
 
     /// What comes of a goal. Its ending comes once: that it is refused, its result, or that it failed.
     interface Listener {
@@ -92,28 +121,41 @@ final class ActionClient {
         var id = new byte[ID];
         random.nextBytes(id);
         var sent = new Goal(HexFormat.of().formatHex(id));
-        listeners.put(sent.id, listener); // feedback may come before the response
+        var pursuit = new Pursuit(listener, scheduler.instant());
+        pursuits.put(sent.id, pursuit); // feedback may come before the response
         CdrWriter request = new CdrWriter().int8s(id);
         goal.accept(request);
         answer(sending.call(request.toBytes()), accepted, sent, response -> {
-            boolean isAccepted = response.get("accepted", Boolean.class);
-            if (isAccepted && !listeners.containsKey(sent.id)) {
+            pursuit.isAccepted = response.get("accepted", Boolean.class);
+            pursuit.heard = scheduler.instant();
+            if (pursuit.isAccepted && !pursuits.containsKey(sent.id)) {
                 cancel(sent); // as it was called off before the server had it
-            } else if (isAccepted) {
-                answer(results.call(new CdrWriter().int8s(id).toBytes()), ended, sent, result -> {
-                    Listener last = listeners.remove(sent.id);
-                    if (last != null) {
-                        last.onResult(result);
-                    }
-                });
+            } else if (pursuit.isAccepted) {
+                answer(
+                        results.call(new CdrWriter().int8s(id).toBytes()),
+                        ended,
+                        sent,
+                        result -> finish(sent, last -> last.onResult(result)));
             } else {
-                Listener refused = listeners.remove(sent.id);
-                if (refused != null) {
-                    refused.onRefused();
-                }
+                finish(sent, Listener::onRefused);
             }
         });
         return sent;
+    }
+
+    /// The first ending counts.
+    private void finish(Goal goal, Consumer<Listener> ending) {
+        Pursuit last = pursuits.remove(goal.id);
+        if (last != null) {
+            ending.accept(last.listener);
+        }
+    }
+
+    /// Ends goals of which nothing is heard any more.
+    void look(Instant now) {
+        Map.copyOf(pursuits)
+                .forEach((id, pursuit) ->
+                        pursuit.loss(now).ifPresent(why -> finish(new Goal(id), lost -> lost.onFailure(why))));
     }
 
     private void answer(CompletionStage<byte[]> call, MessageCodec codec, Goal goal, Consumer<RosMessage> receiver) {
@@ -133,29 +175,28 @@ final class ActionClient {
     }
 
     private void fail(Goal goal, String why) {
-        Listener listener = listeners.remove(goal.id);
-        if (listener != null) {
-            listener.onFailure(why);
-        }
+        finish(goal, lost -> lost.onFailure(why));
     }
 
     private void onFeedback(RosMessage message) {
         byte[] id = message.message("goal_id").get("uuid", byte[].class);
-        Listener listener = listeners.get(HexFormat.of().formatHex(Arrays.copyOf(id, ID)));
-        if (listener != null) {
-            listener.onFeedback(message.message("feedback"));
+        Pursuit pursuit = pursuits.get(HexFormat.of().formatHex(Arrays.copyOf(id, ID)));
+        if (pursuit != null) {
+            pursuit.hasFeedback = true;
+            pursuit.heard = scheduler.instant();
+            pursuit.listener.onFeedback(message.message("feedback"));
         }
     }
 
     /// Asks to give it up. Nothing more is heard of it.
     void cancel(Goal goal) {
-        listeners.remove(goal.id);
+        pursuits.remove(goal.id);
         var _ = canceling.call(
                 new CdrWriter().int8s(goal.bytes()).int32(0).int32(0).toBytes());
     }
 
     void close() {
-        listeners.clear();
+        pursuits.clear();
         sending.close();
         results.close();
         canceling.close();

@@ -1,5 +1,6 @@
 package rsal.ros2.device;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.Optional;
@@ -17,12 +18,24 @@ final class Frames {
     private final InstantSource clock;
     private String odom = "odom";
     private String base = "base_link";
+    private Instant odomTold = Instant.MAX; // when `/tf` had it last
 
     Frames(InstantSource clock) {
         this.clock = clock;
     }
 
+    /// @param transforms of `/tf`
     void add(RosMessage transforms) {
+        tree.add(transforms);
+        boolean hasOdom = transforms.messages("transforms").stream()
+                .anyMatch(each -> FrameTree.named(each.text("child_frame_id")).equals(FrameTree.named(odom)));
+        if (hasOdom) {
+            odomTold = clock.instant();
+        }
+    }
+
+    /// @param transforms of `/tf_static`
+    void addFixed(RosMessage transforms) {
         tree.add(transforms);
     }
 
@@ -48,6 +61,11 @@ final class Frames {
     /// Where a localizer has the origin of odometry; empty as long as nobody says so.
     Optional<Pose2d> mapFromOdom() {
         return tree.find(MAP, odom).map(FrameTransform::planar);
+    }
+
+    /// How long no localizer has said where odometry begins; 0 where none ever did, or that is fixed.
+    Duration sinceMapFromOdom(Instant now) {
+        return odomTold.isBefore(now) ? Duration.between(odomTold, now) : Duration.ZERO;
     }
 
     Instant now() {

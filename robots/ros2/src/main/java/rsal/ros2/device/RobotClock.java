@@ -5,45 +5,87 @@ import java.time.InstantSource;
 
 /// Tells when something was measured, in the run's time, by the stamps of a robot whose clock is another one.
 ///
-/// The message that was fastest on its way tells how far the clocks are apart: that of the last 10 to 20 s, as clocks
-/// drift and robots set them.
+/// It learns from one stream of messages, the odometry. The message that was fastest on its way tells how far the
+/// clocks are apart: that of the last 10 to 20 s, as clocks drift. A clock that was set or stood still, as that of a
+/// simulator that was paused, is learned anew. Where a robot's time does not go as fast as ours, as in a slow
+/// simulator, messages are dated when they
+/// come. All times in [ns].
 final class RobotClock {
-    private static final long WINDOW = 10_000_000_000L; // ns
+    private static final long SECOND = 1_000_000_000;
+    private static final long WINDOW = 10 * SECOND;
+    private static final long SET = SECOND; // a step of more is none of the network
+    private static final double SAME_PACE = 0.02; // share; clocks of computers drift by 0.0001
 
     private final InstantSource run;
-    private long windowEnds = Long.MIN_VALUE;
-    private long least = Long.MAX_VALUE; // of this window: the run's time less the stamp [ns]
-    private long before = Long.MAX_VALUE; // of the window before
+    private boolean isKnown;
+    private boolean isOfOurPace = true;
+    private long newest; // stamp
+    private long heard; // when it came, in the run's time
+    private long windowBegan; // in the run's time
+    private long firstStamp; // of this window
+    private long least; // of this window: the run's time less the stamp
+    private long before; // of the window before
 
     RobotClock(InstantSource run) {
         this.run = run;
     }
 
     private static long nanoseconds(Instant time) {
-        return time.getEpochSecond() * 1_000_000_000 + time.getNano();
+        return time.getEpochSecond() * SECOND + time.getNano();
     }
 
-    /// @param stamp of a message that has just come [ns]; 0 where it has none
+    /// @param stamp of odometry that has just come; 0 where it has none
+    void learn(long stamp) {
+        if (stamp == 0) {
+            return;
+        }
+        long now = nanoseconds(run.instant());
+        long apart = now - stamp;
+        boolean wasSet = stamp < newest - SET || apart < apart() - SET;
+        boolean stoodStill = now - heard > SET && apart > apart() + SET;
+        if (!isKnown || wasSet || stoodStill) {
+            isKnown = true;
+            isOfOurPace = true;
+            before = Long.MAX_VALUE;
+            begin(now, stamp);
+        } else if (now - windowBegan >= WINDOW) {
+            double pace = (double) (stamp - firstStamp) / (now - windowBegan);
+            isOfOurPace = Math.abs(pace - 1) < SAME_PACE;
+            before = isOfOurPace ? least : Long.MAX_VALUE;
+            begin(now, stamp);
+        }
+        newest = stamp;
+        heard = now;
+        least = Math.min(least, apart);
+    }
+
+    private void begin(long now, long stamp) {
+        windowBegan = now;
+        firstStamp = stamp;
+        least = now - stamp;
+    }
+
+    private long apart() {
+        return Math.min(least, before);
+    }
+
+    /// @param stamp of a message that has just come; 0 where it has none
     /// @return when it was measured; never later than now
     Instant time(long stamp) {
         Instant instant = run.instant();
-        if (stamp == 0) {
+        if (stamp == 0 || !isKnown || !isOfOurPace) {
             return instant;
         }
         long now = nanoseconds(instant);
-        if (now >= windowEnds) {
-            before = windowEnds == Long.MIN_VALUE ? Long.MAX_VALUE : least;
-            least = Long.MAX_VALUE;
-            windowEnds = now + WINDOW;
-        }
-        least = Math.min(least, now - stamp);
-        long time = stamp + Math.min(least, before);
+        long time = stamp + apart();
         return time > now ? instant : instant.minusNanos(now - time);
     }
 
-    /// What the robot's clock says now [ns]; 0 before it has sent anything.
+    /// What the robot's clock says now; 0 before it has sent anything.
     long stamp() {
-        long apart = Math.min(least, before);
-        return apart == Long.MAX_VALUE ? 0 : nanoseconds(run.instant()) - apart;
+        if (!isKnown) {
+            return 0;
+        }
+        return isOfOurPace ? nanoseconds(run.instant()) - apart() : newest;
     }
 }

@@ -66,14 +66,13 @@ final class RosBase extends RosSensor<Odometry> implements DriveBase {
         this.clock = clock;
     }
 
+    /// @param message which is finite
     void take(OdometryMessage message) {
-        if (message.isFinite()) {
-            reported = message.odomFromBase();
-            heard(frames.now());
-            tell(
-                    clock.time(message.stamp()),
-                    new Odometry(odomFromTheirs.compose(reported), message.velocity(), isStalled(message.velocity())));
-        }
+        reported = message.odomFromBase();
+        heard(frames.now());
+        tell(
+                clock.time(message.stamp()),
+                new Odometry(odomFromTheirs.compose(reported), message.velocity(), isStalled(message.velocity())));
     }
 
     /// ROS has no word for it: whether the robot has been told to move for a while, and stands.
@@ -127,11 +126,9 @@ final class RosBase extends RosSensor<Odometry> implements DriveBase {
 
     private void send(Twist2d velocity) {
         sentAt = frames.now();
-        long stamp = clock.stamp();
         commands.publish(
-                stamp,
                 isStamped
-                        ? messages.twist(velocity, Instant.ofEpochSecond(0, stamp), frames.base())
+                        ? messages.twist(velocity, Instant.ofEpochSecond(0, clock.stamp()), frames.base())
                         : messages.twist(velocity));
     }
 

@@ -1,5 +1,6 @@
 package rsal.ros2.device;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.Comparator;
@@ -8,24 +9,27 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
-import org.jspecify.annotations.Nullable;
 import rsal.data.Covariance2d;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.PoseEstimate.Hypothesis;
 import rsal.data.PoseEstimate.Quality;
 import rsal.device.DeviceInfo;
+import rsal.device.Health;
 import rsal.device.Localizer;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.link.RosLink.Publication;
 import rsal.ros2.message.OdometryMessage;
 import rsal.ros2.message.RosMessages;
 
-/// A robot's own localizer, such as Nav2's `amcl`: a pose now and then (`amcl_pose`), and where odometry begins on the
-/// map (TF from `map` to `odom`). In between, estimates go with the odometry.
+/// A robot's own localizer, such as Nav2's `amcl` or slam_toolbox: a pose now and then (`amcl_pose`), and where
+/// odometry
+/// begins on the map (TF from `map` to `odom`). In between, estimates go with the odometry, as long as the localizer is
+/// there: TF that stops coming is stale, and where only poses come, somebody must publish them.
 final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
     private static final int REMEMBERED = 100; // odometry, to know where the robot was when it was localized
     private static final double SURE = 0.5; // m, rad: with deviations of less a robot is localized
+    private static final Duration PATIENCE = Duration.ofMillis(500); // amcl tells with each scan
     private static final Covariance2d UNKNOWN = Covariance2d.ofDeviations(0.1, 0.1, 0.05); // where only TF tells
 
     private final Publication initialPose;
@@ -33,33 +37,42 @@ final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
     private final RobotClock clock;
     private final Deque<Driven> driven = new ArrayDeque<>();
     private final RosMessages messages = new RosMessages();
-    private @Nullable Covariance2d covariance; // the newest
-    private @Nullable Pose2d mapFromOdom; // by poses, where TF does not tell
+    private Optional<Pose> newest = Optional.empty();
+    private Optional<Pose2d> mapFromOdom = Optional.empty(); // by poses, where TF does not tell
+    private boolean isThere = true;
 
     /// Where odometry had the robot.
     private record Driven(long stamp, Pose2d odomFromBase) {}
 
+    /// Where the localizer had it.
+    private record Pose(long stamp, PoseEstimate estimate) {}
+
     RosLocalizer(DeviceInfo info, String topic, Publication initialPose, Frames frames, RobotClock clock) {
-        super(info, "map", topic);
+        super(info, "map", "'%s', nor TF from 'map'".formatted(topic));
         this.initialPose = initialPose;
         this.frames = frames;
         this.clock = clock;
     }
 
+    /// @param odometry which is finite
     void take(OdometryMessage odometry) {
         driven.addLast(new Driven(odometry.stamp(), odometry.odomFromBase()));
         if (driven.size() > REMEMBERED) {
             driven.removeFirst();
         }
-        Optional<Pose2d> from = frames.mapFromOdom().or(() -> Optional.ofNullable(mapFromOdom));
-        from.filter(Pose2d::isFinite).ifPresent(origin -> {
-            heard(frames.now());
-            tell(clock.time(odometry.stamp()), estimate(origin.compose(odometry.odomFromBase())));
-        });
+        if (mapFromOdom.isEmpty()) {
+            join(); // the pose came first
+        }
+        if (isThere) {
+            frames.mapFromOdom()
+                    .or(() -> mapFromOdom)
+                    .ifPresent(origin ->
+                            tell(clock.time(odometry.stamp()), estimate(origin.compose(odometry.odomFromBase()))));
+        }
     }
 
     private PoseEstimate estimate(Pose2d mapFromBase) {
-        Covariance2d spread = covariance == null ? UNKNOWN : covariance;
+        Covariance2d spread = newest.map(pose -> pose.estimate.covariance()).orElse(UNKNOWN);
         boolean sure = spread.positionDeviation() < SURE && Math.sqrt(Math.max(0, spread.thetaTheta())) < SURE;
         return new PoseEstimate(
                 mapFromBase,
@@ -72,26 +85,42 @@ final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
     /// @param message `geometry_msgs/PoseWithCovarianceStamped`
     void take(RosMessage message) {
         RosMessages.estimate(message).ifPresent(told -> {
-            covariance = told.covariance();
-            mapFromOdom = told.mapFromBase()
-                    .compose(odomFromBase(RosMessages.stamp(message.message("header")))
-                            .inverse());
+            newest = Optional.of(new Pose(RosMessages.stamp(message.message("header")), told));
+            join();
         });
     }
 
-    /// Where odometry had the robot at a time, or nearest to it.
-    private Pose2d odomFromBase(long stamp) {
-        return driven.stream()
-                .min(Comparator.comparingLong(each -> Math.abs(each.stamp - stamp)))
-                .map(Driven::odomFromBase)
-                .orElse(Pose2d.ORIGIN);
+    /// Where odometry began, by the newest pose and the odometry of that time, or nearest to it: localizers tell poses
+    /// only when the robot moves, so that the odometry nearest to an old pose has hardly changed since.
+    private void join() {
+        newest.ifPresent(pose -> driven.stream()
+                .min(Comparator.comparingLong(each -> Math.abs(each.stamp - pose.stamp)))
+                .ifPresent(then ->
+                        mapFromOdom = Optional.of(pose.estimate.mapFromBase().compose(then.odomFromBase.inverse()))));
+    }
+
+    /// Looks whether the localizer is still there.
+    ///
+    /// @param publishers how many publish poses
+    @Override
+    void look(Instant now, int publishers) {
+        Duration silence = frames.sinceMapFromOdom(now);
+        if (silence.compareTo(PATIENCE) > 0) {
+            health(new Health.Stale(
+                    "TF from 'map' to '%s' came last %.1f s ago.".formatted(frames.odom(), silence.toMillis() / 1e3)));
+            isThere = false;
+        } else if (publishers == 0 && frames.mapFromOdom().isEmpty()) {
+            super.look(now, publishers);
+            isThere = false;
+        } else {
+            isThere = true;
+        }
     }
 
     /// Publishes it as `initialpose`, as RViz does.
     @Override
     public CompletionStage<Void> relocalize(PoseEstimate belief) {
-        long stamp = clock.stamp();
-        initialPose.publish(stamp, messages.pose(Instant.ofEpochSecond(0, stamp), belief, "map"));
+        initialPose.publish(messages.pose(Instant.ofEpochSecond(0, clock.stamp()), belief, "map"));
         return CompletableFuture.completedFuture(null);
     }
 }

@@ -210,6 +210,7 @@ final class RosNavigator extends DeviceCore implements Navigator {
 
     /// Looks whether there is still somebody who serves the action.
     void look(Instant now) {
+        action.look(now);
         if (action.isAvailable()) {
             served = now;
             health(Health.ok());

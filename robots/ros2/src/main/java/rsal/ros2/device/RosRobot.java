@@ -149,7 +149,7 @@ public final class RosRobot {
         others.add(link.subscribe(
                 topics.ownOrShared("tf_static", TRANSFORMS),
                 Profile.LATCHED,
-                inbox(TRANSFORMS, TRANSFORMS_WAITING, frames::add))::close);
+                inbox(TRANSFORMS, TRANSFORMS_WAITING, frames::addFixed))::close);
         List<String> without = without(spec, topics);
         int lasers = 0;
         for (Map.Entry<String, Part> part : spec.model().sensors().entrySet()) {
@@ -176,11 +176,16 @@ public final class RosRobot {
 
     private Inbox<OdometryMessage> odometryInbox() {
         return new Inbox<>(
-                1, bytes -> OdometryMessage.read(bytes, frames.odom(), frames.base()), scheduler, message -> {
-                    frames.add(message);
-                    base.take(message);
-                    drivenListeners.forEach(listener -> listener.accept(message));
-                });
+                1, bytes -> OdometryMessage.read(bytes, frames.odom(), frames.base()), scheduler, this::take);
+    }
+
+    private void take(OdometryMessage message) {
+        if (message.isFinite()) {
+            frames.add(message);
+            clock.learn(message.stamp());
+            base.take(message);
+            drivenListeners.forEach(listener -> listener.accept(message));
+        }
     }
 
     private Inbox<RosMessage> inbox(String type, int capacity, Consumer<RosMessage> receiver) {
@@ -230,8 +235,7 @@ public final class RosRobot {
         others.add(initial::close);
         var localizer = new RosLocalizer(info, topic.name(), initial, frames, clock);
         drivenListeners.add(localizer::take);
-        others.add(link.subscribe(topic, reliable(topic), inbox(POSE, 1, localizer::take))::close);
-        devices.add(localizer);
+        add(localizer, link.subscribe(topic, reliable(topic), inbox(POSE, 1, localizer::take)));
     }
 
     private void addMap(DeviceInfo info) {

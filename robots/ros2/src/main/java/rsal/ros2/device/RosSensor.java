@@ -43,7 +43,7 @@ abstract class RosSensor<T> extends SensorCore<T> {
     /// Looks whether it is still told something.
     ///
     /// @param publishers how many publish it
-    final void look(Instant now, int publishers) {
+    void look(Instant now, int publishers) {
         if (publishers == 0) {
             health(new Health.Lost("Nobody publishes %s.".formatted(source)));
             return;

@@ -59,9 +59,8 @@ public interface RosLink extends AutoCloseable {
 
     /// A topic that we publish.
     interface Publication extends AutoCloseable {
-        /// @param time of the message [ns] since 1970
-        /// @param message not changed any more
-        void publish(long time, byte[] message);
+        /// @param message in CDR, with its encapsulation header; not changed any more
+        void publish(byte[] message);
 
         @Override
         void close();

@@ -1,8 +1,16 @@
 package rsal.ros2.link;
 
+import java.io.IOException;
+import java.security.SecureRandom;
 import java.time.Duration;
+import java.util.concurrent.TimeUnit;
+import java.util.function.LongSupplier;
+import rsal.ros2.type.Distribution;
+import rsal.rtps.UdpParticipant;
+import rsal.time.AllowedToReadWallClock;
 
 /// What programs of ROS 2 agree on by their environment.
+@AllowedToReadWallClock("Networks live in real time.")
 public final class RosNetwork {
     /// What participants of ROS 2 say of themselves, without which tools don't list their nodes.
     public static final String ENCLAVE = "enclave=/;";
@@ -13,6 +21,15 @@ public final class RosNetwork {
     private static final String DOMAIN = "ROS_DOMAIN_ID";
 
     private RosNetwork() {}
+
+    /// Takes part in the network.
+    ///
+    /// @param node as tools show it
+    public static RosLink join(UdpParticipant.Options options, Distribution distribution, String node)
+            throws IOException {
+        LongSupplier date = () -> TimeUnit.MILLISECONDS.toNanos(System.currentTimeMillis());
+        return new RtpsLink(options, distribution, node, System::nanoTime, date, new SecureRandom());
+    }
 
     /// Whether the environment says which domain.
     public static boolean isSet() {

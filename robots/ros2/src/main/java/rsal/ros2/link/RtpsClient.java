@@ -11,6 +11,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
+import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 import rsal.rtps.SampleListener.Sample;
 import rsal.rtps.SampleReader;
@@ -26,14 +27,17 @@ final class RtpsClient {
 
     private final UdpParticipant participant;
     private final SampleWriter requests;
+    private final LongSupplier date;
     private final long id;
     private final AtomicLong numbers = new AtomicLong();
     private final Map<Long, CompletableFuture<byte[]>> byNumber = new ConcurrentHashMap<>(); // of headers
     private final Map<Long, CompletableFuture<byte[]>> bySample = new ConcurrentHashMap<>(); // of identities
     private volatile @Nullable SampleReader replies;
 
-    RtpsClient(UdpParticipant participant, SampleWriter requests) {
+    /// @param date of requests [ns] since 1970
+    RtpsClient(UdpParticipant participant, SampleWriter requests, LongSupplier date) {
         this.participant = participant;
+        this.date = date;
         this.requests = requests;
         Guid guid = requests.data().guid(); // unique among all clients
         id = guid.prefix().high() * 31
@@ -72,14 +76,14 @@ final class RtpsClient {
                 .putLong(id)
                 .putLong(number)
                 .array();
-        participant.write(requests, 0, ServiceIdentity.with(header, request));
+        participant.write(requests, date.getAsLong(), ServiceIdentity.with(header, request));
         return reply;
     }
 
     private CompletionStage<byte[]> callByIdentity(byte[] request) {
         Guid here = reader().data().guid();
         Consumer<ParameterList.Writer> beside = list -> ServiceIdentity.put(list, here, UNKNOWN);
-        long number = participant.write(requests, 0, Optional.of(beside), request);
+        long number = participant.write(requests, date.getAsLong(), Optional.of(beside), request);
         return reply(number).whenComplete((_, _) -> bySample.remove(number));
     }
 

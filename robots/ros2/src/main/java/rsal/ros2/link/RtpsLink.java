@@ -38,23 +38,27 @@ public final class RtpsLink implements RosLink {
     private final Distribution distribution;
     private final TypeLibrary types;
     private final String node;
+    private final LongSupplier date;
     private final SampleWriter graph;
     private final Set<Guid> writers = ConcurrentHashMap.newKeySet();
     private final Set<Guid> readers = ConcurrentHashMap.newKeySet();
 
     /// @param distribution of ROS 2 whose types are used
     /// @param node as tools show it
-    /// @param clock of real time [ns], such as `System::nanoTime`
+    /// @param clock of real time, which never goes back [ns], such as `System::nanoTime`
+    /// @param date of samples: real time [ns] since 1970
     public RtpsLink(
             UdpParticipant.Options options,
             Distribution distribution,
             String node,
             LongSupplier clock,
+            LongSupplier date,
             RandomGenerator random)
             throws IOException {
         this.distribution = distribution;
         this.types = TypeLibrary.of(distribution);
         this.node = node;
+        this.date = date;
         participant = new UdpParticipant(options, clock, random, GraphListener.NONE);
         graph = participant.createWriter(GRAPH, GRAPH_TYPE, Qos.LATCHED, "");
         tellOfNode();
@@ -146,8 +150,8 @@ public final class RtpsLink implements RosLink {
         Runnable end = opened(List.of(writer), List.of());
         return new Publication() {
             @Override
-            public void publish(long time, byte[] message) {
-                participant.write(writer, time, message);
+            public void publish(byte[] message) {
+                participant.write(writer, date.getAsLong(), message);
             }
 
             @Override
@@ -178,7 +182,7 @@ public final class RtpsLink implements RosLink {
     @Override
     public ServiceClient client(String name, String type) {
         SampleWriter requests = writer(REQUEST + name + "Request", type + "_Request", Profile.DEFAULT);
-        var client = new RtpsClient(participant, requests);
+        var client = new RtpsClient(participant, requests, date);
         SampleReader replies = reader(REPLY + name + "Reply", type + "_Response", Profile.DEFAULT, client::take);
         client.repliesTo(replies);
         Runnable end = opened(List.of(requests), List.of(replies));
@@ -203,19 +207,20 @@ public final class RtpsLink implements RosLink {
     @Override
     public Served serve(String name, String type, Server server) {
         SampleWriter replies = writer(REPLY + name + "Reply", type + "_Response", Profile.DEFAULT);
-        var serving = new RtpsServer(participant, replies, server);
+        var serving = new RtpsServer(participant, replies, server, date);
         SampleReader requests = reader(REQUEST + name + "Request", type + "_Request", Profile.DEFAULT, serving::take);
         return opened(List.of(replies), List.of(requests))::run;
     }
 
-    /// `rmw_dds_common/msg/ParticipantEntitiesInfo`: which node has which writers and readers.
-    private void tellOfNode() {
+    /// `rmw_dds_common/msg/ParticipantEntitiesInfo`: which node has which writers and readers. One at a time, so that
+    /// the newest one comes last.
+    private synchronized void tellOfNode() {
         var info = new CdrWriter();
         Guid self = new Guid(graph.data().guid().prefix(), EntityId.PARTICIPANT);
         info.int8s(gid(self)).int32(1).text("/").text(node);
         gids(info, readers);
         gids(info, writers);
-        participant.write(graph, 0, info.toBytes());
+        participant.write(graph, date.getAsLong(), info.toBytes());
     }
 
     private void gids(CdrWriter info, Set<Guid> all) {

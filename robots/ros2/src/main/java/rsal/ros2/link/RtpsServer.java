@@ -4,6 +4,7 @@ import java.nio.ByteBuffer;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.LongSupplier;
 import rsal.ros2.link.RosLink.Server;
 import rsal.rtps.SampleListener.Sample;
 import rsal.rtps.SampleWriter;
@@ -16,8 +17,10 @@ final class RtpsServer {
     private final UdpParticipant participant;
     private final SampleWriter replies;
     private final Server server;
+    private final LongSupplier date; // [ns] since 1970
 
-    RtpsServer(UdpParticipant participant, SampleWriter replies, Server server) {
+    RtpsServer(UdpParticipant participant, SampleWriter replies, Server server, LongSupplier date) {
+        this.date = date;
         this.participant = participant;
         this.replies = replies;
         this.server = server;
@@ -34,12 +37,14 @@ final class RtpsServer {
         if (isHeader) {
             byte[] header = Arrays.copyOfRange(payload, 0, ServiceIdentity.BEGIN + ServiceIdentity.HEADER);
             server.answer(ServiceIdentity.without(payload))
-                    .thenAccept(reply -> participant.write(replies, 0, ServiceIdentity.with(header, reply)));
+                    .thenAccept(
+                            reply -> participant.write(replies, date.getAsLong(), ServiceIdentity.with(header, reply)));
         } else {
             Guid client = identity.map(Guid::read).orElse(sample.writer());
             long number = sample.number();
             Consumer<ParameterList.Writer> beside = list -> ServiceIdentity.put(list, client, number);
-            server.answer(payload).thenAccept(reply -> participant.write(replies, 0, Optional.of(beside), reply));
+            server.answer(payload)
+                    .thenAccept(reply -> participant.write(replies, date.getAsLong(), Optional.of(beside), reply));
         }
     }
 }

@@ -14,7 +14,6 @@ import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
 import rsal.ros2.device.RosRobot;
 import rsal.ros2.link.RosNetwork;
-import rsal.ros2.link.RtpsLink;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeLibrary;
 import rsal.rtps.UdpParticipant;
@@ -24,11 +23,9 @@ import rsal.system.RealRobots;
 import rsal.system.RobotSystem;
 import rsal.system.RobotSystemProvider;
 import rsal.system.RobotSystemProvider.InvalidRobots.Problem;
-import rsal.time.AllowedToReadWallClock;
 import rsal.time.Scheduler;
 
 /// Robots of ROS 2, real ones or those of another simulator. They follow real time.
-@AllowedToReadWallClock("Networks live in real time.")
 public final class Ros2Provider implements RobotSystemProvider {
     private static final String NODE = "rsal";
     private static final Pattern NAMESPACE = Pattern.compile("/|(/[A-Za-z_][A-Za-z0-9_]*)+");
@@ -111,7 +108,7 @@ public final class Ros2Provider implements RobotSystemProvider {
                         Distribution.valueOf(settings.get(DISTRIBUTION).toUpperCase(Locale.ROOT));
                 return new Ros2System(
                         namespaces,
-                        () -> new RtpsLink(network, distribution, NODE, System::nanoTime, new SecureRandom()),
+                        () -> RosNetwork.join(network, distribution, NODE),
                         TypeLibrary.of(distribution),
                         settings.seconds(RealRobots.WATCHDOG),
                         settings.get(RealRobots.ARMED),

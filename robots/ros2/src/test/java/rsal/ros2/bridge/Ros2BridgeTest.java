@@ -11,11 +11,13 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import rsal.data.Twist2d;
+import rsal.device.DriveBase;
 import rsal.ros2.MemoryNetwork;
 import rsal.ros2.cdr.CdrReader;
 import rsal.ros2.cdr.InvalidCdr;
 import rsal.ros2.cdr.MessageCodec;
 import rsal.ros2.cdr.RosMessage;
+import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosEndpoint;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosTopic;
@@ -137,6 +139,23 @@ class Ros2BridgeTest extends RobotBench {
         RosMessage map = all("/r1/map").getFirst();
         assertThat(map.get("data", byte[].class)).isEqualTo(WORLD.grid().cells());
         assertThat(map.message("info").integer("width")).isEqualTo(WORLD.grid().width());
+    }
+
+    /// Without a limit of time, a velocity holds as long as somebody is there to give another one.
+    @Test
+    void aRobotWhoseDriverLeavesStops() throws Exception {
+        RosLink driver = network.join();
+        driver.advertise(new RosTopic("/r1/cmd_vel", "geometry_msgs/msg/Twist"), Profile.DEFAULT)
+                .publish(new RosMessages().twist(Twist2d.drive(0, 0.3)));
+        advance(2);
+        assertThat(velocity().omega()).isBetween(0.2, 0.4);
+        driver.close();
+        advance(2);
+        assertThat(velocity().omega()).isZero();
+    }
+
+    private Twist2d velocity() {
+        return robot().require(DriveBase.class).latest().orElseThrow().value().velocity();
     }
 
     @Test

@@ -47,7 +47,7 @@ class SilentRosClientTest extends RobotBench implements CommandTimeoutContract {
 
     @Override
     public void command() {
-        velocities.publish(0, messages.twist(Twist2d.drive(0, 0.3)));
+        velocities.publish(messages.twist(Twist2d.drive(0, 0.3)));
         advance(0.3);
     }
 

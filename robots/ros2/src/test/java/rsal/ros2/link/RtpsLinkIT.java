@@ -51,6 +51,7 @@ class RtpsLinkIT {
                 distribution,
                 "tester",
                 System::nanoTime,
+                () -> TimeUnit.MILLISECONDS.toNanos(System.currentTimeMillis()),
                 new SplittableRandom());
     }
 
@@ -99,7 +100,7 @@ class RtpsLinkIT {
             var subscribed = there.subscribe(CHATTER, Profile.DEFAULT, bytes -> heard.add(bytes.remaining()));
             await(() -> subscribed.publishers() == 1
                     && here.endpoints().contains(new RosEndpoint(CHATTER, false, Profile.DEFAULT)));
-            publication.publish(0, new CdrWriter().text("hello").toBytes());
+            publication.publish(new CdrWriter().text("hello").toBytes());
             await(() -> heard.size() == 1);
             assertThat(heard.getFirst()).isBetween(14, 16);
             publication.close();

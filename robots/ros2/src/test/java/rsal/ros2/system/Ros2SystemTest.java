@@ -112,15 +112,10 @@ class Ros2SystemTest {
         for (int i = 0; i < Math.round(seconds * 20); i++) {
             if (publishes) {
                 Instant stamp = STAMP.plus(Duration.between(Instant.EPOCH, run.instant()));
-                odometry.publish(
-                        0,
-                        messages.odometry(
-                                stamp,
-                                new Odometry(new Pose2d(1, 2, 0.5), Twist2d.STOP, false),
-                                "odom",
-                                "base_footprint"));
+                odometry.publish(messages.odometry(
+                        stamp, new Odometry(new Pose2d(1, 2, 0.5), Twist2d.STOP, false), "odom", "base_footprint"));
                 var scan = new LaserScan(Pose2d.ORIGIN, -1, 0.5, 0.1, 5, new float[] {1, 2, 3, 4, 9});
-                scans.publish(0, messages.scan(stamp, scan, "laser_link", 0.05));
+                scans.publish(messages.scan(stamp, scan, "laser_link", 0.05));
             }
             run.advance(STEP);
         }
@@ -159,11 +154,9 @@ class Ros2SystemTest {
         robotIsThere("geometry_msgs/msg/Twist");
         Publication fixed = there.advertise(new RosTopic("/r1/tf_static", "tf2_msgs/msg/TFMessage"), Profile.LATCHED);
         var upsideDown = new FrameTransform(0.2, 0, 0.3, new Quaternion(1, 0, 0, 0));
-        fixed.publish(
-                0,
-                messages.transforms(List.of(
-                        new Transform(STAMP, "base_footprint", "base_link", FrameTransform.NONE),
-                        new Transform(STAMP, "base_link", "laser_link", upsideDown))));
+        fixed.publish(messages.transforms(List.of(
+                new Transform(STAMP, "base_footprint", "base_link", FrameTransform.NONE),
+                new Transform(STAMP, "base_link", "laser_link", upsideDown))));
         try (Ros2System system = system()) {
             Robot robot = found(system);
             advance(1, true);
@@ -233,8 +226,8 @@ class Ros2SystemTest {
         try (Ros2System system = system()) {
             Robot robot = found(system);
             for (byte[] bytes : List.of(new byte[0], new byte[] {0, 1, 0, 0, 1}, new byte[] {9, 9, 9, 9, 9, 9})) {
-                odometry.publish(0, bytes);
-                scans.publish(0, bytes);
+                odometry.publish(bytes);
+                scans.publish(bytes);
             }
             advance(0.2, true);
             assertThat(robot.require(LaserScanner.class).health().isOk()).isTrue();

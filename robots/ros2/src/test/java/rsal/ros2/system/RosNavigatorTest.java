@@ -112,10 +112,8 @@ class RosNavigatorTest {
 
     private void advance(double seconds) {
         for (int i = 0; i < Math.round(seconds * 20); i++) {
-            odometry.publish(
-                    0,
-                    messages.odometry(
-                            run.instant(), new Odometry(Pose2d.ORIGIN, Twist2d.STOP, false), "odom", "base_link"));
+            odometry.publish(messages.odometry(
+                    run.instant(), new Odometry(Pose2d.ORIGIN, Twist2d.STOP, false), "odom", "base_link"));
             run.advance(STEP);
         }
     }
@@ -146,7 +144,7 @@ class RosNavigatorTest {
         message.int32(0).int32(0).text("map").float64(x).float64(1).float64(0);
         message.float64(0).float64(0).float64(0).float64(1);
         message.int32(1).int32(0).int32(2).int32(0).int16((short) 0).float32((float) remaining);
-        feedback.publish(0, message.toBytes());
+        feedback.publish(message.toBytes());
     }
 
     @ParameterizedTest
@@ -176,7 +174,7 @@ class RosNavigatorTest {
             message.int32(0).int32(0).text("map").float64(2.9).float64(1).float64(0);
             message.float64(0).float64(0).float64(Math.sin(0.25)).float64(Math.cos(0.25));
             message.int32(1).int32(0).int32(2).int32(0).int16((short) 0).float32(0.1f);
-            feedback.publish(0, message.toBytes());
+            feedback.publish(message.toBytes());
         });
         assertThat(result.orElseThrow()).isInstanceOf(Result.Reached.class);
         assertThat(canceled).isEqualTo(sent);
@@ -250,6 +248,37 @@ class RosNavigatorTest {
         });
         assertThat(result.orElseThrow()).isInstanceOf(Result.Stuck.class);
         assertThat(navigator.health()).isInstanceOf(Health.Lost.class);
+    }
+
+    @Test
+    void aGoalThatNobodyAnswersEndsAndIsCanceled() {
+        network.serve(ACTION + "send_goal", request -> {
+            sent.add(id(request));
+            return new CompletableFuture<>();
+        });
+        Optional<Result> result = drive(() -> advance(5.2));
+        assertThat(result.orElseThrow())
+                .isInstanceOfSatisfying(
+                        Result.Stuck.class,
+                        stuck -> assertThat(stuck.why()).isEqualTo("The robot did not answer within 5 s."));
+        assertThat(canceled).isEqualTo(sent);
+    }
+
+    /// As when its computer hangs: the network still has it.
+    @Test
+    void aGoalOfWhichNothingIsHeardAnyMoreEndsAndIsCanceled() {
+        Optional<Result> result = drive(() -> {
+            advance(20); // servers need not tell how a goal gets on
+            tell(sent.getFirst(), 1.5, 1.4);
+            advance(9);
+            assertThat(navigator.goal()).isPresent();
+            advance(2);
+        });
+        assertThat(result.orElseThrow())
+                .isInstanceOfSatisfying(
+                        Result.Stuck.class,
+                        stuck -> assertThat(stuck.why()).isEqualTo("The robot has told nothing of the goal for 10 s."));
+        assertThat(canceled).isEqualTo(sent);
     }
 
     @Test

@@ -1,0 +1,190 @@
+package rsal.ros2.system;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import rsal.data.Covariance2d;
+import rsal.data.Odometry;
+import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
+import rsal.data.PoseEstimate.Quality;
+import rsal.data.Twist2d;
+import rsal.device.Health;
+import rsal.device.Localizer;
+import rsal.model.RobotModels;
+import rsal.robot.RobotSpec;
+import rsal.ros2.MemoryNetwork;
+import rsal.ros2.link.Profile;
+import rsal.ros2.link.RosLink;
+import rsal.ros2.link.RosLink.Publication;
+import rsal.ros2.link.RosTopic;
+import rsal.ros2.message.FrameTransform;
+import rsal.ros2.message.RosMessages;
+import rsal.ros2.message.RosMessages.Transform;
+import rsal.ros2.type.Distribution;
+import rsal.ros2.type.TypeLibrary;
+import rsal.settings.FileSource;
+import rsal.settings.Location;
+import rsal.testkit.contract.RobotBench;
+import rsal.time.LockstepScheduler;
+
+/// A robot that drives 0.5 m/s to the right of its odometry, and whose localizer is the test.
+class RosLocalizerTest {
+    private static final Location HERE = Location.of("test");
+    private static final Instant ROBOT_BEGAN = Instant.ofEpochSecond(1_700_000_000);
+    private static final Covariance2d SPREAD = Covariance2d.ofDeviations(0.1, 0.1, 0.1);
+
+    private final LockstepScheduler run = new LockstepScheduler();
+    private final MemoryNetwork network = new MemoryNetwork();
+    private final RosLink there = network.join();
+    private final RosMessages messages = new RosMessages();
+    private Publication odometry;
+    private Publication transforms;
+    private Ros2System system;
+    private Localizer localizer;
+    private double driven = 12; // m
+    private boolean stands;
+
+    @BeforeEach
+    void robotIsThere() {
+        odometry = there.advertise(new RosTopic("/r1/odom", "nav_msgs/msg/Odometry"), Profile.DEFAULT);
+        transforms = there.advertise(new RosTopic("/r1/tf", "tf2_msgs/msg/TFMessage"), Profile.DEFAULT);
+        there.subscribe(new RosTopic("/r1/cmd_vel", "geometry_msgs/msg/Twist"), Profile.DEFAULT, _ -> {});
+        var model = new RobotModels(FileSource.resources(RobotBench.class, "/"))
+                .read("pioneer2dx", HERE, Map.of("localizer", new RobotModels.Choice("own-localizer", HERE)));
+        var spec = new RobotSpec("r1", "tested", model, Optional.empty(), "#3366cc");
+        system = new Ros2System(
+                Map.of(spec, "/r1"),
+                network::join,
+                TypeLibrary.of(Distribution.JAZZY),
+                Duration.ofMillis(500),
+                true,
+                run,
+                new SplittableRandom(1));
+    }
+
+    @AfterEach
+    void close() {
+        system.close();
+    }
+
+    private void find() {
+        var found = system.discover().toCompletableFuture();
+        advance(3);
+        localizer = found.join().getFirst().require(Localizer.class);
+    }
+
+    private Instant stamp() {
+        return ROBOT_BEGAN.plus(Duration.between(Instant.EPOCH, run.instant()));
+    }
+
+    private void advance(double seconds) {
+        for (int i = 0; i < Math.round(seconds * 20); i++) {
+            odometry.publish(messages.odometry(
+                    stamp(),
+                    new Odometry(new Pose2d(driven, 0, 0), Twist2d.drive(0.5, 0), false),
+                    "odom",
+                    "base_link"));
+            run.advance(Duration.ofMillis(50));
+            driven += stands ? 0 : 0.025;
+        }
+    }
+
+    private Publication poses() {
+        return there.advertise(
+                new RosTopic("/r1/amcl_pose", "geometry_msgs/msg/PoseWithCovarianceStamped"), Profile.LATCHED);
+    }
+
+    private byte[] pose(Pose2d mapFromBase) {
+        var estimate = new PoseEstimate(mapFromBase, SPREAD, List.of(), 1, Quality.LOCALIZED);
+        return messages.pose(stamp(), estimate, "map");
+    }
+
+    private void transform(Pose2d mapFromOdom) {
+        transforms.publish(
+                messages.transforms(List.of(new Transform(stamp(), "map", "odom", FrameTransform.of(mapFromOdom)))));
+    }
+
+    private double x() {
+        return localizer.latest().orElseThrow().value().mapFromBase().x();
+    }
+
+    @Test
+    void aPoseFromBeforeOdometryCountsFromItsBeginning() {
+        run.advance(Duration.ofSeconds(60));
+        poses().publish(pose(new Pose2d(2, 3, 0)));
+        stands = true;
+        find();
+        assertThat(x()).isBetween(1.99, 2.01);
+        stands = false;
+        double before = driven;
+        advance(2);
+        assertThat(x()).isBetween(2 + driven - before - 0.1, 2 + driven - before + 0.1);
+    }
+
+    @Test
+    void posesAreThoseOfTheirTime() {
+        Publication poses = poses();
+        find();
+        byte[] then = pose(new Pose2d(7, 0, 0));
+        double before = driven;
+        advance(0.4); // on its way
+        poses.publish(then);
+        advance(0.2);
+        assertThat(x()).isBetween(7 + driven - before - 0.1, 7 + driven - before + 0.1);
+    }
+
+    @Test
+    void transformsThatStopComingAreStaleAndNoEstimatesFollow() {
+        find();
+        assertThat(localizer.health()).isInstanceOf(Health.Lost.class); // there is nothing yet
+        for (int i = 0; i < 10; i++) {
+            transform(new Pose2d(1, 0, 0));
+            advance(0.1);
+        }
+        assertThat(localizer.health().isOk()).isTrue();
+        assertThat(x()).isBetween(driven + 0.9, driven + 1);
+        advance(1);
+        assertThat(localizer.health())
+                .isInstanceOfSatisfying(
+                        Health.Stale.class,
+                        stale -> assertThat(stale.reason()).startsWith("TF from 'map' to 'odom' came last"));
+        Instant last = localizer.latest().orElseThrow().time();
+        advance(1);
+        assertThat(localizer.latest().orElseThrow().time()).isEqualTo(last);
+        transform(new Pose2d(1, 0, 0));
+        advance(0.1);
+        assertThat(localizer.health().isOk()).isTrue();
+    }
+
+    @Test
+    void aLocalizerThatLeavesIsLost() {
+        Publication poses = poses();
+        poses.publish(pose(new Pose2d(2, 3, 0)));
+        find();
+        assertThat(localizer.health().isOk()).isTrue();
+        poses.close();
+        advance(0.2);
+        assertThat(localizer.health()).isInstanceOf(Health.Lost.class);
+    }
+
+    @Test
+    void odometryWithoutNumbersIsLeftOut() {
+        Publication poses = poses();
+        find();
+        poses.publish(pose(new Pose2d(2, 3, 0)));
+        odometry.publish(messages.odometry(
+                stamp(), new Odometry(new Pose2d(Double.NaN, 0, 0), Twist2d.STOP, false), "odom", "base_link"));
+        advance(1);
+        assertThat(localizer.latest().orElseThrow().value().mapFromBase().isFinite())
+                .isTrue();
+    }
+}
