@@ -3,26 +3,19 @@ package rsal.rtps;
 import java.io.IOException;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
-import java.net.BindException;
 import java.net.Inet4Address;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.net.NetworkInterface;
-import java.net.StandardProtocolFamily;
-import java.net.StandardSocketOptions;
 import java.nio.ByteBuffer;
 import java.nio.channels.DatagramChannel;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.random.RandomGenerator;
-import java.util.stream.IntStream;
-import org.jspecify.annotations.Nullable;
 import rsal.rtps.discovery.BuiltinEndpoint;
 import rsal.rtps.discovery.EndpointData;
 import rsal.rtps.discovery.ParticipantData;
@@ -42,7 +35,6 @@ public final class UdpParticipant implements AutoCloseable {
     public static final int VENDOR = 0x0152;
 
     private static final Logger LOG = System.getLogger(UdpParticipant.class.getName());
-    private static final int BUFFER = 4 << 20; // B; the system may give less
     private static final int AT_ONCE = 64; // datagrams between two looks at the clock
     private static final int LOCAL_FRAGMENT = 60_000; // B
     private static final int NETWORK_FRAGMENT = 1_216; // B; with heads and inline QoS, it fits a packet of Ethernet
@@ -61,20 +53,30 @@ public final class UdpParticipant implements AutoCloseable {
     /// Where and as whom to take part.
     ///
     /// @param domain 0 to 232, `ROS_DOMAIN_ID`
-    /// @param address of this machine, by which others are reached; a loopback one for others on this machine only
+    /// @param addresses of this machine, one in each network where others are; a loopback one alone finds others on
+    ///     this machine only
     /// @param peers other machines to look for participants on, beside the multicast group
     /// @param lease within which it announces itself again
     /// @param name for people
     /// @param userData for ROS, `enclave=/;`
     public record Options(
-            int domain, InetAddress address, List<InetAddress> peers, Duration lease, String name, String userData) {
+            int domain,
+            List<InetAddress> addresses,
+            List<InetAddress> peers,
+            Duration lease,
+            String name,
+            String userData) {
         public Options {
             if (domain < 0 || domain > DomainPorts.LAST_DOMAIN) {
                 throw new IllegalArgumentException("Domain %d is none; there are 0 to %d, of which 0 to 101 are safe."
                         .formatted(domain, DomainPorts.LAST_DOMAIN));
             }
+            if (addresses.isEmpty()) {
+                throw new IllegalArgumentException("A participant needs an address of this machine.");
+            }
+            addresses = List.copyOf(addresses);
             peers = List.copyOf(peers);
-            require(address);
+            addresses.forEach(Options::require);
             peers.forEach(Options::require);
         }
 
@@ -88,7 +90,13 @@ public final class UdpParticipant implements AutoCloseable {
 
         /// On this machine only.
         public static Options local(int domain, String name) {
-            return new Options(domain, InetAddress.getLoopbackAddress(), List.of(), Duration.ofSeconds(20), name, "");
+            List<InetAddress> here = List.of(InetAddress.getLoopbackAddress());
+            return new Options(domain, here, List.of(), Duration.ofSeconds(20), name, "");
+        }
+
+        /// Whether only others on this machine are reached.
+        public boolean isLocal() {
+            return addresses.stream().allMatch(InetAddress::isLoopbackAddress);
         }
     }
 
@@ -99,14 +107,14 @@ public final class UdpParticipant implements AutoCloseable {
     public UdpParticipant(Options options, LongSupplier clock, RandomGenerator random, GraphListener graph)
             throws IOException {
         this.clock = clock;
-        isLocal = options.address.isLoopbackAddress();
+        isLocal = options.isLocal();
         sockets = Sockets.open(options);
         selector = Selector.open();
         for (DatagramChannel channel : sockets.channels()) {
             channel.configureBlocking(false).register(selector, SelectionKey.OP_READ);
         }
         var prefix = new GuidPrefix((long) VENDOR << 48 | random.nextLong() >>> 16, random.nextInt());
-        var here = List.of(Locator.udp(sockets.here()));
+        List<Locator> here = sockets.here().stream().map(Locator::udp).toList();
         var self = new ParticipantData(
                 prefix,
                 Optional.of(options.domain),
@@ -117,7 +125,7 @@ public final class UdpParticipant implements AutoCloseable {
                 here,
                 options.name,
                 options.userData);
-        int fragment = options.address.isLoopbackAddress() ? LOCAL_FRAGMENT : NETWORK_FRAGMENT;
+        int fragment = isLocal ? LOCAL_FRAGMENT : NETWORK_FRAGMENT;
         participant = new Participant(self, fragment, RtpsLimits.DEFAULT, sockets, graph, clock.getAsLong());
         thread = Thread.ofPlatform().daemon().name("rtps").start(this::receive);
     }
@@ -203,12 +211,12 @@ public final class UdpParticipant implements AutoCloseable {
 
     /// Whether it hears what is sent to all.
     public boolean hasMulticast() {
-        return sockets.channels().size() > 1;
+        return sockets.hasMulticast();
     }
 
     /// The newest failure to send or receive, as when a network is down. Nothing ends by it.
     public Optional<IOException> failure() {
-        return Optional.ofNullable(sockets.failure);
+        return sockets.failure();
     }
 
     /// Only if the thread would sleep too long.
@@ -289,123 +297,6 @@ public final class UdpParticipant implements AutoCloseable {
         synchronized (participant) {
             while (!participant.isAcknowledged() && clock.getAsLong() < end) {
                 participant.wait(FAREWELL / MILLISECOND / 50);
-            }
-        }
-    }
-
-    /// The sockets of a participant: one for all that is for it alone, and one for the multicast group.
-    private static final class Sockets implements Transmitter {
-        private static final String GROUP = "239.255.0.1";
-        private static final int LOCAL_PEERS = 33; // participants of one machine that are looked for
-
-        private final DatagramChannel own;
-        private final @Nullable DatagramChannel group;
-        private final List<InetSocketAddress> announced;
-        private final InetSocketAddress here;
-        private volatile @Nullable IOException failure; // the newest
-
-        private Sockets(
-                DatagramChannel own,
-                @Nullable DatagramChannel group,
-                List<InetSocketAddress> announced,
-                InetSocketAddress here) {
-            this.own = own;
-            this.group = group;
-            this.announced = announced;
-            this.here = here;
-        }
-
-        static Sockets open(Options options) throws IOException {
-            NetworkInterface network = NetworkInterface.getByInetAddress(options.address);
-            if (network == null) {
-                throw new BindException("No network of this machine has the address %s.".formatted(options.address));
-            }
-            DatagramChannel own = DatagramChannel.open(StandardProtocolFamily.INET);
-            try {
-                own.setOption(StandardSocketOptions.SO_RCVBUF, BUFFER);
-                own.setOption(StandardSocketOptions.SO_SNDBUF, BUFFER);
-                own.setOption(StandardSocketOptions.IP_MULTICAST_IF, network);
-                own.setOption(StandardSocketOptions.IP_MULTICAST_LOOP, true);
-                bind(own, options);
-                var announced = new ArrayList<InetSocketAddress>();
-                announced.add(new InetSocketAddress(GROUP, DomainPorts.multicast(options.domain)));
-                var peers = new ArrayList<>(options.peers);
-                peers.add(InetAddress.getLoopbackAddress());
-                for (InetAddress peer : peers) {
-                    IntStream.range(0, LOCAL_PEERS)
-                            .mapToObj(i -> new InetSocketAddress(peer, DomainPorts.unicast(options.domain, i)))
-                            .forEach(announced::add);
-                }
-                var here = (InetSocketAddress) own.getLocalAddress();
-                return new Sockets(own, join(options, network), announced, here);
-            } catch (IOException | RuntimeException e) {
-                own.close();
-                throw e;
-            }
-        }
-
-        /// To the first port that is free, so that others on this machine find it without multicast.
-        private static void bind(DatagramChannel channel, Options options) throws IOException {
-            for (int i = 0; i < DomainPorts.PARTICIPANTS; i++) {
-                try {
-                    channel.bind(new InetSocketAddress(options.address, DomainPorts.unicast(options.domain, i)));
-                    return;
-                } catch (BindException e) {
-                    // somebody else's; the next one may be free
-                }
-            }
-            channel.bind(new InetSocketAddress(options.address, 0));
-        }
-
-        /// @return null where the network has no multicast
-        private static @Nullable DatagramChannel join(Options options, NetworkInterface network) throws IOException {
-            DatagramChannel group = DatagramChannel.open(StandardProtocolFamily.INET);
-            try {
-                group.setOption(StandardSocketOptions.SO_REUSEADDR, true);
-                if (group.supportedOptions().contains(StandardSocketOptions.SO_REUSEPORT)) {
-                    group.setOption(StandardSocketOptions.SO_REUSEPORT, true);
-                }
-                group.bind(new InetSocketAddress(DomainPorts.multicast(options.domain)));
-                group.join(InetAddress.getByName(GROUP), network);
-                return group;
-            } catch (IOException e) {
-                group.close();
-                return null;
-            }
-        }
-
-        List<DatagramChannel> channels() {
-            return group == null ? List.of(own) : List.of(own, group);
-        }
-
-        InetSocketAddress here() {
-            return here;
-        }
-
-        void failed(IOException e) {
-            failure = e;
-        }
-
-        @Override
-        public void send(ByteBuffer datagram, InetSocketAddress to) {
-            try {
-                own.send(datagram.duplicate(), to);
-            } catch (IOException e) {
-                failed(e); // as one that is lost on the way
-            }
-        }
-
-        @Override
-        public void announce(ByteBuffer datagram) {
-            announced.forEach(to -> send(datagram, to));
-        }
-
-        void close() {
-            try (own;
-                    var _ = group) {
-                // both
-            } catch (IOException e) {
-                failed(e);
             }
         }
     }

@@ -30,7 +30,7 @@ public final class Ros2BridgeProvider implements BridgeProvider {
     /// That of the domain in `ROS_DOMAIN_ID`, or of 0.
     @Override
     public int defaultPort() {
-        return DomainPorts.multicast(RosNetwork.domain());
+        return DomainPorts.multicast(RosNetwork.environment().domain().orElse(0));
     }
 
     @Override
@@ -39,8 +39,12 @@ public final class Ros2BridgeProvider implements BridgeProvider {
                 .orElseThrow(
                         () -> new IOException("No domain of ROS 2 has the port %d: that of domain D is 7400 + 250 · D."
                                 .formatted(at.getPort())));
-        var options = new UdpParticipant.Options(
-                domain, at.getAddress(), List.of(), RosNetwork.LEASE, NODE, RosNetwork.ENCLAVE);
+        UdpParticipant.Options options;
+        try {
+            options = RosNetwork.options(domain, List.of(at.getAddress()), List.of(), RosNetwork.environment(), NODE);
+        } catch (IllegalArgumentException e) {
+            throw new IOException(e.getMessage(), e);
+        }
         return new Ros2Bridge(RosNetwork.join(options, Distribution.JAZZY, NODE), context, at.getPort(), scheduler);
     }
 }

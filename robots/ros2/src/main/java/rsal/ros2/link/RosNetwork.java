@@ -1,29 +1,46 @@
 package rsal.ros2.link;
 
 import java.io.IOException;
+import java.net.DatagramSocket;
+import java.net.Inet4Address;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.NetworkInterface;
+import java.net.SocketException;
+import java.net.UnknownHostException;
 import java.security.SecureRandom;
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
+import rsal.ros2.link.RosEnvironment.Range;
 import rsal.ros2.type.Distribution;
 import rsal.rtps.UdpParticipant;
 import rsal.time.AllowedToReadWallClock;
 
-/// What programs of ROS 2 agree on by their environment.
+/// The network on which programs of ROS 2 find each other: which addresses of this machine take part in it.
 @AllowedToReadWallClock("Networks live in real time.")
 public final class RosNetwork {
     /// What participants of ROS 2 say of themselves, without which tools don't list their nodes.
-    public static final String ENCLAVE = "enclave=/;";
+    private static final String ENCLAVE = "enclave=/;";
 
     /// Within which our participants announce themselves again, or are taken for gone.
-    public static final Duration LEASE = Duration.ofSeconds(20);
+    private static final Duration LEASE = Duration.ofSeconds(20);
 
-    private static final String DOMAIN = "ROS_DOMAIN_ID";
+    private static final int ANY_PORT = 7400; // of those that only show the way
 
     private RosNetwork() {}
 
+    public static RosEnvironment environment() {
+        return RosEnvironment.of(System.getenv());
+    }
+
     /// Takes part in the network.
     ///
+    /// @param options as of [#options]
     /// @param node as tools show it
     public static RosLink join(UdpParticipant.Options options, Distribution distribution, String node)
             throws IOException {
@@ -31,24 +48,87 @@ public final class RosNetwork {
         return new RtpsLink(options, distribution, node, System::nanoTime, date, new SecureRandom());
     }
 
-    /// Whether the environment says which domain.
-    public static boolean isSet() {
-        String set = System.getenv(DOMAIN);
-        return set != null && !set.isBlank();
+    /// @param domain 0 to 232
+    /// @param addresses of this machine; 0.0.0.0 for all of them; none for those that the environment and the peers
+    ///     need: loopback where they say nothing
+    /// @param peers names or addresses of other machines, beside those of the environment
+    /// @param node as tools show it
+    /// @throws IllegalArgumentException when a machine is not known, or the environment forbids discovery
+    public static UdpParticipant.Options options(
+            int domain, List<InetAddress> addresses, List<String> peers, RosEnvironment environment, String node) {
+        if (environment.range() == Range.OFF) {
+            throw new IllegalArgumentException(
+                    "%s is OFF, so nobody is found. Set LOCALHOST or SUBNET.".formatted(RosEnvironment.RANGE));
+        }
+        var machines = new ArrayList<InetAddress>();
+        for (String peer : peers) {
+            machines.add(machine("peers", peer));
+        }
+        for (String peer : environment.peers()) {
+            machines.add(machine(RosEnvironment.PEERS, peer));
+        }
+        Set<InetAddress> here = new LinkedHashSet<>();
+        for (InetAddress address : addresses) {
+            here.addAll(address.isAnyLocalAddress() ? all() : List.of(address));
+        }
+        if (addresses.isEmpty()) {
+            here.addAll(needed(environment.range(), machines));
+        }
+        return new UdpParticipant.Options(domain, List.copyOf(here), machines, LEASE, node, ENCLAVE);
     }
 
-    /// `ROS_DOMAIN_ID`; 0 where that is not set.
-    ///
-    /// @throws IllegalArgumentException when it is no number
-    public static int domain() {
-        if (!isSet()) {
-            return 0;
-        }
-        String set = System.getenv(DOMAIN);
+    /// @param setting that names it
+    public static InetAddress machine(String setting, String name) {
         try {
-            return Integer.parseInt(set.strip());
-        } catch (NumberFormatException e) {
-            throw new IllegalArgumentException("%s is '%s', which is no number.".formatted(DOMAIN, set), e);
+            return InetAddress.getByName(name);
+        } catch (UnknownHostException e) {
+            throw new IllegalArgumentException("'%s' has no machine called '%s'.".formatted(setting, name), e);
+        }
+    }
+
+    /// The narrowest that reach whom they should.
+    private static Set<InetAddress> needed(Range range, List<InetAddress> peers) {
+        Set<InetAddress> needed = new LinkedHashSet<>();
+        if (range == Range.SUBNET) {
+            needed.addAll(all());
+        } else if (range == Range.NOT_SET) {
+            peers.stream()
+                    .map(RosNetwork::towards)
+                    .filter(address -> !address.isAnyLocalAddress())
+                    .forEach(needed::add);
+        }
+        return needed.isEmpty() ? Set.of(InetAddress.getLoopbackAddress()) : needed;
+    }
+
+    /// The address of this machine by which it reaches another one. Nothing is sent.
+    private static InetAddress towards(InetAddress peer) {
+        try (var socket = new DatagramSocket()) {
+            socket.connect(new InetSocketAddress(peer, ANY_PORT));
+            return socket.getLocalAddress();
+        } catch (IOException e) {
+            return InetAddress.getLoopbackAddress();
+        }
+    }
+
+    /// Those of this machine in networks that others may be in, and on loopback where it has no other.
+    private static List<InetAddress> all() {
+        try {
+            List<InetAddress> all = NetworkInterface.networkInterfaces()
+                    .filter(RosNetwork::isUp)
+                    .flatMap(NetworkInterface::inetAddresses)
+                    .filter(address -> address instanceof Inet4Address && !address.isLoopbackAddress())
+                    .toList();
+            return all.isEmpty() ? List.of(InetAddress.getLoopbackAddress()) : all;
+        } catch (SocketException e) {
+            return List.of(InetAddress.getLoopbackAddress());
+        }
+    }
+
+    private static boolean isUp(NetworkInterface network) {
+        try {
+            return network.isUp();
+        } catch (SocketException e) {
+            return false;
         }
     }
 

@@ -1,6 +1,7 @@
 package rsal.ros2.system;
 
 import java.io.IOException;
+import java.net.InetAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.SecureRandom;
@@ -69,16 +70,16 @@ public final class Ros2Diagnosis implements Diagnosis {
     public List<Finding> look(Arguments settings) {
         UdpParticipant.Options options = Ros2Provider.network(settings, NODE);
         var findings = new ArrayList<Finding>();
-        findings.add(new Finding(
-                "domain",
-                true,
-                "%d%s".formatted(options.domain(), RosNetwork.isSet() ? ", by ROS_DOMAIN_ID" : ""),
-                ""));
-        boolean isLocal = options.address().isLoopbackAddress();
+        findings.add(new Finding("domain", true, String.valueOf(options.domain()), ""));
+        String environment = RosNetwork.environment().words();
+        if (!environment.isEmpty()) {
+            findings.add(new Finding("environment", true, environment, ""));
+        }
+        boolean isLocal = options.isLocal();
         findings.add(new Finding(
                 "address",
                 true,
-                options.address().getHostAddress() + (isLocal ? ", for programs on this machine" : ""),
+                addresses(options) + (isLocal ? ", for programs on this machine" : ""),
                 isLocal ? "For robots elsewhere: --set address=ADDRESS of this machine in their network." : ""));
         bufferSize().ifPresent(findings::add);
         try (var participant = new UdpParticipant(options, System::nanoTime, new SecureRandom(), GraphListener.NONE)) {
@@ -95,6 +96,10 @@ public final class Ros2Diagnosis implements Diagnosis {
             Thread.currentThread().interrupt();
         }
         return findings;
+    }
+
+    private static String addresses(UdpParticipant.Options options) {
+        return options.addresses().stream().map(InetAddress::getHostAddress).collect(Collectors.joining(", "));
     }
 
     private static Optional<Finding> bufferSize() {

@@ -1,7 +1,6 @@
 package rsal.ros2.system;
 
 import java.net.InetAddress;
-import java.net.UnknownHostException;
 import java.security.SecureRandom;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -13,6 +12,7 @@ import java.util.regex.Pattern;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
 import rsal.ros2.device.RosRobot;
+import rsal.ros2.link.RosEnvironment;
 import rsal.ros2.link.RosNetwork;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeLibrary;
@@ -45,11 +45,15 @@ public final class Ros2Provider implements RobotSystemProvider {
             "The domain of ROS 2; -1 takes ROS_DOMAIN_ID of the environment, or 0.");
     static final Parameter<String> ADDRESS = Parameter.text(
             "address",
-            "127.0.0.1",
-            "The address of this machine by which robots reach it. With 127.0.0.1, only programs on this machine are"
-                    + " found.");
+            "",
+            "The address of this machine by which robots reach it; several, separated by commas, for several networks;"
+                    + " 0.0.0.0 for all. Default: 127.0.0.1, which finds programs on this machine only, unless 'peers'"
+                    + " or ROS_AUTOMATIC_DISCOVERY_RANGE say more.");
     static final Parameter<String> PEERS = Parameter.text(
-            "peers", "", "Machines to look for robots on where the network has no multicast, separated by commas.");
+            "peers",
+            "",
+            "Machines to look for robots on where the network has no multicast, separated by commas. Those in"
+                    + " ROS_STATIC_PEERS are looked for, too.");
     private static final Parameter<String> DISTRIBUTION = Parameter.choice(
             "distribution",
             words(Distribution.JAZZY),
@@ -125,25 +129,13 @@ public final class Ros2Provider implements RobotSystemProvider {
 
     /// @param node as tools show it
     static UdpParticipant.Options network(Arguments settings, String node) {
-        var peers = new ArrayList<InetAddress>();
-        for (String peer : list(settings.get(PEERS))) {
-            peers.add(address("peers", peer));
-        }
-        return new UdpParticipant.Options(
-                settings.get(DOMAIN) == FROM_ENVIRONMENT ? RosNetwork.domain() : settings.get(DOMAIN),
-                address("address", settings.get(ADDRESS).strip()),
-                peers,
-                RosNetwork.LEASE,
-                node,
-                RosNetwork.ENCLAVE);
-    }
-
-    private static InetAddress address(String setting, String text) {
-        try {
-            return InetAddress.getByName(text);
-        } catch (UnknownHostException e) {
-            throw new IllegalArgumentException("'%s' has no machine called '%s'.".formatted(setting, text), e);
-        }
+        RosEnvironment environment = RosNetwork.environment();
+        int domain =
+                settings.get(DOMAIN) == FROM_ENVIRONMENT ? environment.domain().orElse(0) : settings.get(DOMAIN);
+        List<InetAddress> addresses = list(settings.get(ADDRESS)).stream()
+                .map(address -> RosNetwork.machine("address", address))
+                .toList();
+        return RosNetwork.options(domain, addresses, list(settings.get(PEERS)), environment, node);
     }
 
     private static List<String> list(String text) {
