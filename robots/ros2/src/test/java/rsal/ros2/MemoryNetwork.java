@@ -13,10 +13,14 @@ import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosEndpoint;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosTopic;
+import rsal.ros2.type.Distribution;
+import rsal.ros2.type.TypeLibrary;
 
 /// A network of ROS 2 in memory: all who join it hear the others at once, on the thread that publishes. Of one
 /// thread.
 public final class MemoryNetwork {
+    private static final TypeLibrary TYPES = TypeLibrary.of(Distribution.JAZZY);
+
     private final List<Member> members = new ArrayList<>();
 
     private final Map<String, Function<byte[], CompletionStage<byte[]>>> services = new HashMap<>();
@@ -51,12 +55,16 @@ public final class MemoryNetwork {
         private final List<Offer> offers = new ArrayList<>();
         private final Map<Offer, byte[]> latched = new HashMap<>();
 
+        private static RosEndpoint endpoint(RosTopic topic, boolean isPublisher, Profile profile) {
+            return new RosEndpoint(topic, isPublisher, profile, TYPES.hash(topic.type()));
+        }
+
         @Override
         public List<RosEndpoint> endpoints() {
             var all = new ArrayList<RosEndpoint>();
             members.stream().filter(each -> each != this).forEach(other -> {
-                other.offers.forEach(offer -> all.add(new RosEndpoint(offer.topic, true, offer.profile)));
-                other.hearings.forEach(hearing -> all.add(new RosEndpoint(hearing.topic, false, hearing.profile)));
+                other.offers.forEach(offer -> all.add(endpoint(offer.topic, true, offer.profile)));
+                other.hearings.forEach(hearing -> all.add(endpoint(hearing.topic, false, hearing.profile)));
             });
             return all;
         }

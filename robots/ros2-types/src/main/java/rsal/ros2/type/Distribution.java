@@ -10,7 +10,7 @@ public enum Distribution {
     LYRICAL;
 
     /// `jazzy`
-    String folder() {
+    public String words() {
         return name().toLowerCase(Locale.ROOT);
     }
 }

@@ -10,9 +10,10 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
 
-/// Types by name. Immutable.
+/// Types by name. They never change. Safe for several threads.
 public final class TypeLibrary {
     private static final String COMMON = "common"; // what is the same in all distributions
     private static final List<String> PACKAGES = List.of(
@@ -41,6 +42,7 @@ public final class TypeLibrary {
     private static final Map<Distribution, TypeLibrary> KNOWN = new EnumMap<>(Distribution.class);
 
     private final Map<String, RosType> types;
+    private final Map<String, String> hashes = new ConcurrentHashMap<>(); // of those that were asked for
 
     private TypeLibrary(Map<String, RosType> types) {
         this.types = types;
@@ -60,7 +62,7 @@ public final class TypeLibrary {
 
     private static TypeLibrary read(Distribution distribution) {
         var types = new HashMap<String, RosType>();
-        for (String folder : List.of(COMMON, distribution.folder())) {
+        for (String folder : List.of(COMMON, distribution.words())) {
             for (String name : PACKAGES) {
                 definitions("%s/%s.msgs".formatted(folder, name)).forEach(type -> types.put(type.name(), type));
             }
@@ -96,6 +98,13 @@ public final class TypeLibrary {
         return find(name)
                 .orElseThrow(() -> new InvalidDefinition(
                         "There is no definition of '%s'. Add its file to your folder of definitions.".formatted(name)));
+    }
+
+    /// The hash of a type: `RIHS01_64c1…`; empty when it is not known.
+    ///
+    /// @param name in full
+    public Optional<String> hash(String name) {
+        return find(name).map(type -> hashes.computeIfAbsent(name, _ -> TypeHash.of(type, this)));
     }
 
     /// All of them, in no order.

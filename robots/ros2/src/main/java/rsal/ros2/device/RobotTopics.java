@@ -1,5 +1,6 @@
 package rsal.ros2.device;
 
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -7,6 +8,8 @@ import java.util.stream.Collectors;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosEndpoint;
 import rsal.ros2.link.RosTopic;
+import rsal.ros2.type.Distribution;
+import rsal.ros2.type.TypeLibrary;
 
 /// What is published and subscribed to in the namespace of a robot.
 ///
@@ -65,6 +68,30 @@ public record RobotTopics(String namespace, List<RosEndpoint> all) {
                 .map(RosEndpoint::profile)
                 .min(Comparator.naturalOrder())
                 .orElse(Profile.SENSOR_DATA);
+    }
+
+    /// Which distribution's types its programs use, by the hashes that they announce. Humble's announce none.
+    ///
+    /// @param usual where the hashes fit it as well as any other
+    public Distribution distribution(Distribution usual) {
+        List<RosEndpoint> ours = all.stream()
+                .filter(each -> each.topic().name().startsWith(namespace + "/"))
+                .toList();
+        if (ours.stream().allMatch(each -> each.typeHash().isEmpty())) {
+            return Distribution.HUMBLE;
+        }
+        Comparator<Distribution> fit = Comparator.comparingLong(each -> fitting(ours, each));
+        return Arrays.stream(Distribution.values())
+                .max(fit.thenComparing(each -> each.equals(usual)))
+                .orElseThrow();
+    }
+
+    private static long fitting(List<RosEndpoint> endpoints, Distribution distribution) {
+        TypeLibrary types = TypeLibrary.of(distribution);
+        return endpoints.stream()
+                .filter(each -> each.typeHash().isPresent()
+                        && each.typeHash().equals(types.hash(each.topic().type())))
+                .count();
     }
 
     /// For people: what there is.

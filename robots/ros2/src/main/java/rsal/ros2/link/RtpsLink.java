@@ -2,6 +2,7 @@ package rsal.ros2.link;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -12,7 +13,6 @@ import java.util.function.LongSupplier;
 import java.util.random.RandomGenerator;
 import rsal.ros2.cdr.CdrWriter;
 import rsal.ros2.type.Distribution;
-import rsal.ros2.type.TypeHash;
 import rsal.ros2.type.TypeLibrary;
 import rsal.rtps.GraphListener;
 import rsal.rtps.SampleListener;
@@ -28,6 +28,7 @@ import rsal.rtps.wire.Guid;
 /// (`ros_discovery_info`).
 public final class RtpsLink implements RosLink {
     private static final String TOPIC = "rt"; // what DDS names of topics begin with
+    private static final String TYPE_HASH = "typehash="; // what endpoints say of their type
     private static final String REQUEST = "rq";
     private static final String REPLY = "rr";
     private static final String GRAPH = "ros_discovery_info";
@@ -78,7 +79,14 @@ public final class RtpsLink implements RosLink {
             return Optional.empty();
         }
         var topic = new RosTopic(data.topic().substring(TOPIC.length()), type.get());
-        return Optional.of(new RosEndpoint(topic, data.isWriter(), profile(data.qos())));
+        return Optional.of(new RosEndpoint(topic, data.isWriter(), profile(data.qos()), typeHash(data.userData())));
+    }
+
+    private static Optional<String> typeHash(String userData) {
+        return Arrays.stream(userData.split(";", -1))
+                .filter(each -> each.startsWith(TYPE_HASH))
+                .map(each -> each.substring(TYPE_HASH.length()))
+                .findFirst();
     }
 
     /// `sensor_msgs::msg::dds_::LaserScan_` for `sensor_msgs/msg/LaserScan`.
@@ -115,9 +123,7 @@ public final class RtpsLink implements RosLink {
     private String userData(String type) {
         return distribution == Distribution.HUMBLE
                 ? ""
-                : types.find(type)
-                        .map(known -> "typehash=%s;".formatted(TypeHash.of(known, types)))
-                        .orElse("");
+                : types.hash(type).map(hash -> TYPE_HASH + hash + ";").orElse("");
     }
 
     private SampleWriter writer(String topic, String type, Profile profile) {

@@ -6,16 +6,16 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
 import rsal.ros2.device.RosRobot;
 import rsal.ros2.link.RosEnvironment;
 import rsal.ros2.link.RosNetwork;
 import rsal.ros2.type.Distribution;
-import rsal.ros2.type.TypeLibrary;
 import rsal.rtps.UdpParticipant;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
@@ -30,6 +30,7 @@ public final class Ros2Provider implements RobotSystemProvider {
     private static final String NODE = "rsal";
     private static final Pattern NAMESPACE = Pattern.compile("/|(/[A-Za-z_][A-Za-z0-9_]*)+");
     private static final int FROM_ENVIRONMENT = -1;
+    private static final String ANNOUNCED = "announced";
 
     private static final Parameter<String> NAMESPACES = Parameter.text(
             "namespaces",
@@ -56,13 +57,12 @@ public final class Ros2Provider implements RobotSystemProvider {
                     + " ROS_STATIC_PEERS are looked for, too.");
     private static final Parameter<String> DISTRIBUTION = Parameter.choice(
             "distribution",
-            words(Distribution.JAZZY),
-            Arrays.stream(Distribution.values()).map(Ros2Provider::words).toList(),
-            "The distribution of ROS 2 that the robots run.");
-
-    private static String words(Distribution distribution) {
-        return distribution.name().toLowerCase(Locale.ROOT);
-    }
+            ANNOUNCED,
+            Stream.concat(
+                            Stream.of(ANNOUNCED),
+                            Arrays.stream(Distribution.values()).map(Distribution::words))
+                    .toList(),
+            "The distribution of ROS 2 that the robots run. announced: what each of them announces.");
 
     @Override
     public String key() {
@@ -108,12 +108,13 @@ public final class Ros2Provider implements RobotSystemProvider {
             Map<RobotSpec, String> namespaces = namespaces(settings, config.robots());
             UdpParticipant.Options network = network(settings, NODE);
             if (problems.isEmpty()) {
-                var distribution =
-                        Distribution.valueOf(settings.get(DISTRIBUTION).toUpperCase(Locale.ROOT));
+                Optional<Distribution> distribution = Arrays.stream(Distribution.values())
+                        .filter(each -> each.words().equals(settings.get(DISTRIBUTION)))
+                        .findFirst();
                 return new Ros2System(
                         namespaces,
-                        () -> RosNetwork.join(network, distribution, NODE),
-                        TypeLibrary.of(distribution),
+                        () -> RosNetwork.join(network, Distribution.JAZZY, NODE),
+                        distribution,
                         settings.seconds(RealRobots.WATCHDOG),
                         settings.get(RealRobots.ARMED),
                         scheduler,

@@ -24,6 +24,7 @@ import rsal.ros2.device.RobotTopics;
 import rsal.ros2.device.RosRobot;
 import rsal.ros2.link.RosEndpoint;
 import rsal.ros2.link.RosLink;
+import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeLibrary;
 import rsal.system.RobotSystem;
 import rsal.time.Scheduler;
@@ -32,12 +33,13 @@ import rsal.time.Task;
 /// Robots of ROS 2. One whose odometry nobody publishes any more is gone, and appears again when somebody does.
 final class Ros2System implements RobotSystem {
     private static final Logger LOG = System.getLogger(Ros2System.class.getName());
+    private static final Distribution USUAL = Distribution.JAZZY; // where several fit
     private static final Duration PATIENCE = Duration.ofSeconds(8);
     private static final Duration SETTLING = Duration.ofSeconds(2); // of topics, after the first of a robot
 
     private final Map<RobotSpec, String> namespaces;
     private final Opening opening;
-    private final TypeLibrary types;
+    private final Optional<Distribution> distribution;
     private final Duration watchdog;
     private final boolean armed;
     private final Scheduler scheduler;
@@ -60,17 +62,18 @@ final class Ros2System implements RobotSystem {
     }
 
     /// @param namespaces of the robots: `/robot1`, or `/` for topics without one
+    /// @param distribution of all robots; empty for what each of them announces
     Ros2System(
             Map<RobotSpec, String> namespaces,
             Opening opening,
-            TypeLibrary types,
+            Optional<Distribution> distribution,
             Duration watchdog,
             boolean armed,
             Scheduler scheduler,
             RandomGenerator random) {
         this.namespaces = namespaces;
         this.opening = opening;
-        this.types = types;
+        this.distribution = distribution;
         this.watchdog = watchdog;
         this.armed = armed;
         this.scheduler = scheduler;
@@ -126,7 +129,7 @@ final class Ros2System implements RobotSystem {
                 Instant first = seen.computeIfAbsent(spec, _ -> now);
                 List<String> without = RosRobot.without(spec, topics);
                 if (without.isEmpty() || now.isAfter(first.plus(SETTLING))) {
-                    found.put(spec, new RosRobot(spec, topics, network, types, watchdog, armed, scheduler, random));
+                    found.put(spec, robot(spec, topics, network));
                     if (!without.isEmpty()) {
                         LOG.log(
                                 Level.INFO,
@@ -146,6 +149,12 @@ final class Ros2System implements RobotSystem {
         } else if (now.isAfter(patienceEnds)) {
             discovered.completeExceptionally(new IOException(missing(all)));
         }
+    }
+
+    private RosRobot robot(RobotSpec spec, RobotTopics topics, RosLink network) {
+        Distribution its = distribution.orElseGet(() -> topics.distribution(USUAL));
+        LOG.log(Level.INFO, () -> "Robot '%s' has messages of %s.".formatted(spec.id(), its.words()));
+        return new RosRobot(spec, topics, network, TypeLibrary.of(its), watchdog, armed, scheduler, random);
     }
 
     private static RobotTopics topics(String namespace, List<RosEndpoint> all) {

@@ -99,7 +99,10 @@ class RtpsLinkIT {
             var publication = here.advertise(CHATTER, Profile.DEFAULT);
             var subscribed = there.subscribe(CHATTER, Profile.DEFAULT, bytes -> heard.add(bytes.remaining()));
             await(() -> subscribed.publishers() == 1
-                    && here.endpoints().contains(new RosEndpoint(CHATTER, false, Profile.DEFAULT)));
+                    && here.endpoints().stream()
+                            .anyMatch(each -> each.topic().equals(CHATTER)
+                                    && !each.isPublisher()
+                                    && each.typeHash().isPresent()));
             publication.publish(new CdrWriter().text("hello").toBytes());
             await(() -> heard.size() == 1);
             assertThat(heard.getFirst()).isBetween(14, 16);

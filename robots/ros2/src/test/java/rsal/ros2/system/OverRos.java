@@ -19,8 +19,6 @@ import rsal.robot.RobotSpec;
 import rsal.ros2.MemoryNetwork;
 import rsal.ros2.bridge.PublishedRobots;
 import rsal.ros2.link.RosNetwork;
-import rsal.ros2.type.Distribution;
-import rsal.ros2.type.TypeLibrary;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 import rsal.sim.SimProvider;
@@ -105,13 +103,7 @@ final class OverRos implements RobotSystemProvider {
             Map<RobotSpec, String> namespaces = new LinkedHashMap<>();
             config.robots().forEach(robot -> namespaces.put(robot, RosNetwork.namespace(robot.id())));
             remote = new Ros2System(
-                    namespaces,
-                    network::join,
-                    TypeLibrary.of(Distribution.JAZZY),
-                    WATCHDOG,
-                    true,
-                    scheduler,
-                    new SplittableRandom(1));
+                    namespaces, network::join, Optional.empty(), WATCHDOG, true, scheduler, new SplittableRandom(1));
             opened.push(remote);
             CompletableFuture<List<Robot>> found = remote.discover().toCompletableFuture();
             for (int i = 0; i < PATIENCE && !found.isDone(); i++) {

@@ -36,8 +36,6 @@ import rsal.ros2.message.FrameTransform;
 import rsal.ros2.message.FrameTransform.Quaternion;
 import rsal.ros2.message.RosMessages;
 import rsal.ros2.message.RosMessages.Transform;
-import rsal.ros2.type.Distribution;
-import rsal.ros2.type.TypeLibrary;
 import rsal.scene.Scene;
 import rsal.settings.Arguments;
 import rsal.settings.FileSource;
@@ -99,7 +97,7 @@ class Ros2SystemTest {
         var system = new Ros2System(
                 Map.of(spec(), "/r1"),
                 network::join,
-                TypeLibrary.of(Distribution.JAZZY),
+                Optional.empty(),
                 Duration.ofMillis(500),
                 true,
                 run,

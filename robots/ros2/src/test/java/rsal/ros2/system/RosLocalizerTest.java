@@ -29,8 +29,6 @@ import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.FrameTransform;
 import rsal.ros2.message.RosMessages;
 import rsal.ros2.message.RosMessages.Transform;
-import rsal.ros2.type.Distribution;
-import rsal.ros2.type.TypeLibrary;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
 import rsal.testkit.contract.RobotBench;
@@ -64,7 +62,7 @@ class RosLocalizerTest {
         system = new Ros2System(
                 Map.of(spec, "/r1"),
                 network::join,
-                TypeLibrary.of(Distribution.JAZZY),
+                Optional.empty(),
                 Duration.ofMillis(500),
                 true,
                 run,

@@ -34,8 +34,6 @@ import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosLink.Publication;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.RosMessages;
-import rsal.ros2.type.Distribution;
-import rsal.ros2.type.TypeLibrary;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
 import rsal.testkit.contract.RobotBench;
@@ -93,7 +91,7 @@ class RosNavigatorTest {
         system = new Ros2System(
                 Map.of(spec, "/r1"),
                 network::join,
-                TypeLibrary.of(Distribution.JAZZY),
+                Optional.empty(),
                 Duration.ofMillis(500),
                 true,
                 run,
