@@ -164,7 +164,8 @@ class NewIT {
     void itsFolderStandsForItsFile() throws Exception {
         rsal.run("new", "chase", "--from", "hunt-and-prey");
         assertThat(rsal.run("validate", "chase", "chase:jason", "chase:jsaon").out())
-                .contains("chase: valid, 11 configurations\n", "chase:jason: valid\n")
+                .containsPattern("chase: valid, \\d+ configurations\n")
+                .contains("chase:jason: valid\n")
                 .contains("chase:jsaon: Scenario 'chase' has no configuration 'jsaon'.", "Maybe 'jason'");
         assertThat(rsal.run("show", "chase:jason").out()).contains("read from chase/chase.yaml");
         Ended run = rsal.run("run", "chase:jason", "--headless", "--speed", "max", "--for", "1");

@@ -44,24 +44,21 @@ final class RosBase extends RosSensor<Odometry> implements DriveBase {
     private Pose2d odomFromTheirs = Pose2d.ORIGIN; // others may use the robot's odometry: it is not set, but ours is
 
     /// @param isStamped whether the robot wants `TwistStamped`
-    /// @param watchdog after which the robot stops when nothing more is commanded
-    /// @param armed whether its motors are on
     RosBase(
             DeviceInfo info,
             String topic,
             Publication commands,
             boolean isStamped,
             Drive drive,
-            Duration watchdog,
-            boolean armed,
+            Safety safety,
             Frames frames,
             RobotClock clock) {
         super(info, info.robot() + "/odom", topic);
         this.commands = commands;
         this.isStamped = isStamped;
         this.drive = drive;
-        this.watchdog = watchdog;
-        this.enabled = armed;
+        this.watchdog = safety.watchdog();
+        this.enabled = safety.armed();
         this.frames = frames;
         this.clock = clock;
     }

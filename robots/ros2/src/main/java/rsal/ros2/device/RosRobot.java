@@ -107,16 +107,13 @@ public final class RosRobot {
     }
 
     /// @param topics that have all that it needs: nothing is [#lacking]
-    /// @param watchdog after which it stops when nothing more is commanded
-    /// @param armed whether its motors are on from the beginning
     /// @param random for ids of goals, which nobody else may have
     public RosRobot(
             RobotSpec spec,
             RobotTopics topics,
             RosLink link,
             TypeLibrary types,
-            Duration watchdog,
-            boolean armed,
+            Safety safety,
             Scheduler scheduler,
             RandomGenerator random) {
         this.spec = spec;
@@ -136,10 +133,13 @@ public final class RosRobot {
                 publication,
                 commands.type().equals(COMMANDS.getLast()),
                 spec.model().drive(),
-                watchdog,
-                armed,
+                safety,
                 frames,
                 clock);
+        var motors = new MotorSwitch(spec.id(), link, topics.namespace(), safety);
+        motors.tell(base.enabled());
+        base.onMotors(motors::tell);
+        others.add(motors::close);
         driven = link.subscribe(odometry, Profile.SENSOR_DATA, odometryInbox());
         add(base, driven);
         others.add(link.subscribe(

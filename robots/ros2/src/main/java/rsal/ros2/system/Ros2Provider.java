@@ -13,6 +13,7 @@ import java.util.stream.Stream;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
 import rsal.ros2.device.RosRobot;
+import rsal.ros2.device.Safety;
 import rsal.ros2.link.RosEnvironment;
 import rsal.ros2.link.RosNetwork;
 import rsal.ros2.type.Distribution;
@@ -64,6 +65,17 @@ public final class Ros2Provider implements RobotSystemProvider {
                     .toList(),
             "The distribution of ROS 2 that the robots run. announced: what each of them announces.");
 
+    private static final Parameter<String> STOP_TOPIC = Parameter.text(
+            "stopTopic",
+            "",
+            "A topic in each robot's namespace, such as e_stop, which gets std_msgs/Bool: true while its motors are off, as"
+                    + " after an emergency stop. Default: none.");
+    private static final Parameter<String> STOP_SERVICE = Parameter.text(
+            "stopService",
+            "",
+            "A service in each robot's namespace of type std_srvs/SetBool, which is called with true when its motors are"
+                    + " switched off, and with false when they are switched on. Default: none.");
+
     @Override
     public String key() {
         return "ros2";
@@ -81,7 +93,16 @@ public final class Ros2Provider implements RobotSystemProvider {
 
     @Override
     public List<Parameter<?>> parameters() {
-        return List.of(NAMESPACES, DOMAIN, ADDRESS, PEERS, DISTRIBUTION, RealRobots.WATCHDOG, RealRobots.ARMED);
+        return List.of(
+                NAMESPACES,
+                DOMAIN,
+                ADDRESS,
+                PEERS,
+                DISTRIBUTION,
+                RealRobots.WATCHDOG,
+                RealRobots.ARMED,
+                STOP_TOPIC,
+                STOP_SERVICE);
     }
 
     @Override
@@ -115,8 +136,11 @@ public final class Ros2Provider implements RobotSystemProvider {
                         namespaces,
                         () -> RosNetwork.join(network, Distribution.JAZZY, NODE),
                         distribution,
-                        settings.seconds(RealRobots.WATCHDOG),
-                        settings.get(RealRobots.ARMED),
+                        new Safety(
+                                settings.seconds(RealRobots.WATCHDOG),
+                                settings.get(RealRobots.ARMED),
+                                settings.get(STOP_TOPIC),
+                                settings.get(STOP_SERVICE)),
                         scheduler,
                         new SecureRandom());
             }

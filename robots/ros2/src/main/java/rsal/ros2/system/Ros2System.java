@@ -22,6 +22,7 @@ import rsal.robot.Robot;
 import rsal.robot.RobotSpec;
 import rsal.ros2.device.RobotTopics;
 import rsal.ros2.device.RosRobot;
+import rsal.ros2.device.Safety;
 import rsal.ros2.link.RosEndpoint;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.type.Distribution;
@@ -40,8 +41,7 @@ final class Ros2System implements RobotSystem {
     private final Map<RobotSpec, String> namespaces;
     private final Opening opening;
     private final Optional<Distribution> distribution;
-    private final Duration watchdog;
-    private final boolean armed;
+    private final Safety safety;
     private final Scheduler scheduler;
     private final RandomGenerator random;
     private final Map<RobotSpec, RosRobot> found = new LinkedHashMap<>();
@@ -67,15 +67,13 @@ final class Ros2System implements RobotSystem {
             Map<RobotSpec, String> namespaces,
             Opening opening,
             Optional<Distribution> distribution,
-            Duration watchdog,
-            boolean armed,
+            Safety safety,
             Scheduler scheduler,
             RandomGenerator random) {
         this.namespaces = namespaces;
         this.opening = opening;
         this.distribution = distribution;
-        this.watchdog = watchdog;
-        this.armed = armed;
+        this.safety = safety;
         this.scheduler = scheduler;
         this.random = random;
     }
@@ -154,7 +152,7 @@ final class Ros2System implements RobotSystem {
     private RosRobot robot(RobotSpec spec, RobotTopics topics, RosLink network) {
         Distribution its = distribution.orElseGet(() -> topics.distribution(USUAL));
         LOG.log(Level.INFO, () -> "Robot '%s' has messages of %s.".formatted(spec.id(), its.words()));
-        return new RosRobot(spec, topics, network, TypeLibrary.of(its), watchdog, armed, scheduler, random);
+        return new RosRobot(spec, topics, network, TypeLibrary.of(its), safety, scheduler, random);
     }
 
     private static RobotTopics topics(String namespace, List<RosEndpoint> all) {

@@ -18,6 +18,7 @@ import rsal.robot.Robot;
 import rsal.robot.RobotSpec;
 import rsal.ros2.MemoryNetwork;
 import rsal.ros2.bridge.PublishedRobots;
+import rsal.ros2.device.Safety;
 import rsal.ros2.link.RosNetwork;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
@@ -103,7 +104,12 @@ final class OverRos implements RobotSystemProvider {
             Map<RobotSpec, String> namespaces = new LinkedHashMap<>();
             config.robots().forEach(robot -> namespaces.put(robot, RosNetwork.namespace(robot.id())));
             remote = new Ros2System(
-                    namespaces, network::join, Optional.empty(), WATCHDOG, true, scheduler, new SplittableRandom(1));
+                    namespaces,
+                    network::join,
+                    Optional.empty(),
+                    new Safety(WATCHDOG, true, "", ""),
+                    scheduler,
+                    new SplittableRandom(1));
             opened.push(remote);
             CompletableFuture<List<Robot>> found = remote.discover().toCompletableFuture();
             for (int i = 0; i < PATIENCE && !found.isDone(); i++) {

@@ -27,7 +27,9 @@ import rsal.robot.Robot;
 import rsal.robot.RobotSpec;
 import rsal.ros2.MemoryNetwork;
 import rsal.ros2.cdr.CdrReader;
+import rsal.ros2.cdr.CdrWriter;
 import rsal.ros2.cdr.InvalidCdr;
+import rsal.ros2.device.Safety;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosLink.Publication;
@@ -98,8 +100,7 @@ class Ros2SystemTest {
                 Map.of(spec(), "/r1"),
                 network::join,
                 Optional.empty(),
-                Duration.ofMillis(500),
-                true,
+                new Safety(Duration.ofMillis(500), true, "e_stop", "set_e_stop"),
                 run,
                 new SplittableRandom(1));
         system.onChange(changes::add);
@@ -170,6 +171,28 @@ class Ros2SystemTest {
                             .odomFromBase())
                     .satisfies(pose ->
                             assertThat(pose.distanceTo(new Pose2d(1, 2, 0))).isLessThan(1e-9));
+        }
+    }
+
+    /// The robot itself is told, and those who come late, too.
+    @Test
+    void motorsThatAreSwitchedOffStopTheRobotByItsTopicAndService() {
+        var told = new ArrayList<Byte>();
+        var called = new ArrayList<Byte>();
+        network.serve("/r1/set_e_stop", request -> {
+            called.add(request[4]);
+            return CompletableFuture.completedStage(
+                    new CdrWriter().bool(true).text("").toBytes());
+        });
+        robotIsThere("geometry_msgs/msg/Twist");
+        try (Ros2System system = system()) {
+            DriveBase base = found(system).require(DriveBase.class);
+            base.enable(false);
+            there.subscribe(
+                    new RosTopic("/r1/e_stop", "std_msgs/msg/Bool"), Profile.LATCHED, bytes -> told.add(bytes.get(4)));
+            base.enable(true);
+            assertThat(told).containsExactly((byte) 1, (byte) 0);
+            assertThat(called).containsExactly((byte) 0, (byte) 1, (byte) 0); // armed at first
         }
     }
 

@@ -22,6 +22,7 @@ import rsal.device.Localizer;
 import rsal.model.RobotModels;
 import rsal.robot.RobotSpec;
 import rsal.ros2.MemoryNetwork;
+import rsal.ros2.device.Safety;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosLink.Publication;
@@ -63,8 +64,7 @@ class RosLocalizerTest {
                 Map.of(spec, "/r1"),
                 network::join,
                 Optional.empty(),
-                Duration.ofMillis(500),
-                true,
+                new Safety(Duration.ofMillis(500), true, "", ""),
                 run,
                 new SplittableRandom(1));
     }

@@ -29,6 +29,7 @@ import rsal.model.RobotModels;
 import rsal.robot.RobotSpec;
 import rsal.ros2.MemoryNetwork;
 import rsal.ros2.cdr.CdrWriter;
+import rsal.ros2.device.Safety;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosLink.Publication;
@@ -92,8 +93,7 @@ class RosNavigatorTest {
                 Map.of(spec, "/r1"),
                 network::join,
                 Optional.empty(),
-                Duration.ofMillis(500),
-                true,
+                new Safety(Duration.ofMillis(500), true, "", ""),
                 run,
                 new SplittableRandom(1));
         var found = system.discover().toCompletableFuture();
