@@ -104,16 +104,13 @@ final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
     /// @param publishers how many publish poses
     @Override
     void look(Instant now, int publishers) {
-        Duration silence = frames.sinceMapFromOdom(now);
-        if (silence.compareTo(PATIENCE) > 0) {
-            health(new Health.Stale(
-                    "TF from 'map' to '%s' came last %.1f s ago.".formatted(frames.odom(), silence.toMillis() / 1e3)));
-            isThere = false;
-        } else if (publishers == 0 && frames.mapFromOdom().isEmpty()) {
+        boolean isSilent = frames.sinceMapFromOdom(now).compareTo(PATIENCE) > 0;
+        isThere = !isSilent && (publishers > 0 || frames.mapFromOdom().isPresent());
+        if (!isThere && publishers == 0) {
             super.look(now, publishers);
-            isThere = false;
-        } else {
-            isThere = true;
+        } else if (!isThere) {
+            health(new Health.Stale("TF from 'map' to '%s' has not come for more than %.1f s."
+                    .formatted(frames.odom(), PATIENCE.toMillis() / 1e3)));
         }
     }
 

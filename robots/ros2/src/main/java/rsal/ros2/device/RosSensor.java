@@ -51,7 +51,8 @@ abstract class RosSensor<T> extends SensorCore<T> {
         Duration patience =
                 PATIENCE.compareTo(period.multipliedBy(MISSED)) > 0 ? PATIENCE : period.multipliedBy(MISSED);
         if (!told.equals(Instant.MIN) && told.plus(patience).isBefore(now)) {
-            health(new Health.Stale("Nothing came on %s for %.1f s.".formatted(source, patience.toMillis() / 1e3)));
+            health(new Health.Stale(
+                    "Nothing has come on %s for more than %.1f s.".formatted(source, patience.toMillis() / 1e3)));
         }
     }
 
