@@ -52,7 +52,8 @@ public record Area(String name, List<Bench> benches) {
         return List.of(
                 new Area("sim", List.of(new SwarmBench())),
                 new Area("mas", List.of(new HostBench(), new OverheadBench(), new WrittenBench())),
-                new Area("player", List.of(new RemoteBench("player"))),
+                new Area("player", List.of(RemoteBench.player())),
+                new Area("ros2", List.of(RemoteBench.scannersOfRos2(), RemoteBench.scannersOfPlayer())),
                 new Area("page", List.of(new PageBench())),
                 new Area(
                         "navigation",

@@ -53,7 +53,8 @@ final class Ros2System implements RobotSystem {
     });
     private Optional<Task> looking = Optional.empty();
     private @Nullable RosLink link;
-    private Instant patienceEnds = Instant.MAX;
+    private Instant patienceEnds = Instant.MAX; // unless another robot is found, or tells where it is
+    private int progress; // of finding them
     private boolean closed;
 
     /// Joins the network.
@@ -142,6 +143,10 @@ final class Ros2System implements RobotSystem {
                 .filter(Objects::nonNull)
                 .filter(RosRobot::isReady)
                 .toList();
+        if (ready.size() + found.size() > progress) {
+            progress = ready.size() + found.size();
+            patienceEnds = now.plus(PATIENCE);
+        }
         if (ready.size() == namespaces.size()) {
             discovered.complete(ready.stream().map(RosRobot::robot).toList());
         } else if (now.isAfter(patienceEnds)) {

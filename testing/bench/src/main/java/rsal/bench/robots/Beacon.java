@@ -2,6 +2,7 @@ package rsal.bench.robots;
 
 import java.time.Duration;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
@@ -11,6 +12,7 @@ import rsal.data.Pose2d;
 import rsal.data.RangeArray;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
+import rsal.device.Device;
 import rsal.device.DeviceInfo;
 import rsal.device.DriveBase;
 import rsal.device.LaserScanner;
@@ -25,26 +27,45 @@ import rsal.time.Task;
 /// A robot that stands still, and whose readings say what nobody else could know who gets them: when they were told,
 /// and which of all they are. Called on the scheduler's thread, unless it says otherwise.
 final class Beacon {
-    private static final Part.Laser SCANNER = WanderingRobots.Kind.laser(180, 8);
     private static final Part.Sonars SONARS = WanderingRobots.Kind.ring(16, 0.22, 5);
 
-    /// A base, a laser of 180 beams and 16 sonars.
-    static final RobotModel MODEL = new RobotModel(
-            "beacon",
-            "Beacon",
-            WanderingRobots.Kind.LASER180.model().body(),
-            WanderingRobots.Kind.LASER180.model().drive(),
-            Map.of("laser", SCANNER, "sonar", SONARS));
+    /// What it has.
+    enum Kind {
+        /// A base, a laser of 180 beams and 16 sonars, which tell equally often.
+        PIONEER(1, WanderingRobots.Kind.laser(180, 8), Map.of("sonar", SONARS)),
+
+        /// A base that tells twice as often as its laser of 360 beams.
+        SCANNER(2, WanderingRobots.Kind.laser(360, 8), Map.of());
+
+        private final int odometries; // for each scan
+        private final Part.Laser laser;
+        private final RobotModel model;
+
+        Kind(int odometries, Part.Laser laser, Map<String, Part> others) {
+            this.odometries = odometries;
+            this.laser = laser;
+            var parts = new LinkedHashMap<String, Part>(others);
+            parts.put("laser", laser);
+            RobotModel pattern = WanderingRobots.Kind.LASER180.model();
+            model = new RobotModel("beacon", "Beacon", pattern.body(), pattern.drive(), parts);
+        }
+
+        RobotModel model() {
+            return model;
+        }
+    }
 
     private static final int ROUND = 1000; // readings, after which their numbers begin again
     private static final double OFFSET = 1; // of what ranges say, as nothing is nearer than 0 [m]
 
+    private final Kind kind;
     private final Robot robot;
     private final Base base;
     private final Laser laser;
     private final Ring ring;
     private @Nullable Task telling;
-    private int told;
+    private int ticks;
+    private int told; // odometries
 
     /// What a reading says.
     ///
@@ -79,11 +100,14 @@ final class Beacon {
         }
     }
 
-    Beacon(String id) {
+    Beacon(String id, Kind kind) {
+        this.kind = kind;
         base = new Base(id);
-        laser = new Laser(id);
+        laser = new Laser(id, kind.laser);
         ring = new Ring(id);
-        robot = new Robot(id, "beacon", MODEL, List.of(base, laser, ring));
+        List<Device> devices =
+                kind.model.sensors().containsKey("sonar") ? List.of(base, laser, ring) : List.of(base, laser);
+        robot = new Robot(id, "beacon", kind.model, devices);
     }
 
     Robot robot() {
@@ -91,25 +115,31 @@ final class Beacon {
     }
 
     /// Tells from now on.
+    ///
+    /// @param period of its scans
     void begin(Duration delay, Duration period, Scheduler time) {
-        telling = time.after(delay, () -> telling = time.every(period, () -> tell(time)));
+        Duration tick = period.dividedBy(kind.odometries);
+        telling = time.after(delay, () -> telling = time.every(tick, () -> tell(time)));
     }
 
     /// Tells no more.
     ///
-    /// @return the number of its last readings
+    /// @return the number of its last scan
     int end() {
         if (telling != null) {
             telling.cancel();
         }
-        return (told - 1) % ROUND;
+        return Math.floorMod(told - 1, ROUND);
     }
 
+    /// Readings of one time have one number, so that odometries between two scans have that of the scan before.
     private void tell(Scheduler time) {
-        int number = told++ % ROUND;
-        base.tell(new Mark(Beacons.now(), number), time);
-        laser.tell(new Mark(Beacons.now(), number), time);
-        ring.tell(new Mark(Beacons.now(), number), time);
+        if (ticks++ % kind.odometries == 0) {
+            int number = told++ % ROUND;
+            laser.tell(new Mark(Beacons.now(), number), time);
+            ring.tell(new Mark(Beacons.now(), number), time);
+        }
+        base.tell(new Mark(Beacons.now(), (told - 1) % ROUND), time);
     }
 
     private static DeviceInfo device(String robot, String name) {
@@ -147,18 +177,21 @@ final class Beacon {
     }
 
     private static final class Laser extends SensorCore<LaserScan> implements LaserScanner {
-        Laser(String robot) {
+        private final Part.Laser scanner;
+
+        Laser(String robot, Part.Laser scanner) {
             super(device(robot, "laser"));
+            this.scanner = scanner;
         }
 
         void tell(Mark mark, Scheduler time) {
             var scan = new LaserScan(
-                    SCANNER.baseFromLaser(),
-                    SCANNER.angleMin(),
-                    SCANNER.angleIncrement(),
-                    SCANNER.rangeMin(),
-                    SCANNER.rangeMax(),
-                    mark.ranges(SCANNER.samples()));
+                    scanner.baseFromLaser(),
+                    scanner.angleMin(),
+                    scanner.angleIncrement(),
+                    scanner.rangeMin(),
+                    scanner.rangeMax(),
+                    mark.ranges(scanner.samples()));
             deliver(new Stamped<>(time.instant(), info().id(), scan));
         }
     }

@@ -19,7 +19,8 @@ final class BeaconProcess implements AutoCloseable {
     /// Starts it, and waits until its robots can be reached.
     ///
     /// @param bridge over which it offers them
-    BeaconProcess(String bridge, int robots) {
+    /// @param port where that begins; 0 for any
+    BeaconProcess(String bridge, int port, Beacon.Kind kind, int robots) {
         try {
             process = new ProcessBuilder(
                             ProcessHandle.current().info().command().orElse("java"),
@@ -27,6 +28,8 @@ final class BeaconProcess implements AutoCloseable {
                             System.getProperty("java.class.path"),
                             Beacons.class.getName(),
                             bridge,
+                            String.valueOf(port),
+                            kind.name(),
                             String.valueOf(robots))
                     .redirectError(ProcessBuilder.Redirect.INHERIT)
                     .start();

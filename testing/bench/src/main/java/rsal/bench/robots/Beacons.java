@@ -29,8 +29,9 @@ import rsal.time.WallScheduler;
 /// A process of its own that offers robots over a bridge, whose readings say when they were told, for others to see
 /// how long they took. Its robots stand still, and tell ten times a second, one after the other.
 ///
-/// It is called with the key of the bridge (`player`) and the number of robots, and says on one line at which port
-/// each is. At the first line it is sent it stops telling, and says the number of each robot's last readings. It ends
+/// It is called with the key of the bridge (`player`), the port where that begins, the kind of robots and their number,
+/// and says on one line at which port each is. At the first line it is sent it stops telling, and says the number of
+/// each robot's last readings. It ends
 /// with the second line, or when nobody is left to send one.
 @AllowedToReadWallClock("Benchmarks measure real time.")
 final class Beacons {
@@ -53,15 +54,18 @@ final class Beacons {
     }
 
     public static void main(String[] arguments) throws IOException {
-        int count = Integer.parseInt(arguments[1]);
+        int port = Integer.parseInt(arguments[1]);
+        Beacon.Kind kind = Beacon.Kind.valueOf(arguments[2]);
+        int count = Integer.parseInt(arguments[3]);
         try (var time = new WallScheduler("beacons", Runnable::run);
                 var asked = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
                 var out = new OutputStreamWriter(new FileOutputStream(FileDescriptor.out), StandardCharsets.UTF_8)) {
-            List<Beacon> beacons =
-                    IntStream.range(0, count).mapToObj(i -> new Beacon("r" + i)).toList();
+            List<Beacon> beacons = IntStream.range(0, count)
+                    .mapToObj(i -> new Beacon("r" + i, kind))
+                    .toList();
             say(
                     out,
-                    open(arguments[0], beacons, time).offers().stream()
+                    open(arguments[0], port, beacons, time).offers().stream()
                             .map(ExportedDevice::port)
                             .distinct()
                             .toList());
@@ -86,11 +90,11 @@ final class Beacons {
         }
     }
 
-    private static Bridge open(String key, List<Beacon> beacons, WallScheduler time) throws IOException {
+    private static Bridge open(String key, int port, List<Beacon> beacons, WallScheduler time) throws IOException {
         BridgeProvider provider = Objects.requireNonNull(
                 Providers.byKey(BridgeProvider.class, BridgeProvider::key).get(key));
         var map = new OccupancyGrid(1, 1, 1, 0, 0, new byte[1]);
         var context = new BridgeContext(beacons.stream().map(Beacon::robot).toList(), map, Optional.empty(), List.of());
-        return provider.open(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), context, time);
+        return provider.open(new InetSocketAddress(InetAddress.getLoopbackAddress(), port), context, time);
     }
 }

@@ -3,6 +3,7 @@ package rsal.bench.robots;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -37,10 +38,11 @@ import rsal.system.RobotSystemProvider;
 import rsal.time.AllowedToReadWallClock;
 import rsal.time.WallScheduler;
 
-/// Robots of another process ([Beacons]) over the loopback: a base, a laser of 180 beams and 16 sonars each, that tell
-/// ten times a second; then the same while they are driven as often.
+/// Robots of another process ([Beacons]) over the loopback, whose lasers tell ten times a second; then the same while
+/// they are driven as often as they tell.
 ///
-/// Names are `<system>.<robots>[.driven].<what>`. What: `cpu`, the share of a core that this process takes; `delay.p50`
+/// Names are `<system>[.scanner].<robots>[.driven].<what>`. What: `found`, how long it takes to find all robots; `cpu`,
+/// the share of a core that this process takes; `delay.p50`
 /// and `delay.p99`, from when the other process has a reading until a listener here is told of it, which is more than
 /// from the socket to the listener; `rate`, readings told per second; `skipped`, readings of which a newer one took the
 /// place; `old`, devices whose newest reading is not the last that was told, once all is quiet.
@@ -50,23 +52,58 @@ public final class RemoteBench implements Bench {
     private static final Duration WARM = Duration.ofSeconds(20);
     private static final Duration WINDOW = Duration.ofSeconds(10);
     private static final Duration QUIET = Duration.ofSeconds(1);
+    private static final int DOMAIN = 93; // of ROS 2, where nobody else should be
+    private static final Connection PLAYER = new Connection("player", 0, ports -> Map.of("servers", servers(ports)));
+    private static final Connection ROS2 = new Connection("ros2", 7400 + 250 * DOMAIN, _ -> Map.of("domain", DOMAIN));
 
-    private final String system;
+    private final Connection connection;
+    private final Beacon.Kind kind;
     private boolean driven; // of the scheduler's thread
 
-    /// @param system that has a bridge, too (`player`)
-    public RemoteBench(String system) {
-        this.system = system;
+    /// How robots of a system that has a bridge, too, are reached.
+    ///
+    /// @param system `player`
+    /// @param port where the bridge begins; 0 for any
+    /// @param settings of the system, by where the robots are
+    private record Connection(String system, int port, Function<List<Integer>, Map<String, Object>> settings) {}
+
+    private RemoteBench(Connection connection, Beacon.Kind kind) {
+        this.connection = connection;
+        this.kind = kind;
+    }
+
+    /// Robots of Player servers: a laser of 180 beams and 16 sonars each.
+    public static RemoteBench player() {
+        return new RemoteBench(PLAYER, Beacon.Kind.PIONEER);
+    }
+
+    /// Robots of Player servers: a laser of 360 beams each, and odometry 20 times a second.
+    public static RemoteBench scannersOfPlayer() {
+        return new RemoteBench(PLAYER, Beacon.Kind.SCANNER);
+    }
+
+    /// Robots of ROS 2 as of [#scannersOfPlayer].
+    public static RemoteBench scannersOfRos2() {
+        return new RemoteBench(ROS2, Beacon.Kind.SCANNER);
     }
 
     private String name(String what) {
+        String system = connection.system + (kind == Beacon.Kind.SCANNER ? ".scanner" : "");
         return "%s.%d.%s".formatted(system, ROBOTS, what);
+    }
+
+    private static String servers(List<Integer> ports) {
+        return ports.stream().map(port -> "localhost:" + port).collect(Collectors.joining(","));
     }
 
     @Override
     public List<String> names() {
         List<String> whats = List.of("cpu", "delay.p50", "delay.p99", "rate", "skipped");
-        return Stream.of(whats.stream(), whats.stream().map(what -> "driven." + what), Stream.of("old"))
+        return Stream.of(
+                        Stream.of("found"),
+                        whats.stream(),
+                        whats.stream().map(what -> "driven." + what),
+                        Stream.of("old"))
                 .flatMap(what -> what)
                 .map(this::name)
                 .toList();
@@ -74,11 +111,14 @@ public final class RemoteBench implements Bench {
 
     @Override
     public void measure(BenchmarkRequest assignment) {
-        try (var process = new BeaconProcess(system, ROBOTS);
+        try (var process = new BeaconProcess(connection.system, connection.port, kind, ROBOTS);
                 var time = new WallScheduler("listeners", Runnable::run)) {
             RobotSystem robots = on(time, () -> provider().create(config(process.ports()), time));
             try {
-                measure(process, listen(robots, time), time, assignment);
+                var watch = new Stopwatch();
+                List<Ear> ears = listen(robots, time);
+                assignment.tell(Result.less(name("found"), "s", watch.wall()));
+                measure(process, ears, time, assignment);
             } finally {
                 on(time, () -> {
                     robots.close();
@@ -90,17 +130,18 @@ public final class RemoteBench implements Bench {
 
     private RobotSystemProvider provider() {
         return Objects.requireNonNull(Providers.byKey(RobotSystemProvider.class, RobotSystemProvider::key)
-                .get(system));
+                .get(connection.system));
     }
 
     private RobotSystemProvider.Config config(List<Integer> ports) {
-        String servers = ports.stream().map(port -> "localhost:" + port).collect(Collectors.joining(","));
-        List<RobotSpec> specs = IntStream.range(0, ports.size())
-                .mapToObj(i -> new RobotSpec("r" + i, "beacon", Beacon.MODEL, Optional.empty(), "#000000"))
+        List<RobotSpec> specs = IntStream.range(0, ROBOTS)
+                .mapToObj(i -> new RobotSpec("r" + i, "beacon", kind.model(), Optional.empty(), "#000000"))
                 .toList();
-        var settings = Arguments.of(provider().parameters(), Map.of("servers", servers, "armed", true));
+        var settings = new HashMap<>(connection.settings.apply(ports));
+        settings.put("armed", true);
+        Arguments arguments = Arguments.of(provider().parameters(), settings);
         var nowhere = Scene.of(new OccupancyGrid(1, 1, 1, 0, 0, new byte[1]));
-        return new RobotSystemProvider.Config(settings, nowhere, specs, 1);
+        return new RobotSystemProvider.Config(arguments, nowhere, specs, 1);
     }
 
     private List<Ear> listen(RobotSystem robots, WallScheduler time) {
@@ -116,10 +157,12 @@ public final class RemoteBench implements Bench {
                 base.command(Twist2d.drive(0.1, 0));
             }
         });
-        return Stream.of(
-                new Ear(base, Mark::of),
-                new Ear(robot.require(LaserScanner.class), (LaserScan scan) -> Mark.of(scan.ranges())),
-                new Ear(robot.require(SonarArray.class), (RangeArray ranges) -> Mark.of(ranges.ranges())));
+        return Stream.concat(
+                Stream.of(
+                        new Ear(base, Mark::of),
+                        new Ear(robot.require(LaserScanner.class), (LaserScan scan) -> Mark.of(scan.ranges()))),
+                robot.find(SonarArray.class).stream()
+                        .map(sonars -> new Ear(sonars, (RangeArray ranges) -> Mark.of(ranges.ranges()))));
     }
 
     private void measure(BeaconProcess process, List<Ear> ears, WallScheduler time, BenchmarkRequest assignment) {
@@ -132,7 +175,7 @@ public final class RemoteBench implements Bench {
         double old = on(
                 time,
                 () -> IntStream.range(0, ears.size())
-                        .mapToDouble(i -> ears.get(i).newest == last.get(i * last.size() / ears.size()) ? 0 : 1)
+                        .mapToDouble(i -> ears.get(i).newest == last.get(i * ROBOTS / ears.size()) ? 0 : 1)
                         .sum());
         assignment.tell(Result.less(name("old"), "", old));
     }
@@ -198,7 +241,7 @@ public final class RemoteBench implements Bench {
 
         private void hear(Mark mark) {
             delays.add(Beacons.since(mark.at()));
-            if (newest >= 0) {
+            if (newest >= 0 && newest != mark.number()) {
                 skipped += mark.since(newest);
             }
             newest = mark.number();
