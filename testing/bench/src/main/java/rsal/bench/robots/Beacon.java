@@ -30,6 +30,7 @@ final class Beacon {
     private static final Part.Sonars SONARS = WanderingRobots.Kind.ring(16, 0.22, 5);
 
     /// What it has.
+    @SuppressWarnings("ImmutableEnumChecker") // models are records that nobody changes
     enum Kind {
         /// A base, a laser of 180 beams and 16 sonars, which tell equally often.
         PIONEER(1, WanderingRobots.Kind.laser(180, 8), Map.of("sonar", SONARS)),
