@@ -37,8 +37,8 @@ public final class Ros2Provider implements RobotSystemProvider {
     private static final Parameter<String> NAMESPACES = Parameter.text(
             "namespaces",
             "",
-            "The robots' namespaces, in order, separated by commas: /robot1, /robot2; / for topics without a namespace."
-                    + " Default: their ids, with _ for -.");
+            "Namespaces of the robots, in order, separated by commas: /robot1, /robot2; / for topics without a"
+                    + " namespace. Default: their ids, with _ for -.");
     static final Parameter<Integer> DOMAIN = Parameter.integer(
             "domain",
             FROM_ENVIRONMENT,
@@ -52,7 +52,9 @@ public final class Ros2Provider implements RobotSystemProvider {
             "The address of this machine by which robots reach it. With 127.0.0.1, only programs on this machine are"
                     + " found.");
     static final Parameter<String> PEERS = Parameter.text(
-            "peers", "", "Machines to look for robots on where the network has no multicast, separated by commas.");
+            "peers",
+            "",
+            "Machines on which to search for robots if the network has no multicast, separated by commas.");
     private static final Parameter<String> DISTRIBUTION = Parameter.choice(
             "distribution",
             words(Distribution.JAZZY),
@@ -70,7 +72,7 @@ public final class Ros2Provider implements RobotSystemProvider {
 
     @Override
     public String description() {
-        return "Joins robots of ROS 2 over the network (DDS). No ROS is needed on this machine.";
+        return "Connects to robots of ROS 2 over the network (DDS). This machine needs no ROS.";
     }
 
     @Override
