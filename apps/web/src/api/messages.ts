@@ -810,19 +810,19 @@ export type Wanted = 'NOT_WANTED' | 'REACHED' | 'WAITING' | 'PURSUED' | 'SUSPEND
 export interface Commands {
   /** Pauses simulated time. A run in real time can't be paused. */
   pause: { takes: Record<string, never>; answers: object };
-  /** Lets time go on. */
+  /** Resumes simulated time. */
   resume: { takes: Record<string, never>; answers: object };
   /** Runs one step while the run is paused. */
   step: { takes: Record<string, never>; answers: object };
-  /** Sets how fast simulated time goes. */
+  /** Sets the speed of simulated time. */
   speed: { takes: { factor: string }; answers: object };
   /** Ends the run. */
   stop: { takes: Record<string, never>; answers: object };
   /** Sends a robot to a pose. */
   goal: { takes: { robot: string; x: number; y: number; heading: number }; answers: Sent };
-  /** Has a robot do something until its next command. */
+  /** Gives a robot a behavior until its next command. */
   behavior: { takes: { robot: string; behavior?: string }; answers: object };
-  /** Drives a robot by hand. To be repeated ten times a second: after 0.5 s without, the robot stands still; after 5 s it is given back to its agents. */
+  /** Drives a robot by hand. Repeat it ten times a second: after 0.5 s without a command, the robot stands still; after 5 s, it is given back to its agents. */
   drive: { takes: { robot: string; driver: string; vx?: number; vy?: number; omega?: number }; answers: object };
   /** Gives a robot that was driven by hand back to its agents. */
   release: { takes: { robot: string; driver: string }; answers: object };

@@ -36,7 +36,8 @@ public final class JadeHostProvider implements AgentHostProvider {
     /// No: JADE's agents are threads that wait by the clock of the machine.
     @Override
     public String description() {
-        return "Runs agents on JADE in real time: each has a thread, and what they say are ACL messages that JADE's windows show.";
+        return "Runs agents on JADE in real time: each has a thread, and messages are ACL messages that JADE's"
+                + " windows show.";
     }
 
     @Override

@@ -4,10 +4,17 @@ import rsal.settings.Parameter;
 
 /// A window of JADE's own, which is an agent itself.
 enum Tool {
-    SNIFFER("sniffer", "jade.tools.sniffer.Sniffer", "JADE's window of who says what to whom", "*"), // all agents
-    RMA("rma", "jade.tools.rma.rma", "JADE's window of all agents, which can end them", ""),
+    SNIFFER(
+            "sniffer",
+            "jade.tools.sniffer.Sniffer",
+            "JADE's window of messages between agents (sniffer)",
+            "*"), // all agents
+    RMA("rma", "jade.tools.rma.rma", "JADE's window of all agents, which can end them (remote management agent)", ""),
     INTROSPECTOR(
-            "introspector", "jade.tools.introspector.Introspector", "JADE's window of what an agent has to do", "");
+            "introspector",
+            "jade.tools.introspector.Introspector",
+            "JADE's window of the queued behaviors and messages of an agent (introspector)",
+            "");
 
     private final String agent;
     private final String type;

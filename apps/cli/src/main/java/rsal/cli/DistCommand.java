@@ -11,9 +11,8 @@ import rsal.cli.terminal.Unreachable;
 /// Listed here for the help; the launcher does it, because it has the sources.
 @Command(
         name = "dist",
-        description =
-                "Pack a release for each system: an archive with RSAL, its page and documentation, and a Java runtime."
-                        + " Who unpacks it needs neither Java nor a network.")
+        description = "Pack a release for each system: an archive with RSAL, its page and documentation, and a Java"
+                + " runtime. Its users need neither Java nor a network.")
 final class DistCommand extends Subcommand {
     @Parameters(
             paramLabel = "SYSTEM",
@@ -23,10 +22,10 @@ final class DistCommand extends Subcommand {
 
     @Option(
             names = "--no-runtime",
-            description = "Without a Java runtime: who unpacks it needs Java 25. Packing then needs no network.")
+            description = "Without a Java runtime: users then need Java 25. Packing then needs no network.")
     private boolean bare;
 
-    @Option(names = "--out", paramLabel = "FOLDER", description = "Where archives are written. Default: target/dist.")
+    @Option(names = "--out", paramLabel = "FOLDER", description = "Folder for the archives. Default: target/dist.")
     private String out = "";
 
     @Override

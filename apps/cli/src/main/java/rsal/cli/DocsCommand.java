@@ -17,11 +17,11 @@ import rsal.cli.terminal.Unreachable;
 /// `rsal docs`: in a release, which has the built site. In a clone, the launcher does it, because it has the sources.
 @Command(
         name = "docs",
-        description = "Print the folder with the documentation as a site, with a search. In a clone, build it before.")
+        description = "Print the folder of the documentation site, which has a search. In a clone, build it before.")
 final class DocsCommand extends Subcommand {
     private static final int PORT = 8736;
 
-    @Option(names = "--serve", description = "Serve it on this machine, http://127.0.0.1:8736/, until Ctrl-C.")
+    @Option(names = "--serve", description = "Serve the site on this machine, http://127.0.0.1:8736/, until Ctrl-C.")
     private boolean serve;
 
     @Override

@@ -34,9 +34,9 @@ import rsal.settings.Suggestion;
 /// `rsal new`
 @Command(
         name = "new",
-        description =
-                "Make a folder with a scenario of your own to begin with: NAME.yaml, an agent in Java (or in AgentSpeak), a"
-                        + " controller or a metric, other files that it names and a README. It runs as it is. Overwrites nothing.")
+        description = "Make a folder with a new scenario: NAME.yaml, an agent in Java or AgentSpeak, a controller or a"
+                + " metric, the other files that it names, and a README. The scenario runs without changes."
+                + " Existing files are not overwritten.")
 final class NewCommand extends Subcommand {
     private static final String PLAIN = "plain"; // runs agents in Java
     private static final String README = "README.md";
@@ -54,14 +54,14 @@ final class NewCommand extends Subcommand {
             (`when`) and metrics (`from`) ask for the quantities and signals that a metric offers. `rsal list metrics` tells which metrics
             come with RSAL. `docs/how-to/own-metric.md` of RSAL explains how to write one.""";
 
-    @Parameters(paramLabel = "NAME", description = "What to call the scenario and its folder, here or by a path.")
+    @Parameters(paramLabel = "NAME", description = "Name of the scenario and its folder; or a path to the folder.")
     private String name = "";
 
     @Option(
             names = "--from",
             converter = FileName.class,
             paramLabel = "SCENARIO",
-            description = "A scenario of RSAL ('rsal list') to begin with. Default: a hunt with a hunter of your own.")
+            description = "A scenario of RSAL ('rsal list') to copy. Default: a hunt, with a hunter for you to change.")
     private @Nullable String from;
 
     @Option(
@@ -74,7 +74,7 @@ final class NewCommand extends Subcommand {
             names = "--kind",
             paramLabel = "KIND",
             defaultValue = "agent",
-            description = "What you will write: ${COMPLETION-CANDIDATES}. Default: ${DEFAULT-VALUE}.")
+            description = "The program that you want to write: ${COMPLETION-CANDIDATES}. Default: ${DEFAULT-VALUE}.")
     private Own kind = Own.agent;
 
     enum Own {

@@ -9,24 +9,23 @@ import rsal.cli.terminal.Subcommand;
 import rsal.cli.terminal.Unreachable;
 
 /// Listed here for the help; the launcher does it, because it builds what it tests.
-@Command(name = "test", description = "Build everything and run all tests, those of the page in a browser, too.")
+@Command(name = "test", description = "Build everything and run all tests, including those of the page in a browser.")
 final class TestCommand extends Subcommand {
     @Parameters(
             paramLabel = "TEST",
             arity = "0..*",
-            description =
-                    "Only these, without checks and within seconds: a class such as ContractNetTest, or CLASS#METHOD.")
+            description = "Run only these tests, without checks and within seconds: a class such as ContractNetTest, or"
+                    + " CLASS#METHOD.")
     private List<String> tests = List.of();
 
-    @Option(
-            names = "--all",
-            description = "Also what takes too long for each change: all seeds, comparisons over many runs.")
+    @Option(names = "--all", description = "Also run long tests: all seeds, comparisons over many runs.")
     private boolean all;
 
     @Option(
             names = "--mutation",
             description =
-                    "Only this: break code on purpose, one place at a time, and count what tests notice. Takes long.")
+                    "Only do mutation testing: break code on purpose, one place at a time, and count the changes that"
+                            + " tests notice. This takes long.")
     private boolean mutation;
 
     @Override

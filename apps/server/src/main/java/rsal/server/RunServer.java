@@ -82,7 +82,7 @@ public final class RunServer implements AutoCloseable {
         }
     }
 
-    /// Where sweeps that are begun in the page are kept, each in a folder of its own.
+    /// Folder for sweeps that are started in the page, each in its own folder.
     ///
     /// @param folder made when the first begins
     /// @param program its name and version, to be noted with them

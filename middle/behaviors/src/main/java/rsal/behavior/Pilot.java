@@ -20,12 +20,13 @@ import rsal.device.SensorCore;
 import rsal.device.SonarArray;
 import rsal.robot.Robot;
 
-/// Lets a subsumption stack drive a robot, and tells what the stack decides. Frame of its readings:
+/// Lets a subsumption stack drive a robot, and reports the decisions of the stack. Frame of its readings:
 /// `<robot>/base_link`.
 ///
-/// While motors are off it does not ask the stack, which would take itself for stuck.
-/// When odometry or a range sensor falls silent it stands still and is stale until they are back. When a behavior
-/// throws, or wants what is not finite, it stands still, lets go of the stack and is lost until it is given another.
+/// While motors are off, the stack is not called, since it would detect that it is stuck. When odometry or a
+/// range sensor is silent, the robot stands still, and the pilot is stale until they are back. When a behavior
+/// throws an exception, or returns a velocity that is not finite, the robot stands still. The pilot then
+/// releases the stack, and is lost until it gets another one.
 public final class Pilot extends SensorCore<Decision> implements Locomotion {
     static final Duration PERIOD = Duration.ofMillis(100);
 
@@ -51,7 +52,7 @@ public final class Pilot extends SensorCore<Decision> implements Locomotion {
         this.frame = robot.id() + "/base_link";
     }
 
-    /// Lets a stack drive from its next update on, in place of one that did.
+    /// Lets a stack drive from the next update on, instead of the present one.
     public void engage(Subsumption next) {
         stack = next;
         if (!health().isOk()) {
@@ -59,7 +60,7 @@ public final class Pilot extends SensorCore<Decision> implements Locomotion {
         }
     }
 
-    /// Stands still; others may drive.
+    /// Stands still, and lets others drive.
     public void release() {
         if (stack != null) {
             stack = null;
@@ -71,8 +72,8 @@ public final class Pilot extends SensorCore<Decision> implements Locomotion {
         return stack != null;
     }
 
-    /// Stands still and keeps its stack, without asking it. Those that engage or release it meanwhile find that done
-    /// after [#resume].
+    /// Stands still and keeps its stack, without calling it. Those that engage or release it meanwhile find
+    /// that done after [#resume].
     public void pause() {
         if (!paused && stack != null) {
             base.command(Twist2d.STOP);

@@ -14,7 +14,7 @@ import rsal.time.Phase;
 /// Makes a [Pilot] (`pilot: {type: pilot}`) from a drive base, and from a laser and sonars where there are any.
 public final class PilotDriver implements DeviceDriver {
     private static final Parameter<Double> MAX_RANGE =
-            Parameter.number("maxRange", 5, 0.5, 100, "m", "Things farther away than this do not count for behaviors.");
+            Parameter.number("maxRange", 5, 0.5, 100, "m", "Behaviors ignore obstacles farther away than this.");
 
     @Override
     public String key() {

@@ -11,11 +11,11 @@ public interface Actuator extends Sensor<ActuatorState> {
     /// @throws IllegalArgumentException when the position is not finite
     GoalHandle<ActuatorState, Result> goTo(double position);
 
-    /// Moves to where it is at rest.
+    /// Moves to its home position.
     GoalHandle<ActuatorState, Result> home();
 
-    /// Moves at a speed [m/s or rad/s] until the next command, its limits, or until commands dry up (0.5 s by
-    /// default). Speeds beyond what it can do are cut.
+    /// Moves at a speed [m/s or rad/s] until the next command or its limits, at most for 0.5 s (by default).
+    /// Speeds beyond what it can do are cut.
     ///
     /// @throws IllegalArgumentException when the speed is not finite
     void command(double speed);

@@ -2,9 +2,9 @@ package rsal.device;
 
 import rsal.data.Sketch;
 
-/// Where a robot can draw for people who look at its world, as into the window of a simulator.
+/// A drawing surface for people who watch a robot's world, such as the window of a simulator.
 public interface Canvas extends Device {
-    /// Shows this, and nothing that was drawn before. It moves along with the robot.
+    /// Shows this sketch instead of the previous one. It moves along with the robot.
     ///
     /// @param sketch in the robot's base frame
     void show(Sketch sketch);

@@ -6,9 +6,9 @@ import rsal.data.Twist2d;
 
 /// Motors and wheels. Frame of its readings: `<robot>/odom`.
 public interface DriveBase extends Sensor<Odometry>, Locomotion {
-    /// Moves like this until the next command. The newest wins; when none comes for the watchdog's time (0.5 s
-    /// by default) the base stops by itself. What the drive can't do at all is left out (a differential drive's
-    /// way to the side, a car's turn in place); speeds beyond what it can do are cut to it, keeping the
+    /// Moves at this velocity until the next command. The newest wins; when none comes for the watchdog's time
+    /// (0.5 s by default) the base stops by itself. What the drive can't do at all is left out (a differential
+    /// drive's way to the side, a car's turn in place); speeds beyond what it can do are cut to it, keeping the
     /// curvature: [rsal.robot.RobotModel.Drive#feasible].
     ///
     /// @throws IllegalArgumentException when a component is not finite
@@ -21,6 +21,6 @@ public interface DriveBase extends Sensor<Odometry>, Locomotion {
 
     boolean enabled();
 
-    /// Sets where odometry says the robot is. The robot does not move.
+    /// Sets the robot's pose in its odometry. The robot does not move.
     void resetOdometry(Pose2d odomFromBase);
 }

@@ -2,14 +2,13 @@ package rsal.device;
 
 import rsal.data.GripperState;
 
-/// Two paddles that close around things, and a lift where there is one. Frame of its readings:
-/// `<robot>/<name>`.
+/// Two paddles that close around things, and possibly a lift. Frame of its readings: `<robot>/<name>`.
 ///
 /// Paddles and lift do one thing at a time each: a new goal for the paddles ends the one that they had as
 /// cancelled, and so does one for the lift, but neither disturbs the other. A cancelled goal leaves them where
 /// they are. While the [motors of its robot][DriveBase#enable] are off it stands still, and its goals wait.
 public interface Gripper extends Sensor<GripperState> {
-    /// Opens the paddles and lets go of what they hold.
+    /// Opens the paddles and releases what they hold.
     GoalHandle<GripperState, Result> open();
 
     /// Closes the paddles until they hold something or meet. Both are [Result.Reached]; [GripperState#holding]

@@ -5,7 +5,7 @@ import rsal.data.LightState.Signal;
 
 /// A light that others can see. Frame of its readings: `<robot>/<name>`.
 public interface Light extends Sensor<LightState> {
-    /// Shines like this until it is told otherwise, beginning now. The newest wins.
+    /// Shines with this signal from now until the next one. The newest wins.
     void show(Signal signal);
 
     default void on() {

@@ -9,15 +9,15 @@ import rsal.data.Stamped;
 
 /// Finds the robot on a map. Frame of its readings: `map`.
 public interface Localizer extends Sensor<PoseEstimate> {
-    /// Starts again from a belief about where the robot is. Completes when the next reading follows it.
+    /// Starts again from a given estimate of the robot's pose. Completes when the next reading follows it.
     CompletionStage<Void> relocalize(PoseEstimate belief);
 
-    /// The map that it was given to find the robot on; empty when it draws its own, or has none.
+    /// The given map on which it localizes the robot; empty if it draws its own map, or has none.
     default Optional<OccupancyGrid> givenMap() {
         return Optional.empty();
     }
 
-    /// The samples behind the newest reading, for those who want to look; empty when it works without.
+    /// The particles of the newest reading, for display; empty if it has none.
     default Optional<Stamped<ParticleCloud>> particles() {
         return Optional.empty();
     }

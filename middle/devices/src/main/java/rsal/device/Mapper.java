@@ -5,22 +5,23 @@ import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 
-/// Draws a map while its robot goes about. Its readings are the whole map as known so far; robots that work together
-/// may tell the same one. Their frame is `map`, or `<robot>/map` when nobody told where the robot started.
+/// Draws a map while its robot drives. Each reading is the whole map so far; robots that work together may have
+/// the same map. Their frame is `map`, or `<robot>/map` if the start pose of the robot is unknown.
 public interface Mapper extends Sensor<OccupancyGrid> {
-    /// Whether all that its robot can get to is on the map, as far as is known now: a door may open later.
+    /// Whether all places that its robot can reach are on the map, as far as is known now: a door may open
+    /// later.
     boolean isComplete();
 
-    /// Where the map ends and its robot can get to, as known now. Who pauses it may go there instead.
+    /// The frontiers of the map that its robot can reach, as known now. Who pauses it may go there instead.
     List<End> ends();
 
-    /// Counts a place no more as an end for a while, as a robot was there or could not get there.
+    /// Ignores a frontier for a while, because a robot was there or could not get there.
     void leaveAlone(End end);
 
-    /// Leaves the driving to others, and maps whatever it sees meanwhile.
+    /// Stops driving, and continues to map what it sees.
     void pause();
 
-    /// Goes on driving its robot to where the map ends.
+    /// Resumes driving its robot to frontiers.
     void resume();
 
     boolean paused();

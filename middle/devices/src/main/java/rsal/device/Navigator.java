@@ -9,9 +9,9 @@ import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 
-/// Drives somewhere.
+/// Drives the robot to goals on the map.
 public interface Navigator extends Device, Locomotion {
-    /// Drives to a place. A new goal cancels the one under way; when it is near the old one the robot does not
+    /// Drives to a goal. A new goal cancels the one under way; when it is near the old one the robot does not
     /// stop in between.
     ///
     /// @throws IllegalArgumentException when the pose is not finite
@@ -28,15 +28,15 @@ public interface Navigator extends Device, Locomotion {
 
     boolean paused();
 
-    /// The goal under way.
+    /// The present goal.
     Optional<Pose2d> goal();
 
-    /// The way it intends to take from here; empty without a goal.
+    /// The planned path from here; empty without a goal.
     Path2d path();
 
-    /// How it means to get on along that way within the next second or two, around what it sees, as whatever steers
-    /// it told last: in the map frame, from where it took the robot to be, at most 16 points. Empty without a goal,
-    /// while it stands or turns in place, and of one that tells none.
+    /// The path of the next second or two, around the obstacles that it sees, as its controller predicted it
+    /// last. It is in the map frame, begins at the estimated pose, and has at most 16 points. Empty without a
+    /// goal, while it stands or turns in place, and of one that tells none.
     default Path2d localPath() {
         return Path2d.EMPTY;
     }

@@ -5,8 +5,9 @@ import java.util.concurrent.CompletionStage;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 
-/// Finds places for a team on the map: where robots can stand, spread evenly over all that can be reached from a start.
-/// Asking moves nothing. The same device answers the same question the same way; two devices may choose other places.
+/// Finds places for a team on the map: robots can stand there, and they are evenly distributed over the space
+/// that can be reached from a start. A request moves no robot. The same device gives the same answer to the
+/// same request; two devices may choose different places.
 public interface PlaceFinder extends Device {
     /// Comes on the scheduler's thread, on large maps after seconds.
     ///

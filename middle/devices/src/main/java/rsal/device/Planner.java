@@ -10,12 +10,13 @@ import rsal.data.Path2d;
 import rsal.data.Pose2d;
 import rsal.data.Stamped;
 
-/// Finds ways. Asking moves nothing: so costs can be compared and it can be asked whether a place can be reached.
+/// Plans paths. A request moves no robot, so agents can compare costs, and check whether a place can be
+/// reached.
 public interface Planner extends Device {
     CompletionStage<Result> plan(Pose2d mapFromStart, Pose2d mapFromGoal);
 
-    /// What ways from one place to several cost, in their order: as of those that it would find; +∞ where none leads.
-    /// Takes less than to plan them one by one, where that can be.
+    /// The costs of the paths from one place to several, in their order; +∞ if there is no path. Takes less
+    /// than to plan them one by one, where that can be.
     ///
     /// @param near how far from its goal a way may end [m], at least 0; +∞ for as far as the planner ever has it
     default CompletionStage<List<Double>> costs(Pose2d mapFromStart, List<Pose2d> mapFromGoals, double near) {
@@ -33,8 +34,8 @@ public interface Planner extends Device {
         return costs;
     }
 
-    /// What it was asked last and has answered, for those who want to look; its time is when it was asked, its frame
-    /// that of the map. Empty before, and of one that does not tell. On the scheduler's thread.
+    /// The last request and its answer, for display. Its time is the time of the request, and its frame is that
+    /// of the map. Empty before, and of one that does not tell. On the scheduler's thread.
     default Optional<Stamped<Asked>> latest() {
         return Optional.empty();
     }

@@ -1,5 +1,5 @@
 package rsal.device;
 
-/// What measures how far things around a robot are, by whatever means: a [LaserScanner] or a [SonarArray]. Who will
-/// do with either asks for this.
+/// A sensor that measures distances to obstacles around a robot: a [LaserScanner] or a [SonarArray]. Code that
+/// can use either of them requires this type.
 public interface RangeSensor extends Device {}

@@ -9,16 +9,16 @@ import rsal.data.Pose2d;
 import rsal.data.Rgb;
 import rsal.data.Solid;
 
-/// Reads and changes the truth of a simulated world, which no real robot system can offer. For measuring and for
-/// staging, not for robots to navigate by.
+/// Reads and changes the true state of a simulated world. Real robot systems do not have it. It is for metrics
+/// and for preparing worlds, not for navigation.
 public interface SimulationControl extends Device {
     /// Names of the things that can be read and placed, robots among them.
     List<String> entities();
 
-    /// Where a thing really is, in the map frame; empty when there is none of that name.
+    /// The true pose of a thing, in the map frame; empty if there is none of that name.
     Optional<Pose2d> truth(String entity);
 
-    /// Puts a thing somewhere, standing still. Odometry does not notice.
+    /// Moves a thing to a pose, at which it stands still. Odometry does not notice.
     Placement place(String entity, Pose2d mapFromEntity);
 
     /// As [#place], but also where something is in the way: for stand-ins of what really is elsewhere, as reality
@@ -51,13 +51,13 @@ public interface SimulationControl extends Device {
         return false;
     }
 
-    /// All that is no robot, as it is now, in the order in which it came.
+    /// All things except robots, as they are now, in the order in which they were added.
     default List<Standing> things() {
         return List.of();
     }
 
-    /// What is solid of a thing or a robot, in its own frame, each piece in its color, the lowest first; empty when
-    /// there is none of that name, or nothing is solid of it. Of a robot, as it is while its actuators are at home.
+    /// The solid pieces of a thing or a robot, in its own frame, with their colors, the lowest first; empty if
+    /// there is none of that name, or nothing is solid. Of a robot, as it is while its actuators are at home.
     default Optional<Solid> body(String entity) {
         return Optional.empty();
     }
@@ -67,8 +67,8 @@ public interface SimulationControl extends Device {
         return List.of();
     }
 
-    /// How far rays get before they meet a robot or a thing that range sensors see [m], fan by fan, as the
-    /// world's sensors saw them last; +∞ for a ray that meets none. They pass through walls. For robots that are
+    /// The lengths of rays up to the first robot or thing that range sensors see [m], fan by fan, in the state
+    /// of the last measurement; +∞ for a ray that hits nothing. They pass through walls. For robots that are
     /// elsewhere to see what is here.
     ///
     /// @param mapFromBase of the one that looks
@@ -166,7 +166,7 @@ public interface SimulationControl extends Device {
         record Refused(String why) implements Placement {}
     }
 
-    /// Collisions so far: how often a robot ran into something, each touch counted once until it is over.
+    /// Collisions so far; each contact counts once until it ends.
     List<Contact> contacts();
 
     /// @param time when the touch began

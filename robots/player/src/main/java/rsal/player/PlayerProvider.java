@@ -30,37 +30,34 @@ public final class PlayerProvider implements RobotSystemProvider {
     private static final Parameter<String> SERVERS = Parameter.text(
             "servers",
             "",
-            "Where the robots are, one after the other: HOST:PORT, HOST:PORT:1 for the second robot there; servers of"
-                    + " one robot joined by +. Default: 'host' and 'port'.");
+            "Servers of the robots, in order: HOST:PORT; HOST:PORT:1 for the second robot of a server; + joins"
+                    + " servers of one robot. Default: 'host' and 'port'.");
     private static final Parameter<String> HOST =
-            Parameter.text("host", "localhost", "The machine of the server, when 'servers' names none.");
+            Parameter.text("host", "localhost", "Machine of the server, if 'servers' is empty.");
     private static final Parameter<Integer> PORT = Parameter.integer(
             "port",
             Session.USUAL_PORT,
             1,
             Session.LAST_PORT,
             "",
-            "The server's port, when 'servers' names none; several robots are on the ports from there on.");
+            "Port of the server, if 'servers' is empty; further robots are on the following ports.");
     private static final Parameter<Integer> INDEX = Parameter.integer(
-            "index", 0, 0, 9999, "", "Which robot of its server it is, from 0, when 'servers' names none.");
+            "index", 0, 0, 9999, "", "Number of the robot on its server, from 0, if 'servers' is empty.");
     private static final Parameter<String> DELIVERY = Parameter.choice(
             "delivery",
             words(Delivery.AUTO),
             Arrays.stream(Delivery.values()).map(PlayerProvider::words).toList(),
-            "How data comes: pushed as soon as there is some; pulled in rounds, which suits slow networks; auto pulls"
-                    + " from other machines.");
+            "How data is delivered: pushed at once; pulled in rounds, for slow networks; auto pulls from other"
+                    + " machines.");
 
     private static final String OWN = "own";
     private static final Parameter<String> SIMULATION = Parameter.text(
             "simulation",
             "",
-            "Who knows where robots really are, when they are simulated: 'own', the first of their servers that has a"
-                    + " simulation, or HOST:PORT of another. Default: none.");
+            "Source of the true poses of simulated robots: 'own', the first of their servers that has a simulation,"
+                    + " or HOST:PORT of another server. Default: none.");
     private static final Parameter<String> NAMES = Parameter.text(
-            "names",
-            "",
-            "Names of the robots in that simulation, in order, separated by commas. Default: the names that they have"
-                    + " called here.");
+            "names", "", "Names of the robots in that simulation, in order, separated by commas. Default: their ids.");
 
     @Override
     public String key() {
@@ -69,7 +66,7 @@ public final class PlayerProvider implements RobotSystemProvider {
 
     @Override
     public String description() {
-        return "Joins robots of Player servers, real or in Stage, over the network.";
+        return "Connects to robots of Player servers, real or in Stage, over the network.";
     }
 
     @Override

@@ -23,13 +23,18 @@ public final class SimProvider implements RobotSystemProvider {
     static final String KEY = "sim";
 
     private static final Parameter<Double> STEP = Parameter.number(
-            "step", 0.1, 0.01, 0.2, "s", "Time between two states of the world; sensors look no more often.");
+            "step", 0.1, 0.01, 0.2, "s", "Time between two states of the world; sensors do not measure more often.");
     static final Parameter<Double> WATCHDOG =
-            Parameter.number("watchdog", 0.5, 0.1, 10, "s", "A base stops when no command came for this long.");
+            Parameter.number("watchdog", 0.5, 0.1, 10, "s", "A base stops after this time without a command.");
     static final Parameter<Double> ODOMETRY_NOISE = Parameter.number(
-            "odometryNoise", 1, 0, 10, "", "How much odometry drifts: 1 as the model says, 0 not at all.");
-    static final Parameter<Double> SENSOR_NOISE =
-            Parameter.number("sensorNoise", 1, 0, 10, "", "How noisy ranges are: 1 as the model says, 0 not at all.");
+            "odometryNoise",
+            1,
+            0,
+            10,
+            "",
+            "Factor on the odometry noise of the model: 1 is the noise of the model, 0 is none.");
+    static final Parameter<Double> SENSOR_NOISE = Parameter.number(
+            "sensorNoise", 1, 0, 10, "", "Factor on the noise of ranges: 1 is the noise of the model, 0 is none.");
 
     private final AtomicReference<@Nullable Measured> last = new AtomicReference<>();
 
@@ -44,7 +49,7 @@ public final class SimProvider implements RobotSystemProvider {
 
     @Override
     public String description() {
-        return "Simulates robots, and the world that they are in, inside the run.";
+        return "Simulates robots and their world inside the run.";
     }
 
     @Override

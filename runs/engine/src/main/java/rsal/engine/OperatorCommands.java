@@ -43,7 +43,7 @@ public final class OperatorCommands {
     private static final Parameter<String> LIKE = Parameter.text("like", "name of the agent that the new one is like");
     private static final Parameter<String> TYPE = Parameter.text("type", "key of the type of agents");
     private static final Parameter<Map<String, String>> ARGUMENTS =
-            Parameter.texts("arguments", "the agent's, as typed; others are as the type has them");
+            Parameter.texts("arguments", "parameters of the agent, as typed; others have their defaults");
     private static final Parameter<String> BEHAVIOR =
             Parameter.text("behavior", "", "name of the behavior; empty to give the robot back to its agents");
     private static final Parameter<String> DRIVER = Parameter.text("driver", "who drives; 1 to 64 characters");
@@ -61,11 +61,11 @@ public final class OperatorCommands {
     /// In the order in which people read them.
     public static final List<OperatorCommand> ALL = List.of(
             control("pause", "Pauses simulated time. A run in real time can't be paused.", LiveRun::pause),
-            control("resume", "Lets time go on.", LiveRun::resume),
+            control("resume", "Resumes simulated time.", LiveRun::resume),
             control("step", "Runs one step while the run is paused.", LiveRun::step),
             command(
                     "speed",
-                    "Sets how fast simulated time goes.",
+                    "Sets the speed of simulated time.",
                     List.of(FACTOR),
                     Answer.Done.class,
                     (run, given) -> done(() -> run.speed(SpeedFactor.parse(given.get(FACTOR))))),
@@ -78,14 +78,14 @@ public final class OperatorCommands {
                     (run, given) -> run.operator().goTo(given.get(ROBOT), pose(given))),
             command(
                     "behavior",
-                    "Has a robot do something until its next command.",
+                    "Gives a robot a behavior until its next command.",
                     List.of(ROBOT, BEHAVIOR),
                     Answer.Done.class,
                     (run, given) -> run.operator().behave(given.get(ROBOT), given.get(BEHAVIOR))),
             command(
                     "drive",
-                    "Drives a robot by hand. To be repeated ten times a second: after 0.5 s without, the robot stands"
-                            + " still; after 5 s it is given back to its agents.",
+                    "Drives a robot by hand. Repeat it ten times a second: after 0.5 s without a command, the robot"
+                            + " stands still; after 5 s, it is given back to its agents.",
                     List.of(ROBOT, DRIVER, VX, VY, OMEGA),
                     Answer.Done.class,
                     (run, given) -> run.operator().drive(given.get(ROBOT), driver(given), velocity(given))),

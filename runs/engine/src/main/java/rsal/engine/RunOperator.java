@@ -73,7 +73,7 @@ public final class RunOperator {
         return loop.ask(run -> run.robotCommands().goTo(robot, mapFromGoal, now));
     }
 
-    /// Has a robot do something until its next command.
+    /// Gives a robot a behavior until its next command.
     ///
     /// @param behavior one of [rsal.behavior.Repertoire], `stand`, or empty to leave it to its agents again
     public CompletionStage<Answer> behave(String robot, String behavior) {

@@ -54,7 +54,7 @@ final class Format {
             .required();
 
     static final Parameter<Integer> COUNT =
-            Parameter.integer("count", 1, 1, MAX_ROBOTS, "", "How many there are; they are called role-1, role-2…");
+            Parameter.integer("count", 1, 1, MAX_ROBOTS, "", "Number of them; their names are then role-1, role-2…");
     static final Parameter<Boolean> PROXY = Parameter.flag(
             "proxy",
             false,
@@ -72,7 +72,7 @@ final class Format {
                     "How far from walls paths between free places stay; as 'clearance' without it.")
             .required();
     static final Parameter<Boolean> FREE = Parameter.flag("free", true, "Somewhere free, chosen by the seed.");
-    static final Parameter<Boolean> OBSTACLE = Parameter.flag("obstacle", true, "Whether robots run into them.");
+    static final Parameter<Boolean> OBSTACLE = Parameter.flag("obstacle", true, "Whether robots collide with them.");
     static final Parameter<Boolean> GRIPPABLE = Parameter.flag("grippable", false, "Whether grippers can hold them.");
     static final Parameter<Integer> FIDUCIAL = Parameter.integer(
             "fiducial",
@@ -80,11 +80,16 @@ final class Format {
             0,
             1_000_000,
             "",
-            "Id of the first as a marker, those of the others follow; 0: they are none.");
+            "Marker id of the first one; the ids of the others follow. 0: no markers.");
     static final Parameter<Double> GIVING_POWER = Parameter.number(
-            "givingPower", 0, 0, 1e9, "W", "With which each charges robots that touch it or stand on it.");
+            "givingPower", 0, 0, 1e9, "W", "Power with which each charges robots that touch it or stand on it.");
     static final Parameter<Double> COMES_EVERY = Parameter.number(
-            "every", 0, 0, 1e6, "s", "Mean time from one to the next, at random; 0: all are there at the start.");
+            "every",
+            0,
+            0,
+            1e6,
+            "s",
+            "Mean time between two of them, which come at random; 0: all are there at the start.");
     static final Parameter<Double> DEPOT_RADIUS =
             Parameter.number("radius", 1, 0.1, 100, "m", "How far from its middle a depot reaches.");
     static final Parameter<Double> PLACE_RADIUS =
@@ -132,7 +137,7 @@ final class Format {
             Parameter.flag("yields", false, "Whether it leaves its robot to another agent as long as that drives it.");
 
     static final Parameter<String> FAULT_KIND = Parameter.choice(
-                    "kind", "", words(FaultKind.values(), FaultKind::word), "What goes wrong.")
+                    "kind", "", words(FaultKind.values(), FaultKind::word), "Kind of fault.")
             .required();
     static final Parameter<Double> AT =
             Parameter.number("at", 0, 0, 1e6, "s", "When it begins; with 'every', the time before which it does not.");
@@ -150,16 +155,16 @@ final class Format {
             .required();
 
     static final Parameter<Double> RANGE = Parameter.number(
-                    "range", 15, 0, 1e6, "m", "How far robots hear each other. Without it, any distance.")
+                    "range", 15, 0, 1e6, "m", "Distance up to which robots receive messages. Default: any distance.")
             .required();
     static final Parameter<Double> BEHIND_WALLS = Parameter.number(
-                    "behindWalls", 5, 0, 1e6, "m", "How far through walls of the map; as far as 'range' without it.")
+                    "behindWalls", 5, 0, 1e6, "m", "The same through walls of the map. Default: 'range'.")
             .required();
-    static final Parameter<Double> LOSS = Parameter.number(
-            "loss", 0, 0, 1, "", "How likely it is that a message gets lost, for each agent that should hear it.");
-    static final Parameter<Double> RADIO_DELAY = Parameter.number("delay", 0, 0, 600, "s", "How long a message takes.");
+    static final Parameter<Double> LOSS =
+            Parameter.number("loss", 0, 0, 1, "", "Probability that a message is lost, for each receiver.");
+    static final Parameter<Double> RADIO_DELAY = Parameter.number("delay", 0, 0, 600, "s", "Delay of a message.");
     static final Parameter<Double> BANDWIDTH = Parameter.number(
-                    "bandwidth", 50, 0.01, 1e6, "1/s", "How many messages a second an agent can send; any without it.")
+                    "bandwidth", 50, 0.01, 1e6, "1/s", "Messages per second that an agent can send. Default: no limit.")
             .required();
 
     private Format() {}

@@ -135,18 +135,18 @@ public final class ScenarioSchema {
     private Map<String, Object> body(boolean partial) {
         return fields(
                 "world",
-                described(world(partial), "Where it takes place: a map, or a world with all that is in it."),
+                described(world(partial), "A map, or the file of a complete world."),
                 "robots",
                 described(
                         named(role(partial)),
-                        "Robots by their role, at most %d; required unless the world brings some along."
+                        "Robots by their role, at most %d; required unless the world has robots."
                                 .formatted(Format.MAX_ROBOTS)),
                 "things",
-                described(named(thing(partial)), "What is put into the simulated world besides robots."),
+                described(named(thing(partial)), "Objects in the simulated world, in addition to robots."),
                 "places",
                 described(named(place()), "Parts of the floor that conditions and metrics name."),
                 "agents",
-                described(named(agent(partial)), "Who decides."),
+                described(named(agent(partial)), "Agents, which decide for robots and teams."),
                 JoinReader.KEY,
                 joined(),
                 "mas",
@@ -161,14 +161,14 @@ public final class ScenarioSchema {
                 "communication",
                 communication(),
                 "faults",
-                described(list(fields("$ref", FAULT)), "What goes wrong."),
+                described(list(fields("$ref", FAULT)), "Faults of robots, sensors and messages."),
                 "run",
-                described(run(), "Seed, clock, and when it ends."),
+                described(run(), "Seed, clock and stop conditions."),
                 MetricReader.KEY,
                 described(
                         list(metricType()), "Types of metrics in files of your own, and parameters of installed ones."),
                 "metrics",
-                described(list(metric()), "What is computed of each run."));
+                described(list(metric()), "Metrics of each run."));
     }
 
     private Map<String, Object> systems(boolean partial) {
@@ -190,10 +190,10 @@ public final class ScenarioSchema {
                                         "robots",
                                         described(
                                                 named(text()),
-                                                "Which role here plays one of its roles; may be absent"
-                                                        + " where there is one role.")),
+                                                "The role of this scenario for each of its roles; may be omitted if"
+                                                        + " this scenario has one role.")),
                                 List.of("scenario")))),
-                "A scenario that joins this one: its agents without a robot come along.");
+                "Another scenario, whose agents without a robot join this one.");
     }
 
     private Map<String, Object> world(boolean partial) {
@@ -287,9 +287,9 @@ public final class ScenarioSchema {
                         "pose",
                                 described(
                                         poses(partial),
-                                        "Where they are: [x, y, degrees], a list of those, or somewhere free."),
-                        "body", described(fields("type", "object"), "A box, a disc, an outline, or pieces of those."),
-                        "color", described(color(), "As cameras see them."),
+                                        "Their poses: [x, y, degrees], a list of these, or a free place."),
+                        "body", described(fields("type", "object"), "A box, a disc, an outline, or pieces of these."),
+                        "color", described(color(), "Their color for cameras."),
                         "obstacle", parameter(Format.OBSTACLE),
                         "grippable", parameter(Format.GRIPPABLE),
                         "fiducial", parameter(Format.FIDUCIAL),
@@ -310,7 +310,7 @@ public final class ScenarioSchema {
                                                                         1),
                                                         "radius", parameter(Format.DEPOT_RADIUS)),
                                                 List.of()),
-                                        "Where they are to be brought."),
+                                        "Place to which they have to be brought."),
                         "reach",
                                 described(
                                         group(
@@ -319,7 +319,7 @@ public final class ScenarioSchema {
                                                         "within", parameter(Format.WITHIN),
                                                         "duration", parameter(Format.DURATION)),
                                                 partial ? List.of() : List.of("by")),
-                                        "Which robots are to get to each.")),
+                                        "Robots that have to reach each of them.")),
                 partial ? List.of() : List.of("pose", "body"));
     }
 
@@ -487,8 +487,8 @@ public final class ScenarioSchema {
                                 "delay", span(Format.RADIO_DELAY),
                                 "bandwidth", parameter(Format.BANDWIDTH)),
                         List.of()),
-                "How communication between agents is limited, and that who hears what is recorded; without it all hear"
-                        + " all.");
+                "Limits of communication between agents; RSAL then records received and lost messages. Default: no"
+                        + " limits.");
     }
 
     private static Map<String, Object> fault() {

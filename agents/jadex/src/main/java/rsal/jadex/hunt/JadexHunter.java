@@ -15,11 +15,11 @@ import rsal.settings.Parameter;
 /// A hunter whose goals are Jadex's. Lives on the host `jadex` only.
 public final class JadexHunter implements AgentType {
     static final Parameter<String> PREY =
-            Parameter.robots("prey", "prey", List.of(), "Role of the robots to hunt, or id of the one.");
+            Parameter.robots("prey", "prey", List.of(), "Role of the robots to hunt, or id of one robot.");
     static final Parameter<Double> CATCH_DISTANCE =
-            Parameter.number("catchDistance", 2.0, 0.1, 100, "m", "It stops when nearer to its prey than this.");
-    static final Parameter<Double> UPDATE_INTERVAL =
-            Parameter.number("updateInterval", 2.0, 0.1, 600, "s", "How often it goes for the prey's newest pose.");
+            Parameter.number("catchDistance", 2.0, 0.1, 100, "m", "It stops when its prey is nearer than this.");
+    static final Parameter<Double> UPDATE_INTERVAL = Parameter.number(
+            "updateInterval", 2.0, 0.1, 600, "s", "Time between two updates of its goal to the prey's newest pose.");
     static final Parameter<Double> PERIOD =
             Parameter.number("period", 0.5, 0.05, 60, "s", "Time between two reports of its pose.");
 

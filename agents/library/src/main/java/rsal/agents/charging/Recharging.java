@@ -17,9 +17,10 @@ import rsal.settings.Parameter;
 public final class Recharging {
     public static final Parameter<List<Point2d>> CHARGERS = Parameter.places(
             "chargers",
-            "Where robots are charged; empty when they are never charged. A robot stands there while it charges.");
-    public static final Parameter<Double> LOW =
-            Parameter.number("lowBattery", 0.3, 0, 1, "", "Share of its battery below which it goes to a charger.");
+            "Places at which robots are charged; a robot stands there while it charges. Empty: robots are never"
+                    + " charged.");
+    public static final Parameter<Double> LOW = Parameter.number(
+            "lowBattery", 0.3, 0, 1, "", "Charge below which it drives to a charger, as a share of the full battery.");
     public static final Parameter<Double> FULL = Parameter.number(
             "fullBattery", 0.9, 0, 1, "", "Charge at which it resumes its work, as a share of the full battery.");
 
@@ -29,7 +30,8 @@ public final class Recharging {
             1,
             1e6,
             "m",
-            "How far it drives on a full battery, with all that it does meanwhile; what takes more it does not begin.");
+            "Distance that it can drive on a full battery, with all its other work. It does not begin tasks that need"
+                    + " more.");
 
     private final AgentContext self;
     private final Charging charging;

@@ -13,32 +13,33 @@ import rsal.settings.Parameter;
 /// and again, as robots come, fall silent and are back. Needs no robot.
 public final class DeploymentAgent extends AgentTypeBase {
     static final Parameter<String> ROBOTS =
-            Parameter.robots("robots", NewGoal.ALL, List.of(NewGoal.ALL), "Role of the robots to spread, or all.");
+            Parameter.robots("robots", NewGoal.ALL, List.of(NewGoal.ALL), "Role of the robots to distribute, or all.");
     static final Parameter<List<Point2d>> PLACES = Parameter.places(
             "places",
-            "Where they should be; those that are too many stay empty. None: they are found"
-                    + " by a robot with a device of type 'places'.");
+            "The places. If there are more than robots, some stay empty. Default: a robot with a device of type"
+                    + " 'places' finds them.");
     static final Parameter<Integer> COUNT =
-            Parameter.integer("count", 0, 0, 10_000, "", "How many places to find; 0 for as many as there are robots.");
+            Parameter.integer("count", 0, 0, 10_000, "", "Number of places to find; 0: the number of robots.");
     static final Parameter<Double> PING_INTERVAL = Parameter.number(
             "pingInterval",
             30,
             0.5,
             3600,
             "s",
-            "A robot of which nothing was heard for that long is asked; after three times that it counts as silent.");
+            "The agent pings a robot without a message for this time. After three times this time, the robot counts"
+                    + " as silent.");
     static final Parameter<Double> ALLOCATION_INTERVAL = Parameter.number(
             "allocationInterval",
             60,
             0,
             3600,
             "s",
-            "Time between two allocations of the places; 0 for only when the team changes.");
+            "Time between two allocations of the places; 0: only when the team changes.");
 
     public DeploymentAgent() {
         super(
                 "deployment",
-                "Keeps a team spread over places, each robot at one that is near.",
+                "Keeps a team distributed over places, each robot at a near one.",
                 List.of(ROBOTS, PLACES, COUNT, PlaceQuest.CLEARANCE, PING_INTERVAL, ALLOCATION_INTERVAL),
                 List.of());
     }

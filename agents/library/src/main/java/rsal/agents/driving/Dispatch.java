@@ -13,12 +13,13 @@ public final class Dispatch extends AgentTypeBase {
     static final Parameter<String> ROBOTS = Parameter.robots(
             "robots", NewGoal.ALL, List.of(NewGoal.ALL), "Role of the robots that people send, or all.");
     static final Parameter<Double> TIMEOUT = Parameter.number(
-            "timeout", 5, 2, 3600, "s", "A robot that has not reported for that long counts as silent.");
+            "timeout", 5, 2, 3600, "s", "A robot that has not reported for this time counts as silent.");
 
     public Dispatch() {
         super(
                 "dispatch",
-                "Sends robots the goals that people set, again until they are received, and reports when a robot is silent.",
+                "Sends the goals of people to robots, repeatedly until robots confirm them, and reports silent"
+                        + " robots.",
                 List.of(ROBOTS, TIMEOUT),
                 List.of());
     }

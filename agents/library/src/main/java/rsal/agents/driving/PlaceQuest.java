@@ -19,7 +19,7 @@ import rsal.settings.Parameter;
 /// silent. Says in its agent's state what it waits for.
 public final class PlaceQuest {
     public static final Parameter<Double> CLEARANCE = Parameter.number(
-            "clearance", 0.4, 0.05, 10, "m", "Least distance from places to find, and from paths to them, to walls.");
+            "clearance", 0.4, 0.05, 10, "m", "Minimum distance of places to find, and of paths to them, from walls.");
 
     private final AgentContext self;
     private final Consumer<List<Point2d>> onFound;

@@ -15,9 +15,9 @@ import rsal.settings.Parameter;
 /// that are not of this run; those that are can have a `proxy`. Needs no robot.
 public final class ProxyMover extends AgentTypeBase {
     private static final Parameter<String> ROBOT = Parameter.robots(
-            "robot", NewGoal.ALL, List.of(NewGoal.ALL), "Role of the robots to show, id of the one, or all.");
+            "robot", NewGoal.ALL, List.of(NewGoal.ALL), "Role of the robots to show, id of one robot, or all.");
     private static final Parameter<String> PROXY = Parameter.text(
-            "proxy", "proxy-*", "Name of its proxy in the simulated world; * stands for the robot's id.");
+            "proxy", "proxy-*", "Name of the proxy of a robot in the simulated world; * stands for the robot's id.");
 
     public ProxyMover() {
         super(

@@ -29,14 +29,14 @@ public abstract class Roamer extends AgentTypeBase {
     /// Follows the wall on its left.
     public static final class WallFollow extends Roamer {
         public WallFollow() {
-            super("wall-follow", "Follows the wall on its left and says where it is.", Roaming::alongWalls);
+            super("wall-follow", "Follows the wall on its left, and reports its pose.", Roaming::alongWalls);
         }
     }
 
     /// Drives about without a plan.
     public static final class Wander extends Roamer {
         public Wander() {
-            super("wander", "Drives about, around all that is in its way, and says where it is.", Roaming::anywhere);
+            super("wander", "Wanders, avoids obstacles, and reports its pose.", Roaming::anywhere);
         }
     }
 }

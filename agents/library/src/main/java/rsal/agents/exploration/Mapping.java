@@ -10,7 +10,8 @@ public final class Mapping extends AgentTypeBase {
     public Mapping() {
         super(
                 "mapping",
-                "Has a team map a place: the robot that gets there first drives to each frontier of the map, until no frontier is left.",
+                "Allocates the frontiers of the map to a team, each to the robot that reaches it first, until no"
+                        + " frontier is left.",
                 List.of(),
                 List.of());
     }

@@ -30,7 +30,12 @@ import rsal.settings.Parameter;
 /// there, until it or others have been at all of them; then at others. Goes to none where another is about to look.
 public final class Viewpoints {
     public static final Parameter<Integer> COUNT = Parameter.integer(
-            "viewpoints", 12, 1, 1000, "", "At how many places it looks around, when it roams between viewpoints.");
+            "viewpoints",
+            12,
+            1,
+            1000,
+            "",
+            "Number of places at which it looks around, when it drives between viewpoints.");
 
     private static final double CLEARANCE = 0.45; // m
     private static final int MORE = 3; // places

@@ -21,11 +21,13 @@ import rsal.settings.Parameter;
 /// simulated world it puts them there at its start; a simulated thing may so stand for one that a real robot
 /// fetches. Needs no robot.
 public final class BlobAgent extends AgentTypeBase {
-    static final Parameter<List<Point2d>> PLACES = Parameter.places("places", "Where they lie.");
+    static final Parameter<List<Point2d>> PLACES = Parameter.places("places", "Positions of the things.");
     static final Parameter<String> COLOR =
-            Parameter.text("color", "#2ca02c", "Their color, as cameras see it, #rrggbb or a name.");
+            Parameter.text("color", "#2ca02c", "Color of the things for cameras, #rrggbb or a name.");
     static final Parameter<Boolean> SPAWN = Parameter.flag(
-            "spawn", true, "Whether it adds them to the simulated world; else they are assumed to lie there.");
+            "spawn",
+            true,
+            "Whether the agent adds the things to the simulated world. If not, they must be there already.");
 
     private static final Solid CAN =
             Solid.standing(new Shape.Disc(new Point2d(0, 0), 0.08), 0.1); // fits between a gripper's paddles
@@ -33,7 +35,7 @@ public final class BlobAgent extends AgentTypeBase {
     public BlobAgent() {
         super(
                 "blob",
-                "Puts colored things into a simulated world and has them fetched.",
+                "Adds colored things to a simulated world, and requests that robots fetch them.",
                 List.of(PLACES, COLOR, SPAWN),
                 List.of());
     }

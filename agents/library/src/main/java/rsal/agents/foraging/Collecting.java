@@ -27,10 +27,9 @@ import rsal.settings.Parameter;
 final class Collecting implements Skill<Fetch> {
     static final Parameter<List<Point2d>> DEPOT = Parameter.places(
             "depot",
-            "Where it brings things: of several places to the one nearest to a thing. None: where it stood 2 s after"
-                    + " its start.");
-    static final Parameter<Double> DEPOT_RADIUS =
-            Parameter.number("depotRadius", 1.5, 0.3, 10, "m", "What lies that near to the depot is collected.");
+            "Depots to which it brings things: each thing to the nearest one. Default: its place 2 s after its start.");
+    static final Parameter<Double> DEPOT_RADIUS = Parameter.number(
+            "depotRadius", 1.5, 0.3, 10, "m", "Things within this distance of the depot are collected.");
 
     static final Duration SETTLING = Duration.ofSeconds(2);
     private static final Duration REPEAT = Duration.ofSeconds(4);

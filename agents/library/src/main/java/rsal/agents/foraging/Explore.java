@@ -23,22 +23,22 @@ public final class Explore extends AgentTypeBase {
     private static final String VIEWPOINTS = "viewpoints";
     private static final double NARROW = 0; // rad, its view: it turns all around
 
-    static final Parameter<String> COLOR =
-            Parameter.text("color", "", "Of the things that it looks for, #rrggbb or a name; any when empty.");
+    static final Parameter<String> COLOR = Parameter.text(
+            "color", "", "Color of the things that it searches for, #rrggbb or a name; empty: any color.");
     static final Parameter<Double> RANGE =
-            Parameter.number("range", 2, 0.3, 100, "m", "How far away from its camera things may be to count.");
+            Parameter.number("range", 2, 0.3, 100, "m", "Things farther from its camera than this are ignored.");
 
     static final Parameter<String> ROAM = Parameter.choice(
             "roam",
             "walls",
             List.of("walls", VIEWPOINTS),
-            "How it gets about: along the walls, or between places spread over the map, which takes a navigator and"
-                    + " a device of type 'places'.");
+            "How it moves: along the walls, or between places that are distributed over the map. Places need a"
+                    + " navigator and a device of type 'places'.");
 
     public Explore() {
         super(
                 "explore",
-                "Looks for colored things, and has them collected by robots that can.",
+                "Searches for colored things, and requests that robots collect them.",
                 List.of(PoseReporter.PERIOD, ROAM, Viewpoints.COUNT, COLOR, RANGE),
                 List.of(BlobFinder.class, Pilot.class));
     }

@@ -12,11 +12,15 @@ public final class FetchMaster extends AgentTypeBase {
             "allocation",
             "bids",
             List.of("bids", "first"),
-            "How the team divides things: by bids of what the paths cost, so that all is done soon; or a free robot"
-                    + " fetches what was found first.");
+            "How the team divides things: by bids of the path costs, so that all are collected soon; or a free robot"
+                    + " fetches the thing that was found first.");
 
     public FetchMaster() {
-        super("fetch", "Has a team fetch what others have found.", List.of(ALLOCATION), List.of());
+        super(
+                "fetch",
+                "Allocates things that others have found to a team, which fetches them.",
+                List.of(ALLOCATION),
+                List.of());
     }
 
     @Override

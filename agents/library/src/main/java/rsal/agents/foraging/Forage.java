@@ -20,7 +20,7 @@ public final class Forage extends AgentTypeBase {
     public Forage() {
         super(
                 "forage",
-                "Looks for things, brings them to its depot one by one, and recharges, all by itself.",
+                "Searches for things, brings them to its depot one by one, and recharges, without help.",
                 List.of(
                         Explore.COLOR,
                         Explore.RANGE,

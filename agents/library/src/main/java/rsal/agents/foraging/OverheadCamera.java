@@ -16,19 +16,20 @@ import rsal.settings.Parameter;
 /// Sensors on the ceiling, which see what lies under them and have robots that can collect it. In the simulated world
 /// they see the truth, through walls too: places and range are to be chosen so that a sensor sees one room.
 public final class OverheadCamera extends AgentTypeBase {
-    static final Parameter<List<Point2d>> PLACES = Parameter.points("places", "Where there is a sensor.");
+    static final Parameter<List<Point2d>> PLACES = Parameter.points("places", "Positions of the sensors.");
     static final Parameter<String> THINGS =
-            Parameter.text("things", "What the things are called that it looks for (can).");
+            Parameter.text("things", "Name of the things that it detects, such as 'can'.");
     static final Parameter<Double> RANGE =
-            Parameter.number("range", 2.5, 0.1, 100, "m", "How far from the place under a sensor it sees.");
-    static final Parameter<Double> PERIOD = Parameter.number("period", 1, 0.1, 60, "s", "Time between two looks.");
+            Parameter.number("range", 2.5, 0.1, 100, "m", "Radius of the area under a sensor that it sees.");
+    static final Parameter<Double> PERIOD = Parameter.number("period", 1, 0.1, 60, "s", "Time between two readings.");
 
     private static final double LIFTED = 0.01; // m above the floor: a robot holds it
 
     public OverheadCamera() {
         super(
                 "overhead-camera",
-                "Sensors on the ceiling of a simulated world, which have collected what they see.",
+                "Sensors on the ceiling of a simulated world. The agent requests that robots collect the things that"
+                        + " they see.",
                 List.of(PLACES, THINGS, RANGE, PERIOD),
                 List.of());
     }

@@ -13,21 +13,22 @@ import rsal.settings.Parameter;
 public final class Formation extends AgentTypeBase {
     static final Parameter<String> ROBOTS =
             Parameter.robots("robots", NewGoal.ALL, List.of(NewGoal.ALL), "Role of the robots to lead, or all.");
-    static final Parameter<String> SHAPE = Parameter.choice(
-            "shape", FormationShape.WEDGE.word(), FormationShape.words(), "How the robots stand to each other.");
+    static final Parameter<String> SHAPE =
+            Parameter.choice("shape", FormationShape.WEDGE.word(), FormationShape.words(), "Shape of the formation.");
     static final Parameter<Double> SPACING =
             Parameter.number("spacing", 1.5, 0.6, 20, "m", "Distance of neighbors in the formation.");
     static final Parameter<List<Point2d>> ROUTE = Parameter.places(
-            "route", "Where it goes: first where the robots come together, then one place after the other.");
-    static final Parameter<Double> SPEED =
-            Parameter.number("speed", 0.25, 0.02, 3, "m/s", "How fast it goes while all are at their places.");
+            "route",
+            "Route of the formation: first the place at which the robots meet, then one place after the other.");
+    static final Parameter<Double> SPEED = Parameter.number(
+            "speed", 0.25, 0.02, 3, "m/s", "Speed of the formation while all robots are at their places.");
     static final Parameter<Double> TIMEOUT =
-            Parameter.number("timeout", 3, 1, 600, "s", "A robot that has been silent for that long loses its place.");
+            Parameter.number("timeout", 3, 1, 600, "s", "A robot that has been silent for this time loses its place.");
 
     public Formation() {
         super(
                 "formation",
-                "Leads a team through the map in a formation, and in a column where there is no room.",
+                "Leads a team through the map in a formation, or in a column if there is no room for the formation.",
                 List.of(ROBOTS, SHAPE, SPACING, ROUTE, SPEED, TIMEOUT),
                 List.of());
     }

@@ -19,9 +19,9 @@ import rsal.settings.Arguments;
 /// they were not yet in place. Between two messages places move as the last one foretold.
 public final class FormationMetric implements MetricType {
     static final QuantityType FORMING =
-            QuantityType.of("formationTime", "s", "how long so far a formation was not yet in place");
+            QuantityType.of("formationTime", "s", "time so far in which a formation was not complete");
     static final SignalType ERROR = SignalType.ofRobots(
-            "formationError", "m", "true distance of a robot and its place in a formation that is in place");
+            "formationError", "m", "true distance of a robot from its place, while the formation is complete");
 
     private static final double FRESH = 2; // s; then nobody leads any more
     private static final double ROUNDING = 1e-6; // s; of differences of times
@@ -33,7 +33,7 @@ public final class FormationMetric implements MetricType {
 
     @Override
     public String description() {
-        return "How far robots are from their places in a formation, and how long it takes to form.";
+        return "Distance of robots from their places in a formation, and time until a formation is complete.";
     }
 
     @Override

@@ -23,13 +23,18 @@ import rsal.settings.Parameter;
 /// waits where others follow walls.
 public final class SwarmMember extends AgentTypeBase {
     static final Parameter<Double> RADIUS = Parameter.number(
-            "radius", 0, 0, 10_000, "m", "Robots farther away than this are not heard; 0 hears all of them.");
+            "radius",
+            0,
+            0,
+            10_000,
+            "m",
+            "Messages of robots farther away than this are not received; 0: messages of all robots are.");
     static final Parameter<Double> NEIGHBOR_DISTANCE = Parameter.number(
             "neighborDistance", 5, 0.1, 1000, "m", "Robots that are nearer than this are its neighbors.");
 
     private static final String ROAM = "roam";
     static final Parameter<String> IDLE = Parameter.choice(
-            "idle", ROAM, List.of(ROAM, "wait"), "What it does without a command; without a pilot it waits.");
+            "idle", ROAM, List.of(ROAM, "wait"), "Behavior without a command; a robot without a pilot waits.");
 
     private static final String WAITING = "waiting for a goal";
 

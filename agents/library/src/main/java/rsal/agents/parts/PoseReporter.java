@@ -22,7 +22,7 @@ import rsal.settings.Parameter;
 /// its odometry started there.
 public final class PoseReporter {
     public static final Parameter<Double> PERIOD = Parameter.number(
-            "period", 0.5, 0, 60, "s", "Least time between two reports of its pose; 0 reports every one.");
+            "period", 0.5, 0, 60, "s", "Minimum time between two reports of its pose; 0 reports each pose.");
 
     private static final Duration WITHOUT_LOCALIZER = Duration.ofSeconds(1);
 

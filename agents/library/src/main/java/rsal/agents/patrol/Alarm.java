@@ -6,7 +6,7 @@ import rsal.agent.Topic;
 import rsal.agent.message.MessageCheck;
 import rsal.data.Point2d;
 
-/// A robot sees an intruder. It repeats this for as long as it sees him.
+/// A robot sees an intruder. The robot repeats this as long as it sees the intruder.
 ///
 /// @param robot id of the robot that sees him
 /// @param mapFromIntruder where he is, in the map frame [m]

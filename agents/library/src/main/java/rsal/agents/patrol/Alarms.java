@@ -17,7 +17,7 @@ import rsal.settings.Parameter;
 /// when one of them has met it or nobody sees it any more. One that was met and stays there is no alarm any more.
 final class Alarms {
     static final Parameter<Integer> RESPONDERS = Parameter.integer(
-            "responders", 2, 0, 100, "", "How many robots are called when one of them sees an intruder.");
+            "responders", 2, 0, 100, "", "Number of robots that are called when one of them sees an intruder.");
 
     private static final double URGENCY = 1e5; // m, more than any way and any place left alone
     private static final Duration LOOK = Duration.ofSeconds(1);

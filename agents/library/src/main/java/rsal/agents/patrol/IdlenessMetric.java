@@ -16,7 +16,7 @@ import rsal.settings.Arguments;
 /// idleness).
 public final class IdlenessMetric implements MetricType {
     static final SignalType IDLE_TIME = SignalType.ofRun(
-            "idleness", "s", "for how long nobody has been at a place that is watched, once a second for each place");
+            "idleness", "s", "time since the last visit of a watched place, once a second for each place");
 
     private static final double NEAR = 1.0; // m
     private static final double PERIOD = 1.0; // s between two samples
@@ -28,7 +28,7 @@ public final class IdlenessMetric implements MetricType {
 
     @Override
     public String description() {
-        return "For how long nobody has truly been within 1 m of each place that a team watches.";
+        return "Time for which no robot was truly within 1 m of each place that a team watches.";
     }
 
     @Override

@@ -17,7 +17,7 @@ public final class IntruderDetector {
     public static final Parameter<String> INTRUDER = Parameter.text(
             "intruder",
             "",
-            "Color by which its camera knows intruders, #rrggbb or a name; it looks for none when empty. Takes a camera.");
+            "Color by which its camera detects intruders, #rrggbb or a name; empty: it detects none. Needs a camera.");
 
     private static final Duration PERIOD = Duration.ofSeconds(1);
 

@@ -10,29 +10,29 @@ import rsal.settings.Parameter;
 
 /// Has a team watch places for ever, so that none is left alone for long. Needs no robot.
 public final class Patrol extends AgentTypeBase {
-    static final Parameter<List<Point2d>> PLACES = Parameter.places(
-            "places", "Which places to watch. None: they are found by a robot with a device of type 'places'.");
-    static final Parameter<Integer> COUNT = Parameter.integer("count", 12, 1, 1000, "", "How many places to find.");
+    static final Parameter<List<Point2d>> PLACES =
+            Parameter.places("places", "Places to watch. Default: a robot with a device of type 'places' finds them.");
+    static final Parameter<Integer> COUNT = Parameter.integer("count", 12, 1, 1000, "", "Number of places to find.");
     static final Parameter<Double> STAY_TIME =
-            Parameter.number("stayTime", 0, 0, 600, "s", "How long a robot stands at a place.");
+            Parameter.number("stayTime", 0, 0, 600, "s", "Time for which a robot stands at a place.");
     static final Parameter<String> STRATEGY = Parameter.choice(
             "strategy",
             "bids",
             List.of("bids", "cycle", "random"),
-            "Who goes where: the one to which it is worth most, by how long nobody was there and how far it is; each"
-                    + " along all places in their order; or each anywhere.");
+            "How places are assigned: by bids, which weigh the time since the last visit and the path cost; as a"
+                    + " cycle of all places for each robot; or at random.");
     static final Parameter<Double> URGENCY = Parameter.number(
             "urgency",
             0.5,
             0,
             100,
             "m/s",
-            "With bids: how much longer a path may be for each second that nobody was at a place.");
+            "With bids: how much longer a path may be for each second since the last visit of a place.");
 
     public Patrol() {
         super(
                 "patrol",
-                "Has a team watch places, so that none is left alone for long.",
+                "Has a team visit places again and again, so that no place is left alone for long.",
                 List.of(PLACES, COUNT, PlaceQuest.CLEARANCE, STAY_TIME, STRATEGY, URGENCY, Alarms.RESPONDERS),
                 List.of());
     }

@@ -34,7 +34,7 @@ public final class CaptureMetric implements MetricType {
 
     @Override
     public String description() {
-        return "Which prey are caught: their agents have said so, and it was true.";
+        return "Counts the prey that are caught: their agents have reported it, and it was true.";
     }
 
     @Override

@@ -14,10 +14,7 @@ import rsal.settings.Parameter;
 /// spins on the spot.
 public final class Escape extends AgentTypeBase {
     public static final Parameter<String> HUNTER = Parameter.robots(
-            "hunter",
-            "",
-            List.of(""),
-            "Role of the robots that catch it, or id of the one; empty when any other robot does.");
+            "hunter", "", List.of(""), "Role of the robots that catch it, or id of one robot; empty: any other robot.");
     /// The thesis has 1.5 m, which hunters that stop 2 m away do not come to: so the same as theirs.
     public static final Parameter<Double> CATCH_DISTANCE =
             Parameter.number("catchDistance", 2.0, 0.1, 100, "m", "It is caught when a hunter is nearer than this.");

@@ -18,14 +18,19 @@ import rsal.settings.Parameter;
 /// get much later than it does. Caught like any other.
 public final class Evade extends AgentTypeBase {
     static final Parameter<Double> SENSING_RANGE = Parameter.number(
-            "sensingRange", 10, 0, 1000, "m", "How far it sees hunters, which it reports to the other prey.");
+            "sensingRange",
+            10,
+            0,
+            1000,
+            "m",
+            "Distance up to which it sees hunters, which it reports to the other prey.");
     static final Parameter<Double> FLEE_DISTANCE =
             Parameter.number("fleeDistance", 6, 0, 1000, "m", "It flees from hunters nearer than this.");
 
     public Evade() {
         super(
                 "evade",
-                "Clever prey: explores, recharges, and runs from hunters that it or other prey see.",
+                "Clever prey: explores, recharges, and flees from hunters that it or other prey see.",
                 List.of(
                         Escape.HUNTER,
                         Escape.CATCH_DISTANCE,

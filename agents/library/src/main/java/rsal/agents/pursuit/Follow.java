@@ -15,23 +15,23 @@ import rsal.settings.Parameter;
 /// told comes first.
 public final class Follow extends AgentTypeBase {
     static final Parameter<String> PREY =
-            Parameter.robots("prey", "prey", List.of(), "Role of the robots to hunt, or id of the one.");
+            Parameter.robots("prey", "prey", List.of(), "Role of the robots to hunt, or id of one robot.");
     static final Parameter<Double> CATCH_DISTANCE =
-            Parameter.number("catchDistance", 2.0, 0.1, 100, "m", "It stops when nearer to its prey than this.");
+            Parameter.number("catchDistance", 2.0, 0.1, 100, "m", "It stops when its prey is nearer than this.");
     /// As the thesis's real runs had it; simulated ones had 5 s.
-    static final Parameter<Double> UPDATE_INTERVAL =
-            Parameter.number("updateInterval", 2.0, 0.1, 600, "s", "How often it goes for the prey's newest pose.");
+    static final Parameter<Double> UPDATE_INTERVAL = Parameter.number(
+            "updateInterval", 2.0, 0.1, 600, "s", "Time between two updates of its goal to the prey's newest pose.");
     static final Parameter<String> ASSIGNMENT = Parameter.choice(
             "assignment",
             "fixed",
             List.of("fixed", "nearest", "bids"),
-            "How hunters divide several prey: in turn, once and for all; each time with the least distance for all; or"
-                    + " as an agent of type 'hunt' allots them by what hunters bid.");
+            "How hunters divide several prey: in turn, at the start (fixed); again at each update, with the least"
+                    + " total distance (nearest); or by bids to an agent of type 'hunt'.");
 
     public Follow() {
         super(
                 "follow",
-                "Hunts: goes for the newest pose of a prey until it has been caught.",
+                "Hunts: drives to the newest pose of a prey until the prey is caught.",
                 List.of(
                         PREY,
                         CATCH_DISTANCE,

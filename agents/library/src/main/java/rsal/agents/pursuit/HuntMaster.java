@@ -10,14 +10,15 @@ import rsal.settings.Parameter;
 /// more than one of them for a prey when there are more hunters; again and again while they move. Needs no robot.
 public final class HuntMaster extends AgentTypeBase {
     static final Parameter<String> PREY =
-            Parameter.robots("prey", "prey", List.of(), "Role of the robots to hunt, or id of the one.");
+            Parameter.robots("prey", "prey", List.of(), "Role of the robots to hunt, or id of one robot.");
     static final Parameter<Double> INTERVAL =
             Parameter.number("interval", 4, 0.5, 600, "s", "Time between two allocations of all prey.");
 
     public HuntMaster() {
         super(
                 "hunt",
-                "Has a team of hunters that bid catch prey, the nearest for each, and surround them.",
+                "Allocates prey to a team of hunters by their bids, so that near hunters catch and surround each"
+                        + " prey.",
                 List.of(PREY, INTERVAL),
                 List.of());
     }

@@ -25,8 +25,8 @@ final class MarkerSight {
             "sees",
             "reports",
             List.of("reports", "fiducials"),
-            "How it knows where those of the other side are: as they tell; or by the markers that they wear, which its"
-                    + " finder of markers sees, and those of its own side.");
+            "How it knows the poses of the other side: from their reports; or by markers that its own side's fiducial"
+                    + " detectors see.");
 
     private static final Duration PERIOD = Duration.ofMillis(500); // between two words about one robot
 

@@ -16,7 +16,7 @@ import rsal.settings.Arguments;
 /// Of which things an agent has said where they are, and was right.
 public final class FoundMetric implements MetricType {
     static final QuantityType FOUND = QuantityType.of(
-                    "found", "", "things of which an agent has said where they are", NameKind.THINGS_TO_REACH)
+                    "found", "", "things whose position an agent has reported", NameKind.THINGS_TO_REACH)
             .countingAll();
 
     private static final double RIGHT = 1.0; // m by which who says where a thing is may be wrong
@@ -28,7 +28,8 @@ public final class FoundMetric implements MetricType {
 
     @Override
     public String description() {
-        return "Which things with a marker are found: an agent has said where they are, and was right by 1 m.";
+        return "Counts the things with a marker that are found: an agent has reported their position with an error of"
+                + " at most 1 m.";
     }
 
     @Override

@@ -15,7 +15,7 @@ public final class RescueMaster extends AgentTypeBase {
     public RescueMaster() {
         super(
                 "rescue",
-                "Has a team of helpers that bid help each victim that somebody has found.",
+                "Allocates each victim that was found to a team of helpers, by their bids.",
                 List.of(),
                 List.of());
     }

@@ -26,8 +26,7 @@ public abstract class Rescuer extends AgentTypeBase {
     static final Parameter<Boolean> RETURNS = Parameter.flag(
             "returns",
             true,
-            "Whether a robot drives back to where it began when nobody needs it and nothing is left to map, not to"
-                    + " wait in anybody's way.");
+            "Whether a robot without a task drives back to its start, so that it blocks no other robot.");
 
     Rescuer(String key, String description, List<Parameter<?>> own) {
         super(
@@ -94,14 +93,20 @@ public abstract class Rescuer extends AgentTypeBase {
     /// Helps victims, too.
     public static final class Helper extends Rescuer {
         static final Parameter<Double> REACH = Parameter.number(
-                "reach", 1.2, 0.3, 10, "m", "How near to a victim's middle the robot's must be to help it.");
+                "reach",
+                1.2,
+                0.3,
+                10,
+                "m",
+                "Maximum distance between the centers of robot and victim to help the victim.");
         static final Parameter<Double> STAY_TIME =
-                Parameter.number("stayTime", 10, 0, 600, "s", "How long a robot stays with a victim to help it.");
+                Parameter.number("stayTime", 10, 0, 600, "s", "Time for which a robot stays with a victim to help it.");
 
         public Helper() {
             super(
                     "helper",
-                    "Bids for victims that need help, drives to those that it wins, and reports those that it sees.",
+                    "Bids for victims that need help, drives to the victims that it wins, and reports victims that it"
+                            + " sees.",
                     List.of(REACH, STAY_TIME));
         }
 

@@ -12,18 +12,18 @@ public final class BlackboardMaster extends AgentTypeBase {
     static final Parameter<String> BOARD =
             Parameter.text("board", "team", "Name of the board, by which agents find it.");
     static final Parameter<Integer> MAX_NOTES =
-            Parameter.integer("maxNotes", 250, 1, 10_000, "", "Greatest number of notes of one agent.");
-    static final Parameter<Integer> MAX_AUTHORS =
-            Parameter.integer("maxAuthors", 1_000, 1, 10_000, "", "Greatest number of agents that have notes on it.");
-    static final Parameter<Integer> MAX_SUBSCRIPTIONS = Parameter.integer(
-            "maxSubscriptions", 1_000, 0, 10_000, "", "Greatest number of subscribers that are notified of changes.");
+            Parameter.integer("maxNotes", 250, 1, 10_000, "", "Maximum number of notes of one agent.");
+    static final Parameter<Integer> MAX_AUTHORS = Parameter.integer(
+            "maxAuthors", 1_000, 1, 10_000, "", "Maximum number of agents that have notes on the board.");
+    static final Parameter<Integer> MAX_SUBSCRIPTIONS =
+            Parameter.integer("maxSubscriptions", 1_000, 0, 10_000, "", "Maximum number of subscriptions.");
 
     private static final int WATCHES_EACH = 16;
 
     public BlackboardMaster() {
         super(
                 "blackboard",
-                "Keeps a board of notes for the team, which others write, ask for and watch.",
+                "Keeps a shared blackboard for a team: other agents write, query and watch its notes.",
                 List.of(BOARD, MAX_NOTES, MAX_AUTHORS, MAX_SUBSCRIPTIONS),
                 List.of());
     }

@@ -38,7 +38,7 @@ public final class WorkerAgent extends AgentTypeBase {
     public WorkerAgent() {
         super(
                 "worker",
-                "Bids for what its team has to do, does what it gets, and monitors its battery.",
+                "Bids for tasks of its team, executes those that it wins, and monitors its battery.",
                 List.of(
                         Recharging.CHARGERS,
                         Recharging.LOW,

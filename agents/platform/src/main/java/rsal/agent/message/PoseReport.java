@@ -7,7 +7,7 @@ import rsal.agent.MessageContent;
 import rsal.agent.Topic;
 import rsal.data.Pose2d;
 
-/// Where a robot believes to be.
+/// The estimated pose of a robot.
 ///
 /// @param robot its id
 /// @param role its role, as the scenario calls it

@@ -32,23 +32,26 @@ import rsal.settings.Suggestion;
 @Command(
         name = "bench",
         description =
-                "Measure how fast RSAL is on this machine. Leave it alone meanwhile; an area takes minutes, some take hours.")
+                "Measure the speed of RSAL on this machine. Do not use the machine meanwhile. An area takes minutes,"
+                        + " some areas take hours.")
 public final class BenchCommand extends Subcommand {
-    @Parameters(paramLabel = "AREA", arity = "0..1", description = "What to measure. Default: lists the areas.")
+    @Parameters(paramLabel = "AREA", arity = "0..1", description = "The area to measure. Default: list the areas.")
     private Optional<String> area = Optional.empty();
 
     @Option(
             names = "--only",
             paramLabel = "TEXT",
-            description = "Measure only what has this in its name, like laser180.1000.core1.")
+            description = "Measure only benchmarks with this text in their name, such as laser180.1000.core1.")
     private String only = "";
 
     @Option(
             names = "--repeat",
             paramLabel = "N",
             description = {
-                "How often each is measured; " + BenchmarkRequest.REPEATS + " by default. The median counts.",
-                "With how many seeds runs are compared; " + BenchmarkRequest.SEEDS + " by default. The mean counts."
+                "Number of measurements of each benchmark: " + BenchmarkRequest.REPEATS + " by default, of which the"
+                        + " median counts.",
+                "For compared runs, the number of seeds: " + BenchmarkRequest.SEEDS + " by default, of which the mean"
+                        + " counts."
             })
     private Optional<Integer> repeats = Optional.empty();
 
@@ -56,15 +59,16 @@ public final class BenchCommand extends Subcommand {
             names = "--data",
             paramLabel = "DIR",
             description = {
-                "Folder of public data, with the folders logs, maps and barn. Without it, benchmarks that need them are skipped.",
-                "Else the folder that RSAL_DATA names."
+                "Folder of public data, with the folders logs, maps and barn. Default: the folder that RSAL_DATA"
+                        + " names.",
+                "Without either, benchmarks that need the data are skipped."
             })
     private Optional<Path> data = Optional.empty();
 
     @Option(
             names = "--page",
             paramLabel = "FILE.html",
-            description = "Write the results with plots to a page, too. It can be read anywhere, without a network.")
+            description = "Also write the results with plots to a page in one file, which needs no network.")
     private Optional<Path> page = Optional.empty();
 
     /// On which machine.

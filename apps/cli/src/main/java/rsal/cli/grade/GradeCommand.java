@@ -31,16 +31,20 @@ import rsal.scenario.text.CsvLine;
 @Command(
         name = "grade",
         description = {
-            "Grade what students hand in: run a scenario with the agent of each, with several seeds. FOLDER has one folder for"
-                    + " each student. Each run is a process of its own with bounded time and memory.",
-            "DIR gets grades.csv with a row for each run, summary.csv with a row for each student, and a folder for each student with"
-                    + " the files that were run and what the runs told."
+            "Grade the agents of students: run a scenario with the agent of each student, with several seeds. FOLDER"
+                    + " has one folder for each student. Each run is a separate process with limits of time and"
+                    + " memory.",
+            "DIR gets grades.csv with a row for each run, summary.csv with a row for each student, and a folder for"
+                    + " each student with the files and logs of the runs."
         })
 public final class GradeCommand extends Subcommand {
     private static final String ROWS = "grades.csv";
     private static final String SUMMARY = "summary.csv";
 
-    @Parameters(converter = FileName.class, paramLabel = "FOLDER", description = "Has one folder for each student.")
+    @Parameters(
+            converter = FileName.class,
+            paramLabel = "FOLDER",
+            description = "The folder that has one folder for each student.")
     private String folder = "";
 
     @Option(
@@ -48,7 +52,7 @@ public final class GradeCommand extends Subcommand {
             converter = FileName.class,
             paramLabel = "FILE.yaml",
             required = true,
-            description = "The scenario, in a folder with all files that it needs but for the agent.")
+            description = "The scenario, in a folder with all files that it needs except the agent.")
     private String scenario = "";
 
     @Option(

@@ -20,27 +20,30 @@ final class Limits {
             names = "--seeds",
             paramLabel = "A:B",
             converter = SweepCommand.Seeds.class,
-            description = "Run with the seeds A to B. A number alone is how many. Default: 1:10.")
+            description = "Run with the seeds A to B. A single number N is 1 to N. Default: 1:10.")
     SeedRange seeds = new SeedRange(1, 10);
 
     @Option(
             names = "--time",
             paramLabel = "SECONDS",
             converter = RunCommand.Seconds.class,
-            description = "End a run that takes longer than so many seconds of wall time. Default: 120.")
+            description = "End a run that takes longer than this number of real seconds. Default: 120.")
     Duration longest = Duration.ofMinutes(2);
 
     @Option(
             names = "--memory",
             paramLabel = "MB",
-            description = "How much heap a run may have, in megabytes. Default: ${DEFAULT-VALUE}.",
+            description = "Maximum heap of a run, in megabytes. Default: ${DEFAULT-VALUE}.",
             defaultValue = "512")
     int megabytes = 512;
 
     @Option(names = "--jobs", paramLabel = "N", description = "Number of runs at once. Default: the number of cores.")
     int jobs = Runtime.getRuntime().availableProcessors();
 
-    @Option(names = "--for", paramLabel = "SECONDS", description = "End each run after so many simulated seconds.")
+    @Option(
+            names = "--for",
+            paramLabel = "SECONDS",
+            description = "End each run after this number of simulated seconds.")
     private @Nullable String simulated;
 
     /// @throws ParameterException unless all are right

@@ -22,8 +22,8 @@ import rsal.scenario.RunOptions;
 @Command(
         name = "test-agent",
         description =
-                "Test agents of your own: run their scenario with several seeds, each in a process of its own with bounded"
-                        + " time and memory. Ends with 0 when each run ends in success, else with 4.")
+                "Test your own agents: run their scenario with several seeds, each in a separate process with limits"
+                        + " of time and memory. The exit code is 0 when each run is a success, otherwise 4.")
 public final class TestAgentCommand extends Subcommand {
     @Parameters(
             converter = FileName.class,

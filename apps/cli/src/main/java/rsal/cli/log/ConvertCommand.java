@@ -35,25 +35,25 @@ import rsal.world.yaml.YamlFormat;
 /// `rsal convert`
 @Command(
         name = "convert",
-        description =
-                "Write a world of Stage as the same world in YAML, its floor plans as images beside it; or a robot model"
-                        + " of a robot description of ROS (URDF), with parts for its lasers beside it.")
+        description = "Convert a world of Stage to YAML, with its floor plans as images beside it. Or convert a robot"
+                + " description of ROS (URDF) to a robot model, with parts for its lasers beside it.")
 public final class ConvertCommand extends Subcommand {
     @Parameters(
             index = "0",
             converter = FileName.class,
             paramLabel = "FILE.world|ROBOT.urdf",
-            description = "The world's or the robot's file; a .xacro file must be expanded first.")
+            description = "The file of the world or the robot. Expand a .xacro file first.")
     private String file = "";
 
     @Parameters(
             index = "1",
             arity = "0..1",
             paramLabel = "OUT.yaml",
-            description = "Where to write it (a world: OUT" + YamlFormat.SUFFIX + "). Default: beside the file.")
+            description = "The file to write (for a world: OUT" + YamlFormat.SUFFIX + "). Default: beside the input"
+                    + " file.")
     private @Nullable String out;
 
-    @Option(names = "--force", description = "Overwrite files that are there.")
+    @Option(names = "--force", description = "Overwrite existing files.")
     private boolean force;
 
     /// @param files that were written, the world's first

@@ -30,9 +30,9 @@ import rsal.time.AllowedToReadWallClock;
 @Command(
         name = "export",
         description = {
-            "Write a recording as tables, one for each topic: '/r1/scan' to 'r1.scan.csv'; or as an animated GIF that"
+            "Write a recording as tables, one per topic ('/r1/scan' to 'r1.scan.csv'), or as an animated GIF that"
                     + " shows the run from above.",
-            "Columns are fields of the messages; what they mean, and units, is in docs/reference/recordings.md."
+            "Columns are fields of the messages. docs/reference/recordings.md explains them, with units."
         },
         footer = {
             "",
@@ -53,40 +53,36 @@ public final class ExportCommand extends Subcommand {
     @SuppressWarnings("NullAway.Init") // picocli fills it in
     private Format format;
 
-    @Option(names = "--force", description = "Overwrite files that are there.")
+    @Option(names = "--force", description = "Overwrite existing files.")
     private boolean force;
 
-    @Option(names = "--size", paramLabel = "PX", description = "Longest side of the animation [pixels] (800).")
+    @Option(names = "--size", paramLabel = "PX", description = "Longer side of the animation [pixels] (800).")
     private int size = 800;
 
     @Option(
             names = "--speed",
             paramLabel = "FACTOR",
-            description = "How many simulated seconds the animation shows in one second (4).")
+            description = "Simulated seconds that the animation shows per second (4).")
     private double speed = 4;
 
-    @Option(names = "--fps", paramLabel = "N", description = "Pictures a second of the animation, 1 to 50 (10).")
+    @Option(names = "--fps", paramLabel = "N", description = "Frames per second of the animation, 1 to 50 (10).")
     private double fps = 10;
 
-    @Option(names = "--from", paramLabel = "S", description = "Where in the run the animation begins [s] (0).")
+    @Option(names = "--from", paramLabel = "S", description = "Time of the run at which the animation begins [s] (0).")
     private double from;
 
     @Option(
             names = "--until",
             paramLabel = "S",
-            description = "Where in the run it ends [s]. Default: at the end of the recording.")
+            description = "Time of the run at which the animation ends [s]. Default: the end of the recording.")
     private double until = 1e9;
 
     static final class Format {
-        @Option(names = "--csv", required = true, paramLabel = "DIR", description = "The folder to write tables to.")
+        @Option(names = "--csv", required = true, paramLabel = "DIR", description = "Folder for the tables.")
         @Nullable
         String folder;
 
-        @Option(
-                names = "--gif",
-                required = true,
-                paramLabel = "FILE.gif",
-                description = "The file to write an animation to.")
+        @Option(names = "--gif", required = true, paramLabel = "FILE.gif", description = "File for the animation.")
         @Nullable
         String animation;
     }

@@ -46,12 +46,13 @@ import rsal.time.AllowedToReadWallClock;
 /// `rsal localize`
 @Command(
         name = "localize",
-        description = "Follow a robot's log on a map: where it was at each scan, how sure that is, and how right.",
+        description = "Localize a robot on a map by its log: print the pose, its confidence and its error for each"
+                + " scan.",
         footer = {
             "",
-            LogOptions.LOGS + " Errors are printed"
-                    + " against the poses in the log, or in that of --reference. In 'corrected' logs the odometry is"
-                    + " these poses, without any error: add some with --odometry-noise.",
+            LogOptions.LOGS + " Errors are relative to the poses in the log, or in that of --reference. In"
+                    + " 'corrected' logs the odometry equals these poses, without any error: add noise by"
+                    + " --odometry-noise.",
             "",
             "  rsal localize lab.log.gz --map lab.yaml --global",
             "  rsal localize lab.log.gz --map-from-half --global --odometry-noise 0.05,2,3 --seeds 50 --vary-start",
@@ -72,10 +73,10 @@ public final class LocalizeCommand extends Subcommand {
     @Option(
             names = "--save-map",
             paramLabel = "MAP.yaml",
-            description = "Writes the map of --map-from-half, its image beside it.")
+            description = "Write the map of --map-from-half to this file, with its image beside it.")
     private @Nullable String saveMap;
 
-    @Option(names = "--force", description = "Overwrite the files of --save-map if they are there.")
+    @Option(names = "--force", description = "Overwrite existing files of --save-map.")
     private boolean force;
 
     @ArgGroup
@@ -88,37 +89,40 @@ public final class LocalizeCommand extends Subcommand {
     @Mixin
     private LocalizerTuning tuning = new LocalizerTuning();
 
-    @Option(
-            names = "--seeds",
-            paramLabel = "N",
-            description = "Runs so many times, each with a seed of its own: 1 to N (1).")
+    @Option(names = "--seeds", paramLabel = "N", description = "Number of runs, with the seeds 1 to N (1).")
     private int seeds = 1;
 
     @Option(
             names = "--vary-start",
-            description = "Each run begins at a scan of its own, drawn by its seed, not at the log's first.")
+            description = "Each run begins at a scan that is drawn by its seed, not at the first scan of the log.")
     private boolean varyStart;
 
-    @Option(names = "--scans", paramLabel = "N", description = "Looks at so many scans at most, in each run.")
+    @Option(names = "--scans", paramLabel = "N", description = "Maximum number of scans in each run.")
     private int scans = Integer.MAX_VALUE;
 
-    @Option(names = "--beams", paramLabel = "N", description = "Beams of a scan to look at (60).")
+    @Option(names = "--beams", paramLabel = "N", description = "Number of beams of a scan to use (60).")
     private int beams = 60;
 
-    @Option(names = "--max-range", paramLabel = "M", description = "Ranges beyond this are not looked at [m] (30).")
+    @Option(names = "--max-range", paramLabel = "M", description = "Longer ranges are ignored [m] (30).")
     private double maxRange = 30;
 
-    @Option(names = "--max-particles", paramLabel = "N", description = "Particles when it knows least (5000).")
+    @Option(
+            names = "--max-particles",
+            paramLabel = "N",
+            description = "Number of particles when the pose is most uncertain (5000).")
     private int maxParticles = 5000;
 
-    @Option(names = "--min-particles", paramLabel = "N", description = "Particles when it knows most (150).")
+    @Option(
+            names = "--min-particles",
+            paramLabel = "N",
+            description = "Number of particles when the pose is most certain (150).")
     private int minParticles = 150;
 
     @Option(
             names = "--model",
             paramLabel = "MODEL",
-            description = "How beams are judged: field, by how near they end to walls (the default); beam, by how far"
-                    + " they should reach.")
+            description = "Sensor model: field, by the distance of a beam's end from walls (the default); beam, by"
+                    + " the expected range.")
     private SensorModel.Kind model = SensorModel.Kind.FIELD;
 
     static final class MapChoice {
@@ -126,15 +130,15 @@ public final class LocalizeCommand extends Subcommand {
                 names = "--map",
                 paramLabel = "MAP",
                 required = true,
-                description = "ROS's YAML of a map, in the frame of the log's poses; or a built-in map's name.")
+                description = "YAML file of a map of ROS, in the frame of the log's poses; or the name of a map of"
+                        + " RSAL.")
         @Nullable
         String map;
 
         @Option(
                 names = "--map-from-half",
                 required = true,
-                description = "Draw the map from every other scan, by the poses that are right, and localize on the"
-                        + " rest.")
+                description = "Draw the map from every other scan, at the right poses, and localize with the rest.")
         boolean fromHalf;
     }
 
@@ -142,7 +146,7 @@ public final class LocalizeCommand extends Subcommand {
         @Option(
                 names = "--global",
                 required = true,
-                description = "It may be anywhere on the map. This is the default.")
+                description = "The robot may start anywhere on the map. This is the default.")
         boolean global;
 
         @Option(
@@ -151,10 +155,13 @@ public final class LocalizeCommand extends Subcommand {
                 required = true,
                 paramLabel = "X Y DEG",
                 hideParamSyntax = true,
-                description = "It starts about here [m, m, deg].")
+                description = "The robot starts near this pose [m, m, deg].")
         double @Nullable [] pose;
 
-        @Option(names = "--right-pose", required = true, description = "It starts about where the reference says.")
+        @Option(
+                names = "--right-pose",
+                required = true,
+                description = "The robot starts near the pose of the reference.")
         boolean right;
     }
 

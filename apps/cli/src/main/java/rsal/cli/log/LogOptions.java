@@ -33,9 +33,10 @@ final class LogOptions {
 
     /// Which logs commands read, for their help.
     static final String LOGS =
-            "Logs are CARMEN's (FLASER, ROBOTLASER1, RAWLASER1 with ODOM), plain or packed with gzip, bags of ROS 2 in MCAP"
-                    + " (folders or files), or of a format of your own. RAWLASER1's laser is where PARAM robot_frontlaser_offset (and _side_offset,"
-                    + " _angular_offset) says.";
+            "A log is a log of CARMEN (FLASER, ROBOTLASER1, RAWLASER1 with ODOM), plain or compressed by gzip, a bag"
+                    + " of ROS 2 in MCAP (folder or file), or a file of your own format. PARAM"
+                    + " robot_frontlaser_offset (and _side_offset, _angular_offset) gives the mount of the laser of"
+                    + " RAWLASER1.";
 
     @Spec(Spec.Target.MIXEE)
     @SuppressWarnings("NullAway.Init") // picocli fills it in
@@ -44,9 +45,10 @@ final class LogOptions {
     @Option(
             names = "--odometry-noise",
             paramLabel = "WAY,HEADING,TURN",
-            description = "Makes the wheels err, by these standard deviations: of the distance [m per square root of a"
-                    + " meter], of the heading by driving [deg per square root of a meter] and by turning [deg per square root of a"
-                    + " radian]. 0.05,2,3 is a usual robot. Default: the log's odometry, unchanged.")
+            description = "Add noise to the odometry, with these standard deviations: distance [m per square root of"
+                    + " a meter], heading while driving [deg per square root of a meter], heading while turning [deg"
+                    + " per square root of a radian]. 0.05,2,3 is a typical robot. Default: the log's odometry,"
+                    + " unchanged.")
     private @Nullable String odometryNoise;
 
     @Option(
@@ -62,12 +64,12 @@ final class LogOptions {
     @Option(
             names = "--field-of-view",
             paramLabel = "DEG",
-            description = "Of the laser, where the log does not say it: FLASER (180).")
+            description = "Field of view of the laser, if the log does not have it: FLASER (180).")
     private double fieldOfView = 180;
 
     @Option(
             names = "--upside-down",
-            description = "The laser was mounted upside down, or its readings go clockwise for another reason.")
+            description = "The laser was mounted upside down, or its readings are clockwise for another reason.")
     private boolean upsideDown;
 
     boolean hasNoise() {

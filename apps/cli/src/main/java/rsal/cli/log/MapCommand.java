@@ -39,14 +39,14 @@ import rsal.time.AllowedToReadWallClock;
 /// `rsal map`
 @Command(
         name = "map",
-        description = "Draw a map from a robot's log, or one from those of several robots.",
+        description = "Make a map from the log of a robot, or one map from the logs of several robots.",
         footer = {
             "",
-            LogOptions.LOGS + " Written are"
-                    + " map.yaml and map.pgm as ROS reads them, picture.png with paths (blue) and places that were"
-                    + " known again (red), trajectory.txt as TUM writes it (time x y z qx qy qz qw), and residuals.csv.",
-            "Errors are relative to the poses in the log, or in that of --reference. In 'corrected' logs the"
-                    + " odometry is these poses, without any error: add some with --odometry-noise.",
+            LogOptions.LOGS + " The command writes map.yaml and map.pgm in the format of ROS, picture.png with paths"
+                    + " (blue) and loop closures (red), trajectory.txt in the format of TUM (time x y z qx qy qz"
+                    + " qw), and residuals.csv.",
+            "Errors are relative to the poses in the log, or in that of --reference. In 'corrected' logs the odometry"
+                    + " equals these poses, without any error: add noise by --odometry-noise.",
             "",
             "  rsal map lab.log.gz --out lab",
             "  rsal map lab-corrected.log.gz --odometry-noise 0.05,2,3 --seed 1 --out lab --json",
@@ -66,37 +66,40 @@ public final class MapCommand extends Subcommand {
     @Option(names = "--out", required = true, paramLabel = "DIR", description = "The folder to write to.")
     private String out = "";
 
-    @Option(names = "--force", description = "Overwrite files that are there.")
+    @Option(names = "--force", description = "Overwrite existing files.")
     private boolean force;
 
     @Option(
             names = "--despite-contradictions",
-            description = "Join maps of several logs, too, when what one robot saw contradicts what another did, as"
-                    + " where a box was moved between their runs.")
+            description = "Merge maps of several logs even if they contradict each other, for example because a box"
+                    + " was moved between the runs.")
     private boolean despiteContradictions;
 
-    @Option(names = "--known-poses", description = "The log's poses are right: only draw.")
+    @Option(names = "--known-poses", description = "The log's poses are right: only draw the map.")
     private boolean knownPoses;
 
     @Mixin
     @SuppressWarnings("NullAway.Init") // picocli fills it in
     private LogOptions recorded;
 
-    @Option(names = "--seed", paramLabel = "N", description = "Of the noise (1). The same seed gives the same map.")
+    @Option(
+            names = "--seed",
+            paramLabel = "N",
+            description = "Seed of the noise (1). The same seed gives the same map.")
     private long seed = 1;
 
     @Option(names = "--resolution", paramLabel = "M", description = "Side of a cell of the map [m] (0.05).")
     private double resolution = 0.05;
 
-    @Option(names = "--max-range", paramLabel = "M", description = "Ranges beyond this are not looked at [m] (25).")
+    @Option(names = "--max-range", paramLabel = "M", description = "Longer ranges are ignored [m] (25).")
     private double maxRange = 25;
 
     @Option(
             names = "--free-range",
             paramLabel = "M",
             description =
-                    "How far a beam that hit nothing makes the map free [m] (0). With 0 such beams say nothing: many"
-                            + " lasers lose the echo of glass and of dark walls.")
+                    "Length to which a beam without an echo draws free space [m] (0). With 0 such beams are ignored:"
+                            + " many lasers get no echo from glass and dark walls.")
     private double freeRange;
 
     /// @param slam without scans when poses are known

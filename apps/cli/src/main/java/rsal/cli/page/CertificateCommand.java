@@ -28,8 +28,8 @@ import rsal.server.RunServer;
 @Command(
         name = "certificate",
         description =
-                "Make a certificate for 'rsal run --listen' and its private key: DIR/certificate.pem and DIR/key.pem. Browsers"
-                        + " warn of it once, as nobody vouches for it; compare its fingerprint then.")
+                "Make a certificate for 'rsal run --listen' and its private key: DIR/certificate.pem and DIR/key.pem."
+                        + " It is self-signed, so browsers warn of it once: compare its fingerprint then.")
 public final class CertificateCommand extends Subcommand {
     private static final String CERTIFICATE = "certificate.pem";
     private static final String KEY = "key.pem";
@@ -43,17 +43,21 @@ public final class CertificateCommand extends Subcommand {
                     "Names and addresses by which other machines reach this one. Default: its host name and addresses.")
     private List<String> names = List.of();
 
-    @Option(names = "--out", paramLabel = "DIR", defaultValue = ".", description = "Where to. Default: this folder.")
+    @Option(
+            names = "--out",
+            paramLabel = "DIR",
+            defaultValue = ".",
+            description = "Folder for the files. Default: this folder.")
     private String out = ".";
 
     @Option(
             names = "--days",
             paramLabel = "N",
             defaultValue = "365",
-            description = "How long it is valid. Default: ${DEFAULT-VALUE}.")
+            description = "Number of days for which it is valid. Default: ${DEFAULT-VALUE}.")
     private int days = 365;
 
-    @Option(names = "--force", description = "Overwrite files that are there.")
+    @Option(names = "--force", description = "Overwrite existing files.")
     private boolean force;
 
     @Override

@@ -24,7 +24,7 @@ public final class ControlCommands {
     private ControlCommands() {}
 
     /// `rsal status`
-    @Command(name = "status", description = "Show how a run with a page gets on: its robots, and where they are.")
+    @Command(name = "status", description = "Show the state of a run with a page: its robots and their poses.")
     public static final class Status extends PageCommand {
         @Override
         protected int run() throws InterruptedException {
@@ -132,7 +132,8 @@ public final class ControlCommands {
         @Option(
                 names = "--take-control",
                 description =
-                        "Take control over from the one who has it in the page. The page says so, and control is given back at once.")
+                        "Take over control from the person who has it in the page. The page reports this, and control"
+                                + " is given back at once.")
         private boolean takesControl;
 
         final JsonNode command(String command, Object message) throws InterruptedException {
@@ -166,7 +167,7 @@ public final class ControlCommands {
     }
 
     /// `rsal stop`
-    @Command(name = "stop", description = "End a run that has a page; the page stays.")
+    @Command(name = "stop", description = "End a run that has a page. The page stays.")
     public static final class Stop extends Controlled {
         @Override
         protected int run() throws InterruptedException {
@@ -195,11 +196,11 @@ public final class ControlCommands {
     @Command(
             name = "estop",
             description = {
-                "Emergency stop: switch off the motors of all robots of a run with a page, or of one alone.",
+                "Emergency stop: switch off the motors of all robots of a run with a page, or of one robot.",
                 "It works for everyone, also while another person has control."
             })
     public static final class EmergencyStop extends Confirmed {
-        @Parameters(paramLabel = "ROBOT", arity = "0..1", description = "Only this one's.")
+        @Parameters(paramLabel = "ROBOT", arity = "0..1", description = "Switch only the motors of this robot.")
         private Optional<String> robot = Optional.empty();
 
         @Override
@@ -221,11 +222,11 @@ public final class ControlCommands {
     @Command(
             name = "arm",
             description = {
-                "Switch the motors on again: of all robots, or of one alone.",
-                "A robot that was switched off alone stays off until it is named; such are printed."
+                "Switch the motors of all robots, or of one robot, on again.",
+                "A robot that was switched off alone stays off until you name it. The command prints such robots."
             })
     public static final class Arm extends Controlled {
-        @Parameters(paramLabel = "ROBOT", arity = "0..1", description = "Only this one's.")
+        @Parameters(paramLabel = "ROBOT", arity = "0..1", description = "Switch only the motors of this robot.")
         private Optional<String> robot = Optional.empty();
 
         @Override
@@ -254,7 +255,7 @@ public final class ControlCommands {
 
     /// What takes a robot and a pose.
     abstract static class OfPose extends Controlled {
-        @Parameters(index = "0", paramLabel = "ROBOT", description = "As the page lists it.")
+        @Parameters(index = "0", paramLabel = "ROBOT", description = "Id of the robot, as the page lists it.")
         private String robot = "";
 
         @Parameters(index = "1", paramLabel = "X", description = "In the map's frame [m].")
@@ -291,15 +292,14 @@ public final class ControlCommands {
     @Command(
             name = "goal",
             description = {
-                "Send a robot of a run with a page somewhere.",
+                "Send a robot of a run with a page to a goal.",
                 "The goal has a number, by which 'rsal status --json' lists it."
             })
     public static final class Goal extends OfPose {
         @Option(
                 names = "--wait",
-                description =
-                        "Wait until the goal has ended, and print the result. The exit code is 0 when the robot got there,"
-                                + " else 4. Ctrl-C ends the waiting, not the goal.")
+                description = "Wait until the goal has ended, and print the result. The exit code is 0 if the robot has"
+                        + " reached the goal, otherwise 4. Ctrl-C ends the waiting, not the goal.")
         private boolean waits;
 
         @Override

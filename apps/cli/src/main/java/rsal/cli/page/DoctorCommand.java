@@ -32,7 +32,9 @@ import rsal.system.Diagnosis;
 import rsal.system.Diagnosis.Finding;
 
 /// `rsal doctor`
-@Command(name = "doctor", description = "Look at this machine: is all here that RSAL needs, and if not, what to do?")
+@Command(
+        name = "doctor",
+        description = "Check whether this machine has everything that RSAL needs, and say what to do if not.")
 public final class DoctorCommand extends Subcommand {
     private static final long ENOUGH_MEMORY = 2L << 30;
     private static final String CACHE = "-XX:AOTCache=";
@@ -42,20 +44,20 @@ public final class DoctorCommand extends Subcommand {
 
     @Option(
             names = "--offline",
-            description = "Leave out what only builds and tests RSAL, as in a release: Node.js and Chromium.")
+            description = "Do not check programs that only build and test RSAL, as in a release: Node.js and Chromium.")
     private boolean offline;
 
     @Parameters(
             arity = "0..1",
             paramLabel = "WHAT",
             defaultValue = "",
-            description = "What to look at instead: ros2, the network of ROS 2.")
+            description = "What to check instead of this machine: ros2, the network of ROS 2.")
     private String what = "";
 
     @Option(
             names = "--set",
             paramLabel = "NAME=VALUE",
-            description = "Of WHAT: where to look, as domain=5 or address=192.168.1.5.")
+            description = "A setting of WHAT, such as domain=5 or address=192.168.1.5.")
     private Map<String, String> set = Map.of();
 
     @Override

@@ -32,7 +32,8 @@ import tools.jackson.databind.json.JsonMapper;
 @Command(
         name = "logs",
         description =
-                "Show a log that 'rsal run --log FILE' or 'rsal serve --log FILE' keeps, as text or, with --json, line by line.")
+                "Show a log of 'rsal run --log FILE' or 'rsal serve --log FILE', as text or, with --json, as lines of"
+                        + " JSON.")
 @AllowedToReadWallClock("Waits for what is added.")
 public final class LogsCommand extends Subcommand {
     private static final DateTimeFormatter TIME =
@@ -44,7 +45,7 @@ public final class LogsCommand extends Subcommand {
 
     @Option(
             names = {"-f", "--follow"},
-            description = "Go on with what is added, until Ctrl-C.")
+            description = "Also show new entries, until Ctrl-C.")
     private boolean follow;
 
     @Option(
@@ -53,16 +54,22 @@ public final class LogsCommand extends Subcommand {
             description = "Only entries of this level and more important ones: debug, info, warn, error.")
     private LogLevels.Level level = LogLevels.Level.debug;
 
-    @Option(names = "--part", paramLabel = "PART", description = "Only of this part of the program, as player.")
+    @Option(
+            names = "--part",
+            paramLabel = "PART",
+            description = "Only entries of this part of the program, such as player.")
     private @Nullable String part;
 
-    @Option(names = "--run", paramLabel = "NAME", description = "Only of runs that have this in their name, as patrol.")
+    @Option(
+            names = "--run",
+            paramLabel = "NAME",
+            description = "Only entries of runs with this text in their name, such as patrol.")
     private @Nullable String run;
 
-    @Option(names = "--robot", paramLabel = "NAME", description = "Only about this robot.")
+    @Option(names = "--robot", paramLabel = "NAME", description = "Only entries about this robot.")
     private @Nullable String robot;
 
-    @Option(names = "--agent", paramLabel = "NAME", description = "Only about this agent.")
+    @Option(names = "--agent", paramLabel = "NAME", description = "Only entries about this agent.")
     private @Nullable String agent;
 
     @Override

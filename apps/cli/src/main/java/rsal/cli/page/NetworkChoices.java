@@ -34,16 +34,16 @@ final class NetworkChoices {
     @Option(
             names = "--listen",
             paramLabel = "ADDRESS[:PORT]",
-            description = "Let other machines reach the page at this address of this machine, 0.0.0.0 for all of its"
-                    + " addresses, by HTTPS and with a token only. Needs --certificate and --key. Default port: " + PORT
+            description = "Let other machines reach the page at this address of this machine (0.0.0.0: all"
+                    + " addresses), by HTTPS and with a token only. Needs --certificate and --key. Default port: "
+                    + PORT
                     + ".")
     private @Nullable String listen;
 
     @Option(
             names = "--certificate",
             paramLabel = "FILE.pem",
-            description =
-                    "The certificate for --listen, with those that it leads back to. 'rsal certificate' makes one.")
+            description = "The certificate for --listen, with its chain. 'rsal certificate' makes one.")
     private @Nullable Path certificate;
 
     @Option(names = "--key", paramLabel = "FILE.pem", description = "The private key of the certificate.")
@@ -53,15 +53,16 @@ final class NetworkChoices {
             names = "--token-file",
             paramLabel = "FILE",
             description =
-                    "Tokens for --listen, one a line behind its role: watch, operate or admin. Default: the file that"
-                            + " RSAL_TOKEN_FILE names; else the token in the printed address alone.")
+                    "File of tokens for --listen: one role (watch, operate or admin) and its token per line. Default:"
+                            + " the file that RSAL_TOKEN_FILE names, or only the token in the printed address.")
     private @Nullable Path tokens;
 
     @Option(
             names = "--origin",
             paramLabel = "URL",
             description =
-                    "The address of a reverse proxy, such as https://robots.example.org, whose pages may talk to --listen.")
+                    "The address of a reverse proxy, such as https://robots.example.org, whose pages may connect to"
+                            + " --listen.")
     private List<String> origins = List.of();
 
     Optional<Listening> listening(CommandLine line) {

@@ -25,45 +25,45 @@ public final class PageChoices {
             names = "--port",
             paramLabel = "P",
             converter = Port.class,
-            description = "Port of the page, on this machine only; 0: any free one. Default: " + PageRuns.DEFAULT_PORT
-                    + ", or any when that is in use.")
+            description = "Port of the page, on this machine only; 0: any free port. Default: " + PageRuns.DEFAULT_PORT
+                    + ", or any free port if it is in use.")
     private @Nullable Integer port;
 
     @Option(
             names = "--record",
             paramLabel = "FILE.mcap",
-            description = "Record the run, to be seen in Foxglove, run again ('rsal replay') or exported. Further runs"
-                    + " from the page go to FILE-2.mcap and so on.")
+            description = "Record the run, for Foxglove, 'rsal replay' and 'rsal export'. Further runs from the page"
+                    + " are written to FILE-2.mcap and so on.")
     private @Nullable String record;
 
     @Option(
             names = "--foxglove",
-            description = "Let Foxglove watch, on this machine only, and publish goals and poses: its connection's"
-                    + " address is printed first.")
+            description = "Let Foxglove on this machine watch the run, and publish goals and poses. The address of"
+                    + " the connection is printed first.")
     private boolean foxglove;
 
     @Option(
             names = "--foxglove-port",
             paramLabel = "P",
             converter = Port.class,
-            description = "Its port; 0: any free one. Default: " + FoxgloveServer.PORT + ".")
+            description = "Port for Foxglove; 0: any free port. Default: " + FoxgloveServer.PORT + ".")
     private @Nullable Integer foxglovePort;
 
     @Option(
             names = "--sweeps",
             paramLabel = "DIR",
             defaultValue = "sweeps",
-            description = "Where sweeps that are begun in the page are kept, each in a folder of its own."
-                    + " Default: ${DEFAULT-VALUE}.")
+            description = "Folder for sweeps that are started in the page, each in its own folder. Default:"
+                    + " ${DEFAULT-VALUE}.")
     private String sweeps = "";
 
     @Option(
             names = "--log",
             paramLabel = "FILE",
             description =
-                    "Keep a log of what happens, as lines of JSON, for 'rsal logs'. At 10 MB the file becomes FILE.1, up to"
-                            + " FILE.5. '-' writes the lines to stderr, as containers collect them. Default: the file that"
-                            + " RSAL_LOG names, if any.")
+                    "Write a log as lines of JSON, for 'rsal logs'. At 10 MB the file becomes FILE.1, up to FILE.5."
+                            + " '-' writes the lines to stderr, for containers. Default: the file that RSAL_LOG"
+                            + " names, if any.")
     private @Nullable String log;
 
     @Option(
@@ -71,9 +71,8 @@ public final class PageChoices {
             paramLabel = "LEVEL",
             converter = LogLevels.Converter.class,
             defaultValue = "info",
-            description =
-                    "The least important entries to keep: debug (also messages of agents), info, warn or error; for parts of"
-                            + " the program as in 'info,player=debug'. Default: ${DEFAULT-VALUE}.")
+            description = "Lowest level of the log: debug (also messages of agents), info, warn or error. Parts of the"
+                    + " program can have their own levels: 'info,player=debug'. Default: ${DEFAULT-VALUE}.")
     private @Nullable LogLevels logLevels;
 
     @Mixin

@@ -25,7 +25,7 @@ public abstract class PageCommand extends Subcommand {
             paramLabel = "P",
             converter = PageChoices.Port.class,
             description = "Port of the run's page on this machine. Default: " + PageRuns.DEFAULT_PORT
-                    + ", or where your only page is.")
+                    + ", or the port of your only page.")
     private @Nullable Integer port;
 
     final int port() {

@@ -25,13 +25,17 @@ import tools.jackson.databind.JsonNode;
             "Lengths are in m, angles in rad."
         })
 public final class TellCommand extends ControlCommands.Controlled {
-    @Parameters(index = "0", paramLabel = "COMMAND", arity = "0..1", description = "As 'rsal tell' lists it.")
+    @Parameters(
+            index = "0",
+            paramLabel = "COMMAND",
+            arity = "0..1",
+            description = "Name of the command, as 'rsal tell' lists it.")
     private Optional<String> name = Optional.empty();
 
     @Parameters(
             index = "1..*",
             paramLabel = "NAME=VALUE",
-            description = "A parameter of the command; of one that takes texts by name, as arguments.speed=0.3.")
+            description = "A parameter of the command. Texts by name are written as arguments.speed=0.3.")
     private List<String> values = List.of();
 
     @Override

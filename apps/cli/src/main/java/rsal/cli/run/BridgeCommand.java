@@ -42,9 +42,10 @@ import rsal.system.ExportedDevice;
 @Command(
         name = "bridge",
         description = {
-            "Run a scenario or a world, and offer its robots to programs that speak another system's protocol.",
-            "'rsal bridge player WORLD' serves them to clients of Player, 'rsal bridge player FILE.cfg' what that says."
-                    + " 'rsal bridge ros2 SCENARIO' publishes them to programs of ROS 2. It goes on until the run ends, or Ctrl-C."
+            "Run a scenario or a world, and let programs of another system drive its robots.",
+            "'rsal bridge player WORLD' serves them to clients of Player, 'rsal bridge player FILE.cfg' what that"
+                    + " says. 'rsal bridge ros2 SCENARIO' publishes them to programs of ROS 2. The command continues"
+                    + " until the run ends, or until Ctrl-C."
         })
 public final class BridgeCommand extends Subcommand {
     @Parameters(
@@ -60,7 +61,7 @@ public final class BridgeCommand extends Subcommand {
             paramLabel = "SCENARIO[:CONFIGURATION]",
             arity = "0..1",
             defaultValue = ScenarioReference.DEFAULT,
-            description = "As 'rsal run' has it: a scenario, or a world's file. Default: ${DEFAULT-VALUE}.")
+            description = "A scenario or the file of a world, as for 'rsal run'. Default: ${DEFAULT-VALUE}.")
     private String scenario = "";
 
     @Mixin
@@ -70,21 +71,22 @@ public final class BridgeCommand extends Subcommand {
             names = "--port",
             paramLabel = "P",
             converter = PageChoices.Port.class,
-            description = "Where to listen for the first robot, the others after it; 0: any ports that are free. Left"
-                    + " out: where the protocol's programs look (player: 6665). The ports of a file move along."
-                    + " For ros2 the port of its domain, 7400 + 250 times its number; left out: ROS_DOMAIN_ID.")
+            description = "Port of the first robot; the others follow. 0: any free ports. Left out: the usual port of"
+                    + " the protocol (player: 6665). The ports of a file are shifted in the same way. For ros2 the"
+                    + " port of its domain, 7400 + 250 times its number; left out: ROS_DOMAIN_ID.")
     private @Nullable Integer port;
 
     @Option(
             names = "--listen",
             paramLabel = "ADDRESS",
-            description = "An address of this machine that others can reach, or 0.0.0.0 for all. Default: this machine"
-                    + " only.")
+            description = "Address of this machine at which other machines reach the bridge, or 0.0.0.0 for all."
+                    + " Default: this machine only.")
     private @Nullable String listen;
 
     @Option(
             names = "--page",
-            description = "Show it in a page, too. If another run is started there, its robots are offered instead.")
+            description = "Also show the run in a page. If another run is started there, the bridge serves the robots"
+                    + " of that run instead.")
     private boolean page;
 
     @Option(
@@ -92,13 +94,13 @@ public final class BridgeCommand extends Subcommand {
             paramLabel = "S|off",
             defaultValue = "0.5",
             converter = Timeout.Converter.class,
-            description = "Robots stop when no command came from a client for so long [s] (${DEFAULT-VALUE}). 'off': a"
-                    + " velocity holds until another comes, for clients that command once.")
+            description = "Robots stop after this time without a command of a client [s] (${DEFAULT-VALUE}). 'off': a"
+                    + " velocity is valid until the next one, for clients that send it only once.")
     private Timeout timeout = new Timeout(Optional.empty());
 
     @Option(
             names = "--no-agents",
-            description = "Run without the scenario's agents and its end: only the programs drive the robots.")
+            description = "Run without the scenario's agents and stop conditions: only the programs drive the robots.")
     private boolean noAgents;
 
     /// @param limit empty when there is none

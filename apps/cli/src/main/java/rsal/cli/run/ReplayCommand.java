@@ -38,10 +38,10 @@ import rsal.settings.Location;
 @Command(
         name = "replay",
         description = {
-            "Show a recorded run in a browser: play, pause, step, and look at any time of it.",
-            "With --verify, run it again and compare, event by event, whether it is the same. The scenario is taken from"
-                    + " the recording. Exit codes then: 0 the same, 4 different; up to where a person took part or the"
-                    + " recording was cut off, where that was so."
+            "Show a recorded run in a browser: play, pause, step, and go to any time.",
+            "With --verify, run the scenario again and compare both runs, event by event. The scenario is taken from"
+                    + " the recording. The exit code is then 0 if they are the same, 4 if they differ. They are"
+                    + " compared up to the first command of a person, or the end of a recording that was cut off."
         })
 public final class ReplayCommand extends Subcommand {
     @Parameters(
@@ -56,16 +56,16 @@ public final class ReplayCommand extends Subcommand {
     @Option(
             names = "--trust",
             description =
-                    "With --verify: run programs of agents that are in the recording (agents in Java). Say so only when"
-                            + " you trust who made it.")
+                    "With --verify: run the programs of agents in Java that are in the recording. Use it only if you"
+                            + " trust the author of the recording.")
     private boolean trust;
 
     @Option(
             names = "--port",
             paramLabel = "P",
             converter = PageChoices.Port.class,
-            description = "Port of the page, on this machine only; 0: any free one. Default: " + PageRuns.DEFAULT_PORT
-                    + ", or any when that is in use.")
+            description = "Port of the page, on this machine only; 0: any free port. Default: " + PageRuns.DEFAULT_PORT
+                    + ", or any free port if it is in use.")
     private @Nullable Integer port;
 
     @Override

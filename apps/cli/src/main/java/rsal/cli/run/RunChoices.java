@@ -24,14 +24,14 @@ public final class RunChoices {
             names = "--seed",
             paramLabel = "N",
             converter = Seed.class,
-            description = "Where all randomness comes from. The same seed gives the same run.")
+            description = "Seed of all random numbers. The same seed gives the same run.")
     private @Nullable Long seed;
 
     @Option(
             names = "--speed",
             paramLabel = "X|max",
             converter = Speed.class,
-            description = "Simulated over real time, from 0.1; max: as fast as it can.")
+            description = "Simulated time over real time, from 0.1; max: as fast as possible.")
     private @Nullable Double speed;
 
     Map<String, String> arguments() {

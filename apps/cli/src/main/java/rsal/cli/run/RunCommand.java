@@ -34,8 +34,9 @@ import rsal.server.RunServer;
 @Command(
         name = "run",
         description = {
-            "Run a scenario, to be watched in a browser or, with --headless, for its result alone.",
-            "The page's address is printed first; the page stays until Ctrl-C, or until the run ends with --once."
+            "Run a scenario, and show it in a browser. With --headless, print only its result.",
+            "The address of the page is printed first. The page stays until Ctrl-C or, with --once, until the run"
+                    + " ends."
         })
 public final class RunCommand extends Subcommand {
     private static final Map<String, Integer> EXIT_BY_OUTCOME =
@@ -57,38 +58,44 @@ public final class RunCommand extends Subcommand {
     @Option(names = "--headless", description = "No page: the command ends with the run.")
     private boolean headless;
 
-    @Option(names = "--quiet", description = "Without the lines that agents print.")
+    @Option(names = "--quiet", description = "Do not print the lines of agents.")
     private boolean quiet;
 
-    @Option(names = "--once", description = "With the page, too, end with the run.")
+    @Option(names = "--once", description = "With a page: end the command when the run ends.")
     private boolean once;
 
     @Option(
             names = "--for",
             paramLabel = "SECONDS",
             converter = Seconds.class,
-            description = "End after so many simulated seconds.")
+            description = "End after this number of simulated seconds.")
     private @Nullable Duration limit;
 
-    @Option(names = "--mas", paramLabel = "KEY", description = "Run the agents on another host ('rsal list mas').")
+    @Option(
+            names = "--mas",
+            paramLabel = "KEY",
+            description = "Run the agents on another agent platform ('rsal list mas').")
     private @Nullable String mas;
 
-    @Option(names = "--mrs", paramLabel = "KEY", description = "Take the robots from another system ('rsal list mrs').")
+    @Option(
+            names = "--mrs",
+            paramLabel = "KEY",
+            description = "Take the robots from another robot system ('rsal list mrs').")
     private @Nullable String mrs;
 
     @Option(
             names = "--clock",
             paramLabel = "simulated|wall",
             description = "Simulated time, in which the same seed gives the same run, or real time, which some agent"
-                    + " hosts and all real robots need.")
+                    + " platforms and all real robots need.")
     private @Nullable String clock;
 
     @Option(
             names = "--with",
             converter = FileName.class,
             paramLabel = "SCENARIO[:CONFIGURATION]",
-            description = "Another scenario joins: its agents without a robot come along, as 'distribution:found',"
-                    + " which spreads the robots again and again.")
+            description = "Let the agents without a robot of another scenario join, such as 'distribution:found',"
+                    + " which distributes the robots repeatedly.")
     private @Nullable String with;
 
     @Mixin
@@ -97,18 +104,18 @@ public final class RunCommand extends Subcommand {
     @Option(
             names = "--save-maps",
             paramLabel = "DIR",
-            description =
-                    "When the run ends, write the maps that robots drew to this folder: ROBOT.yaml and ROBOT.pgm.")
+            description = "Write the maps that robots have drawn to this folder when the run ends: ROBOT.yaml and"
+                    + " ROBOT.pgm.")
     private @Nullable String saveMaps;
 
-    @Option(names = "--force", description = "Overwrite maps and a recording that are there.")
+    @Option(names = "--force", description = "Overwrite existing maps and an existing recording.")
     private boolean force;
 
     @Option(
             names = "--arm",
             description =
-                    "Switch the motors on at the start: robots of Player servers stand until somebody does. Not when the"
-                            + " scenario was edited in the page.")
+                    "Switch the motors on at the start. Without it, real robots stand until somebody arms them. It"
+                            + " has no effect on a scenario that was edited in the page.")
     private boolean arm;
 
     @Override

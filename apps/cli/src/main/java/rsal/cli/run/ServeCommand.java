@@ -26,8 +26,8 @@ import rsal.server.RunServer;
 @Command(
         name = "serve",
         description = {
-            "Show a page where people choose a scenario, what it is run with, and start it.",
-            "The page's address is printed first; it stays until Ctrl-C."
+            "Show a page in which people choose a scenario and its settings, and start it.",
+            "The address of the page is printed first. The page stays until Ctrl-C."
         })
 public final class ServeCommand extends Subcommand {
     @Parameters(
@@ -35,14 +35,15 @@ public final class ServeCommand extends Subcommand {
             paramLabel = "SCENARIO",
             arity = "0..*",
             description =
-                    "Scenarios of your own that the page offers, too: a file, its folder as for 'rsal run', or a world. They are read again for each run."
-                            + " Anyone who has the address with its token can run these, and no other files.")
+                    "Your scenarios, which the page offers, too: a file, its folder as for 'rsal run', or a world."
+                            + " They are read again for each run. Anyone who has the address with its token can run"
+                            + " these files, and no others.")
     private List<String> own = List.of();
 
     @Mixin
     private PageChoices page = new PageChoices();
 
-    @Option(names = "--force", description = "Overwrite a recording that is there.")
+    @Option(names = "--force", description = "Overwrite an existing recording.")
     private boolean force;
 
     @Override

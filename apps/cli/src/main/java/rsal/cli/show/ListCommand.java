@@ -17,7 +17,7 @@ import rsal.scenario.installed.Providers;
 import rsal.system.BridgeProvider;
 
 /// `rsal list`
-@Command(name = "list", description = "List the scenarios that come with RSAL, or what scenarios can be made of.")
+@Command(name = "list", description = "List the scenarios that come with RSAL, or the parts that scenarios can use.")
 public final class ListCommand extends Subcommand {
     @Parameters(
             paramLabel = "WHAT",

@@ -11,8 +11,8 @@ public record ScenarioReference(String nameOrFile, Optional<String> configuratio
     public static final String DEFAULT = "hunt-and-prey";
     /// What people are told that they may type.
     public static final String WHAT =
-            "A built-in scenario ('rsal list'), a file, or its folder (scenario.yaml, or named like the"
-                    + " folder, as 'rsal new' makes them)";
+            "A scenario of RSAL ('rsal list'), a scenario file, or its folder (with scenario.yaml, or a file named"
+                    + " like the folder)";
 
     /// @param typed as [rsal.cli.terminal.FileName] reads it
     public static ScenarioReference parse(String typed) {

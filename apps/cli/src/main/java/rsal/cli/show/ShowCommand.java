@@ -33,8 +33,10 @@ import rsal.settings.Suggestion;
 @Command(
         name = "show",
         description =
-                "Show what is in a scenario (arguments, configurations, robots and their devices, agents, ends"
-                        + " and metrics), what is in a world, with a picture of it, what is in a recording (FILE.mcap), what a map, robot model or part is, what is in the file of an agent (FILE.java, FILE.asl) or a metric (FILE.java), or what can be set of an agent, a device driver (also by what it may use, as 'vfh'), a metric or a back end.")
+                "Show the content of a scenario, a world (with an image), a map, a robot model, a part, a recording,"
+                        + " or a file of an agent or a metric. Or show the parameters of an agent type, a device"
+                        + " driver (or of an algorithm that it may use, such as 'vfh'), a metric, a robot system or"
+                        + " an agent platform.")
 public final class ShowCommand extends Subcommand {
     private static final int PICTURE = 1600; // longest side [px]
 
@@ -49,7 +51,7 @@ public final class ShowCommand extends Subcommand {
     @Option(
             names = "--image",
             paramLabel = "OUT.png",
-            description = "Where to draw a world or a map. Default: its own name with .png, in this folder.")
+            description = "File for the image of a world or a map. Default: its name with .png, in this folder.")
     private @Nullable Path image;
 
     @Override

@@ -23,9 +23,8 @@ import rsal.settings.Problem;
 /// `rsal validate`
 @Command(
         name = "validate",
-        description =
-                "Check scenarios with all their configurations, or with one, and worlds, maps, robot models and parts, agents'"
-                        + " programs and recordings. Reports every error and starts nothing.")
+        description = "Check scenarios with all configurations or with one, worlds, maps, robot models, parts, agents'"
+                + " programs and recordings. Reports every error and starts nothing.")
 public final class ValidateCommand extends Subcommand {
     @Parameters(
             converter = FileName.class,

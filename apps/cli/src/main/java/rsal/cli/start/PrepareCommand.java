@@ -11,8 +11,9 @@ import rsal.cli.terminal.Unreachable;
 @Command(
         name = "prepare",
         description =
-                "Make the cache from which an unpacked release starts fast, and print where it is. The first start of a"
-                        + " release does so in the background; images of containers and labs do so when they are set up.")
+                "Make the cache for fast starts of an unpacked release, and print its folder. The first start of a"
+                        + " release does so in the background. Use this command to set up images of containers, and"
+                        + " labs.")
 public final class PrepareCommand extends Subcommand {
     @Override
     protected int run() throws InterruptedException {

@@ -23,10 +23,10 @@ import rsal.experiment.report.Report.Written;
 @Command(
         name = "report",
         description = {
-            "Write the results of a sweep to a page that can be sent to others: how runs ended, what was measured and how"
-                    + " sure that is, and what each change does. Its figures are beside it as SVG, PDF, PNG and CSV, its"
-                    + " tables as CSV and LaTeX.",
-            "The sweep may still go on."
+            "Write the results of a sweep to a page in one file: outcomes, metrics with confidence intervals, and the"
+                    + " effect of each change. Figures are written beside the page as SVG, PDF, PNG and CSV, tables"
+                    + " as CSV and LaTeX.",
+            "The sweep may still run."
         })
 public final class ReportCommand extends Subcommand {
     @Parameters(
@@ -54,7 +54,7 @@ public final class ReportCommand extends Subcommand {
                     + " 'monospace'. Default: 'sans-serif'.")
     private String font = Print.COLUMN.family();
 
-    @Option(names = "--font-size", paramLabel = "PT", description = "Its height in points. Default: 8.")
+    @Option(names = "--font-size", paramLabel = "PT", description = "Height of that font in points. Default: 8.")
     private double fontSize = Print.COLUMN.points();
 
     @Override

@@ -46,8 +46,8 @@ import rsal.time.AllowedToReadWallClock;
         name = "sweep",
         description = {
             "Run a scenario with every combination of configurations and arguments, each with the same seeds, and"
-                    + " keep a row of each run. 'rsal report' shows the results.",
-            "Runs go as fast as they can, several at once; each is what 'rsal run' with its seed gives."
+                    + " write a row for each run. 'rsal report' shows the results.",
+            "Several runs execute at once, as fast as possible. Each has the same result as 'rsal run' with its seed."
         })
 @AllowedToReadWallClock("Notes when a sweep was made.")
 public final class SweepCommand extends Subcommand {
@@ -70,8 +70,8 @@ public final class SweepCommand extends Subcommand {
             names = "--vary",
             paramLabel = "NAME=VALUES",
             converter = RunChoices.Setting.Converter.class,
-            description = "Try an argument with several values: 1,2,4; of numbers also 1:10:3, which is 1,4,7,10."
-                    + " May be repeated: all combinations are tried.")
+            description = "Run with several values of an argument: 1,2,4; for numbers also 1:10:3, which is 1,4,7,10."
+                    + " May be repeated: all combinations are run.")
     private List<RunChoices.Setting> varied = List.of();
 
     @Option(
@@ -91,7 +91,7 @@ public final class SweepCommand extends Subcommand {
             names = "--seeds",
             paramLabel = "A-B",
             converter = Seeds.class,
-            description = "Run each combination with the seeds A to B. A number alone is how many, as of --repeat.")
+            description = "Run each combination with the seeds A to B. A single number N is 1 to N, as with --repeat.")
     private @Nullable SeedRange seeds;
 
     @Option(names = "--jobs", paramLabel = "N", description = "Number of runs at once. Default: the number of cores.")
@@ -101,25 +101,25 @@ public final class SweepCommand extends Subcommand {
             names = "--for",
             paramLabel = "SECONDS",
             converter = RunCommand.Seconds.class,
-            description = "End each run after so many simulated seconds.")
+            description = "End each run after this number of simulated seconds.")
     private @Nullable Duration limit;
 
     @Option(
             names = "--resume",
-            description = "Go on with a sweep that was broken off: the same command again, with this.")
+            description = "Resume an interrupted sweep: give the same command again, with this option.")
     private boolean resume;
 
     @Option(
             names = "--record",
             description =
-                    "Record each run, to DIR/recordings/RUN.mcap: 'rsal replay' shows it, and the report leads to it.")
+                    "Record each run to DIR/recordings/RUN.mcap. 'rsal replay' shows it, and the report links to it.")
     private boolean record;
 
     @Option(
             names = "--out",
             paramLabel = "DIR",
             required = true,
-            description = "Where the rows are kept; made if it isn't there.")
+            description = "Folder for the rows. It is made if it does not exist.")
     private String out = "";
 
     @Override

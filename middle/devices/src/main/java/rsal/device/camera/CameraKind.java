@@ -16,9 +16,9 @@ public final class CameraKind implements DeviceKind {
     public static final Parameter<Double> FIELD_OF_VIEW =
             Parameter.number("fieldOfView", 60, 1, 150, "deg", "from the left edge of the image to its right");
     public static final Parameter<Double> RANGE =
-            Parameter.number("range", 8, 0.1, 65, "m", "how far away depth is measured at most");
+            Parameter.number("range", 8, 0.1, 65, "m", "maximum distance for which it measures depth");
     public static final Parameter<Double> VIEW =
-            Parameter.number("view", 30, 0.1, 1000, "m", "how far away colors are seen");
+            Parameter.number("view", 30, 0.1, 1000, "m", "maximum distance at which it sees colors");
     public static final Parameter<Double> DEPTH_NOISE = Parameter.number(
             "depthNoise", 0.0014, 0, 1, "1/m", "standard deviation of depth, times the square of the depth");
 

@@ -11,9 +11,9 @@ public final class GnssKind implements DeviceKind {
     public static final Parameter<Double> DEVIATION = Parameter.number(
             "deviation", 1.2, 0, 1000, "m", "standard deviation of the error that changes slowly, of x and of y");
     public static final Parameter<Double> CORRELATION_TIME =
-            Parameter.number("correlationTime", 60, 0.1, 1e6, "s", "after which little of that error is left");
+            Parameter.number("correlationTime", 60, 0.1, 1e6, "s", "time after which little of that error is left");
     public static final Parameter<Double> NOISE =
-            Parameter.number("noise", 0.1, 0, 1000, "m", "standard deviation of what is added to each reading");
+            Parameter.number("noise", 0.1, 0, 1000, "m", "standard deviation of the noise of each reading");
     public static final Parameter<Double> LATITUDE =
             Parameter.number("latitude", 53.599, -89, 89, "deg", "of the map's origin, north");
     public static final Parameter<Double> LONGITUDE =
@@ -26,7 +26,7 @@ public final class GnssKind implements DeviceKind {
 
     @Override
     public String description() {
-        return "Measures where the robot is by satellites.";
+        return "Measures the robot's position by satellites.";
     }
 
     @Override

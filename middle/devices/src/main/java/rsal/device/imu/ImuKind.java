@@ -28,7 +28,7 @@ public final class ImuKind implements DeviceKind {
 
     @Override
     public String description() {
-        return "Measures how the robot turns and accelerates.";
+        return "Measures the robot's angular velocity and acceleration.";
     }
 
     @Override

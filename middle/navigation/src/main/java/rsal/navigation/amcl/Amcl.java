@@ -70,7 +70,7 @@ public final class Amcl {
 
     /// @param minParticles tracked with at least
     /// @param maxParticles never more than
-    /// @param independentBeams how many beams a scan counts for
+    /// @param independentBeams number of independent beams for which a scan counts
     /// @param updateDistance way after which a scan is looked at [m]
     /// @param updateTurn turn after which a scan is looked at [rad]
     /// @param model by which particles are weighed; searches and refinement always use the field

@@ -26,7 +26,7 @@ final class LocalizationMonitor {
     private final double independentBeams;
     private double log; // of the odds of a right pose
 
-    /// @param independentBeams how many beams a scan counts for
+    /// @param independentBeams number of independent beams for which a scan counts
     LocalizationMonitor(double independentBeams) {
         this.independentBeams = independentBeams;
     }

@@ -31,7 +31,7 @@ final class Refinement {
 
     /// @param toWall how far the nearest place is where a beam may end
     /// @param deviation how far hits are from the walls of the map [m]
-    /// @param independentBeams how many beams a scan counts for
+    /// @param independentBeams number of independent beams for which a scan counts
     Refinement(DistanceField toWall, double deviation, double independentBeams) {
         this.toWall = toWall;
         this.deviation = deviation;

@@ -15,7 +15,7 @@ public final class DwaControllerType implements ControllerType {
 
     @Override
     public String description() {
-        return "Chooses among speeds that it can reach at once by where they lead (dynamic window approach).";
+        return "Chooses the best of the velocities that the robot can reach at once (dynamic window approach).";
     }
 
     @Override

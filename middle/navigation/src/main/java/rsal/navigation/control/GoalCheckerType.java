@@ -5,8 +5,8 @@ import rsal.device.Navigator.Tolerance;
 import rsal.settings.Arguments;
 import rsal.settings.Plugin;
 
-/// A kind of goal checkers: what decides when a goal counts as reached. Found by [java.util.ServiceLoader], or
-/// a Java file that a scenario names (`navigator: {goalChecker: Mine.java}`).
+/// A kind of goal checkers: what decides when a goal is reached. Found by [java.util.ServiceLoader], or a Java
+/// file that a scenario names (`navigator: {goalChecker: Mine.java}`).
 public interface GoalCheckerType extends Plugin {
     /// One for each goal.
     ///

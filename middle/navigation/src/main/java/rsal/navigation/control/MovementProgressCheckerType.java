@@ -10,7 +10,12 @@ import rsal.settings.Parameter;
 /// Progress is a move, wherever it leads, as Nav2's SimpleProgressChecker and PoseProgressChecker have it.
 public final class MovementProgressCheckerType implements ProgressCheckerType {
     private static final Parameter<Double> DISTANCE = Parameter.number(
-            "distance", 0.5, 0.01, 10, "m", "the robot makes progress when it is so far from where it last did");
+            "distance",
+            0.5,
+            0.01,
+            10,
+            "m",
+            "the robot makes progress when it is this far from the place of its last progress");
     private static final Parameter<Double> ANGLE =
             Parameter.number("angle", 60, 1, 180, "deg", "or when it has turned by more than this");
 
@@ -21,7 +26,7 @@ public final class MovementProgressCheckerType implements ProgressCheckerType {
 
     @Override
     public String description() {
-        return "A robot makes progress when it moves or turns, wherever that leads.";
+        return "A robot makes progress when it moves or turns, in any direction.";
     }
 
     @Override

@@ -13,7 +13,7 @@ public final class MpcControllerType implements ControllerType {
 
     @Override
     public String description() {
-        return "Plans speeds some seconds ahead through where obstacles will be (model predictive control).";
+        return "Plans velocities some seconds ahead, between the predicted obstacles (model predictive control).";
     }
 
     @Override

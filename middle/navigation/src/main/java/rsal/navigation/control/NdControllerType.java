@@ -9,9 +9,14 @@ import rsal.settings.Parameter;
 /// Makes controllers by [Nd].
 public final class NdControllerType implements ControllerType {
     private static final Parameter<Double> AVOID_DIST = Parameter.number(
-            "avoidDist", 0.5, 0.05, 3, "m", "from what is nearer to its edge it turns away and slows down");
+            "avoidDist",
+            0.5,
+            0.05,
+            3,
+            "m",
+            "it turns away from obstacles nearer to its edge than this, and slows down");
     private static final Parameter<Double> SAFETY_DIST =
-            Parameter.number("safetyDist", 0, 0, 1, "m", "room around the robot that counts as part of it");
+            Parameter.number("safetyDist", 0, 0, 1, "m", "margin around the robot that counts as part of it");
 
     @Override
     public String key() {
@@ -20,7 +25,7 @@ public final class NdControllerType implements ControllerType {
 
     @Override
     public String description() {
-        return "Turns by what kind of gap is ahead (nearness diagram), as Player's nd does.";
+        return "Selects one of six situations by the gaps ahead (nearness diagram), as Player's nd does.";
     }
 
     @Override

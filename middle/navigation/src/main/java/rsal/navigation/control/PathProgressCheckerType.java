@@ -8,7 +8,12 @@ import rsal.settings.Parameter;
 /// Progress is less of the path that is left, or of the turn at the goal.
 public final class PathProgressCheckerType implements ProgressCheckerType {
     private static final Parameter<Double> MIN_PROGRESS = Parameter.number(
-            "minProgress", 0.1, 0.01, 10, "m", "less of the path that is left; as an angle [rad] at the goal");
+            "minProgress",
+            0.1,
+            0.01,
+            10,
+            "m",
+            "decrease of the remaining path that is progress; at the goal, of the remaining angle [rad]");
 
     @Override
     public String key() {
@@ -17,7 +22,7 @@ public final class PathProgressCheckerType implements ProgressCheckerType {
 
     @Override
     public String description() {
-        return "A robot makes progress when less of its path is left.";
+        return "A robot makes progress when its remaining path gets shorter.";
     }
 
     @Override

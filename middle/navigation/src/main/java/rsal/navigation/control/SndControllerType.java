@@ -9,12 +9,12 @@ import rsal.settings.Parameter;
 
 /// Makes controllers by [Snd].
 public final class SndControllerType implements ControllerType {
-    private static final Parameter<Double> OBSTACLE_AVOID_DIST =
-            Parameter.number("obstacleAvoidDist", 0.6, 0.05, 5, "m", "from what is nearer to its edge it turns away");
+    private static final Parameter<Double> OBSTACLE_AVOID_DIST = Parameter.number(
+            "obstacleAvoidDist", 0.6, 0.05, 5, "m", "it turns away from obstacles nearer to its edge than this");
     private static final Parameter<Double> MIN_GAP_WIDTH =
-            Parameter.number("minGapWidth", 0.5, 0.05, 3, "m", "by how much ranges must jump where it sees a gap");
+            Parameter.number("minGapWidth", 0.5, 0.05, 3, "m", "minimum jump of neighboring ranges at a gap");
     private static final Parameter<Double> ROBOT_RADIUS = Parameter.number(
-            "robotRadius", 0, 0, 3, "m", "of the circle that it takes the robot for; 0: one as large as it is");
+            "robotRadius", 0, 0, 3, "m", "radius of the circle for which the robot counts; 0: the radius of the robot");
 
     @Override
     public String key() {
@@ -23,7 +23,8 @@ public final class SndControllerType implements ControllerType {
 
     @Override
     public String description() {
-        return "Turns away from all that is near the more the nearer it is (smooth nearness diagram), as Player's snd does.";
+        return "Turns away from near obstacles, the more the nearer they are (smooth nearness diagram), as Player's"
+                + " snd does.";
     }
 
     @Override

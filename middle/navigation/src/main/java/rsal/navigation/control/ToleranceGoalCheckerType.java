@@ -11,7 +11,7 @@ import rsal.settings.Parameter;
 /// A goal is reached within the tolerance that it is sent with.
 public final class ToleranceGoalCheckerType implements GoalCheckerType {
     private static final Parameter<Double> LEAVING = Parameter.number(
-            "leaving", 1.3, 1, 10, "", "how many times the tolerance the robot may be away again while it turns");
+            "leaving", 1.3, 1, 10, "", "how many times the tolerance the robot may move away again while it turns");
 
     @Override
     public String key() {

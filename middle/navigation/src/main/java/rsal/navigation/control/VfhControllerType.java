@@ -16,7 +16,7 @@ public final class VfhControllerType implements ControllerType {
 
     @Override
     public String description() {
-        return "Steers to the best opening in a polar histogram of what is around (VFH+), as Player's vfh does.";
+        return "Steers to the best opening in a polar histogram of the obstacles around (VFH+), as Player's vfh does.";
     }
 
     @Override

@@ -13,46 +13,41 @@ final class VfhOptions {
     private static final double AT_LEAST = 0.01; // m per m/s; more room at speed
 
     private static final Parameter<Double> SAFETY_DIST0MS =
-            Parameter.number("safetyDist0ms", 0.1, 0, 1, "m", "room that it keeps from obstacles while standing");
+            Parameter.number("safetyDist0ms", 0.1, 0, 1, "m", "clearance from obstacles while standing");
     private static final Parameter<Double> SAFETY_DIST1MS =
-            Parameter.number("safetyDist1ms", 0.4, 0, 2, "m", "room that it keeps from obstacles at 1 m/s");
+            Parameter.number("safetyDist1ms", 0.4, 0, 2, "m", "clearance from obstacles at 1 m/s");
     private static final Parameter<Double> WINDOW_DIAMETER = Parameter.number(
             "windowDiameter",
             0,
             0,
             200,
             "cells",
-            "it looks so far to all sides together; 0: twice 0.6 m and what it drives in 2 s");
+            "diameter of the area around the robot that it uses; 0: twice 0.6 m plus the distance of 2 s");
     private static final Parameter<Double> CELL_SIZE =
-            Parameter.number("cellSize", 0.1, 0.01, 1, "m", "what windowDiameter is counted in");
+            Parameter.number("cellSize", 0.1, 0.01, 1, "m", "unit of windowDiameter");
     private static final Parameter<Double> SECTOR_ANGLE =
-            Parameter.number("sectorAngle", 5, 1, 30, "deg", "between directions that it tells apart");
+            Parameter.number("sectorAngle", 5, 1, 30, "deg", "angle between neighboring directions");
     private static final Parameter<Double> MAX_SPEED_NARROW_OPENING = Parameter.number(
-            "maxSpeedNarrowOpening",
-            NO_LIMIT,
-            0.05,
-            NO_LIMIT,
-            "m/s",
-            "it is never faster in openings of less than 80°");
-    private static final Parameter<Double> MAX_SPEED_WIDE_OPENING = Parameter.number(
-            "maxSpeedWideOpening", NO_LIMIT, 0.05, NO_LIMIT, "m/s", "it is never faster in wider ones");
+            "maxSpeedNarrowOpening", NO_LIMIT, 0.05, NO_LIMIT, "m/s", "maximum speed in openings of less than 80°");
+    private static final Parameter<Double> MAX_SPEED_WIDE_OPENING =
+            Parameter.number("maxSpeedWideOpening", NO_LIMIT, 0.05, NO_LIMIT, "m/s", "maximum speed in wider openings");
     private static final Parameter<Double> MAX_TURN_RATE0MS = Parameter.number(
-            "maxTurnRate0ms", NO_TURN_LIMIT, 5, NO_TURN_LIMIT, "deg/s", "it never turns faster while standing");
-    private static final Parameter<Double> MAX_TURN_RATE1MS = Parameter.number(
-            "maxTurnRate1ms", NO_TURN_LIMIT, 5, NO_TURN_LIMIT, "deg/s", "it never turns faster at 1 m/s");
-    private static final Parameter<Double> MIN_TURN_RADIUS_SAFETY_FACTOR =
-            Parameter.number("minTurnRadiusSafetyFactor", 1, 0.1, 10, "", "it takes curves for so many times wider");
+            "maxTurnRate0ms", NO_TURN_LIMIT, 5, NO_TURN_LIMIT, "deg/s", "maximum turn rate while standing");
+    private static final Parameter<Double> MAX_TURN_RATE1MS =
+            Parameter.number("maxTurnRate1ms", NO_TURN_LIMIT, 5, NO_TURN_LIMIT, "deg/s", "maximum turn rate at 1 m/s");
+    private static final Parameter<Double> MIN_TURN_RADIUS_SAFETY_FACTOR = Parameter.number(
+            "minTurnRadiusSafetyFactor", 1, 0.1, 10, "", "factor by which it assumes curves to be wider");
     private static final Parameter<Double> WEIGHT_DESIRED_DIR = Parameter.number(
             "weightDesiredDir",
             5,
             0,
             100,
             "",
-            "what it is worth to go to the target; more than the other two weights together");
+            "weight of the direction of the target; more than the other two weights together");
     private static final Parameter<Double> WEIGHT_CURRENT_DIR =
-            Parameter.number("weightCurrentDir", 2, 0, 100, "", "what it is worth to go straight on");
+            Parameter.number("weightCurrentDir", 2, 0, 100, "", "weight of the present direction");
     private static final Parameter<Double> WEIGHT_PREVIOUS_DIR =
-            Parameter.number("weightPreviousDir", 2, 0, 100, "", "what it is worth to keep its choice");
+            Parameter.number("weightPreviousDir", 2, 0, 100, "", "weight of the previously chosen direction");
 
     private VfhOptions() {}
 

@@ -48,7 +48,7 @@ public final class AmclDriver implements DeviceDriver {
 
     @Override
     public String description() {
-        return "Says where the robot is on the map: a particle filter (adaptive Monte Carlo localization).";
+        return "Estimates the robot's pose on the map by a particle filter (adaptive Monte Carlo localization).";
     }
 
     @Override

@@ -19,7 +19,7 @@ public final class ExploredDriver implements DeviceDriver {
 
     @Override
     public String description() {
-        return "Plans paths over the map that the robot's explorer draws, as far as it goes.";
+        return "Plans paths over the map that the robot's explorer has drawn so far.";
     }
 
     @Override

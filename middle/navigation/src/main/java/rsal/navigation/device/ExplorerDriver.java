@@ -26,7 +26,7 @@ public final class ExplorerDriver implements DeviceDriver {
     private static final Parameter<Double> RESOLUTION =
             Parameter.number("resolution", 0.1, 0.02, 1, "m", "side of a cell of the map");
     private static final Parameter<Boolean> MAP_ONLY =
-            Parameter.flag("mapOnly", false, "whether it only draws the map and leaves the driving to others");
+            Parameter.flag("mapOnly", false, "whether it only draws the map, and does not drive the robot");
     private static final String SLAM = "slam";
     private static final String NAVIGATOR = "navigator";
 
@@ -39,7 +39,8 @@ public final class ExplorerDriver implements DeviceDriver {
 
     @Override
     public String description() {
-        return "Drives the robot where its map ends, until all is mapped; several robots divide the work.";
+        return "Drives the robot to the frontiers of its map until there is none; several robots divide the"
+                + " frontiers.";
     }
 
     @Override

@@ -18,12 +18,12 @@ import rsal.settings.PluginChoice;
 /// The global planners of robots of one size, shared by all that have the same size and settings.
 final class GlobalPlanners {
     private static final Parameter<Double> COMFORT_DISTANCE =
-            Parameter.number("comfortDistance", 0.5, 0, 5, "m", "room beyond which more room is worth nothing");
+            Parameter.number("comfortDistance", 0.5, 0, 5, "m", "clearance above which a path costs nothing extra");
     private static final Parameter<Double> WALL_COST =
-            Parameter.number("wallCost", 3, 0, 5, "", "how many times longer a path may be to stay away from a wall");
+            Parameter.number("wallCost", 3, 0, 5, "", "how many times longer a path may be to keep away from walls");
 
-    static final Parameter<Double> WALL_DISTANCE =
-            Parameter.number("wallDistance", 0.1, 0, 2, "m", "least room to plan between the robot and a wall");
+    static final Parameter<Double> WALL_DISTANCE = Parameter.number(
+            "wallDistance", 0.1, 0, 2, "m", "minimum clearance between the robot and a wall on a path");
 
     private record Key(OccupancyGrid map, Clearance clearance) {}
 

@@ -23,7 +23,8 @@ public final class JumpPointDriver implements DeviceDriver {
 
     @Override
     public String description() {
-        return "Finds shortest paths over the map quickly, to compare distances. They pass obstacles as closely as is allowed.";
+        return "Plans shortest paths over the map quickly, to compare distances. Paths pass obstacles as closely as"
+                + " is allowed.";
     }
 
     @Override

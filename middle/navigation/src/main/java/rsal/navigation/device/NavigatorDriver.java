@@ -33,19 +33,19 @@ import rsal.settings.PluginKind;
 /// drive when it makes no progress. All are plugins, as what decides about goals and progress is.
 public final class NavigatorDriver implements DeviceDriver {
     private static final Parameter<Double> ESCAPE_TIME =
-            Parameter.number("escapeTime", 5, 0.5, 30, "s", "how long recoveries back up at most");
+            Parameter.number("escapeTime", 5, 0.5, 30, "s", "maximum time of recoveries backward");
     private static final Parameter<Double> ESCAPE_SPEED =
-            Parameter.number("escapeSpeed", 0.1, 0.02, 0.5, "m/s", "how fast recoveries back up");
+            Parameter.number("escapeSpeed", 0.1, 0.02, 0.5, "m/s", "speed of recoveries backward");
     private static final Parameter<Double> TIMEOUT =
-            Parameter.number("timeout", 45, 5, 600, "s", "without progress, until it gives up");
+            Parameter.number("timeout", 45, 5, 600, "s", "time without progress after which it gives up");
     private static final Parameter<Double> REPLAN_PERIOD =
-            Parameter.number("replanPeriod", 4, 0.2, 60, "s", "how often it looks for a better path");
+            Parameter.number("replanPeriod", 4, 0.2, 60, "s", "time between two searches for a better path");
     private static final Parameter<Double> MAX_ACCELERATION =
-            Parameter.number("maxAcceleration", 10, 0.05, 10, "m/s²", "never speeds up or brakes harder");
+            Parameter.number("maxAcceleration", 10, 0.05, 10, "m/s²", "maximum acceleration and deceleration");
     private static final Parameter<Double> MAX_TURN_RATE =
-            Parameter.number("maxTurnRate", 70, 5, 360, "deg/s", "never turns faster");
+            Parameter.number("maxTurnRate", 70, 5, 360, "deg/s", "maximum turn rate");
     private static final Parameter<Double> MAX_SPEED =
-            Parameter.number("maxSpeed", 0.4, 0.05, 3, "m/s", "never faster");
+            Parameter.number("maxSpeed", 0.4, 0.05, 3, "m/s", "maximum speed");
     private static final double LOOKAHEAD_TIME = 2.0; // s
     private static final double LEAST_LOOKAHEAD = 0.6; // m
     private static final double REACTION = 2 * PathNavigator.BEAT_SECONDS;
@@ -53,7 +53,7 @@ public final class NavigatorDriver implements DeviceDriver {
     private static final PluginKind CONTROLLERS =
             PluginKind.of("controller", ControllerType.class, ServiceLoader.load(ControllerType.class));
     private static final Parameter<PluginChoice> CONTROLLER =
-            Parameter.plugin("controller", "vfh", CONTROLLERS, "drives along the path and around what is in it");
+            Parameter.plugin("controller", "vfh", CONTROLLERS, "drives along the path and around obstacles");
 
     private static final PluginKind PLANNERS =
             PluginKind.of("planner", PlannerType.class, ServiceLoader.load(PlannerType.class));
@@ -63,15 +63,12 @@ public final class NavigatorDriver implements DeviceDriver {
     private static final PluginKind GOAL_CHECKERS =
             PluginKind.of("goalChecker", GoalCheckerType.class, ServiceLoader.load(GoalCheckerType.class));
     private static final Parameter<PluginChoice> GOAL_CHECKER =
-            Parameter.plugin("goalChecker", "tolerance", GOAL_CHECKERS, "decides when a goal counts as reached");
+            Parameter.plugin("goalChecker", "tolerance", GOAL_CHECKERS, "decides when a goal is reached");
 
     private static final PluginKind PROGRESS_CHECKERS =
             PluginKind.of("progressChecker", ProgressCheckerType.class, ServiceLoader.load(ProgressCheckerType.class));
     private static final Parameter<PluginChoice> PROGRESS_CHECKER = Parameter.plugin(
-            "progressChecker",
-            "path",
-            PROGRESS_CHECKERS,
-            "decides what counts as progress; without it a recovery begins");
+            "progressChecker", "path", PROGRESS_CHECKERS, "defines progress; without progress, a recovery begins");
 
     private static final PluginKind RECOVERY_TYPES =
             PluginKind.of("recovery", RecoveryType.class, ServiceLoader.load(RecoveryType.class));
@@ -79,9 +76,9 @@ public final class NavigatorDriver implements DeviceDriver {
             "recoveries",
             List.of("multiPointTurn", "turnAround", "backUp"),
             RECOVERY_TYPES,
-            "what to do without progress: of these, the first one that fits");
-    private static final Parameter<PluginChoice> LOST_RECOVERY = Parameter.plugin(
-            "lostRecovery", "lookAround", RECOVERY_TYPES, "what to do while the robot does not know where it is");
+            "recoveries without progress: the first one that is due begins");
+    private static final Parameter<PluginChoice> LOST_RECOVERY =
+            Parameter.plugin("lostRecovery", "lookAround", RECOVERY_TYPES, "recovery while the robot is not localized");
 
     private final GlobalPlanners ways = new GlobalPlanners();
 

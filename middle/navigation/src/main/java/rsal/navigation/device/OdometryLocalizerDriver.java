@@ -14,9 +14,9 @@ import rsal.settings.Parameter;
 /// Makes localizers of exact odometry, such as that of a simulation's robots that have no noise.
 public final class OdometryLocalizerDriver implements DeviceDriver {
     private static final Parameter<Double> DEVIATION =
-            Parameter.number("deviation", 0, 0, 100, "m", "how uncertain the start position is");
+            Parameter.number("deviation", 0, 0, 100, "m", "standard deviation of the start position");
     private static final Parameter<Double> ANGLE_DEVIATION =
-            Parameter.number("angleDeviation", 0, 0, 360, "deg", "how uncertain the start heading is");
+            Parameter.number("angleDeviation", 0, 0, 360, "deg", "standard deviation of the start heading");
 
     @Override
     public String key() {
@@ -25,7 +25,8 @@ public final class OdometryLocalizerDriver implements DeviceDriver {
 
     @Override
     public String description() {
-        return "Says where the robot is by odometry alone: for robots whose odometry is exact, as no error is ever found.";
+        return "Estimates the robot's pose by odometry alone. It detects no errors, so it is for robots with exact"
+                + " odometry.";
     }
 
     @Override

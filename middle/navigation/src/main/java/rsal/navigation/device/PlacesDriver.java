@@ -17,7 +17,7 @@ public final class PlacesDriver implements DeviceDriver {
 
     @Override
     public String description() {
-        return "Finds places spread evenly over the map, where robots fit and get to.";
+        return "Finds places that are evenly distributed over the map, and that robots can reach.";
     }
 
     @Override

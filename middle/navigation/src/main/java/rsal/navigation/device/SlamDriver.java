@@ -15,7 +15,7 @@ import rsal.settings.Parameter;
 /// Makes localizers that map while they go.
 public final class SlamDriver implements DeviceDriver {
     private static final Parameter<Double> MAX_RANGE =
-            Parameter.number("maxRange", 25, 0.5, 200, "m", "hits beyond this are not matched");
+            Parameter.number("maxRange", 25, 0.5, 200, "m", "longer ranges are not matched");
     private static final Parameter<Double> KEYFRAME_DISTANCE =
             Parameter.number("keyframeDistance", 0.5, 0.05, 5, "m", "distance between two scans that are kept");
     private static final Parameter<Double> KEYFRAME_ANGLE =
@@ -26,7 +26,7 @@ public final class SlamDriver implements DeviceDriver {
             2,
             100_000,
             "",
-            "greatest number of scans that are kept; with so many it only localizes");
+            "maximum number of scans that are kept; with this number it only localizes");
 
     @Override
     public String key() {
@@ -35,7 +35,7 @@ public final class SlamDriver implements DeviceDriver {
 
     @Override
     public String description() {
-        return "Says where the robot is on a map that it makes itself, from laser and odometry (graph SLAM).";
+        return "Estimates the robot's pose on a map that it draws from laser and odometry (graph SLAM).";
     }
 
     @Override

@@ -16,7 +16,7 @@ import rsal.settings.Parameter;
 /// Makes planners that use [Wavefront] on the run's map.
 public final class WavefrontDriver implements DeviceDriver {
     static final Parameter<Double> GOAL_DISTANCE = Parameter.number(
-            "goalDistance", 0.4, 0, 10, "m", "how far from the goal a path may end when the robot doesn't fit there");
+            "goalDistance", 0.4, 0, 10, "m", "how far from the goal a path may end if the robot does not fit there");
 
     private final GlobalPlanners ways = new GlobalPlanners();
 

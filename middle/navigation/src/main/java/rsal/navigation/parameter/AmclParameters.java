@@ -9,33 +9,34 @@ public final class AmclParameters {
             "model",
             "auto",
             List.of("auto", "field", "beam"),
-            "how beams are judged: near walls (field) or as long as expected (beam); auto: beam for sonars");
+            "sensor model: distance of a beam's end from walls (field), or expected range (beam); auto: beam for"
+                    + " sonars");
     public static final Parameter<Integer> BEAMS =
-            Parameter.integer("beams", 60, 5, 1000, "", "beams of a laser scan to look at");
+            Parameter.integer("beams", 60, 5, 1000, "", "number of beams of a laser scan to use");
     public static final Parameter<Double> MAX_RANGE =
-            Parameter.number("maxRange", 30, 0.5, 200, "m", "ranges beyond this are not looked at");
-    public static final Parameter<Double> HIT_DEVIATION =
-            Parameter.number("hitDeviation", 0.1, 0.01, 1, "m", "how far laser hits are from the map's walls");
+            Parameter.number("maxRange", 30, 0.5, 200, "m", "longer ranges are ignored");
+    public static final Parameter<Double> HIT_DEVIATION = Parameter.number(
+            "hitDeviation", 0.1, 0.01, 1, "m", "standard deviation of laser hits from the walls of the map");
     public static final Parameter<Double> SONAR_DEVIATION =
             Parameter.number("sonarDeviation", 0.25, 0.01, 1, "m", "the same for sonars");
-    public static final Parameter<Double> RANDOM_SHARE = Parameter.number(
-            "randomShare", 0.05, 0.001, 0.5, "", "share of readings that have nothing to do with the map");
-    public static final Parameter<Double> INDEPENDENT_BEAMS =
-            Parameter.number("independentBeams", 15, 1, 1000, "", "how many beams a scan counts for");
-    public static final Parameter<Double> INDEPENDENT_SONARS =
-            Parameter.number("independentSonars", 3, 1, 1000, "", "how many of a round of sonars count");
-    public static final Parameter<Integer> MIN_PARTICLES =
-            Parameter.integer("minParticles", 150, 20, 100_000, "", "particles when it knows well where it is");
-    public static final Parameter<Integer> MAX_PARTICLES =
-            Parameter.integer("maxParticles", 5000, 100, 100_000, "", "particles when it knows least");
+    public static final Parameter<Double> RANDOM_SHARE =
+            Parameter.number("randomShare", 0.05, 0.001, 0.5, "", "share of readings that are independent of the map");
+    public static final Parameter<Double> INDEPENDENT_BEAMS = Parameter.number(
+            "independentBeams", 15, 1, 1000, "", "number of independent beams for which a scan counts");
+    public static final Parameter<Double> INDEPENDENT_SONARS = Parameter.number(
+            "independentSonars", 3, 1, 1000, "", "number of independent sonars for which a round counts");
+    public static final Parameter<Integer> MIN_PARTICLES = Parameter.integer(
+            "minParticles", 150, 20, 100_000, "", "number of particles when the pose is most certain");
+    public static final Parameter<Integer> MAX_PARTICLES = Parameter.integer(
+            "maxParticles", 5000, 100, 100_000, "", "number of particles when the pose is most uncertain");
     public static final Parameter<Double> UPDATE_DISTANCE =
-            Parameter.number("updateDistance", 0.1, 0.01, 5, "m", "distance after which it uses a scan");
+            Parameter.number("updateDistance", 0.1, 0.01, 5, "m", "distance after which it processes a scan");
     public static final Parameter<Double> UPDATE_ANGLE =
-            Parameter.number("updateAngle", 6, 0.5, 180, "deg", "turn after which it looks at a scan");
+            Parameter.number("updateAngle", 6, 0.5, 180, "deg", "rotation after which it processes a scan");
     public static final Parameter<Double> INITIAL_DEVIATION =
-            Parameter.number("initialDeviation", 0.2, 0, 100, "m", "how uncertain the start position is");
+            Parameter.number("initialDeviation", 0.2, 0, 100, "m", "standard deviation of the start position");
     public static final Parameter<Double> INITIAL_ANGLE_DEVIATION =
-            Parameter.number("initialAngleDeviation", 10, 0, 360, "deg", "how uncertain the start heading is");
+            Parameter.number("initialAngleDeviation", 10, 0, 360, "deg", "standard deviation of the start heading");
     public static final Parameter<Double> ODOMETRY_NOISE_SCALE =
             Parameter.number("odometryNoiseScale", 2, 0.5, 20, "", "factor on the odometry noise of the robot's model");
 

@@ -10,7 +10,7 @@ import rsal.settings.Parameter;
 /// Drives straight back a bit, then turns to the path. It ends early where something is behind.
 public final class BackUpRecoveryType implements RecoveryType {
     static final Parameter<Double> AFTER =
-            Parameter.number("after", 6, 0.5, 600, "s", "it begins when the robot makes no progress for so long");
+            Parameter.number("after", 6, 0.5, 600, "s", "time without progress after which it begins");
 
     @Override
     public String key() {

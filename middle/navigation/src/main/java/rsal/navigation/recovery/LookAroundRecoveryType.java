@@ -15,7 +15,7 @@ public final class LookAroundRecoveryType implements RecoveryType {
 
     @Override
     public String description() {
-        return "Drives straight on where there is room, else turns, so that the localizer gets new readings.";
+        return "Drives straight on if there is room, otherwise turns, so that the localizer gets new readings.";
     }
 
     @Override

@@ -20,7 +20,7 @@ import rsal.settings.Parameter;
 /// leave no room to turn in place and nobody is near. It fails where it finds no such legs, or they come to nothing.
 public final class MultiPointTurnRecoveryType implements RecoveryType {
     private static final Parameter<Double> AGAIN =
-            Parameter.number("again", 1.5, 0.5, 600, "s", "the same, after it came on by this recovery just before");
+            Parameter.number("again", 1.5, 0.5, 600, "s", "the same, directly after progress by this recovery");
 
     @Override
     public String key() {
@@ -29,7 +29,7 @@ public final class MultiPointTurnRecoveryType implements RecoveryType {
 
     @Override
     public String description() {
-        return "Turns in several legs, forward and back, where walls leave no room to turn in place.";
+        return "Turns in several legs, forward and backward, if walls leave no room to turn in place.";
     }
 
     @Override

@@ -11,9 +11,9 @@ import rsal.settings.Parameter;
 /// Turns in place by an angle to see what is around, as Nav2's spin does. It fails where there is no room to turn.
 public final class SpinRecoveryType implements RecoveryType {
     private static final Parameter<Double> ANGLE =
-            Parameter.number("angle", 90, -720, 720, "deg", "to turn by, left is positive");
+            Parameter.number("angle", 90, -720, 720, "deg", "angle of the turn; left is positive");
     private static final Parameter<Double> MAX_DURATION =
-            Parameter.number("maxDuration", 20, 0.5, 600, "s", "how long it turns at most");
+            Parameter.number("maxDuration", 20, 0.5, 600, "s", "maximum time of the turn");
 
     @Override
     public String key() {
@@ -22,7 +22,7 @@ public final class SpinRecoveryType implements RecoveryType {
 
     @Override
     public String description() {
-        return "Turns in place by an angle, so that the robot sees what is around.";
+        return "Turns in place by an angle, so that the robot sees its surroundings.";
     }
 
     @Override

@@ -14,7 +14,7 @@ import rsal.settings.Parameter;
 /// don't see behind, where somebody may stand. Where it has no room to turn it fails.
 public final class TurnAroundRecoveryType implements RecoveryType {
     private static final Parameter<Double> MAX_DURATION =
-            Parameter.number("maxDuration", 12, 1, 60, "s", "how long it turns at most");
+            Parameter.number("maxDuration", 12, 1, 60, "s", "maximum time of the turn");
 
     @Override
     public String key() {

@@ -10,11 +10,11 @@ import rsal.settings.Parameter;
 /// Stands still for a while, so that others can pass, as Nav2's wait does.
 public final class WaitRecoveryType implements RecoveryType {
     static final Parameter<Double> AFTER =
-            Parameter.number("after", 3, 0.5, 600, "s", "it begins when the robot makes no progress for so long");
+            Parameter.number("after", 3, 0.5, 600, "s", "time without progress after which it begins");
     static final Parameter<Integer> TIMES =
-            Parameter.integer("times", 1, 1, 1000, "", "how often it is tried until there is progress");
+            Parameter.integer("times", 1, 1, 1000, "", "number of tries until there is progress");
     private static final Parameter<Double> DURATION =
-            Parameter.number("duration", 5, 0.1, 600, "s", "how long the robot stands");
+            Parameter.number("duration", 5, 0.1, 600, "s", "time for which the robot stands");
 
     @Override
     public String key() {

@@ -46,7 +46,7 @@ public final class Vfh implements Controller {
     /// @param lookahead obstacles beyond this distance do not close a direction [m]
     /// @param safetyDistance room to keep beside the outline at standstill [m]
     /// @param safetyDistancePerSpeed more room per speed [m per m/s]
-    /// @param sector between directions that it tells apart [rad]; the next that divides a turn
+    /// @param sector angle between neighboring directions [rad]; the next that divides a turn
     public record Settings(
             double lookahead,
             double safetyDistance,

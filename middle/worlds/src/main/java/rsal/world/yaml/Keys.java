@@ -32,10 +32,15 @@ final class Keys {
 
     static final Parameter<Boolean> OBSTACLE = Parameter.flag("obstacle", true, "Whether it is in the way.");
     static final Parameter<Double> REFLECTANCE = Parameter.number(
-            "reflectance", 1, -1e9, 1e9, "", "How bright range sensors see it; they look through what is negative.");
+            "reflectance",
+            1,
+            -1e9,
+            1e9,
+            "",
+            "Its brightness for range sensors. If it is negative, they see through it.");
     static final Parameter<Boolean> BLOB = Parameter.flag("blob", true, "Whether blob detectors report it.");
     static final Parameter<Integer> FIDUCIAL =
-            Parameter.integer("fiducial", 0, Integer.MIN_VALUE, Integer.MAX_VALUE, "", "Its id as a marker; 0: none.");
+            Parameter.integer("fiducial", 0, Integer.MIN_VALUE, Integer.MAX_VALUE, "", "Its marker id; 0: no marker.");
     static final Parameter<Integer> KEY = Parameter.integer(
             "key",
             0,

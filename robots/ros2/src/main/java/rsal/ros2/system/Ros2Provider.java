@@ -36,8 +36,8 @@ public final class Ros2Provider implements RobotSystemProvider {
     private static final Parameter<String> NAMESPACES = Parameter.text(
             "namespaces",
             "",
-            "The robots' namespaces, in order, separated by commas: /robot1, /robot2; / for topics without a namespace."
-                    + " Default: their ids, with _ for -.");
+            "Namespaces of the robots, in order, separated by commas: /robot1, /robot2; / for topics without a"
+                    + " namespace. Default: their ids, with _ for -.");
     static final Parameter<Integer> DOMAIN = Parameter.integer(
             "domain",
             FROM_ENVIRONMENT,
@@ -54,8 +54,8 @@ public final class Ros2Provider implements RobotSystemProvider {
     static final Parameter<String> PEERS = Parameter.text(
             "peers",
             "",
-            "Machines to look for robots on where the network has no multicast, separated by commas. Those in"
-                    + " ROS_STATIC_PEERS are looked for, too.");
+            "Machines on which to search for robots if the network has no multicast, separated by commas. Those in"
+                    + " ROS_STATIC_PEERS are added.");
     private static final Parameter<String> DISTRIBUTION = Parameter.choice(
             "distribution",
             ANNOUNCED,
@@ -63,18 +63,18 @@ public final class Ros2Provider implements RobotSystemProvider {
                             Stream.of(ANNOUNCED),
                             Arrays.stream(Distribution.values()).map(Distribution::words))
                     .toList(),
-            "The distribution of ROS 2 that the robots run. announced: what each of them announces.");
+            "The distribution of ROS 2 that the robots run. announced: the one that each robot announces.");
 
     private static final Parameter<String> STOP_TOPIC = Parameter.text(
             "stopTopic",
             "",
-            "A topic in each robot's namespace, such as e_stop, which gets std_msgs/Bool: true while its motors are off, as"
-                    + " after an emergency stop. Default: none.");
+            "A topic in each robot's namespace, such as e_stop. It gets std_msgs/Bool: true while the robot's motors are"
+                    + " off, as after an emergency stop. Default: none.");
     private static final Parameter<String> STOP_SERVICE = Parameter.text(
             "stopService",
             "",
-            "A service in each robot's namespace of type std_srvs/SetBool, which is called with true when its motors are"
-                    + " switched off, and with false when they are switched on. Default: none.");
+            "A service of type std_srvs/SetBool in each robot's namespace. It is called with true when the robot's motors"
+                    + " are switched off, and with false when they are switched on. Default: none.");
 
     @Override
     public String key() {
@@ -83,7 +83,7 @@ public final class Ros2Provider implements RobotSystemProvider {
 
     @Override
     public String description() {
-        return "Joins robots of ROS 2 over the network (DDS). No ROS is needed on this machine.";
+        return "Connects to robots of ROS 2 over the network (DDS). This machine needs no ROS.";
     }
 
     @Override
