@@ -7,7 +7,7 @@ import java.time.InstantSource;
 ///
 /// It learns from one stream of messages, the odometry. The message that was fastest on its way tells how far the
 /// clocks are apart: that of the last 10 to 20 s, as clocks drift. A clock that was set or stood still, as that of a
-/// simulator that was paused, is learned anew. Where a robot's time does not go as fast as ours, as in a slow
+/// simulator that was paused, is learned again. Where a robot's time does not go as fast as ours, as in a slow
 /// simulator, messages are dated when they
 /// come. All times in [ns].
 final class RobotClock {
