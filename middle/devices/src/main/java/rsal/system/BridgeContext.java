@@ -14,18 +14,30 @@ import rsal.scene.RobotService;
 /// @param simulation the truth, where the world is a simulated one
 /// @param services that the world's file asks for; empty when it asks for none, which is for all there is
 /// @param timeout of clients' commands
+/// @param control of the run itself; empty where programs may only drive robots
 public record BridgeContext(
         List<Robot> robots,
         OccupancyGrid map,
         Optional<SimulationControl> simulation,
         List<RobotService> services,
-        CommandTimeout timeout) {
+        CommandTimeout timeout,
+        Optional<RunControl> control) {
     public BridgeContext {
         robots = List.copyOf(robots);
         services = List.copyOf(services);
     }
 
-    /// To clients whose commands hold until others come.
+    /// Without control of the run.
+    public BridgeContext(
+            List<Robot> robots,
+            OccupancyGrid map,
+            Optional<SimulationControl> simulation,
+            List<RobotService> services,
+            CommandTimeout timeout) {
+        this(robots, map, simulation, services, timeout, Optional.empty());
+    }
+
+    /// To clients whose commands hold until others come, without control of the run.
     public BridgeContext(
             List<Robot> robots,
             OccupancyGrid map,

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
@@ -16,8 +17,8 @@ import rsal.ros2.link.RosTopic;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeLibrary;
 
-/// A network of ROS 2 in memory: all who join it hear the others at once, on the thread that publishes. Of one
-/// thread.
+/// A network of ROS 2 in memory: all who join it hear the others at once, on the thread that publishes. Of
+/// one thread.
 public final class MemoryNetwork {
     private static final TypeLibrary TYPES = TypeLibrary.of(Distribution.JAZZY);
 
@@ -39,21 +40,43 @@ public final class MemoryNetwork {
         services.put(name, server);
     }
 
+    /// Names of the nodes that there are: `/r1/rsal`.
+    public List<String> nodes() {
+        return members.stream().flatMap(member -> member.name.stream()).sorted().toList();
+    }
+
     /// Nobody answers them any more.
     public void forget(String name) {
         services.remove(name);
     }
 
     public RosLink join() {
-        var member = new Member();
+        return join(Optional.empty());
+    }
+
+    private Member join(Optional<String> name) {
+        var member = new Member(name);
         members.add(member);
         return member;
     }
 
     private final class Member implements RosLink {
+        private final Optional<String> name;
+        private final List<Member> nodes = new ArrayList<>();
         private final List<Hearing> hearings = new ArrayList<>();
         private final List<Offer> offers = new ArrayList<>();
         private final Map<Offer, byte[]> latched = new HashMap<>();
+
+        Member(Optional<String> name) {
+            this.name = name;
+        }
+
+        @Override
+        public RosLink node(String namespace, String name) {
+            Member node = join(Optional.of(namespace.equals("/") ? "/" + name : namespace + "/" + name));
+            nodes.add(node);
+            return node;
+        }
 
         private static RosEndpoint endpoint(RosTopic topic, boolean isPublisher, Profile profile) {
             return new RosEndpoint(topic, isPublisher, profile, TYPES.hash(topic.type()));
@@ -152,6 +175,7 @@ public final class MemoryNetwork {
 
         @Override
         public void close() {
+            nodes.forEach(Member::close);
             hearings.clear();
             offers.clear();
             members.remove(this);

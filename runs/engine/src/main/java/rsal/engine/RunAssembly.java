@@ -50,6 +50,7 @@ import rsal.system.BridgeProvider;
 import rsal.system.CommandTimeout;
 import rsal.system.ExportedDevice;
 import rsal.system.RobotSystem;
+import rsal.system.RunControl;
 import rsal.time.Scheduler;
 
 /// Everything that takes part in a run, put together after the plan: the robots of the robot systems, their
@@ -125,6 +126,7 @@ final class RunAssembly implements AutoCloseable {
             String id = planned.spec().id();
             found.stream().filter(robot -> robot.id().equals(id)).findFirst().ifPresent(robot -> equip(robot, planned));
         }
+        world.begin();
         robotCommands.begin();
         systems.onChange(this::changed);
         agents.gather(systems.simulation());
@@ -261,14 +263,15 @@ final class RunAssembly implements AutoCloseable {
                 .orElseGet(() -> world.unknown(robot));
     }
 
-    Answer bridge(BridgeProvider provider, InetSocketAddress at, CommandTimeout timeout) {
+    Answer bridge(BridgeProvider provider, InetSocketAddress at, CommandTimeout timeout, RunControl control) {
         try {
             var context = new BridgeContext(
                     List.copyOf(team.robots().values()),
                     plan.map(),
                     systems.simulation(),
                     plan.scene().services(),
-                    timeout);
+                    timeout,
+                    Optional.of(control));
             Bridge bridge = provider.open(at, context, scheduler);
             bridges.add(bridge);
             return new Answer.Bridged(bridge.offers());

@@ -48,8 +48,9 @@ import rsal.time.PhaseTimes;
 import rsal.time.Scheduler;
 import rsal.time.WallScheduler;
 
-/// Executes a run on a thread of its own, `run-<n>`, with helpers for heavy work, `run-<n>-helper-<m>`. Between
-/// two steps it does what other threads have asked for. Methods that say nothing else are of the run's thread.
+/// Executes a run on a thread of its own, `run-<n>`, with helpers for heavy work, `run-<n>-helper-<m>`.
+/// Between two steps it does what other threads have asked for. Methods that say nothing else are of the
+/// run's thread.
 @AllowedToReadWallClock("It holds the run back to the speed that people want, and says how long the run took.")
 final class RunLoop {
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
@@ -84,6 +85,7 @@ final class RunLoop {
     private final MetricsObserver metrics;
     private final Traffic traffic;
     private final Pacer pacer;
+    private final Pausing pausing;
     private final Snapshots snapshots;
     private final AgentTurns turns = new AgentTurns();
     private final RunReporter reporter;
@@ -96,8 +98,6 @@ final class RunLoop {
     private @Nullable RunAssembly assembly;
     private @Nullable String outcome;
     private boolean over;
-    private boolean paused;
-    private int stepsWanted;
 
     RunLoop(RunPlan plan, int helpers, LongSupplier operatorClock, Optional<RunObserver> observer) {
         this.plan = plan;
@@ -113,6 +113,8 @@ final class RunLoop {
         this.metrics = new MetricsObserver(plan, eventLog, scheduler);
         this.traffic = new Traffic(eventLog, metrics, plan.communication().isPresent());
         this.pacer = new Pacer(System::nanoTime, plan.clock() == RunPlan.Clock.WALL ? 1 : plan.speed());
+        this.pausing = new Pausing(
+                isSimulated(), scheduler, () -> pacer.restart(elapsed().toNanos()));
         this.reporter = new RunReporter(pacer, operatorClock);
         this.observer = observer.map(seen -> new ObserverFeed(seen, reporter, eventLog));
         this.snapshots = new Snapshots(System::nanoTime, sequence -> reporter.snapshot(sequence, progress()));
@@ -197,18 +199,20 @@ final class RunLoop {
     // --- asked by any thread
 
     void pause() {
-        command(() -> paused = isSimulated());
+        command(pausing::pause);
     }
 
     void resume() {
-        command(() -> {
-            paused = false;
-            pacer.restart(elapsed().toNanos());
-        });
+        command(pausing::resume);
     }
 
     void step() {
-        command(() -> stepsWanted += paused ? 1 : 0);
+        command(pausing::step);
+    }
+
+    /// Whether and how it is paused. Of the run's thread.
+    Pausing pausing() {
+        return pausing;
     }
 
     void speed(double factor) {
@@ -352,11 +356,11 @@ final class RunLoop {
         if (outcome != null) {
             return;
         }
-        if (paused && stepsWanted == 0) {
+        if (pausing.isWaiting()) {
             restWhilePaused(time);
             return;
         }
-        long early = paused ? 0 : pacer.early(elapsed().toNanos());
+        long early = pausing.isPaused() ? 0 : pacer.early(elapsed().toNanos());
         if (early > 0) {
             rest(early);
             return;
@@ -367,10 +371,10 @@ final class RunLoop {
             rest(SHORT_REST);
             return;
         }
-        stepsWanted = Math.max(0, stepsWanted - 1);
         long from = System.nanoTime();
         time.advance(plan.step());
         stepTimes.took(System.nanoTime() - from);
+        pausing.stepped();
         snapshots.makeIfDue();
     }
 
@@ -488,6 +492,7 @@ final class RunLoop {
     }
 
     private RunReporter.Progress progress() {
-        return new RunReporter.Progress(elapsed(), paused, Optional.ofNullable(outcome), Optional.ofNullable(assembly));
+        return new RunReporter.Progress(
+                elapsed(), pausing.isPaused(), Optional.ofNullable(outcome), Optional.ofNullable(assembly));
     }
 }

@@ -18,8 +18,8 @@ import rsal.system.BridgeProvider;
 import rsal.system.CommandTimeout;
 
 /// What people tell a run to do. Each command is carried out on the run's thread between two steps, changes
-/// what happens in the run, and is an event of it. Any thread may call; a stage completes on the run's thread.
-/// A command that can't be carried out, or comes after the end, is answered by [Answer.Refused].
+/// what happens in the run, and is an event of it. Any thread may call; a stage completes on the run's
+/// thread. A command that can't be carried out, or comes after the end, is answered by [Answer.Refused].
 public final class RunOperator {
     private final RunLoop loop;
 
@@ -54,8 +54,8 @@ public final class RunOperator {
         return loop.ask(run -> run.world().addRobot(like, mapFromBase));
     }
 
-    /// Puts a robot of one of the models that come with the program into the simulated world. It is named after
-    /// its model, and has no agents.
+    /// Puts a robot of one of the models that come with the program into the simulated world. It is named
+    /// after its model, and has no agents.
     ///
     /// @return [Answer.Added] when it is there
     public CompletionStage<Answer> newRobot(String model, Pose2d mapFromBase) {
@@ -155,7 +155,8 @@ public final class RunOperator {
     }
 
     /// Offers the robots to others, until the run ends, those that come later, too. Who has them over the
-    /// bridge drives them like their agents: what people want comes first.
+    /// bridge drives them like their agents: what people want comes first. Programs may also control the run,
+    /// where the protocol can ([rsal.system.RunControl]).
     ///
     /// @param at where to listen: at this port, and those after it if need be; port 0 for any that are free
     /// @return [Answer.Bridged] when it is open
@@ -168,7 +169,8 @@ public final class RunOperator {
     /// @param silence for how long robots are driven on when no command comes from a client any more, in real
     ///         time; empty for clients that command once
     public CompletionStage<Answer> bridge(BridgeProvider provider, InetSocketAddress at, Optional<Duration> silence) {
-        return loop.ask(run -> run.bridge(provider, at, new CommandTimeout(silence, loop::operatorTime)));
+        var timeout = new CommandTimeout(silence, loop::operatorTime);
+        return loop.ask(run -> run.bridge(provider, at, timeout, new BridgeControl(loop, run.world(), provider.key())));
     }
 
     /// Types of agents that people can start: the same in all runs.

@@ -11,22 +11,17 @@ import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
-import java.util.function.Function;
-import rsal.ros2.cdr.CdrReader;
 import rsal.ros2.cdr.CdrWriter;
-import rsal.ros2.cdr.InvalidCdr;
-import rsal.ros2.cdr.MessageCodec;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosLink.Publication;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.RosMessages;
-import rsal.ros2.type.TypeLibrary;
 import rsal.time.Scheduler;
 
-/// Offers an action of ROS 2: takes goals, tells how they get on and how they ended. All but the arrival of requests is
-/// on the scheduler's thread.
+/// Offers an action of ROS 2: takes goals, tells how they get on and how they ended. All but the arrival of
+/// requests is on the run's thread.
 final class ActionServer {
     /// States of `action_msgs/GoalStatus`.
     enum Status {
@@ -114,7 +109,8 @@ final class ActionServer {
 
     /// @param name with its namespace: `/robot1/navigate_to_pose`
     /// @param type `nav2_msgs/action/NavigateToPose`
-    ActionServer(RosLink link, TypeLibrary types, String name, String type, Scheduler scheduler, Handler handler) {
+    /// @param services of its own, which it closes
+    ActionServer(RosLink link, Services services, String name, String type, Scheduler scheduler, Handler handler) {
         this.scheduler = scheduler;
         this.handler = handler;
         feedback = link.advertise(new RosTopic(name + "/_action/feedback", type + "_FeedbackMessage"), Profile.DEFAULT);
@@ -122,27 +118,11 @@ final class ActionServer {
                 new RosTopic(name + "/_action/status", "action_msgs/msg/GoalStatusArray"), Profile.LATCHED);
         ends.add(feedback::close);
         ends.add(statuses::close);
-        serve(link, types, name + "/_action/send_goal", type + "_SendGoal", this::send);
-        serve(link, types, name + "/_action/get_result", type + "_GetResult", this::result);
-        serve(link, types, name + "/_action/cancel_goal", "action_msgs/srv/CancelGoal", this::cancel);
+        services.serveLater(name + "/_action/send_goal", type + "_SendGoal", this::send);
+        services.serveLater(name + "/_action/get_result", type + "_GetResult", this::result);
+        services.serveLater(name + "/_action/cancel_goal", "action_msgs/srv/CancelGoal", this::cancel);
+        ends.add(services::close);
         ends.add(scheduler.every(Duration.ofSeconds(1), this::forget)::cancel);
-    }
-
-    private void serve(
-            RosLink link,
-            TypeLibrary types,
-            String name,
-            String type,
-            Function<RosMessage, CompletionStage<byte[]>> answer) {
-        MessageCodec codec = MessageCodec.of(types.get(type + "_Request"), types);
-        ends.add(link.serve(name, type, request -> {
-            try {
-                RosMessage message = codec.read(CdrReader.of(request));
-                return CompletableFuture.completedStage(message).thenComposeAsync(answer, scheduler);
-            } catch (InvalidCdr e) {
-                return CompletableFuture.failedStage(e);
-            }
-        })::close);
     }
 
     private static String id(RosMessage named) {
@@ -172,7 +152,8 @@ final class ActionServer {
         return CompletableFuture.completedStage(writer.toBytes());
     }
 
-    /// One goal, or all where neither an id nor a time is given (`action_msgs/CancelGoal`); those up to a time, too.
+    /// One goal, or all where neither an id nor a time is given (`action_msgs/CancelGoal`); those up to a
+    /// time, too.
     private CompletionStage<byte[]> cancel(RosMessage request) {
         RosMessage info = request.message("goal_info");
         String id = id(info);

@@ -18,11 +18,10 @@ import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.message.FrameTransform;
 import rsal.ros2.message.RosMessages;
-import rsal.ros2.type.TypeLibrary;
 import rsal.time.Scheduler;
 
-/// A navigator of ours as Nav2's action `navigate_to_pose`, as it is in Jazzy and Kilted. A new goal takes the place of
-/// the one before, which is aborted, as Nav2 does it.
+/// A navigator of ours as Nav2's action `navigate_to_pose`, as it is in Jazzy and Kilted. A new goal takes
+/// the place of the one before, which is aborted, as Nav2 does it.
 final class PublishedNavigator implements ActionServer.Handler {
     private static final Tolerance TOLERANCE = new Tolerance(0.25, 0.25); // m, rad; those that Nav2 has
     private static final int NO_PATH = 208; // error codes of Nav2: no valid path
@@ -33,9 +32,10 @@ final class PublishedNavigator implements ActionServer.Handler {
     private final ActionServer server;
     private final Map<ServedGoal, GoalHandle<Progress, Result>> drives = new HashMap<>();
 
-    PublishedNavigator(Navigator navigator, RosLink link, TypeLibrary types, String name, Scheduler scheduler) {
+    /// @param services which this closes
+    PublishedNavigator(Navigator navigator, RosLink link, Services services, String name, Scheduler scheduler) {
         this.navigator = navigator;
-        server = new ActionServer(link, types, name, "nav2_msgs/action/NavigateToPose", scheduler, this);
+        server = new ActionServer(link, services, name, "nav2_msgs/action/NavigateToPose", scheduler, this);
     }
 
     @Override

@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.Executor;
 import rsal.data.LaserScan;
 import rsal.data.Odometry;
 import rsal.data.Pose2d;
@@ -62,6 +63,7 @@ final class PublishedRobot {
     private final Robot robot;
     private final RosLink link;
     private final Scheduler scheduler;
+    private final Executor requests; // are answered also while the run is paused
     private final int port;
     private final String namespace;
     private final RosMessages messages = new RosMessages();
@@ -81,6 +83,7 @@ final class PublishedRobot {
         this.scheduler = scheduler;
         this.port = port;
         namespace = RosNetwork.namespace(robot.id());
+        requests = context.control().<Executor>map(control -> control).orElse(scheduler);
         timeout = context.timeout();
         watch = timeout.watch();
         transforms = advertise("tf", TRANSFORMS, Profile.DEFAULT);
@@ -242,13 +245,17 @@ final class PublishedRobot {
     private void publish(Navigator navigator) {
         String name = namespace + "/navigate_to_pose";
         offer(navigator, "navigate_to_pose");
-        ends.add(new PublishedNavigator(navigator, link, TYPES, name, scheduler)::close);
+        ends.add(new PublishedNavigator(navigator, link, new Services(link, TYPES, requests), name, scheduler)::close);
     }
 
     private void tellPose(Publication poses, Stamped<PoseEstimate> reading) {
         poses.publish(messages.pose(reading.time(), reading.value(), MAP));
         odomFromBase.ifPresent(pose -> transform(
                 reading.time(), MAP, ODOM, reading.value().mapFromBase().compose(pose.inverse())));
+    }
+
+    Robot robot() {
+        return robot;
     }
 
     List<ExportedDevice> offers() {

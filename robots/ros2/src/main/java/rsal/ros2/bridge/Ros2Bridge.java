@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import rsal.robot.Robot;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
@@ -17,7 +18,8 @@ import rsal.time.Phase;
 import rsal.time.Scheduler;
 import rsal.time.Task;
 
-/// Publishes all robots for as long as it is open, and the run's time (`/clock`).
+/// Publishes all robots for as long as it is open, and the run's time (`/clock`); serves
+/// `simulation_interfaces` where the world is simulated.
 final class Ros2Bridge implements Bridge {
     private static final Duration TICK = Duration.ofMillis(10);
 
@@ -29,6 +31,7 @@ final class Ros2Bridge implements Bridge {
     private final Map<String, PublishedRobot> robots = new LinkedHashMap<>();
     private final Publication clock;
     private final Task ticking;
+    private final Optional<SimulationServer> simulation;
     private boolean closed;
 
     /// @param link which this closes
@@ -40,7 +43,14 @@ final class Ros2Bridge implements Bridge {
         this.scheduler = scheduler;
         clock = link.advertise(new RosTopic("/clock", "rosgraph_msgs/msg/Clock"), Profile.SENSOR_DATA);
         ticking = scheduler.every(TICK, Phase.OBSERVE, this::tick);
+        simulation = context.simulation()
+                .flatMap(world -> context.control()
+                        .map(control -> new SimulationServer(world, control, this::robot, link, scheduler)));
         context.robots().forEach(this::join);
+    }
+
+    private Optional<Robot> robot(String id) {
+        return Optional.ofNullable(robots.get(id)).map(PublishedRobot::robot);
     }
 
     private void tick() {
@@ -73,6 +83,7 @@ final class Ros2Bridge implements Bridge {
         if (!closed) {
             closed = true;
             ticking.cancel();
+            simulation.ifPresent(SimulationServer::close);
             robots.values().forEach(PublishedRobot::close);
             robots.clear();
             link.close();

@@ -12,10 +12,10 @@ import rsal.system.BridgeContext;
 import rsal.system.BridgeProvider;
 import rsal.time.Scheduler;
 
-/// Publishes robots to ROS 2, each in its namespace. The port says which domain: that where its participants hear of
-/// each other.
+/// Publishes robots to ROS 2, each in its namespace. The port says which domain: that where its participants
+/// hear of each other.
 public final class Ros2BridgeProvider implements BridgeProvider {
-    private static final String NODE = "rsal_bridge";
+    private static final String NODE = "rsal";
 
     @Override
     public String key() {

@@ -2,18 +2,27 @@ package rsal.ros2.link;
 
 import java.nio.ByteBuffer;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 
-/// How this program takes part in ROS 2. Messages are bytes in CDR, with their encapsulation header. Safe for several
-/// threads.
+/// How this program takes part in ROS 2. Messages are bytes in CDR, with their encapsulation header. Safe for
+/// several threads.
 public interface RosLink extends AutoCloseable {
+    /// A node of this program, as tools show it. What is opened by it is the node's; closing it takes all of
+    /// that away, and the node. Closing the link closes its nodes.
+    ///
+    /// @param namespace `/robot1`; `/` for none
+    RosLink node(String namespace, String name);
+
     /// All that others publish and subscribe to.
     List<RosEndpoint> endpoints();
 
     Publication advertise(RosTopic topic, Profile profile);
 
-    /// @param listener gets each message, on a thread of the link: be quick. The bytes are valid during the call only.
+    /// @param listener gets each message, on a thread of the link: be quick. The bytes are valid during the
+    ///         call only.
     Subscribed subscribe(RosTopic topic, Profile profile, Consumer<ByteBuffer> listener);
 
     /// A service that others offer.
@@ -36,6 +45,14 @@ public interface RosLink extends AutoCloseable {
         /// @param request in CDR, with its encapsulation header; called on a thread of the link
         /// @return the response in CDR, on any thread; none where it ends exceptionally
         CompletionStage<byte[]> answer(byte[] request);
+
+        /// As [#answer(byte[])], where responses differ between distributions.
+        ///
+        /// @param responseHash says of which type the client wants its response: `RIHS01_…`; empty where it
+        ///         does not
+        default CompletionStage<byte[]> answer(byte[] request, Supplier<Optional<String>> responseHash) {
+            return answer(request);
+        }
     }
 
     /// A service that we offer.

@@ -11,7 +11,6 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.random.RandomGenerator;
-import rsal.ros2.cdr.CdrWriter;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeLibrary;
 import rsal.rtps.GraphListener;
@@ -21,31 +20,26 @@ import rsal.rtps.SampleWriter;
 import rsal.rtps.UdpParticipant;
 import rsal.rtps.discovery.EndpointData;
 import rsal.rtps.discovery.Qos;
-import rsal.rtps.wire.EntityId;
-import rsal.rtps.wire.Guid;
 
-/// ROS 2 over DDS: names and types as `rmw` makes them, hashes of types, and one node that tools see
-/// (`ros_discovery_info`).
+/// ROS 2 over DDS: names and types as `rmw` makes them, hashes of types, and nodes that tools see. All nodes
+/// of a link share its participant.
 public final class RtpsLink implements RosLink {
     private static final String TOPIC = "rt"; // what DDS names of topics begin with
     private static final String TYPE_HASH = "typehash="; // what endpoints say of their type
     private static final String REQUEST = "rq";
     private static final String REPLY = "rr";
-    private static final String GRAPH = "ros_discovery_info";
-    private static final String GRAPH_TYPE = "rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_";
-    private static final int HUMBLE_GID = 24; // bytes, the last of which are 0; others have Guid.BYTES
 
     private final UdpParticipant participant;
     private final Distribution distribution;
     private final TypeLibrary types;
-    private final String node;
     private final LongSupplier date;
-    private final SampleWriter graph;
-    private final Set<Guid> writers = ConcurrentHashMap.newKeySet();
-    private final Set<Guid> readers = ConcurrentHashMap.newKeySet();
+    private final boolean isOwner; // of the participant
+    private final NodeGraph graph;
+    private final NodeGraph.Node node;
+    private final Set<Runnable> ends = ConcurrentHashMap.newKeySet(); // of what is open
 
     /// @param distribution of ROS 2 whose types are used
-    /// @param node as tools show it
+    /// @param node the first one, as tools show it
     /// @param clock of real time, which never goes back [ns], such as `System::nanoTime`
     /// @param date of samples: real time [ns] since 1970
     public RtpsLink(
@@ -58,11 +52,22 @@ public final class RtpsLink implements RosLink {
             throws IOException {
         this.distribution = distribution;
         this.types = TypeLibrary.of(distribution);
-        this.node = node;
         this.date = date;
+        this.isOwner = true;
         participant = new UdpParticipant(options, clock, random, GraphListener.NONE);
-        graph = participant.createWriter(GRAPH, GRAPH_TYPE, Qos.LATCHED, "");
-        tellOfNode();
+        graph = new NodeGraph(participant, distribution, date);
+        this.node = graph.add("/", node);
+    }
+
+    /// Another node of a participant.
+    private RtpsLink(RtpsLink owner, String namespace, String name) {
+        distribution = owner.distribution;
+        types = owner.types;
+        date = owner.date;
+        isOwner = false;
+        participant = owner.participant;
+        graph = owner.graph;
+        node = graph.add(namespace, name);
     }
 
     @Override
@@ -134,20 +139,28 @@ public final class RtpsLink implements RosLink {
         return participant.createReader(topic, ddsType(type), qos(profile), userData(type), listener);
     }
 
-    /// Tells that our node has these.
+    /// Notes that the node has these.
     ///
-    /// @return takes them away again
+    /// @return takes them away again, once
     private Runnable opened(List<SampleWriter> newWriters, List<SampleReader> newReaders) {
-        newWriters.forEach(each -> writers.add(each.data().guid()));
-        newReaders.forEach(each -> readers.add(each.data().guid()));
-        tellOfNode();
-        return () -> {
-            newReaders.forEach(participant::remove);
-            newWriters.forEach(participant::remove);
-            newReaders.forEach(each -> readers.remove(each.data().guid()));
-            newWriters.forEach(each -> writers.remove(each.data().guid()));
-            tellOfNode();
+        graph.opened(node, newWriters, newReaders);
+        var end = new Runnable() {
+            @Override
+            public void run() {
+                if (ends.remove(this)) {
+                    newReaders.forEach(participant::remove);
+                    newWriters.forEach(participant::remove);
+                    graph.closed(node, newWriters, newReaders);
+                }
+            }
         };
+        ends.add(end);
+        return end;
+    }
+
+    @Override
+    public RosLink node(String namespace, String name) {
+        return new RtpsLink(this, namespace, name);
     }
 
     @Override
@@ -218,31 +231,14 @@ public final class RtpsLink implements RosLink {
         return opened(List.of(replies), List.of(requests))::run;
     }
 
-    /// `rmw_dds_common/msg/ParticipantEntitiesInfo`: which node has which writers and readers. One at a time, so that
-    /// the newest one comes last.
-    private synchronized void tellOfNode() {
-        var info = new CdrWriter();
-        Guid self = new Guid(graph.data().guid().prefix(), EntityId.PARTICIPANT);
-        info.int8s(gid(self)).int32(1).text("/").text(node);
-        gids(info, readers);
-        gids(info, writers);
-        participant.write(graph, date.getAsLong(), info.toBytes());
-    }
-
-    private void gids(CdrWriter info, Set<Guid> all) {
-        List<Guid> now = List.copyOf(all);
-        info.int32(now.size());
-        now.forEach(each -> info.int8s(gid(each)));
-    }
-
-    private byte[] gid(Guid guid) {
-        var bytes = ByteBuffer.allocate(distribution == Distribution.HUMBLE ? HUMBLE_GID : Guid.BYTES);
-        guid.write(bytes);
-        return bytes.array();
-    }
-
+    /// Closing what was closed before does nothing.
     @Override
     public void close() {
-        participant.close();
+        if (isOwner) {
+            participant.close();
+        } else {
+            List.copyOf(ends).forEach(Runnable::run);
+            graph.remove(node);
+        }
     }
 }

@@ -5,15 +5,20 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
+import java.util.function.Supplier;
+import java.util.regex.Pattern;
 import rsal.ros2.link.RosLink.Server;
 import rsal.rtps.SampleListener.Sample;
 import rsal.rtps.SampleWriter;
 import rsal.rtps.UdpParticipant;
 import rsal.rtps.wire.Guid;
+import rsal.rtps.wire.GuidPrefix;
 import rsal.rtps.wire.ParameterList;
 
 /// Answers requests, each in the way of its client: see [ServiceIdentity].
 final class RtpsServer {
+    private static final Pattern TYPE_HASH = Pattern.compile("typehash=(RIHS01_[0-9a-f]{64});");
+
     private final UdpParticipant participant;
     private final SampleWriter replies;
     private final Server server;
@@ -29,6 +34,8 @@ final class RtpsServer {
     void take(Sample sample) {
         var payload = new byte[sample.payload().remaining()];
         sample.payload().get(payload);
+        Supplier<Optional<String>> responseHash =
+                () -> responseHash(sample.writer().prefix());
         Optional<ByteBuffer> identity = ServiceIdentity.in(sample.inlineQos());
         boolean isHeader = identity.isEmpty() && ServiceIdentity.isHeader(sample.writer());
         if (isHeader && payload.length < ServiceIdentity.BEGIN + ServiceIdentity.HEADER) {
@@ -36,15 +43,27 @@ final class RtpsServer {
         }
         if (isHeader) {
             byte[] header = Arrays.copyOfRange(payload, 0, ServiceIdentity.BEGIN + ServiceIdentity.HEADER);
-            server.answer(ServiceIdentity.without(payload))
+            server.answer(ServiceIdentity.without(payload), responseHash)
                     .thenAccept(
                             reply -> participant.write(replies, date.getAsLong(), ServiceIdentity.with(header, reply)));
         } else {
             Guid client = identity.map(Guid::read).orElse(sample.writer());
             long number = sample.number();
             Consumer<ParameterList.Writer> beside = list -> ServiceIdentity.put(list, client, number);
-            server.answer(payload)
+            server.answer(payload, responseHash)
                     .thenAccept(reply -> participant.write(replies, date.getAsLong(), Optional.of(beside), reply));
         }
+    }
+
+    /// Of the type of replies, as a client's participant announces it.
+    private Optional<String> responseHash(GuidPrefix client) {
+        String topic = replies.data().topic();
+        return participant.endpoints().stream()
+                .filter(each -> !each.isWriter()
+                        && each.topic().equals(topic)
+                        && each.guid().prefix().equals(client))
+                .flatMap(each -> TYPE_HASH.matcher(each.userData()).results())
+                .map(found -> found.group(1))
+                .findFirst();
     }
 }

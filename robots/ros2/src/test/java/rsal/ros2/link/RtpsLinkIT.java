@@ -23,6 +23,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.ros2.cdr.CdrReader;
 import rsal.ros2.cdr.CdrWriter;
+import rsal.ros2.cdr.InvalidCdr;
 import rsal.ros2.cdr.MessageCodec;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.link.RosLink.ServiceClient;
@@ -111,10 +112,32 @@ class RtpsLinkIT {
         }
     }
 
-    /// Which node has which publishers, as `ros2 node info` asks.
+    private record Node(String namespace, String name, int writers, int readers) {
+        Node(RosMessage told) {
+            this(
+                    told.text("node_namespace"),
+                    told.text("node_name"),
+                    told.messages("writer_gid_seq").size(),
+                    told.messages("reader_gid_seq").size());
+        }
+    }
+
+    private static List<Node> nodes(byte[] told, MessageCodec codec) {
+        try {
+            return told.length == 0
+                    ? List.of()
+                    : codec.read(CdrReader.of(told)).messages("node_entities_info_seq").stream()
+                            .map(Node::new)
+                            .toList();
+        } catch (InvalidCdr e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    /// Which nodes there are, and which publishers they have, as `ros2 node list` and `ros2 node info` ask.
     @ParameterizedTest
     @ValueSource(strings = {"HUMBLE", "JAZZY"})
-    void theNodeIsTold(String distribution) throws Exception {
+    void nodesAreTold(String distribution) throws Exception {
         TypeLibrary types = TypeLibrary.of(Distribution.valueOf(distribution));
         MessageCodec codec = MessageCodec.of(types.get("rmw_dds_common/msg/ParticipantEntitiesInfo"), types);
         var told = new AtomicReference<byte[]>(new byte[0]);
@@ -131,12 +154,16 @@ class RtpsLinkIT {
                         sample.payload().get(bytes);
                         told.set(bytes);
                     });
-            await(() -> told.get().length > 0);
-            RosMessage info = codec.read(CdrReader.of(told.get()));
-            RosMessage node = info.messages("node_entities_info_seq").getFirst();
-            assertThat(node.text("node_name")).isEqualTo("tester");
-            assertThat(node.text("node_namespace")).isEqualTo("/");
-            assertThat(node.messages("writer_gid_seq")).hasSize(1);
+            var first = new Node("/", "tester", 1, 0);
+            await(() -> nodes(told.get(), codec).equals(List.of(first)));
+            RosLink robot = here.node("/r1", "rsal");
+            robot.subscribe(CHATTER, Profile.DEFAULT, _ -> {});
+            robot.advertise(new RosTopic("/r1/odom", "nav_msgs/msg/Odometry"), Profile.DEFAULT);
+            await(() -> nodes(told.get(), codec).equals(List.of(first, new Node("/r1", "rsal", 1, 1))));
+            await(() -> there.endpoints().size() == 4);
+            robot.close();
+            await(() -> nodes(told.get(), codec).equals(List.of(first))
+                    && there.endpoints().size() == 2);
         }
     }
 

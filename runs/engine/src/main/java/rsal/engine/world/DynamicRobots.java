@@ -24,8 +24,8 @@ import rsal.scenario.RunPlan.Spare;
 import rsal.scenario.RunPlan.Spares;
 import rsal.scene.NamedSeed;
 
-/// What robots are to have that nobody planned: the software devices and agents of one that was planned, each with
-/// a random stream of its own.
+/// What robots are to have that nobody planned: the software devices and agents of one that was planned, each
+/// with a random stream of its own.
 public final class DynamicRobots {
     private final Map<String, PlannedRobot> robots = new HashMap<>();
     private final Map<String, List<PlannedAgent>> agents = new HashMap<>(); // by robot
@@ -51,8 +51,8 @@ public final class DynamicRobots {
         }
     }
 
-    /// A robot is to come that is made after another one: finds an id for it that no robot has or had, the role's
-    /// name and the next number.
+    /// A robot is to come that is made after another one: finds an id for it that no robot has or had, the
+    /// role's name and the next number.
     ///
     /// @param taken by others
     /// @return empty when there never was that other one
@@ -65,8 +65,9 @@ public final class DynamicRobots {
 
     /// A robot of a model is to come, which has the model's name for its role.
     ///
+    /// @param id empty for one that nobody has
     /// @param taken ids by others
-    RobotSpec expect(RobotModel model, Pose2d mapFromBase, Set<String> taken) {
+    RobotSpec expect(RobotModel model, Optional<String> id, Pose2d mapFromBase, Set<String> taken) {
         String role = model.name();
         String color = robots.values().stream()
                 .map(PlannedRobot::spec)
@@ -74,7 +75,7 @@ public final class DynamicRobots {
                 .map(RobotSpec::color)
                 .min(Comparator.naturalOrder())
                 .orElseGet(this::freshColor);
-        var spec = new RobotSpec(free(role, taken), role, model, Optional.of(mapFromBase), color);
+        var spec = new RobotSpec(id.orElseGet(() -> free(role, taken)), role, model, Optional.of(mapFromBase), color);
         ordered.put(spec.id(), plan.newcomer(spec));
         return spec;
     }
@@ -99,6 +100,11 @@ public final class DynamicRobots {
         return expected.containsKey(robot) || ordered.containsKey(robot);
     }
 
+    /// Whether a robot has an id, or had it.
+    boolean isKnown(String robot) {
+        return robots.containsKey(robot);
+    }
+
     private String free(String role, Set<String> taken) {
         int number = 1;
         while (robots.containsKey(role + "-" + number) || taken.contains(role + "-" + number)) {
@@ -107,7 +113,8 @@ public final class DynamicRobots {
         return role + "-" + number;
     }
 
-    /// Plans a robot that is there already. When nobody expected it, it is made after one of its role and model.
+    /// Plans a robot that is there already. When nobody expected it, it is made after one of its role and
+    /// model.
     public PlannedRobot plan(Robot robot, Optional<Pose2d> mapFromBase) {
         PlannedRobot wanted = ordered.remove(robot.id());
         if (wanted != null) {

@@ -1,7 +1,10 @@
 package rsal.engine.world;
 
+import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
@@ -31,8 +34,8 @@ import rsal.scenario.RunPlan;
 import rsal.settings.Suggestion;
 import rsal.time.Scheduler;
 
-/// The world of a run as people see and change it, if it is simulated. Where there is only reality nobody knows the
-/// truth, and robots are placed in nothing but their own belief. All calls on the run's thread.
+/// The world of a run as people see and change it, if it is simulated. Where there is only reality nobody
+/// knows the truth, and robots are placed in nothing but their own belief. All calls on the run's thread.
 public final class SimulatedWorld {
     private static final int MOST_ADDED = 1000; // things by hand at once, and robots in a run
     private static final Covariance2d PLACED_BY_HAND = Covariance2d.ofDeviations(0.1, 0.1, Math.toRadians(5));
@@ -49,6 +52,7 @@ public final class SimulatedWorld {
     private final Relocations placements = new Relocations();
     private final Set<String> props = new HashSet<>(); // things that were added by hand and are there
     private final Set<String> takenOut = new HashSet<>(); // robots, by hand
+    private final Map<String, Pose2d> beginning = new LinkedHashMap<>(); // where things and robots were when it began
     private int robotsAdded; // by hand
 
     public SimulatedWorld(
@@ -69,6 +73,32 @@ public final class SimulatedWorld {
         this.dynamicRobots = dynamicRobots;
         this.team = team;
         this.faults = faults;
+    }
+
+    /// Remembers how it is now, when the run begins.
+    public void begin() {
+        systems.simulation()
+                .ifPresent(world -> world.entities().stream()
+                        .filter(entity -> !team.has(entity) || isSimulated(entity)) // else a stand-in of a real robot
+                        .forEach(entity -> world.truth(entity).ifPresent(pose -> beginning.put(entity, pose))));
+    }
+
+    /// Puts all that was there in the beginning back to where it was then, at rest, whatever is in the way.
+    /// Robots believe it.
+    ///
+    /// @return what is not there any more
+    public List<String> restore() {
+        var missing = new ArrayList<String>();
+        systems.simulation()
+                .ifPresent(world -> beginning.forEach((entity, pose) -> {
+                    if (world.placeAnyway(entity, pose) instanceof Placement.Refused) {
+                        missing.add(entity);
+                    } else {
+                        team.robot(entity).ifPresent(robot -> believe(robot, pose));
+                    }
+                }));
+        eventLog.event("operator", "", "put all back to where it began");
+        return List.copyOf(missing);
     }
 
     /// Where a robot really is, in the map frame.
@@ -153,16 +183,22 @@ public final class SimulatedWorld {
         if (overseer.isPresent() && overseer.get().place(id, mapFromBase) instanceof Placement.Refused(String why)) {
             return new Answer.Refused(why);
         }
+        believe(robot, mapFromBase);
+        eventLog.event("operator", id, "placed at " + mapFromBase.rounded());
+        return new Answer.Done();
+    }
+
+    /// Has a robot believe that it is where it was put.
+    private void believe(Robot robot, Pose2d mapFromBase) {
+        String id = robot.id();
         observer.placed(id);
         CompletableFuture<Void> believed = team.localizer(robot)
                 .map(localizer -> localizer.relocalize(PoseEstimate.of(mapFromBase, PLACED_BY_HAND)))
                 .map(CompletionStage::toCompletableFuture)
                 .orElse(CompletableFuture.completedFuture(null));
-        if (overseer.isPresent()) {
+        if (systems.overseer(id).isPresent()) {
             placements.add(id, scheduler.instant(), believed);
         }
-        eventLog.event("operator", id, "placed at " + mapFromBase.rounded());
-        return new Answer.Done();
     }
 
     private Answer placeThing(String name, Pose2d mapFromThing) {
@@ -185,8 +221,15 @@ public final class SimulatedWorld {
         return done;
     }
 
-    /// Puts something new into the world.
+    /// Puts something new into the world, under a name that nobody has.
     public Answer add(PlacedThing prop, Pose2d mapFromThing) {
+        return add(prop, Optional.empty(), mapFromThing);
+    }
+
+    /// Puts something new into the world.
+    ///
+    /// @param wanted its name; empty for one that nobody has
+    public Answer add(PlacedThing prop, Optional<String> wanted, Pose2d mapFromThing) {
         Optional<SimulationControl> simulation = systems.simulation();
         if (simulation.isEmpty()) {
             return nothingSimulated();
@@ -196,7 +239,7 @@ public final class SimulatedWorld {
         if (props.size() == MOST_ADDED) {
             return new Answer.Refused("%d things were added already; remove some first.".formatted(MOST_ADDED));
         }
-        String name = prop.name(taken);
+        String name = wanted.orElseGet(() -> prop.name(taken));
         Answer answer = answer(
                 simulation.get().add(prop.at(name, mapFromThing)),
                 name,
@@ -226,10 +269,18 @@ public final class SimulatedWorld {
                 .orElseGet(() -> unknown(example));
     }
 
-    /// Puts a robot into the world that is of a model that comes with the program.
+    /// Puts a robot into the world that is of a model that comes with the program, named after the model.
     ///
     /// @param model its name
     public Answer newRobot(String model, Pose2d mapFromBase) {
+        return newRobot(model, Optional.empty(), mapFromBase);
+    }
+
+    /// Puts a robot into the world that is of a model that comes with the program.
+    ///
+    /// @param model its name
+    /// @param id empty for one that nobody has
+    public Answer newRobot(String model, Optional<String> id, Pose2d mapFromBase) {
         Optional<SimulationControl> simulation = systems.simulation();
         if (simulation.isEmpty()) {
             return nothingSimulated();
@@ -245,8 +296,15 @@ public final class SimulatedWorld {
             return enough();
         }
         RobotSpec wanted = dynamicRobots.expect(
-                known.get(), mapFromBase, new HashSet<>(simulation.get().entities()));
+                known.get(), id, mapFromBase, new HashSet<>(simulation.get().entities()));
         return added(wanted.id(), mapFromBase, systems.addRobot(wanted));
+    }
+
+    /// Whether nothing has a name, and no robot had it.
+    public boolean isFree(String name) {
+        return !dynamicRobots.isKnown(name)
+                && systems.simulation().stream()
+                        .noneMatch(world -> world.entities().contains(name));
     }
 
     private static Answer enough() {

@@ -1,0 +1,207 @@
+package rsal.ros2.bridge;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.function.Consumer;
+import rsal.device.GoalHandle;
+import rsal.ros2.bridge.ActionServer.ServedGoal;
+import rsal.ros2.bridge.ActionServer.Status;
+import rsal.ros2.cdr.CdrWriter;
+import rsal.ros2.cdr.RosMessage;
+import rsal.system.RunControl;
+
+/// What of `simulation_interfaces` is about the run: its features and state are read, it is paused, resumed,
+/// stepped, reset and ended.
+final class RunServices implements ActionServer.Handler {
+    private static final String PACKAGE = "simulation_interfaces/srv/";
+    private static final int STOPPED = 0; // states
+    private static final int PLAYING = 1;
+    private static final int PAUSED = 2;
+    private static final int QUITTING = 3;
+    private static final int ALREADY_THERE = 101; // of SetSimulationState
+    private static final int INCORRECT_TRANSITION = 103;
+    private static final int TIME = 1; // what is reset; 0 for what can be
+    private static final int STATE = 2;
+    private static final int SPAWNED = 4;
+    private static final long MOST_STEPS = 1_000_000; // at once
+    private static final long MOST_FEEDBACK = 100; // messages of a goal
+
+    /// Spawning, deleting; categories; states of entities read and set; infos; spawnables; reset, of states
+    /// and of what was spawned; state of the simulation read and set.
+    private static final short[] ALWAYS = {0, 1, 8, 10, 11, 12, 14, 20, 22, 23, 24, 25};
+
+    /// Also to pause; steps, single, several, as an action.
+    private static final short[] PAUSABLE = {0, 1, 8, 10, 11, 12, 14, 20, 22, 23, 24, 25, 26, 31, 32, 33};
+
+    private final RunControl control;
+    private Optional<Stepping> stepping = Optional.empty();
+
+    private record Stepping(ServedGoal goal, GoalHandle<Long, Long> steps) {}
+
+    RunServices(RunControl control) {
+        this.control = control;
+    }
+
+    /// @param prefix of names: `/rsal/`
+    void serve(Services services, String prefix) {
+        services.serve(prefix + "get_simulator_features", PACKAGE + "GetSimulatorFeatures", _ -> features());
+        services.serve(prefix + "get_simulation_state", PACKAGE + "GetSimulationState", _ -> state());
+        services.serve(
+                prefix + "set_simulation_state",
+                PACKAGE + "SetSimulationState",
+                request -> set(request.message("state").integer("state")).toBytes());
+        services.serve(
+                prefix + "reset_simulation",
+                PACKAGE + "ResetSimulation",
+                request -> reset((int) request.integer("scope")).toBytes());
+        services.serveLater(
+                prefix + "step_simulation",
+                PACKAGE + "StepSimulation",
+                request -> step(request.integer("steps")).thenApply(ResultCode::toBytes));
+    }
+
+    private byte[] features() {
+        short[] features = control.isPausable() ? PAUSABLE : ALWAYS;
+        return new CdrWriter()
+                .int32(features.length)
+                .int16s(features)
+                .int32(0) // formats of resources
+                .text("RSAL: worlds in the plane; robots have devices and localizers of their own")
+                .toBytes();
+    }
+
+    private byte[] state() {
+        var response = new CdrWriter().int8((byte) (control.isPaused() ? PAUSED : PLAYING));
+        return ResultCode.OK.write(response).toBytes();
+    }
+
+    private ResultCode set(long state) {
+        if (state == (control.isPaused() ? PAUSED : PLAYING)) {
+            return new ResultCode(ALREADY_THERE, "The simulation is in this state.");
+        }
+        return switch ((int) state) {
+            case PLAYING -> {
+                control.resume();
+                yield ResultCode.OK;
+            }
+            case PAUSED -> {
+                if (!control.isPausable()) {
+                    yield ResultCode.unsupported("A run in real time can't be paused.");
+                }
+                control.pause();
+                yield ResultCode.OK;
+            }
+            case QUITTING -> {
+                control.end();
+                yield ResultCode.OK;
+            }
+            case STOPPED ->
+                new ResultCode(INCORRECT_TRANSITION, "A run is paused (2) or ended (3); it can't begin again from 0.");
+            default ->
+                new ResultCode(
+                        INCORRECT_TRANSITION,
+                        "There is no state %d to go to, but 1 (playing), 2 (paused) and 3 (quitting)."
+                                .formatted(state));
+        };
+    }
+
+    private ResultCode reset(int scope) {
+        if ((scope & TIME) != 0) {
+            return ResultCode.unsupported("Time can't be reset. Reset 2 (state), 4 (spawned) or 6 (both).");
+        }
+        if ((scope & ~(STATE | SPAWNED)) != 0) {
+            return ResultCode.failed("There is no scope %d, but 2 (state), 4 (spawned) and 6 (both).".formatted(scope));
+        }
+        if (scope == 0 || (scope & SPAWNED) != 0) {
+            control.removeSpawned();
+        }
+        if (scope == 0 || (scope & STATE) != 0) {
+            List<String> missing = control.restore();
+            if (!missing.isEmpty()) {
+                return ResultCode.failed("All is back but what was deleted: %s.".formatted(String.join(", ", missing)));
+            }
+        }
+        return ResultCode.OK;
+    }
+
+    /// Why no steps can be made now.
+    private Optional<ResultCode> refusal(long steps) {
+        if (!control.isPausable()) {
+            return Optional.of(ResultCode.unsupported("A run in real time can't be stepped."));
+        }
+        if (!control.isPaused()) {
+            return Optional.of(ResultCode.incorrectState("Steps need a paused simulation. Set its state to 2 first."));
+        }
+        if (steps < 1 || steps > MOST_STEPS) { // of which those beyond 2^63 are below 0
+            return Optional.of(ResultCode.failed(
+                    "From 1 to %d steps can be made, not %s.".formatted(MOST_STEPS, Long.toUnsignedString(steps))));
+        }
+        return Optional.empty();
+    }
+
+    private CompletionStage<ResultCode> step(long steps) {
+        Optional<ResultCode> refusal = refusal(steps);
+        if (refusal.isPresent()) {
+            return CompletableFuture.completedStage(refusal.get());
+        }
+        try {
+            return control.step(steps).result().thenApply(made -> made(made, steps));
+        } catch (IllegalStateException e) {
+            return CompletableFuture.completedStage(busy());
+        }
+    }
+
+    private static ResultCode busy() {
+        return ResultCode.incorrectState("Other steps are still being made.");
+    }
+
+    private static ResultCode made(long made, long wanted) {
+        return made == wanted
+                ? ResultCode.OK
+                : ResultCode.failed("Only %d of %d steps were made.".formatted(made, wanted));
+    }
+
+    /// Of `SimulateSteps`.
+    @Override
+    public void begin(ServedGoal goal, RosMessage fields) {
+        long wanted = fields.integer("steps");
+        Optional<ResultCode> refusal = refusal(wanted);
+        if (refusal.isPresent()) {
+            goal.end(Status.ABORTED, refusal.get()::write);
+            return;
+        }
+        GoalHandle<Long, Long> steps;
+        try {
+            steps = control.step(wanted);
+        } catch (IllegalStateException e) {
+            goal.end(Status.ABORTED, busy()::write);
+            return;
+        }
+        stepping = Optional.of(new Stepping(goal, steps));
+        long each = Math.max(1, wanted / MOST_FEEDBACK);
+        steps.onFeedback(made -> {
+            if (made.value() % each == 0) {
+                goal.tell(told -> told.int64(made.value()).int64(wanted - made.value()));
+            }
+        });
+        steps.result().thenAccept(made -> end(goal, made, wanted));
+    }
+
+    private void end(ServedGoal goal, long made, long wanted) {
+        stepping = Optional.empty();
+        Consumer<CdrWriter> result = made(made, wanted)::write;
+        goal.end(made == wanted ? Status.SUCCEEDED : goal.isCanceling() ? Status.CANCELED : Status.ABORTED, result);
+    }
+
+    @Override
+    public void cancel(ServedGoal goal) {
+        stepping.filter(each -> each.goal.equals(goal)).ifPresent(each -> each.steps.cancel());
+    }
+
+    @Override
+    public void writeNoResult(CdrWriter writer) {
+        ResultCode.notFound("There is no such goal.").write(writer);
+    }
+}

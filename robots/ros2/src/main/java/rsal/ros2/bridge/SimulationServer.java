@@ -1,0 +1,50 @@
+package rsal.ros2.bridge;
+
+import java.util.Optional;
+import java.util.function.Function;
+import rsal.device.SimulationControl;
+import rsal.robot.Robot;
+import rsal.ros2.link.RosLink;
+import rsal.ros2.type.Distribution;
+import rsal.ros2.type.TypeLibrary;
+import rsal.system.RunControl;
+import rsal.time.Scheduler;
+
+/// The services of the package `simulation_interfaces`, by which tools of ROS 2 control a simulator,
+/// whichever it is. They are answered also while the run is paused.
+final class SimulationServer {
+    private static final String PREFIX = "/rsal/"; // the node's name
+
+    private final TruthTracker truth;
+    private final Services services;
+    private final ActionServer steps;
+
+    /// @param robots by id
+    /// @param link of the node `/rsal`
+    SimulationServer(
+            SimulationControl world,
+            RunControl control,
+            Function<String, Optional<Robot>> robots,
+            RosLink link,
+            Scheduler scheduler) {
+        TypeLibrary types = TypeLibrary.of(Distribution.JAZZY);
+        truth = new TruthTracker(world, scheduler);
+        services = new Services(link, types, control);
+        new EntityServices(world, control, truth, robots, scheduler).serve(services, PREFIX);
+        var run = new RunServices(control);
+        run.serve(services, PREFIX);
+        steps = new ActionServer(
+                link,
+                new Services(link, types, control),
+                PREFIX + "simulate_steps",
+                "simulation_interfaces/action/SimulateSteps",
+                scheduler,
+                run);
+    }
+
+    void close() {
+        steps.close();
+        services.close();
+        truth.close();
+    }
+}

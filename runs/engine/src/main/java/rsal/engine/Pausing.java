@@ -1,0 +1,94 @@
+package rsal.engine;
+
+import java.time.InstantSource;
+import java.util.Optional;
+import rsal.data.Stamped;
+import rsal.device.GoalHandle;
+import rsal.device.GoalSource;
+
+/// Whether a run stands still, and for how many steps it goes on nevertheless. Of the run's thread.
+final class Pausing {
+    private final boolean isPossible;
+    private final InstantSource clock;
+    private final Runnable onResume;
+    private boolean paused;
+    private long wanted; // steps of people
+    private Optional<Stepping> stepping = Optional.empty();
+
+    /// Steps that somebody waits for.
+    private static final class Stepping {
+        private final GoalSource<Long, Long> goal;
+        private final long count;
+        private long made;
+
+        Stepping(GoalSource<Long, Long> goal, long count) {
+            this.goal = goal;
+            this.count = count;
+        }
+    }
+
+    /// @param isPossible whether the run can be paused at all
+    /// @param clock the run's
+    Pausing(boolean isPossible, InstantSource clock, Runnable onResume) {
+        this.isPossible = isPossible;
+        this.clock = clock;
+        this.onResume = onResume;
+    }
+
+    boolean isPossible() {
+        return isPossible;
+    }
+
+    boolean isPaused() {
+        return paused;
+    }
+
+    /// Whether it has to wait.
+    boolean isWaiting() {
+        return paused && wanted == 0 && stepping.isEmpty();
+    }
+
+    void pause() {
+        paused = isPossible;
+    }
+
+    void resume() {
+        paused = false;
+        endStepping();
+        onResume.run();
+    }
+
+    /// Ends it early, if somebody waits for steps.
+    void endStepping() {
+        Optional<Stepping> ended = stepping;
+        stepping = Optional.empty();
+        ended.ifPresent(steps -> steps.goal.end(steps.made));
+    }
+
+    /// One more step, while it is paused.
+    void step() {
+        wanted += paused ? 1 : 0;
+    }
+
+    /// As [rsal.system.RunControl#step].
+    GoalHandle<Long, Long> step(long count) {
+        if (!paused || stepping.isPresent()) {
+            throw new IllegalStateException("It can't be stepped now.");
+        }
+        var goal = new GoalSource<Long, Long>(this::endStepping);
+        stepping = Optional.of(new Stepping(goal, count));
+        return goal;
+    }
+
+    /// A step was made.
+    void stepped() {
+        wanted = Math.max(0, wanted - 1);
+        stepping.ifPresent(steps -> {
+            steps.made++;
+            steps.goal.tell(new Stamped<>(clock.instant(), "", steps.made));
+            if (steps.made >= steps.count) {
+                endStepping();
+            }
+        });
+    }
+}
