@@ -60,6 +60,7 @@ export const parts = [
           'faults',
           'agentspeak',
           'stage-worlds',
+          'gazebo-worlds',
           'player-configurations',
         ),
       },

@@ -7,4 +7,5 @@ module rsal.models {
 
     exports rsal.model;
     exports rsal.model.urdf;
+    exports rsal.model.xml;
 }

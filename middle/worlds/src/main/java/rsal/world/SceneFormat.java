@@ -1,5 +1,6 @@
 package rsal.world;
 
+import java.util.List;
 import rsal.scene.Scene;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
@@ -8,6 +9,17 @@ import rsal.settings.InvalidSettings;
 public interface SceneFormat {
     /// How the names of its files end, with the dot: `.world`.
     String suffix();
+
+    /// How names of its files end that another format's do, too. Of files with such names it reads those that it
+    /// [#recognizes].
+    default List<String> sharedSuffixes() {
+        return List.of();
+    }
+
+    /// Whether a file whose name is not enough to tell is of this format.
+    default boolean recognizes(byte[] content) {
+        return false;
+    }
 
     /// @param path of the file, as a person writes it
     /// @param files where it and what it names is

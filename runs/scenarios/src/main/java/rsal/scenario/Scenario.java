@@ -228,7 +228,7 @@ public final class Scenario {
     public static Scene scene(String path) {
         var seeds = new Seeds((Long) Format.SEED.fallback().orElseThrow());
         Scene scene = Catalog.installed()
-                .formatOf(path)
+                .formatOf(path, FileSource.disk())
                 .orElseThrow(() -> new IllegalArgumentException("'%s' is no world.".formatted(path)))
                 .read(path, FileSource.disk(), seeds.of("world"));
         return scene.isEmpty()

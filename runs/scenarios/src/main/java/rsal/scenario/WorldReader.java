@@ -90,7 +90,7 @@ final class WorldReader {
     }
 
     private Scene scene(String path, Location at) {
-        SceneFormat format = catalog.formatOf(path)
+        SceneFormat format = catalog.formatOf(path, files)
                 .orElseThrow(() -> new InvalidSettings(
                         at,
                         "'%s' is not a kind of world that is known here.".formatted(path),

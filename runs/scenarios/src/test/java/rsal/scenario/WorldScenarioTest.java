@@ -53,6 +53,27 @@ class WorldScenarioTest {
         Files.writeString(folder.resolve("hall.world"), HALL);
     }
 
+    private static final String YARD = """
+            <?xml version="1.0"?>
+            <sdf version="1.9"><world name="yard"><model name="box"><static>true</static><pose>0 0 0.5 0 0 0</pose><link name="l">
+            <collision name="c"><geometry><box><size>4 4 1</size></box></geometry></collision></link></model></world></sdf>
+            """;
+
+    /// Worlds of Stage and of Gazebo are both called so.
+    @Test
+    void whatIsInAWorldTellsWhoseItIs() throws IOException {
+        Files.writeString(folder.resolve("hall.world"), YARD);
+        RunPlan plan = planned(SCENARIO.replace("  roam: {type: wander, robot: cart}\n", ""));
+        assertThat(plan.map()
+                        .cells()[
+                        plan.map().row(1) * plan.map().width() + plan.map().column(1)])
+                .isEqualTo(OccupancyGrid.OCCUPIED);
+        String path = folder.resolve("hall.world").toString();
+        assertThat(Scenario.isWorld(path)).isTrue();
+        assertThat(Scenario.scene(path).title()).isEqualTo("yard");
+        assertThat(Scenario.load(path).plan(RunOptions.NONE).map().width()).isGreaterThan(80);
+    }
+
     private RunPlan planned(String text) throws IOException {
         return Scenario.load(
                         Files.writeString(folder.resolve("visit.yaml"), text).toString())

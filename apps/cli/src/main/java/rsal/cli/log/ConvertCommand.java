@@ -35,13 +35,13 @@ import rsal.world.yaml.YamlFormat;
 /// `rsal convert`
 @Command(
         name = "convert",
-        description = "Convert a world of Stage to YAML, with its floor plans as images beside it. Or convert a robot"
-                + " description of ROS (URDF) to a robot model, with parts for its lasers beside it.")
+        description = "Convert a world of Stage or Gazebo to YAML, with its floor plans as images beside it. Or convert a"
+                + " robot description of ROS (URDF) to a robot model, with parts for its lasers beside it.")
 public final class ConvertCommand extends Subcommand {
     @Parameters(
             index = "0",
             converter = FileName.class,
-            paramLabel = "FILE.world|ROBOT.urdf",
+            paramLabel = "FILE.world|FILE.sdf|ROBOT.urdf",
             description = "The file of the world or the robot. Expand a .xacro file first.")
     private String file = "";
 
@@ -67,13 +67,13 @@ public final class ConvertCommand extends Subcommand {
         if (file.endsWith(".urdf")) {
             return model();
         }
-        if (!file.endsWith(".world")) {
+        if (!file.endsWith(".world") && !file.endsWith(".sdf")) {
             throw new InvalidSettings(
                     Location.of(file),
                     "This is no file that can be converted.",
-                    "Worlds of Stage can (FILE.world), and robot descriptions of ROS (ROBOT.urdf).");
+                    "Worlds of Stage (FILE.world) and Gazebo (FILE.sdf) can, and robot descriptions of ROS (ROBOT.urdf).");
         }
-        Path target = target("\\.world$", YamlFormat.SUFFIX);
+        Path target = target("\\.(world|sdf)$", YamlFormat.SUFFIX);
         Scene scene = Scenario.scene(file);
         String name = String.valueOf(target.getFileName());
         var written = SceneWriter.write(scene, name.substring(0, name.length() - YamlFormat.SUFFIX.length()));

@@ -48,7 +48,7 @@ public final class RunCommand extends Subcommand {
             arity = "0..1",
             defaultValue = ScenarioReference.DEFAULT,
             description = ScenarioReference.WHAT
-                    + "; or a world (FILE.world.yaml, Stage's FILE.world, or Player's FILE.cfg)."
+                    + "; or a world (FILE.world.yaml, Stage's FILE.world, Gazebo's FILE.sdf, or Player's FILE.cfg)."
                     + " Default: ${DEFAULT-VALUE}.")
     private String scenario = "";
 

@@ -45,7 +45,7 @@ public final class ShowCommand extends Subcommand {
             paramLabel = "SCENARIO[:CONFIGURATION]|WORLD|AGENT|NAME",
             description =
                     ScenarioReference.WHAT
-                            + "; a world (FILE.world.yaml, Stage's FILE.world, or Player's FILE.cfg); a map (ROS's YAML); a recording (FILE.mcap); an agent in Java or AgentSpeak (FILE.java, FILE.asl); a metric in Java (FILE.java); or what 'rsal list WHAT' names.")
+                            + "; a world (FILE.world.yaml, Stage's FILE.world, Gazebo's FILE.sdf, or Player's FILE.cfg); a map (ROS's YAML); a recording (FILE.mcap); an agent in Java or AgentSpeak (FILE.java, FILE.asl); a metric in Java (FILE.java); or what 'rsal list WHAT' names.")
     private String name = "";
 
     @Option(
@@ -88,7 +88,8 @@ public final class ShowCommand extends Subcommand {
         }
         if (image != null) {
             throw new ParameterException(
-                    spec.commandLine(), "Only maps and worlds (FILE.world.yaml, FILE.world, FILE.cfg) are drawn.");
+                    spec.commandLine(),
+                    "Only maps and worlds (FILE.world.yaml, FILE.world, FILE.sdf, FILE.cfg) are drawn.");
         }
         List<InstalledKind> all = InstalledKind.all();
         List<InstalledKind> named = all.stream().filter(kind -> kind.is(name)).toList();

@@ -6,6 +6,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import rsal.model.xml.Transform;
+import rsal.model.xml.XmlElement;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Suggestion;
 
@@ -21,10 +23,12 @@ record RobotDescription(
         Map<String, XmlElement> links,
         Map<String, XmlElement> joints,
         Map<String, Transform> rootFromLinks) {
+    private static final int MOST = 100_000; // elements
 
     /// @throws InvalidSettings when the file is no URDF, or its links are no tree
     static RobotDescription read(String text, String file) {
-        XmlElement robot = XmlElement.read(text, file);
+        XmlElement robot =
+                XmlElement.read(text, file, MOST, "A .xacro file must be expanded first: xacro FILE > ROBOT.urdf.");
         if (!robot.name().equals("robot")) {
             throw new InvalidSettings(
                     robot.location(),

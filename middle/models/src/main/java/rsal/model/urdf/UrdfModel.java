@@ -15,6 +15,8 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import rsal.data.Footprint;
 import rsal.data.Point2d;
+import rsal.model.xml.Transform;
+import rsal.model.xml.XmlElement;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.settings.Problem;

@@ -11,6 +11,8 @@ import rsal.map.Maps;
 import rsal.metric.MetricType;
 import rsal.model.RobotModels;
 import rsal.robot.DeviceDriver;
+import rsal.settings.FileSource;
+import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.settings.PluginLanguage;
 import rsal.settings.Problems;
@@ -36,6 +38,8 @@ public record Catalog(
         List<String> parts,
         List<String> maps) {
 
+    private static final int MAX_BYTES = 1 << 28; // of a world's file
+
     public static Catalog installed() {
         return new Catalog(
                 Providers.byKey(RobotSystemProvider.class, RobotSystemProvider::key),
@@ -58,12 +62,36 @@ public record Catalog(
                 .findFirst();
     }
 
-    /// The format of a world's file.
+    /// The format of a world's file, by its name.
     public Optional<SceneFormat> formatOf(String path) {
         return formats.entrySet().stream()
                 .filter(format -> path.endsWith(format.getKey()))
                 .map(Map.Entry::getValue)
-                .findFirst();
+                .findFirst()
+                .or(() -> sharing(path).findFirst());
+    }
+
+    /// The format of a world's file, by its name, and by what is in it where several formats have such names.
+    public Optional<SceneFormat> formatOf(String path, FileSource files) {
+        List<SceneFormat> sharing = sharing(path).toList();
+        if (sharing.isEmpty()) {
+            return formatOf(path);
+        }
+        byte[] content;
+        try {
+            content = files.read(path, MAX_BYTES, Location.of(path));
+        } catch (InvalidSettings _) { // who reads it says why
+            return formatOf(path);
+        }
+        return sharing.stream()
+                .filter(format -> format.recognizes(content))
+                .findFirst()
+                .or(() -> formatOf(path));
+    }
+
+    private Stream<SceneFormat> sharing(String path) {
+        return formats.values().stream()
+                .filter(format -> format.sharedSuffixes().stream().anyMatch(path::endsWith));
     }
 
     /// One of those by key, or a problem that says which there are.

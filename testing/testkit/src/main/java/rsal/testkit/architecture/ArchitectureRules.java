@@ -67,7 +67,9 @@ public abstract class ArchitectureRules {
     private static final String EXPERIMENTS = "rsal.experiment..";
     private static final String SERVER = "rsal.server..";
     private static final String CLI = "rsal.cli..";
-    private static final String[] ROBOT_SYSTEMS = {"rsal.sim..", "rsal.stage..", "rsal.player..", "rsal.ros2.."};
+    private static final String[] ROBOT_SYSTEMS = {
+        "rsal.sim..", "rsal.stage..", "rsal.gazebo..", "rsal.player..", "rsal.ros2.."
+    };
     private static final String[] VALUES = {"rsal.data..", "rsal.settings.."};
     private static final String[] CONTRACTS = {
         "rsal.device..", "rsal.fault..", "rsal.robot..", "rsal.scene..", "rsal.system..", "rsal.time.."

@@ -1,4 +1,4 @@
-package rsal.model.urdf;
+package rsal.model.xml;
 
 import java.io.StringReader;
 import java.util.ArrayDeque;
@@ -21,27 +21,29 @@ import rsal.settings.Location;
 /// An element of an XML file, with the place where it begins.
 ///
 /// @param text of its own, without that of its children, stripped
-record XmlElement(
+public record XmlElement(
         String name, Map<String, String> attributes, List<XmlElement> children, String text, Location location) {
     private static final Pattern SPACES = Pattern.compile("\\s+");
     private static final int DEEPEST = 50;
-    private static final int MOST = 100_000; // elements
+    private static final int LONGEST = 60; // letters of a text in a message
 
-    XmlElement {
+    public XmlElement {
         attributes = Collections.unmodifiableMap(new LinkedHashMap<>(attributes));
         children = List.copyOf(children);
     }
 
     /// Reads a whole file. Other files that it names are not read, nor are declarations of its own (DTD).
     ///
+    /// @param most elements
+    /// @param remedy what to try when it is no XML; may be empty
     /// @throws InvalidSettings when it is no XML, or too deep or too large
-    static XmlElement read(String text, String file) {
+    public static XmlElement read(String text, String file, int most, String remedy) {
         XMLInputFactory factory = XMLInputFactory.newDefaultFactory();
         factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);
         factory.setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false);
         factory.setProperty(XMLInputFactory.IS_NAMESPACE_AWARE, false);
         try {
-            return read(factory.createXMLStreamReader(new StringReader(text)), file);
+            return read(factory.createXMLStreamReader(new StringReader(text)), file, most);
         } catch (XMLStreamException e) {
             javax.xml.stream.Location at = e.getLocation();
             String message = String.valueOf(e.getMessage());
@@ -52,7 +54,7 @@ record XmlElement(
                     "This is no XML: %s"
                             .formatted(message.substring(message.lastIndexOf('\n') + 1)
                                     .replaceFirst("^Message: ", "")),
-                    "A .xacro file must be expanded first: xacro FILE > ROBOT.urdf.");
+                    remedy);
         }
     }
 
@@ -64,7 +66,7 @@ record XmlElement(
         }
     }
 
-    private static XmlElement read(XMLStreamReader xml, String file) throws XMLStreamException {
+    private static XmlElement read(XMLStreamReader xml, String file, int most) throws XMLStreamException {
         Deque<Open> open = new ArrayDeque<>();
         int count = 0;
         while (xml.hasNext()) {
@@ -74,11 +76,11 @@ record XmlElement(
                             file,
                             Math.max(1, xml.getLocation().getLineNumber()),
                             Math.max(1, xml.getLocation().getColumnNumber()));
-                    if (open.size() == DEEPEST || ++count > MOST) {
+                    if (open.size() == DEEPEST || ++count > most) {
                         throw new InvalidSettings(
                                 at,
                                 "This file is nested deeper than %d, or has more than %d elements."
-                                        .formatted(DEEPEST, MOST),
+                                        .formatted(DEEPEST, most),
                                 "");
                     }
                     open.push(
@@ -110,11 +112,13 @@ record XmlElement(
         return attributes;
     }
 
-    Stream<XmlElement> all(String child) {
+    /// Its children of a name.
+    public Stream<XmlElement> all(String child) {
         return children.stream().filter(each -> each.name.equals(child));
     }
 
-    Optional<XmlElement> first(String... path) {
+    /// The first descendant on a path of names; empty when there is none.
+    public Optional<XmlElement> first(String... path) {
         Optional<XmlElement> found = Optional.of(this);
         for (String step : path) {
             found = found.flatMap(each -> each.all(step).findFirst());
@@ -122,20 +126,28 @@ record XmlElement(
         return found;
     }
 
-    String attribute(String key) {
+    /// What an attribute says; nothing when there is none.
+    public String attribute(String key) {
         return attributes.getOrDefault(key, "");
     }
 
     /// Numbers in an attribute; the fallback when there is no such attribute.
     ///
     /// @throws InvalidSettings when there are others than so many finite ones
-    double[] numbers(String key, double... fallback) {
+    public double[] numbers(String key, double... fallback) {
         return attributes.containsKey(key) ? numbers(key, attribute(key), fallback.length) : fallback;
     }
 
     /// The number that is its text.
-    double number() {
+    public double number() {
         return numbers(name, text, 1)[0];
+    }
+
+    /// The numbers that are its text.
+    ///
+    /// @throws InvalidSettings when there are others than so many finite ones
+    public double[] numbers(int count) {
+        return numbers(name, text, count);
     }
 
     private double[] numbers(String what, String written, int count) {
@@ -152,7 +164,13 @@ record XmlElement(
         }
         if (!right) {
             throw new InvalidSettings(
-                    location, "'%s' must be %d numbers, not '%s'.".formatted(what, count, written), "");
+                    location,
+                    "'%s' must be %s, not '%s'."
+                            .formatted(
+                                    what,
+                                    count == 1 ? "a number" : count + " numbers",
+                                    written.length() > LONGEST ? written.substring(0, LONGEST) + "…" : written),
+                    "");
         }
         return numbers;
     }

@@ -1,0 +1,9 @@
+package rsal.gazebo;
+
+import rsal.testkit.architecture.ArchitectureRules;
+
+class GazeboArchitectureTest extends ArchitectureRules {
+    GazeboArchitectureTest() {
+        super(SdfFormat.class);
+    }
+}
