@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.SequencedMap;
 import java.util.concurrent.ConcurrentHashMap;
+import rsal.settings.OwnCode;
 
 /// The classes of one folder's Java files. A file that has changed since begins them again; what runs goes on
 /// with those that it has.
@@ -26,7 +27,7 @@ final class FolderClasses extends ClassLoader {
     }
 
     private FolderClasses() {
-        super("plugins", FolderClasses.class.getClassLoader());
+        super(OwnCode.LOADER, FolderClasses.class.getClassLoader());
     }
 
     /// Those of a folder in which all these files are compiled.

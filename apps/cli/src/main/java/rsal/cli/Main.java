@@ -52,6 +52,7 @@ import rsal.cli.terminal.Terminal;
 import rsal.cli.terminal.Unreachable;
 import rsal.engine.report.RunBroken;
 import rsal.settings.InvalidSettings;
+import rsal.settings.OwnCode;
 import rsal.settings.Suggestion;
 
 /// The command line.
@@ -245,6 +246,12 @@ public final class Main implements Runnable {
             case RunBroken broken
             when RunBroken.lackOfMemory(broken).isPresent() ->
                 tellNoMemory(err, RunBroken.lackOfMemory(broken).get());
+            case RunBroken broken
+            when OwnCode.hasFailed(broken) && !typed.originalArgs().contains("--debug") -> {
+                err.println("rsal: The run ended, because code of yours failed. " + broken.getMessage());
+                err.println("With --debug, the whole trace is printed.");
+                yield Exit.INTERNAL;
+            }
             case RunBroken broken
             when broken.getCause() == null -> { // it says all, and is no mistake of ours
                 err.println("rsal: The run broke: " + broken.getMessage());

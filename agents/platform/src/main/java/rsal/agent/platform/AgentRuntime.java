@@ -34,6 +34,7 @@ import rsal.device.Sensor;
 import rsal.device.SimulationControl;
 import rsal.device.Subscription;
 import rsal.robot.Robot;
+import rsal.settings.OwnCode;
 import rsal.time.Phase;
 import rsal.time.Scheduler;
 import rsal.time.Task;
@@ -164,7 +165,7 @@ final class AgentRuntime implements AgentContext {
     private void fail(Throwable cause) {
         if (status == AgentPlatform.Status.RUNNING) {
             LOG.log(Level.ERROR, () -> "Agent '%s' failed and is ended.".formatted(name()), cause);
-            state = cause.getMessage() == null ? cause.toString() : cause.getMessage();
+            state = OwnCode.words(cause);
             end(AgentPlatform.Status.FAILED, state);
         }
     }

@@ -2,6 +2,7 @@ package rsal.engine.report;
 
 import java.util.Optional;
 import java.util.function.Supplier;
+import rsal.settings.OwnCode;
 
 /// A run could not go on. The message names what broke it.
 public final class RunBroken extends RuntimeException {
@@ -13,7 +14,7 @@ public final class RunBroken extends RuntimeException {
     }
 
     public RunBroken(String culprit, Throwable cause) {
-        super("%s failed: %s".formatted(culprit, words(cause)), cause);
+        super("%s failed: %s".formatted(culprit, OwnCode.words(cause)), cause);
     }
 
     /// The lack of memory that something failed of, at first hand or not; empty when it was not that.
@@ -43,10 +44,5 @@ public final class RunBroken extends RuntimeException {
             work.run();
             return Optional.empty();
         });
-    }
-
-    private static String words(Throwable cause) {
-        String message = cause.getMessage();
-        return message == null ? cause.getClass().getSimpleName() : message;
     }
 }
