@@ -7,9 +7,11 @@ import java.nio.charset.StandardCharsets;
 import java.util.Collection;
 import java.util.EnumMap;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Stream;
 
 /// Types by name. Immutable.
@@ -96,6 +98,29 @@ public final class TypeLibrary {
         return find(name)
                 .orElseThrow(() -> new InvalidDefinition(
                         "There is no definition of '%s'. Add its file to your folder of definitions.".formatted(name)));
+    }
+
+    /// Whether a type has all fields that it has in another library, of the same types, and so have those within. It
+    /// may
+    /// have more: distributions add fields.
+    ///
+    /// @param name in full
+    public boolean isLike(String name, TypeLibrary other) {
+        return isLike(name, other, new HashSet<>());
+    }
+
+    private boolean isLike(String name, TypeLibrary other, Set<String> compared) {
+        if (!compared.add(name)) {
+            return true;
+        }
+        Optional<RosType> ours = find(name);
+        return ours.isPresent()
+                && other.get(name).fields().stream()
+                        .allMatch(field -> ours.get().fields().stream()
+                                        .anyMatch(our -> our.name().equals(field.name())
+                                                && our.type().equals(field.type()))
+                                && (!(field.type().element() instanceof Element.Nested(String within))
+                                        || isLike(within, other, compared)));
     }
 
     /// All of them, in no order.
