@@ -34,7 +34,7 @@ final class LogOptions {
     /// Which logs commands read, for their help.
     static final String LOGS =
             "Logs are CARMEN's (FLASER, ROBOTLASER1, RAWLASER1 with ODOM), plain or packed with gzip, bags of ROS 2 in MCAP"
-                    + " (folders or files), or of a format of your own. RAWLASER1's laser is where PARAM robot_frontlaser_offset (and _side_offset,"
+                    + " or sqlite3 (folders or files), or of a format of your own. RAWLASER1's laser is where PARAM robot_frontlaser_offset (and _side_offset,"
                     + " _angular_offset) says.";
 
     @Spec(Spec.Target.MIXEE)
