@@ -2,10 +2,17 @@ package rsal.mcap;
 
 import com.github.luben.zstd.ZstdDecompressCtx;
 import com.github.luben.zstd.ZstdException;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.zip.CRC32;
+import net.jpountz.lz4.LZ4Exception;
+import net.jpountz.lz4.LZ4Factory;
+import net.jpountz.lz4.LZ4FrameInputStream;
+import net.jpountz.lz4.LZ4SafeDecompressor;
+import net.jpountz.xxhash.XXHash32;
+import net.jpountz.xxhash.XXHashFactory;
 
 /// Gets the records out of blocks. For one thread.
 final class Chunks implements AutoCloseable {
@@ -13,6 +20,10 @@ final class Chunks implements AutoCloseable {
     static final int MOST = 64 << 20;
 
     private static final int MOST_COMPRESSION = 100; // characters of its name
+
+    // without native code and without sun.misc.Unsafe
+    private static final LZ4SafeDecompressor LZ4 = LZ4Factory.safeInstance().safeDecompressor();
+    private static final XXHash32 LZ4_SUM = XXHashFactory.safeInstance().hash32();
 
     private final FileWindow window;
     private final ZstdDecompressCtx zstd = new ZstdDecompressCtx();
@@ -59,7 +70,8 @@ final class Chunks implements AutoCloseable {
         }
         byte[] target = own ? new byte[(int) size] : room((int) size);
         switch (compression) {
-            case "zstd" -> decompress(from, (int) compressedSize, target, (int) size);
+            case "zstd" -> decompressZstd(from, (int) compressedSize, target, (int) size);
+            case "lz4" -> decompressLz4(from, (int) compressedSize, target, (int) size);
             case "" -> {
                 if (compressedSize != size) {
                     throw new Malformed("its two lengths are not the same");
@@ -83,18 +95,34 @@ final class Chunks implements AutoCloseable {
         return records;
     }
 
-    private void decompress(long from, int length, byte[] target, int size) throws IOException, Malformed {
+    private void decompressZstd(long from, int length, byte[] target, int size) throws IOException, Malformed {
+        fetch(from, length);
+        try {
+            checkSize(zstd.decompressByteArray(target, 0, size, compressed, 0, length), size);
+        } catch (ZstdException e) {
+            throw new Malformed("it can't be decompressed: " + e.getMessage());
+        }
+    }
+
+    private void decompressLz4(long from, int length, byte[] target, int size) throws IOException, Malformed {
+        fetch(from, length);
+        try (var frames = new LZ4FrameInputStream(new ByteArrayInputStream(compressed, 0, length), LZ4, LZ4_SUM)) {
+            checkSize(frames.readNBytes(target, 0, size) + frames.readNBytes(1).length, size);
+        } catch (IOException | LZ4Exception e) {
+            throw new Malformed("it can't be decompressed: " + e.getMessage());
+        }
+    }
+
+    private void fetch(long from, int length) throws IOException {
         if (compressed.length < length) {
             compressed = new byte[length];
         }
         window.at(from, length).get(compressed, 0, length);
-        try {
-            int made = zstd.decompressByteArray(target, 0, size, compressed, 0, length);
-            if (made != size) {
-                throw new Malformed("it has %d bytes, not %d".formatted(made, size));
-            }
-        } catch (ZstdException e) {
-            throw new Malformed("it can't be decompressed: " + e.getMessage());
+    }
+
+    private static void checkSize(int made, int size) throws Malformed {
+        if (made != size) {
+            throw new Malformed("it has %d bytes, not %d".formatted(made, size));
         }
     }
 

@@ -88,10 +88,15 @@ public final class McapWriter implements Closeable {
     /// @param library that writes, for people
     /// @param clock real time, by which chunks grow old, in ns
     public McapWriter(WritableByteChannel out, String library, LongSupplier clock) throws IOException {
+        this(out, "", library, clock);
+    }
+
+    /// @param profile which rules channels and schemas follow (`ros2`); empty for none
+    public McapWriter(WritableByteChannel out, String profile, String library, LongSupplier clock) throws IOException {
         this.out = out;
         this.clock = clock;
         write(ByteBuffer.wrap(Opcode.magic()));
-        write(begin(Opcode.HEADER).string("").string(library));
+        write(begin(Opcode.HEADER).string(profile).string(library));
     }
 
     /// Tells what messages look like.

@@ -34,7 +34,7 @@ final class LogOptions {
     /// Which logs commands read, for their help.
     static final String LOGS =
             "A log is a log of CARMEN (FLASER, ROBOTLASER1, RAWLASER1 with ODOM), plain or compressed by gzip, a bag"
-                    + " of ROS 2 in MCAP (folder or file), or a file of your own format. PARAM"
+                    + " of ROS 2 in MCAP or sqlite3 (folder or file), or a file of your own format. PARAM"
                     + " robot_frontlaser_offset (and _side_offset, _angular_offset) gives the mount of the laser of"
                     + " RAWLASER1.";
 

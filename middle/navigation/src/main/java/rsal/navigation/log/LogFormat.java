@@ -8,8 +8,9 @@ import java.nio.file.Path;
 /// A format of logs of a robot's laser and odometry. Found by [java.util.ServiceLoader]; an implementation has no
 /// state and may be called on any thread.
 public interface LogFormat {
-    /// How names of its files end, as `.csv`. Files that are packed with gzip have `.gz` behind it. Empty for the
-    /// format of all files that no other one reads, which is CARMEN's.
+    /// How names of its files end, as `.csv`. Files that are packed with gzip have `.gz` behind it, with Zstd
+    /// `.zstd` or `.zst`; the format unpacks them ([LogLines] does gzip). Empty for the format of all files that no
+    /// other one reads, which is CARMEN's.
     String suffix();
 
     /// What its files hold, in a sentence for people.

@@ -12,7 +12,7 @@ import java.util.stream.Stream;
 
 /// The formats of logs that are installed.
 public final class LogFormats {
-    private static final String PACKED = ".gz";
+    private static final List<String> PACKED = List.of(".gz", ".zstd", ".zst");
 
     private LogFormats() {}
 
@@ -58,7 +58,11 @@ public final class LogFormats {
 
     private static LogFormat of(String file) {
         String name = file.toLowerCase(Locale.ROOT);
-        String plain = name.endsWith(PACKED) ? name.substring(0, name.length() - PACKED.length()) : name;
+        String plain = PACKED.stream()
+                .filter(name::endsWith)
+                .findFirst()
+                .map(ending -> name.substring(0, name.length() - ending.length()))
+                .orElse(name);
         return installed().stream()
                 .filter(format -> plain.endsWith(format.suffix().toLowerCase(Locale.ROOT)))
                 .max(Comparator.comparingInt(format -> format.suffix().length()))

@@ -2,18 +2,15 @@ package rsal.ros2.bag;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
-import java.nio.charset.StandardCharsets;
 import java.time.Instant;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import rsal.data.LaserScan;
-import rsal.mcap.Channel;
-import rsal.mcap.McapFile;
-import rsal.mcap.Schema;
 import rsal.navigation.log.BrokenLog;
 import rsal.navigation.log.LaserHints;
 import rsal.navigation.log.LogCollector;
@@ -21,6 +18,8 @@ import rsal.navigation.log.LogEntry.Motion;
 import rsal.navigation.log.LogEntry.Parameter;
 import rsal.navigation.log.LogEntry.Poses;
 import rsal.navigation.log.LogEntry.Scan;
+import rsal.ros2.bag.BagFile.Topic;
+import rsal.ros2.bag.ZstdData.DamagedMessage;
 import rsal.ros2.cdr.CdrReader;
 import rsal.ros2.cdr.InvalidCdr;
 import rsal.ros2.cdr.MessageCodec;
@@ -35,8 +34,9 @@ import rsal.ros2.type.RosType;
 import rsal.ros2.type.TypeLibrary;
 
 /// Reads the files of one bag: first where frames are on the robot, as what is said once may stand anywhere, then
-/// scans and odometry. Topics are found by their types; of several of a type, the one with the most messages is
-/// taken. Times are those of the messages' headers, not of their arrival.
+/// scans and odometry. Topics are found by their types; of several with scans, the one with the most messages is taken,
+/// and odometry and static frames are those of the same robot, by their namespaces. Times are those of the messages'
+/// headers, not of their arrival.
 final class BagReader {
     private static final String SCAN = "sensor_msgs/msg/LaserScan";
     private static final String ODOMETRY = "nav_msgs/msg/Odometry";
@@ -50,9 +50,12 @@ final class BagReader {
     private final LaserHints hints;
     private final LogCollector log;
     private final FrameTree frames = new FrameTree();
-    private final Map<Schema, MessageCodec> codecs = new HashMap<>(); // of each file
+    private final Map<Topic, MessageCodec> codecs = new HashMap<>();
     private final Map<String, Long> counts = new HashMap<>(); // of messages by topic, in all files
     private final Map<String, String> types = new HashMap<>(); // by topic
+    private final Comparator<String> byMessages = Comparator.<String>comparingLong(
+                    topic -> counts.getOrDefault(topic, 0L))
+            .thenComparing(Comparator.reverseOrder());
     private @Nullable String base;
     private int number; // of the message, from 1; 0 before scans are read
 
@@ -63,47 +66,45 @@ final class BagReader {
     }
 
     /// What does not move on the robot, which topics there are, and what the base is called.
-    void readFrames(McapFile bag) throws IOException {
-        for (Channel channel : bag.channels()) {
-            counts.merge(channel.topic(), bag.count(channel), Long::sum);
-            types.put(channel.topic(), type(bag, channel));
+    void readFrames(BagFile bag) throws IOException {
+        for (Topic topic : bag.topics()) {
+            counts.merge(topic.name(), bag.count(topic), Long::sum);
+            types.put(topic.name(), topic.type());
         }
-        Optional<String> odometry = most(ODOMETRY);
-        bag.read(
-                channel -> isStatic(channel) || odometry.equals(Optional.of(channel.topic())),
-                (channel, _, _, _, data) -> {
-                    if (isStatic(channel)) {
-                        message(bag, channel, data, false).ifPresent(frames::add);
-                    } else if (base == null) { // the first names it
-                        message(bag, channel, data, false)
-                                .ifPresent(message -> base = FrameTree.named(message.text("child_frame_id")));
-                    }
-                });
+        Optional<String> odometry = odometry();
+        bag.read(topic -> isOfRobot(topic) || odometry.equals(Optional.of(topic.name())), (topic, data) -> {
+            if (isStatic(topic)) { // of this robot
+                message(topic, data, false).ifPresent(frames::add);
+            } else if (base == null) { // the first names it
+                message(topic, data, false)
+                        .ifPresent(message -> base = FrameTree.named(message.text("child_frame_id")));
+            }
+        });
     }
 
-    private boolean isStatic(Channel channel) {
-        return TRANSFORMS.equals(types.get(channel.topic())) && channel.topic().endsWith(STATIC);
+    private boolean isStatic(Topic topic) {
+        return topic.type().equals(TRANSFORMS) && topic.name().endsWith(STATIC);
     }
 
     /// Scans and odometry, in the order of their arrival.
     ///
     /// @throws BrokenLog when there are no scans
-    void readScans(McapFile bag) throws IOException {
+    void readScans(BagFile bag) throws IOException {
         String scans = most(SCAN)
                 .orElseThrow(() -> new BrokenLog(
                         name,
                         0,
                         "There are no scans in it: no topic of the type '%s', but %s."
                                 .formatted(SCAN, types.isEmpty() ? "nothing" : types)));
-        Optional<String> odometry = most(ODOMETRY);
+        Optional<String> odometry = odometry();
         bag.read(
-                channel -> channel.topic().equals(scans)
-                        || odometry.map(channel.topic()::equals)
-                                .orElseGet(() -> TRANSFORMS.equals(types.get(channel.topic())) && !isStatic(channel)),
-                (channel, _, _, _, data) -> {
+                topic -> topic.name().equals(scans)
+                        || odometry.map(topic.name()::equals)
+                                .orElseGet(() -> topic.type().equals(TRANSFORMS) && !isStatic(topic)),
+                (topic, data) -> {
                     number++;
-                    boolean isScan = channel.topic().equals(scans);
-                    RosMessage message = message(bag, channel, data, isScan).orElse(null);
+                    boolean isScan = topic.name().equals(scans);
+                    RosMessage message = message(topic, data, isScan).orElse(null);
                     if (message == null) {
                         return;
                     }
@@ -120,50 +121,82 @@ final class BagReader {
 
     /// Says which topics were read.
     void end() throws BrokenLog {
-        for (String type : List.of(SCAN, ODOMETRY)) {
-            Optional<String> topic = most(type);
-            if (topic.isPresent()) {
-                log.add(new Parameter(number, type, topic.get()));
-            }
+        tell(SCAN, most(SCAN));
+        tell(ODOMETRY, odometry());
+    }
+
+    private void tell(String type, Optional<String> topic) throws BrokenLog {
+        if (topic.isPresent()) {
+            log.add(new Parameter(number, type, topic.get()));
         }
     }
 
-    private Optional<String> most(String type) {
+    private Stream<String> topics(String type) {
         return types.entrySet().stream()
                 .filter(entry -> entry.getValue().equals(type))
-                .map(Map.Entry::getKey)
-                .max(Comparator.<String>comparingLong(topic -> counts.getOrDefault(topic, 0L))
-                        .thenComparing(Comparator.reverseOrder()));
+                .map(Map.Entry::getKey);
+    }
+
+    private Optional<String> most(String type) {
+        return topics(type).max(byMessages);
+    }
+
+    /// That of the robot whose scans are read, as far as names tell.
+    private Optional<String> odometry() {
+        return topics(ODOMETRY)
+                .max(Comparator.<String>comparingInt(
+                                topic -> sharedLevels(topic, most(SCAN).orElse("")))
+                        .thenComparing(byMessages));
+    }
+
+    /// How many names two topics have in common from the front: 1 of `/r1/front/scan` and `/r1/odom`.
+    private static int sharedLevels(String topic, String other) {
+        String[] names = topic.split("/", -1);
+        String[] others = other.split("/", -1);
+        int shared = 0;
+        while (shared < Math.min(names.length, others.length) && names[shared].equals(others[shared])) {
+            shared++;
+        }
+        return shared;
+    }
+
+    /// Where frames are told of all robots, or of the one whose scans are read; if there is none such, anywhere.
+    private boolean isOfRobot(Topic topic) {
+        return isStatic(topic)
+                && (isAbove(topic.name())
+                        || topics(TRANSFORMS)
+                                .filter(name -> name.endsWith(STATIC))
+                                .noneMatch(this::isAbove));
+    }
+
+    private boolean isAbove(String topic) {
+        return most(SCAN).orElse("").startsWith(topic.substring(0, topic.lastIndexOf('/') + 1));
     }
 
     /// Skips what can't be read.
-    private Optional<RosMessage> message(McapFile bag, Channel channel, ByteBuffer data, boolean isScan) {
+    private Optional<RosMessage> message(Topic topic, ByteBuffer data, boolean isScan) {
         try {
-            return Optional.of(codec(bag, channel).read(CdrReader.of(data)));
-        } catch (InvalidCdr | InvalidDefinition e) {
+            MessageCodec codec = codecs.computeIfAbsent(topic, BagReader::codec);
+            return Optional.of(codec.read(CdrReader.of(ZstdData.message(data))));
+        } catch (InvalidCdr | InvalidDefinition | DamagedMessage e) {
             log.skip(number, "not readable", String.valueOf(e.getMessage()), isScan);
             return Optional.empty();
         }
     }
 
-    private static String type(McapFile bag, Channel channel) {
-        return bag.schema(channel).map(Schema::name).orElse("");
-    }
-
     /// By the definition that the bag has; of bags without any, by that of ROS 2 Jazzy.
-    private MessageCodec codec(McapFile bag, Channel channel) {
-        return codecs.computeIfAbsent(bag.schema(channel).orElseThrow(), BagReader::codec);
-    }
-
-    private static MessageCodec codec(Schema schema) {
+    private static MessageCodec codec(Topic topic) {
         TypeLibrary library = TypeLibrary.of(Distribution.JAZZY);
-        String definition =
-                schema.encoding().equals("ros2msg") ? new String(schema.data(), StandardCharsets.UTF_8) : "";
-        if (definition.isBlank()) {
-            return MessageCodec.of(library.get(schema.name()), library);
+        if (topic.definition().isBlank()) {
+            return MessageCodec.of(library.get(topic.type()), library);
         }
-        List<RosType> types = DefinitionReader.withDependencies(schema.name(), definition);
-        return MessageCodec.of(types.getFirst(), library.with(types));
+        List<RosType> types = DefinitionReader.withDependencies(topic.type(), topic.definition());
+        TypeLibrary its = library.with(types);
+        if (!its.isLike(topic.type(), library)) {
+            throw new InvalidDefinition(
+                    "The bag defines '%s' without fields that it must have.".formatted(topic.type()));
+        }
+        return MessageCodec.of(types.getFirst(), its);
     }
 
     private static Instant time(RosMessage message) {

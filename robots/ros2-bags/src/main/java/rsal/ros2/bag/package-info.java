@@ -1,4 +1,4 @@
-/// Bags of rosbag2 in MCAP: scans, odometry, and where the laser is mounted.
+/// Bags of rosbag2 in MCAP and sqlite3: scans, odometry, and where the laser is mounted.
 @NullMarked
 package rsal.ros2.bag;
 

@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import com.github.luben.zstd.ZstdInputStream;
 import java.io.ByteArrayInputStream;
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -12,6 +14,7 @@ import java.time.Instant;
 import java.util.Arrays;
 import java.util.Objects;
 import java.util.SplittableRandom;
+import java.util.stream.Stream;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -22,6 +25,7 @@ import rsal.data.Pose2d;
 import rsal.navigation.log.BrokenLog;
 import rsal.navigation.log.LaserHints;
 import rsal.navigation.log.LogEntry.Motion;
+import rsal.navigation.log.LogFormat;
 import rsal.navigation.log.LogFormats;
 import rsal.navigation.log.RobotLog;
 import rsal.testkit.OfficialPython;
@@ -40,9 +44,15 @@ class BagFormatIT {
     /// @param kind `odom`: with odometry; `tf`: with TF alone; `down`: the laser is upside down; `clockwise`: it turns
     /// so
     private Path bag(String kind) throws Exception {
+        return bag(kind, "mcap/");
+    }
+
+    /// @param storage of what and how it is compressed: `sqlite3/file`
+    private Path bag(String kind, String storage) throws Exception {
         Path bag = folder.resolve(kind);
         try (var script = Objects.requireNonNull(getClass().getResourceAsStream("/bag.py"))) {
-            OfficialPython.run(new String(script.readAllBytes(), StandardCharsets.UTF_8), kind, bag.toString());
+            OfficialPython.run(
+                    new String(script.readAllBytes(), StandardCharsets.UTF_8), kind, bag.toString(), storage);
         }
         return bag;
     }
@@ -74,6 +84,98 @@ class BagFormatIT {
         assertThat(scan.angleIncrement()).isEqualTo(0.25);
         assertThat(Arrays.toString(scan.ranges())).isEqualTo(Arrays.toString(RANGES));
         assertThat(log.scans().get(3).broken()).isEqualTo(1);
+    }
+
+    /// Also those that recorders of Humble and Lyrical have as tables, with an image of 3 MB that nobody asks for.
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "mcap/lz4",
+                "mcap/file",
+                "mcap/message",
+                "sqlite3/",
+                "sqlite3/file",
+                "sqlite3/message",
+                "sqlite3/humble",
+                "sqlite3/lyrical",
+                "sqlite3/utf16"
+            })
+    void storageAndCompressionMakeNoDifference(String storage) throws Exception {
+        RobotLog plain = LogFormats.read(bag("odom"), LaserHints.DEFAULT);
+        Path other = Files.createDirectory(folder.resolve("other")).resolve("odom");
+        Files.move(folder.resolve("odom"), other);
+        Path bag = bag("odom", storage);
+        RobotLog read = LogFormats.read(bag, LaserHints.DEFAULT);
+        assertThat(read.motions()).isEqualTo(plain.motions());
+        assertThat(read.scans().stream().map(String::valueOf).map(BagFormatIT::withoutHash))
+                .isEqualTo(plain.scans().stream()
+                        .map(String::valueOf)
+                        .map(BagFormatIT::withoutHash)
+                        .toList());
+        assertThat(read.skipped().total()).isZero();
+        Path file = only(bag);
+        RobotLog alone = LogFormats.read(file, LaserHints.DEFAULT);
+        assertThat(alone.motions()).isEqualTo(plain.motions());
+        LogFormat format = LogFormats.installed().stream()
+                .filter(each -> !each.suffix().isEmpty() && file.toString().contains(each.suffix()))
+                .findFirst()
+                .orElseThrow();
+        try (var in = Files.newInputStream(file)) {
+            assertThat(LogFormats.read(format, file.toString(), in, LaserHints.DEFAULT)
+                            .motions())
+                    .isEqualTo(plain.motions());
+        }
+    }
+
+    private static String withoutHash(String scan) {
+        return scan.replaceAll("\\[F@\\w+", "");
+    }
+
+    private static Path only(Path bag) throws IOException {
+        try (Stream<Path> files = Files.list(bag)) {
+            return files.filter(file -> !file.endsWith("metadata.yaml"))
+                    .findFirst()
+                    .orElseThrow();
+        }
+    }
+
+    /// As when the recorder was killed.
+    @Test
+    void aDatabaseThatWasNotClosedIsRefused() throws Exception {
+        Path bag = bag("odom", "sqlite3/open");
+        assertThatThrownBy(() -> LogFormats.read(bag, LaserHints.DEFAULT))
+                .isInstanceOf(BrokenLog.class)
+                .hasMessageContainingAll("was not closed", "odom.db3-wal", "sqlite3");
+    }
+
+    @Test
+    void aDatabaseOfSomethingElseIsRefused() throws Exception {
+        Path file = folder.resolve("other.db3");
+        OfficialPython.run(
+                "import sqlite3, sys\nd = sqlite3.connect(sys.argv[1])\nd.execute('CREATE TABLE a(b)')\nd.commit()",
+                file.toString());
+        assertThatThrownBy(() -> LogFormats.read(file, LaserHints.DEFAULT))
+                .isInstanceOf(BrokenLog.class)
+                .hasMessageContaining("no table 'messages'");
+    }
+
+    @Test
+    void aFolderOfTwoStoragesIsRefused() throws Exception {
+        Path bag = bag("odom");
+        Files.copy(bag.resolve("odom.mcap"), bag.resolve("odom.db3"));
+        assertThatThrownBy(() -> LogFormats.read(bag, LaserHints.DEFAULT))
+                .isInstanceOf(BrokenLog.class)
+                .hasMessageContaining("Name the file");
+    }
+
+    /// Players of ROS leave the decompressed file beside the other one.
+    @Test
+    void aFileThatIsThereInBothFormsCountsOnce() throws Exception {
+        Path bag = bag("odom", "sqlite3/file");
+        try (var zstd = new ZstdInputStream(Files.newInputStream(bag.resolve("odom.db3.zstd")))) {
+            Files.copy(zstd, bag.resolve("odom.db3"));
+        }
+        assertThat(LogFormats.read(bag, LaserHints.DEFAULT).scans()).hasSize(20);
     }
 
     /// As the laser's z axis points down, its beams go clockwise when seen from above.
@@ -125,19 +227,31 @@ class BagFormatIT {
     /// What is damaged is read as far as it goes, or refused.
     @Test
     void damagedBagsBreakNothing() throws Exception {
-        byte[] whole = Files.readAllBytes(bag("odom").resolve("odom.mcap"));
+        damage(Files.readAllBytes(only(bag("odom"))), "damaged.mcap");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"mcap/file", "sqlite3/file", "sqlite3/", "sqlite3/message", "mcap/lz4"})
+    void damagedBagsOfOtherStoragesBreakNothing(String storage) throws Exception {
+        Path file = only(bag("odom", storage));
+        damage(
+                Files.readAllBytes(file),
+                "damaged" + file.getFileName().toString().substring("odom".length()));
+    }
+
+    private void damage(byte[] whole, String name) throws Exception {
         var random = new SplittableRandom(3);
         for (int i = 0; i < Rounds.of(60, 3_000); i++) {
             byte[] bytes = Arrays.copyOf(whole, random.nextBoolean() ? whole.length : random.nextInt(whole.length));
             for (int k = random.nextInt(6); k > 0 && bytes.length > 0; k--) {
                 bytes[random.nextInt(bytes.length)] = (byte) random.nextInt();
             }
-            Path file = Files.write(folder.resolve("damaged.mcap"), bytes);
+            Path file = Files.write(folder.resolve(name), bytes);
             try {
                 assertThat(LogFormats.read(file, LaserHints.DEFAULT).scans().size())
                         .isLessThanOrEqualTo(20);
             } catch (BrokenLog e) {
-                assertThat(e).hasMessageContaining("damaged.mcap");
+                assertThat(e).hasMessageContaining(name);
             }
         }
     }

@@ -97,10 +97,11 @@ public final class DefinitionReader {
 
     private static RosType block(String block) {
         String first = block.lines().findFirst().orElse("");
-        if (!first.startsWith(NAME)) {
+        String name = first.startsWith(NAME) ? first.substring(NAME.length()).strip() : "";
+        if (!name.contains("/")) {
             throw new InvalidDefinition("'%s' should be a line like 'MSG: std_msgs/Header'.".formatted(first));
         }
-        return message(full(first.substring(NAME.length()).strip(), ""), block.substring(first.length()));
+        return message(full(name, ""), block.substring(first.length()));
     }
 
     private static String[] parts(String name, String text, int count) {

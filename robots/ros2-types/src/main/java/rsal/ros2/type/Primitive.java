@@ -39,11 +39,16 @@ public enum Primitive implements Element {
         return id;
     }
 
+    /// As definitions have it: `float64`.
+    String text() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
     static Optional<Primitive> named(String name) {
         return name.equals(CHAR)
                 ? Optional.of(UINT8)
                 : Arrays.stream(values())
-                        .filter(each -> each.name().toLowerCase(Locale.ROOT).equals(name))
+                        .filter(each -> each.text().equals(name))
                         .findFirst();
     }
 }

@@ -7,7 +7,7 @@ import java.util.List;
 /// @param name in full: `sensor_msgs/msg/LaserScan`, `std_srvs/srv/SetBool_Request`, `nav2_msgs/action/Spin_Goal`
 /// @param fields in their order on the wire; a type without any has one that means nothing, as ROS 2 wants it
 public record RosType(String name, List<Field> fields) {
-    private static final Field NOTHING = new Field(
+    static final Field NOTHING = new Field(
             "structure_needs_at_least_one_member", new FieldType(Primitive.UINT8, FieldType.Repeat.ONE, 0), "");
 
     public RosType {

@@ -7,9 +7,11 @@ import java.nio.charset.StandardCharsets;
 import java.util.Collection;
 import java.util.EnumMap;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
 
@@ -105,6 +107,28 @@ public final class TypeLibrary {
     /// @param name in full
     public Optional<String> hash(String name) {
         return find(name).map(type -> hashes.computeIfAbsent(name, _ -> TypeHash.of(type, this)));
+    }
+
+    /// Whether a type has all fields that it has in another library, of the same types, and so have those within. It
+    /// may have more: distributions add fields.
+    ///
+    /// @param name in full
+    public boolean isLike(String name, TypeLibrary other) {
+        return isLike(name, other, new HashSet<>());
+    }
+
+    private boolean isLike(String name, TypeLibrary other, Set<String> compared) {
+        if (!compared.add(name)) {
+            return true;
+        }
+        Optional<RosType> ours = find(name);
+        return ours.isPresent()
+                && other.get(name).fields().stream()
+                        .allMatch(field -> ours.get().fields().stream()
+                                        .anyMatch(our -> our.name().equals(field.name())
+                                                && our.type().equals(field.type()))
+                                && (!(field.type().element() instanceof Element.Nested(String within))
+                                        || isLike(within, other, compared)));
     }
 
     /// All of them, in no order.

@@ -8,6 +8,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import rsal.ros2.type.FieldType.Repeat;
 
 class DefinitionReaderTest {
@@ -123,6 +124,40 @@ class DefinitionReaderTest {
                         .get("sensor_msgs/msg/LaserScan")
                         .ddsName())
                 .isEqualTo("sensor_msgs::msg::dds_::LaserScan_");
+    }
+
+    @Test
+    void aMessageWithinNeedsTheNameOfItsPackage() {
+        String text = "a_msgs/B b\n%s\nMSG: B\nint8 x\n".formatted("=".repeat(80));
+        assertThatThrownBy(() -> DefinitionReader.withDependencies("a_msgs/msg/A", text))
+                .isInstanceOf(InvalidDefinition.class)
+                .hasMessageContaining("'MSG: B'");
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void whatIsWrittenIsReadAgain(Distribution distribution) {
+        TypeLibrary library = TypeLibrary.of(distribution);
+        for (RosType type : library.all()) {
+            List<RosType> read =
+                    DefinitionReader.withDependencies(type.name(), DefinitionWriter.withDependencies(type, library));
+            assertThat(read.getFirst()).isEqualTo(type);
+            assertThat(read)
+                    .allSatisfy(each -> assertThat(library.get(each.name())).isEqualTo(each));
+            assertThat(TypeHash.of(type, TypeLibrary.of(read))).isEqualTo(TypeHash.of(type, library));
+        }
+    }
+
+    @Test
+    void aTypeIsLikeAnotherThatHasItsFields() {
+        TypeLibrary ours = TypeLibrary.of(Distribution.JAZZY);
+        String scan = "sensor_msgs/msg/LaserScan";
+        assertThat(TypeLibrary.of(Distribution.HUMBLE).isLike(scan, ours)).isTrue();
+        List<RosType> other = DefinitionReader.withDependencies(
+                scan,
+                DefinitionWriter.withDependencies(ours.get(scan), ours).replace("string frame_id", "string frame_no"));
+        assertThat(ours.with(other).isLike(scan, ours)).isFalse();
+        assertThat(TypeLibrary.of(List.of()).isLike(scan, ours)).isFalse();
     }
 
     /// Whatever stands in a file, it is read or refused.
