@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -29,6 +30,7 @@ import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.settings.Problem;
+import rsal.world.SceneExport;
 import rsal.world.yaml.SceneWriter;
 import rsal.world.yaml.YamlFormat;
 
@@ -36,25 +38,36 @@ import rsal.world.yaml.YamlFormat;
 @Command(
         name = "convert",
         description =
-                "Write a world of Stage or Gazebo as the same world in YAML, its floor plans as images beside it; or a robot model"
-                        + " of a robot description of ROS (URDF), with parts for its lasers beside it.")
+                "Write a world of Stage or Gazebo as the same world in YAML, its floor plans as images beside it; or any"
+                        + " world, or a scenario's with its robots, for Gazebo (OUT.sdf), with a configuration for"
+                        + " ros_gz_bridge beside it; or a robot model of a robot description of ROS (URDF), with parts"
+                        + " for its lasers beside it.")
 public final class ConvertCommand extends Subcommand {
     @Parameters(
             index = "0",
             converter = FileName.class,
-            paramLabel = "FILE.world|FILE.sdf|ROBOT.urdf",
-            description = "The world's or the robot's file; a .xacro file must be expanded first.")
+            paramLabel = "FILE.world|FILE.sdf|SCENARIO|ROBOT.urdf",
+            description =
+                    "The world's or the robot's file, or for Gazebo also a scenario; a .xacro file must be expanded"
+                            + " first.")
     private String file = "";
 
     @Parameters(
             index = "1",
             arity = "0..1",
-            paramLabel = "OUT.yaml",
-            description = "Where to write it (a world: OUT" + YamlFormat.SUFFIX + "). Default: beside the file.")
+            paramLabel = "OUT.yaml|OUT.sdf",
+            description = "Where to write it (a world: OUT" + YamlFormat.SUFFIX
+                    + "; for Gazebo: OUT.sdf). Default: in YAML beside the file.")
     private @Nullable String out;
 
     @Option(names = "--force", description = "Overwrite files that are there.")
     private boolean force;
+
+    @Option(
+            names = "--seed",
+            paramLabel = "N",
+            description = "For Gazebo: where robots start, if a scenario leaves it to chance. Default: 1.")
+    private long seed = 1;
 
     /// @param files that were written, the world's first
     record Converted(String file, List<String> files, int things, int robots, List<Mistake> warnings) {}
@@ -66,6 +79,10 @@ public final class ConvertCommand extends Subcommand {
     protected int run() {
         if (file.endsWith(".urdf")) {
             return model();
+        }
+        Optional<SceneExport> export = out == null ? Optional.empty() : SceneExport.of(out);
+        if (export.isPresent()) {
+            return export(export.get());
         }
         if (!file.endsWith(".world") && !file.endsWith(".sdf")) {
             throw new InvalidSettings(
@@ -84,6 +101,29 @@ public final class ConvertCommand extends Subcommand {
         checkFree(contents);
         write(contents);
         tell(scene, contents);
+        return Exit.SUCCESS;
+    }
+
+    /// The world of a file or a scenario for another program.
+    private int export(SceneExport export) {
+        Path target = target("$", export.suffix());
+        String name = String.valueOf(target.getFileName());
+        Scene scene = ExportedWorld.of(file, seed);
+        var written = export.write(
+                scene, name.substring(0, name.length() - export.suffix().length()), Location.of(file));
+        var contents = new LinkedHashMap<Path, byte[]>();
+        written.files().forEach((beside, bytes) -> contents.put(target.resolveSibling(beside), bytes));
+        checkFree(contents);
+        write(contents);
+        if (json) {
+            tell(scene, contents);
+            return Exit.SUCCESS;
+        }
+        scene.warnings().forEach(warning -> err().println(warning));
+        written.notes().forEach(note -> err().println("Note: " + note));
+        contents.keySet().forEach(out()::println);
+        out().println(written.summary());
+        out().flush();
         return Exit.SUCCESS;
     }
 
