@@ -9,6 +9,7 @@ module rsal.worlds {
     exports rsal.world;
     exports rsal.world.yaml;
 
+    uses rsal.world.SceneExport;
     uses rsal.world.SceneFormat;
 
     provides rsal.world.SceneFormat with

@@ -6,4 +6,6 @@ module rsal.gazebo {
 
     provides rsal.world.SceneFormat with
             rsal.gazebo.SdfFormat;
+    provides rsal.world.SceneExport with
+            rsal.gazebo.SdfExport;
 }

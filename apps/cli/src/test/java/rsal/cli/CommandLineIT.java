@@ -1185,6 +1185,33 @@ class CommandLineIT {
     }
 
     @Test
+    void convertWritesForGazeboAndReadsThat() throws Exception {
+        Files.writeString(folder.resolve("hall.world.yaml"), """
+                rsal: 1
+                walls: [{length: 4, width: 0.2, center: [0, 3], height: 1}]
+                robots: {guard: {model: pioneer2dx, pose: [1, 0, 90], devices: {laser: urg04lx}}}
+                """);
+        Ended written = rsal.run("convert", "hall.world.yaml", "hall.sdf");
+        assertThat(written.code()).as(written.err()).isZero();
+        assertThat(written.out()).contains("hall.sdf", "hall.bridge.yaml", "0 boxes of walls, 1 thing, 1 robot");
+        assertThat(written.err()).contains("Of devices only lasers are written");
+        assertThat(Files.readString(folder.resolve("hall.bridge.yaml"))).contains("/guard/scan");
+        assertThat(rsal.run("convert", "hall.world.yaml", "hall.sdf").err()).contains("--force");
+
+        Ended again = rsal.run("convert", "hall.sdf", "again.world.yaml");
+        assertThat(again.code()).as(again.err()).isZero();
+        assertThat(again.out()).contains("again.world.yaml: 1 thing, 1 robot");
+        Ended run = rsal.run("run", "hall.sdf", "--headless", "--speed", "max", "--for", "2", "--json");
+        assertThat(run.code()).as(run.err()).isZero();
+
+        Ended scenario = rsal.run("convert", "find-and-collect", "collect.sdf", "--seed", "2", "--json");
+        assertThat(scenario.code()).as(scenario.err()).isZero();
+        assertThat(JsonMapper.shared().readTree(scenario.out()).get("robots").intValue())
+                .isEqualTo(3);
+        assertThat(Files.readString(folder.resolve("collect.sdf"))).contains("gz-sim-diff-drive-system");
+    }
+
+    @Test
     void convertNamesTheFolderThatIsNotThere() throws Exception {
         Files.writeString(folder.resolve("hall.world"), "position ( )");
         Ended refused = rsal.run("convert", "hall.world", "nowhere/hall.world.yaml");

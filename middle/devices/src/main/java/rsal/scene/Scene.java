@@ -101,6 +101,25 @@ public record Scene(
                 warnings);
     }
 
+    /// The same with other things and robots in it.
+    public Scene with(List<Entity> otherThings, List<RobotSpec> otherRobots) {
+        return new Scene(
+                title,
+                map,
+                step,
+                end,
+                touch,
+                walls,
+                otherThings,
+                otherRobots,
+                robotBodies,
+                odomFromBase,
+                programs,
+                contents,
+                services,
+                warnings);
+    }
+
     /// The same, of which robots that have been told know something else.
     public Scene known(OccupancyGrid as) {
         return with(as, services, warnings);

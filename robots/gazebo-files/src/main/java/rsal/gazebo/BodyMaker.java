@@ -18,7 +18,7 @@ import rsal.settings.InvalidSettings;
 /// latter are seen, and in nobody's way.
 final class BodyMaker {
     private static final int MOST_BLOCKS = 200_000;
-    private static final int MOST_CORNERS = 1_000; // of a polyline
+    private static final int MOST_CORNERS = 2_000; // of a polyline
     private static final int MOST_CORNERS_IN_ALL = 500_000;
     private static final long MOST_MESH_BYTES = 1 << 29; // in all
     private static final double LEVEL = 0.05; // planes that are no higher or lower are the floor [m]

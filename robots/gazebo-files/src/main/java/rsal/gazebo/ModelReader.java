@@ -68,7 +68,7 @@ final class ModelReader {
                 isStatic(model) || (included && isStatic(place)),
                 included && Poses.isTrue(place.attribute("merge")),
                 inner,
-                new Frames(model, inner));
+                new SdfFrames(model, inner));
     }
 
     private static String placementFrame(XmlElement place, XmlElement model, boolean included) {

@@ -18,8 +18,8 @@ import rsal.settings.Location;
 /// `models` there or beside that of the world, and in the folders of the environment's resource paths when all files
 /// may be read. Nothing is fetched from a network.
 final class SdfFiles {
-    private static final int MOST_BYTES = 1 << 24; // of a description
-    private static final int MOST_ELEMENTS = 200_000; // of a file
+    private static final int MOST_BYTES = 1 << 26; // of a description
+    private static final int MOST_ELEMENTS = 500_000; // of a file
     private static final int MOST_MESH_BYTES = 1 << 26;
     private static final int MOST_FILES = 1_000;
     private static final Pattern NETWORK = Pattern.compile("(?i)[a-z]+://.*");

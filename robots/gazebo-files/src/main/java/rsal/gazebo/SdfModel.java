@@ -29,7 +29,7 @@ record SdfModel(
         boolean isStatic,
         boolean merged,
         List<SdfModel> models,
-        Frames frames) {
+        SdfFrames frames) {
 
     SdfModel {
         models = List.copyOf(models);
@@ -38,7 +38,7 @@ record SdfModel(
     /// A link, with its place in the frame of the model that was asked for.
     ///
     /// @param name with those of the models in between, `arm::hand`
-    record Link(String name, XmlElement element, Transform modelFromLink, Transform modelFromOwner, Frames frames) {
+    record Link(String name, XmlElement element, Transform modelFromLink, Transform modelFromOwner, SdfFrames frames) {
         /// Where something of the link is, in the frame of the model that was asked for.
         Transform place(XmlElement part) {
             Optional<XmlElement> pose = part.first("pose");

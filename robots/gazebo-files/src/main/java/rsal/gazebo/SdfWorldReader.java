@@ -33,7 +33,7 @@ final class SdfWorldReader {
     private final SdfFiles files;
     private final SdfNotes notes = new SdfNotes();
     private final BodyMaker bodies;
-    private final RobotMaker makes;
+    private final SdfRobotMaker makes;
     private final List<Entity> fixed = new ArrayList<>();
     private final List<Entity> moving = new ArrayList<>();
     private final List<Entity> things = new ArrayList<>();
@@ -47,7 +47,7 @@ final class SdfWorldReader {
         this.path = path;
         this.files = files;
         this.bodies = new BodyMaker(files, notes);
-        this.makes = new RobotMaker(bodies, notes);
+        this.makes = new SdfRobotMaker(bodies, notes);
     }
 
     /// @throws InvalidSettings with the first mistake
@@ -89,7 +89,7 @@ final class SdfWorldReader {
                         "There is no 'world' in this file.",
                         root.first("model").isPresent() ? "It holds a model: write a world that includes it." : ""));
         List<SdfModel> models = new ModelReader(files, notes).models(world);
-        var frames = new Frames(world, models);
+        var frames = new SdfFrames(world, models);
         models.forEach(model -> add(model, frames.find(model.name(), Optional.of(model.location()))));
         noteOthers(world);
         return world.attribute("name");
@@ -97,7 +97,7 @@ final class SdfWorldReader {
 
     private void add(SdfModel model, Transform worldFromModel) {
         String name = model.name().replace('/', '.'); // as a slash is what sets devices off from robots
-        Optional<RobotMaker.Made> robot = makes.robot(model);
+        Optional<SdfRobotMaker.Made> robot = makes.robot(model);
         if (robot.isPresent()) {
             addRobot(name, model, robot.get(), worldFromModel);
             return;
@@ -113,7 +113,7 @@ final class SdfWorldReader {
         }
     }
 
-    private void addRobot(String id, SdfModel model, RobotMaker.Made made, Transform worldFromModel) {
+    private void addRobot(String id, SdfModel model, SdfRobotMaker.Made made, Transform worldFromModel) {
         Transform worldFromBase = worldFromModel.compose(made.modelFromBase());
         var pose = new Pose2d(worldFromBase.x(), worldFromBase.y(), worldFromBase.heading());
         double height = Math.abs(worldFromBase.z()) <= ON_FLOOR ? 0 : worldFromBase.z();

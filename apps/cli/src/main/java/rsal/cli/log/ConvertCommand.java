@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -29,32 +30,41 @@ import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.settings.Problem;
+import rsal.world.SceneExport;
 import rsal.world.yaml.SceneWriter;
 import rsal.world.yaml.YamlFormat;
 
 /// `rsal convert`
 @Command(
         name = "convert",
-        description = "Convert a world of Stage or Gazebo to YAML, with its floor plans as images beside it. Or convert a"
-                + " robot description of ROS (URDF) to a robot model, with parts for its lasers beside it.")
+        description = "Convert a world of Stage or Gazebo to YAML, with its floor plans as images beside it. Or convert any"
+                + " world or scenario for Gazebo (OUT.sdf), with its robots, and a configuration for ros_gz_bridge beside"
+                + " it. Or convert a robot description of ROS (URDF) to a robot model, with parts for its lasers beside"
+                + " it.")
 public final class ConvertCommand extends Subcommand {
     @Parameters(
             index = "0",
             converter = FileName.class,
-            paramLabel = "FILE.world|FILE.sdf|ROBOT.urdf",
-            description = "The file of the world or the robot. Expand a .xacro file first.")
+            paramLabel = "FILE.world|FILE.sdf|SCENARIO|ROBOT.urdf",
+            description = "The file of the world or the robot; for Gazebo also a scenario. Expand a .xacro file first.")
     private String file = "";
 
     @Parameters(
             index = "1",
             arity = "0..1",
-            paramLabel = "OUT.yaml",
-            description = "The file to write (for a world: OUT" + YamlFormat.SUFFIX + "). Default: beside the input"
-                    + " file.")
+            paramLabel = "OUT.yaml|OUT.sdf",
+            description = "The file to write (for a world: OUT" + YamlFormat.SUFFIX + "; for Gazebo: OUT.sdf). Default:"
+                    + " in YAML, beside the input file.")
     private @Nullable String out;
 
     @Option(names = "--force", description = "Overwrite existing files.")
     private boolean force;
+
+    @Option(
+            names = "--seed",
+            paramLabel = "N",
+            description = "For Gazebo: seed of the start poses, if a scenario draws them at random. Default: 1.")
+    private long seed = 1;
 
     /// @param files that were written, the world's first
     record Converted(String file, List<String> files, int things, int robots, List<Mistake> warnings) {}
@@ -66,6 +76,10 @@ public final class ConvertCommand extends Subcommand {
     protected int run() {
         if (file.endsWith(".urdf")) {
             return model();
+        }
+        Optional<SceneExport> export = out == null ? Optional.empty() : SceneExport.of(out);
+        if (export.isPresent()) {
+            return export(export.get());
         }
         if (!file.endsWith(".world") && !file.endsWith(".sdf")) {
             throw new InvalidSettings(
@@ -84,6 +98,29 @@ public final class ConvertCommand extends Subcommand {
         checkFree(contents);
         write(contents);
         tell(scene, contents);
+        return Exit.SUCCESS;
+    }
+
+    /// The world of a file or a scenario for another program.
+    private int export(SceneExport export) {
+        Path target = target("$", export.suffix());
+        String name = String.valueOf(target.getFileName());
+        Scene scene = ExportedWorld.of(file, seed);
+        var written = export.write(
+                scene, name.substring(0, name.length() - export.suffix().length()), Location.of(file));
+        var contents = new LinkedHashMap<Path, byte[]>();
+        written.files().forEach((beside, bytes) -> contents.put(target.resolveSibling(beside), bytes));
+        checkFree(contents);
+        write(contents);
+        if (json) {
+            tell(scene, contents);
+            return Exit.SUCCESS;
+        }
+        scene.warnings().forEach(warning -> err().println(warning));
+        written.notes().forEach(note -> err().println("Note: " + note));
+        contents.keySet().forEach(out()::println);
+        out().println(written.summary());
+        out().flush();
         return Exit.SUCCESS;
     }
 

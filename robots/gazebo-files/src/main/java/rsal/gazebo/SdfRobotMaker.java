@@ -27,7 +27,7 @@ import rsal.scene.Block;
 import rsal.scene.Surface;
 
 /// Makes robots of those models that drive: by two rows of wheels, or in every direction. Lasers come along.
-final class RobotMaker {
+final class SdfRobotMaker {
     private static final double USUAL_SPEED = 0.5; // [m/s]
     private static final double USUAL_TURN_RATE = Math.PI / 2; // [rad/s]
     private static final double SLOWEST = 1e-6; // [m/s, rad/s] and per s, of what can't move that way
@@ -40,7 +40,7 @@ final class RobotMaker {
     private final BodyMaker bodies;
     private final SdfNotes notes;
 
-    RobotMaker(BodyMaker bodies, SdfNotes notes) {
+    SdfRobotMaker(BodyMaker bodies, SdfNotes notes) {
         this.bodies = bodies;
         this.notes = notes;
     }
@@ -133,8 +133,8 @@ final class RobotMaker {
             return;
         }
         var lasers = new ArrayList<XmlElement>();
-        model.links(
-                link -> link.element().all("sensor").filter(RobotMaker::isLaser).forEach(lasers::add));
+        model.links(link ->
+                link.element().all("sensor").filter(SdfRobotMaker::isLaser).forEach(lasers::add));
         if (!lasers.isEmpty()) {
             notes.add(
                     "sensors",

@@ -15,7 +15,7 @@ import rsal.settings.Suggestion;
 
 /// The frames that names stand for in a world or in a model: those of its links, joints, models and frames, each
 /// placed relative to another one.
-final class Frames {
+final class SdfFrames {
     private static final int MOST_IN_A_ROW = 100; // frames, each relative to the next
 
     private final Map<String, Entry> entries = new LinkedHashMap<>();
@@ -29,7 +29,7 @@ final class Frames {
 
     /// @param scope a `world` or a `model`
     /// @param models in it
-    Frames(XmlElement scope, List<SdfModel> models) {
+    SdfFrames(XmlElement scope, List<SdfModel> models) {
         this.models = models;
         for (XmlElement child : scope.children()) {
             Optional<XmlElement> pose = child.first("pose");
