@@ -15,8 +15,6 @@ import rsal.time.Scheduler;
 /// Publishes robots to ROS 2, each in its namespace. The port says which domain: that where its participants
 /// hear of each other.
 public final class Ros2BridgeProvider implements BridgeProvider {
-    private static final String NODE = "rsal";
-
     @Override
     public String key() {
         return "ros2";
@@ -40,7 +38,8 @@ public final class Ros2BridgeProvider implements BridgeProvider {
                         () -> new IOException("No domain of ROS 2 has the port %d: that of domain D is 7400 + 250 · D."
                                 .formatted(at.getPort())));
         var options = new UdpParticipant.Options(
-                domain, at.getAddress(), List.of(), RosNetwork.LEASE, NODE, RosNetwork.ENCLAVE);
-        return new Ros2Bridge(RosNetwork.join(options, Distribution.JAZZY, NODE), context, at.getPort(), scheduler);
+                domain, at.getAddress(), List.of(), RosNetwork.LEASE, Ros2Bridge.NODE, RosNetwork.ENCLAVE);
+        return new Ros2Bridge(
+                RosNetwork.join(options, Distribution.JAZZY, Ros2Bridge.NODE), context, at.getPort(), scheduler);
     }
 }
