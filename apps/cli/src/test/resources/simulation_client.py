@@ -1,4 +1,5 @@
-"""Controls a simulator by the package simulation_interfaces, as rmw_cyclonedds does, on the loopback network.
+"""Controls a simulator by the package simulation_interfaces, as rmw_cyclonedds does, on the loopback network; asks for
+nodes, parameters and lifecycles, as ros2 node, ros2 param and ros2 lifecycle do.
 
 Arguments: domain, version of the package (1 or 2), type hash of GetSpawnables_Response in version 2. Prints what it was answered, as lines of JSON: [service, answer].
 """
@@ -173,6 +174,43 @@ def pose(x, y):
 def uri(kind):
     return {'uri': kind} if old else {'entity_resource': made(Resource, uri=kind)}
 
+
+Gid = struct('rmw_dds_common/msg/Gid', data=array[uint8, 16])
+Node = struct('rmw_dds_common/msg/NodeEntitiesInfo', node_namespace=str, node_name=str,
+              reader_gid_seq=sequence[Gid], writer_gid_seq=sequence[Gid])
+Graph = struct('rmw_dds_common/msg/ParticipantEntitiesInfo', gid=Gid, node_entities_info_seq=sequence[Node])
+Value = struct('rcl_interfaces/msg/ParameterValue', type=uint8, bool_value=bool, integer_value=int64,
+               double_value=float64, string_value=str, byte_array_value=sequence[uint8],
+               bool_array_value=sequence[bool], integer_array_value=sequence[int64],
+               double_array_value=sequence[float64], string_array_value=sequence[str])
+Listed = struct('rcl_interfaces/msg/ListParametersResult', names=sequence[str], prefixes=sequence[str])
+Lifecycle = struct('lifecycle_msgs/msg/State', id=uint8, label=str)
+
+
+def nodes():
+    """Full names of those that the other participant tells of, once it tells nothing new."""
+    latched = Qos(Policy.Reliability.Reliable(duration(infinite=True)), Policy.Durability.TransientLocal,
+                  Policy.History.KeepAll, qos[-1])
+    reader = DataReader(participant, Topic(participant, 'ros_discovery_info', Graph), qos=latched)
+    end, names, changed = time.monotonic() + PATIENCE, [], time.monotonic()
+    while time.monotonic() < end and (len(names) < 2 or time.monotonic() < changed + 1):
+        for graph in reader.take(N=50):
+            changed = time.monotonic()
+            names = [f'{each.node_namespace}/{each.node_name}'.replace('//', '/')
+                     for each in graph.node_entities_info_seq]
+        time.sleep(0.01)
+    return sorted(names)
+
+
+tell('nodes', [node for node in nodes() if 'hunter' not in node])
+parameters = Client('/prey_1/rsal/list_parameters', 'rcl_interfaces/srv/ListParameters',
+                    {'prefixes': sequence[str], 'depth': uint64}, {'result': Listed}).call()
+tell('parameters', list(parameters.result.names))
+values = Client('/prey_1/rsal/get_parameters', 'rcl_interfaces/srv/GetParameters',
+                {'names': sequence[str]}, {'values': sequence[Value]}).call(names=list(parameters.result.names))
+tell('values', [each.bool_value or each.double_value or each.string_value for each in values.values])
+state = Client('/prey_1/amcl/get_state', 'lifecycle_msgs/srv/GetState', EMPTY, {'current_state': Lifecycle}).call()
+tell('amcl', [state.current_state.id, state.current_state.label])
 
 tell('features', list(call('GetSimulatorFeatures').features.features))
 code('SetSimulationState', state=State(2))

@@ -59,6 +59,11 @@ class Ros2SimulationIT {
             List<String> answers = answers(OfficialPython.run(script(), domain, version, NEW_SPAWNABLES));
             assertThat(answers)
                     .containsSubsequence(
+                            "nodes [\"/prey_1/amcl\",\"/prey_1/bt_navigator\",\"/prey_1/rsal\",\"/rsal\"]",
+                            "parameters [\"use_sim_time\",\"command_timeout\",\"robot_id\",\"robot_model\","
+                                    + "\"robot_role\"]",
+                            "values [true,0.5,\"prey-1\",\"pioneer2dx\",\"prey\"]",
+                            "amcl [3,\"active\"]",
                             "features [0,1,8,10,11,12,14,20,22,23,24,25,26,31,32,33]",
                             "SetSimulationState [1,\"\"]",
                             "state 2",

@@ -64,6 +64,7 @@ final class PublishedRobot {
     private final RosLink link;
     private final Scheduler scheduler;
     private final Executor requests; // are answered also while the run is paused
+    private final List<NodeParameters.Parameter> parameters;
     private final int port;
     private final String namespace;
     private final RosMessages messages = new RosMessages();
@@ -84,6 +85,7 @@ final class PublishedRobot {
         this.port = port;
         namespace = RosNetwork.namespace(robot.id());
         requests = context.control().<Executor>map(control -> control).orElse(scheduler);
+        parameters = NodeParameters.of(robot, context);
         timeout = context.timeout();
         watch = timeout.watch();
         transforms = advertise("tf", TRANSFORMS, Profile.DEFAULT);
@@ -230,6 +232,7 @@ final class PublishedRobot {
         Publication poses = advertise("amcl_pose", POSE, Profile.LATCHED);
         offer(localizer, "amcl_pose");
         offer(localizer, "initialpose");
+        ends.add(active("amcl")::close);
         MessageCodec codec = MessageCodec.of(TYPES.get(POSE), TYPES);
         ends.add(link.subscribe(
                 new RosTopic(namespace + "/initialpose", POSE),
@@ -245,17 +248,21 @@ final class PublishedRobot {
     private void publish(Navigator navigator) {
         String name = namespace + "/navigate_to_pose";
         offer(navigator, "navigate_to_pose");
-        ends.add(new PublishedNavigator(navigator, link, new Services(link, TYPES, requests), name, scheduler)::close);
+        ActiveNode node = active("bt_navigator");
+        ends.add(new PublishedNavigator(
+                navigator, node.link(), new Services(node.link(), TYPES, requests), name, scheduler)::close);
+        ends.add(node::close);
+    }
+
+    /// Whose state Nav2's programs ask for before they send goals.
+    private ActiveNode active(String name) {
+        return new ActiveNode(link, namespace, name, parameters, requests, scheduler);
     }
 
     private void tellPose(Publication poses, Stamped<PoseEstimate> reading) {
         poses.publish(messages.pose(reading.time(), reading.value(), MAP));
         odomFromBase.ifPresent(pose -> transform(
                 reading.time(), MAP, ODOM, reading.value().mapFromBase().compose(pose.inverse())));
-    }
-
-    Robot robot() {
-        return robot;
     }
 
     List<ExportedDevice> offers() {

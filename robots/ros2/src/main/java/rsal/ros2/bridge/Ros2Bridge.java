@@ -5,10 +5,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.Executor;
 import rsal.robot.Robot;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosLink.Publication;
+import rsal.ros2.link.RosNetwork;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.RosMessages;
 import rsal.system.Bridge;
@@ -21,6 +23,9 @@ import rsal.time.Task;
 /// Publishes all robots for as long as it is open, and the run's time (`/clock`); serves
 /// `simulation_interfaces` where the world is simulated.
 final class Ros2Bridge implements Bridge {
+    /// Name of each robot's node, in its namespace, and of the one without a robot.
+    static final String NODE = "rsal";
+
     private static final Duration TICK = Duration.ofMillis(10);
 
     private final RosLink link;
@@ -28,13 +33,22 @@ final class Ros2Bridge implements Bridge {
     private final int port;
     private final Scheduler scheduler;
     private final RosMessages messages = new RosMessages();
-    private final Map<String, PublishedRobot> robots = new LinkedHashMap<>();
+    private final Map<String, Joined> robots = new LinkedHashMap<>(); // by id
     private final Publication clock;
     private final Task ticking;
+    private final Executor requests; // are answered there
     private final Optional<SimulationServer> simulation;
     private boolean closed;
 
-    /// @param link which this closes
+    /// A robot with its node.
+    private record Joined(Robot robot, RosLink node, PublishedRobot published) {
+        void close() {
+            published.close();
+            node.close();
+        }
+    }
+
+    /// @param link of the node `/rsal`, which this closes
     /// @param port for people: where the domain's participants hear of each other
     Ros2Bridge(RosLink link, BridgeContext context, int port, Scheduler scheduler) {
         this.link = link;
@@ -43,6 +57,8 @@ final class Ros2Bridge implements Bridge {
         this.scheduler = scheduler;
         clock = link.advertise(new RosTopic("/clock", "rosgraph_msgs/msg/Clock"), Profile.SENSOR_DATA);
         ticking = scheduler.every(TICK, Phase.OBSERVE, this::tick);
+        requests = context.control().<Executor>map(control -> control).orElse(scheduler);
+        new NodeParameters("/" + NODE, NodeParameters.of(context)).serve(link, requests, scheduler);
         simulation = context.simulation()
                 .flatMap(world -> context.control()
                         .map(control -> new SimulationServer(world, control, this::robot, link, scheduler)));
@@ -50,7 +66,7 @@ final class Ros2Bridge implements Bridge {
     }
 
     private Optional<Robot> robot(String id) {
-        return Optional.ofNullable(robots.get(id)).map(PublishedRobot::robot);
+        return Optional.ofNullable(robots.get(id)).map(Joined::robot);
     }
 
     private void tick() {
@@ -60,19 +76,25 @@ final class Ros2Bridge implements Bridge {
     @Override
     public List<ExportedDevice> offers() {
         return robots.values().stream()
-                .flatMap(robot -> robot.offers().stream())
+                .flatMap(robot -> robot.published.offers().stream())
                 .toList();
     }
 
     @Override
     public List<ExportedDevice> join(Robot robot) {
-        return robots.computeIfAbsent(robot.id(), _ -> new PublishedRobot(robot, context, link, port, scheduler))
-                .offers();
+        return robots.computeIfAbsent(robot.id(), _ -> publish(robot)).published.offers();
+    }
+
+    private Joined publish(Robot robot) {
+        String namespace = RosNetwork.namespace(robot.id());
+        RosLink node = link.node(namespace, NODE);
+        new NodeParameters(namespace + "/" + NODE, NodeParameters.of(robot, context)).serve(node, requests, scheduler);
+        return new Joined(robot, node, new PublishedRobot(robot, context, node, port, scheduler));
     }
 
     @Override
     public void leave(String robot) {
-        PublishedRobot gone = robots.remove(robot);
+        Joined gone = robots.remove(robot);
         if (gone != null) {
             gone.close();
         }
@@ -84,7 +106,7 @@ final class Ros2Bridge implements Bridge {
             closed = true;
             ticking.cancel();
             simulation.ifPresent(SimulationServer::close);
-            robots.values().forEach(PublishedRobot::close);
+            robots.values().forEach(Joined::close);
             robots.clear();
             link.close();
         }

@@ -15,8 +15,6 @@ import rsal.time.Scheduler;
 /// Publishes robots to ROS 2, each in its namespace. The port says which domain: that where its participants
 /// hear of each other.
 public final class Ros2BridgeProvider implements BridgeProvider {
-    private static final String NODE = "rsal";
-
     @Override
     public String key() {
         return "ros2";
@@ -41,10 +39,12 @@ public final class Ros2BridgeProvider implements BridgeProvider {
                                 .formatted(at.getPort())));
         UdpParticipant.Options options;
         try {
-            options = RosNetwork.options(domain, List.of(at.getAddress()), List.of(), RosNetwork.environment(), NODE);
+            options = RosNetwork.options(
+                    domain, List.of(at.getAddress()), List.of(), RosNetwork.environment(), Ros2Bridge.NODE);
         } catch (IllegalArgumentException e) {
             throw new IOException(e.getMessage(), e);
         }
-        return new Ros2Bridge(RosNetwork.join(options, Distribution.JAZZY, NODE), context, at.getPort(), scheduler);
+        return new Ros2Bridge(
+                RosNetwork.join(options, Distribution.JAZZY, Ros2Bridge.NODE), context, at.getPort(), scheduler);
     }
 }

@@ -5,11 +5,10 @@ import java.time.InstantSource;
 
 /// Tells when something was measured, in the run's time, by the stamps of a robot whose clock is another one.
 ///
-/// It learns from one stream of messages, the odometry. The message that was fastest on its way tells how far the
-/// clocks are apart: that of the last 10 to 20 s, as clocks drift. A clock that was set or stood still, as that of a
-/// simulator that was paused, is learned again. Where a robot's time does not go as fast as ours, as in a slow
-/// simulator, messages are dated when they
-/// come. All times in [ns].
+/// It learns from one stream of messages, the odometry. The message that was fastest on its way tells how far
+/// the clocks are apart: that of the last 10 to 20 s, as clocks drift. A clock that was set or stood still,
+/// as that of a simulator that was paused, is learned again. Where a robot's time does not go as fast as
+/// ours, as in a slow simulator, messages are dated when they come. All times in [ns].
 final class RobotClock {
     private static final long SECOND = 1_000_000_000;
     private static final long WINDOW = 10 * SECOND;

@@ -164,9 +164,17 @@ class Ros2BridgeTest extends RobotBench {
     }
 
     @Test
+    void eachRobotIsANode() {
+        assertThat(network.nodes()).containsExactly("/r1/rsal");
+    }
+
+    @Test
     void aRobotThatLeavesIsNotThereAnyMore() throws Exception {
         bridge.leave("r1");
-        assertThat(there.endpoints()).extracting(each -> each.topic().name()).containsExactly("/clock");
+        assertThat(there.endpoints())
+                .extracting(each -> each.topic().name())
+                .containsOnly("/clock", "/parameter_events");
+        assertThat(network.nodes()).isEmpty();
         assertThat(bridge.offers()).isEmpty();
         bridge.join(robot());
         assertThat(bridge.offers()).isNotEmpty();
