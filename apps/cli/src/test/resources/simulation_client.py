@@ -1,5 +1,5 @@
 """Controls a simulator by the package simulation_interfaces, as rmw_cyclonedds does, on the loopback network; asks for
-nodes, parameters and lifecycles, as ros2 node, ros2 param and ros2 lifecycle do.
+nodes, parameters and lifecycles, as ros2 node, ros2 param and ros2 lifecycle do, and hears what robots are like.
 
 Arguments: domain, version of the package (1 or 2), type hash of GetSpawnables_Response in version 2. Prints what it was answered, as lines of JSON: [service, answer].
 """
@@ -7,6 +7,7 @@ import json
 import random
 import sys
 import time
+import xml.etree.ElementTree
 
 from cyclonedds.core import Policy, Qos
 from cyclonedds.domain import Domain, DomainParticipant
@@ -202,6 +203,33 @@ def nodes():
     return sorted(names)
 
 
+def first(topic, kind, latched=False):
+    """The first message on a topic."""
+    durability = Policy.Durability.TransientLocal if latched else Policy.Durability.Volatile
+    reader = DataReader(participant, Topic(participant, 'rt' + topic, kind), qos=Qos(qos[0], durability, *qos[2:]))
+    end = time.monotonic() + PATIENCE
+    while time.monotonic() < end:
+        for message in reader.take(N=1):
+            return message
+        time.sleep(0.01)
+    raise TimeoutError(topic)
+
+
+Text = struct('std_msgs/msg/String', data=str)
+WithCovariance = {name: struct(f'geometry_msgs/msg/{name}WithCovariance', **{name.lower(): kind},
+                               covariance=array[float64, 36]) for name, kind in (('Pose', Pose), ('Twist', Twist))}
+Odometry = struct('nav_msgs/msg/Odometry', header=Header, child_frame_id=str, pose=WithCovariance['Pose'],
+                  twist=WithCovariance['Twist'])
+KeyValue = struct('diagnostic_msgs/msg/KeyValue', key=str, value=str)
+Status = struct('diagnostic_msgs/msg/DiagnosticStatus', level=uint8, name=str, message=str, hardware_id=str,
+                values=sequence[KeyValue])
+Diagnostics = struct('diagnostic_msgs/msg/DiagnosticArray', header=Header, status=sequence[Status])
+robot = xml.etree.ElementTree.fromstring(first('/prey_1/robot_description', Text, latched=True).data)
+tell('urdf', [robot.get('name'), robot.find('link').get('name'), len(robot.findall('joint')) > 0])
+truth = first('/prey_1/ground_truth', Odometry)
+tell('truth', [truth.header.frame_id, truth.child_frame_id, round(truth.pose.pose.position.x, 2)])
+tell('health', [[each.level, each.message] for each in first('/diagnostics', Diagnostics).status
+                if each.name == 'prey-1: laser'])
 tell('nodes', [node for node in nodes() if 'hunter' not in node])
 parameters = Client('/prey_1/rsal/list_parameters', 'rcl_interfaces/srv/ListParameters',
                     {'prefixes': sequence[str], 'depth': uint64}, {'result': Listed}).call()

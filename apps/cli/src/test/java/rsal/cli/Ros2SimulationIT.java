@@ -59,6 +59,9 @@ class Ros2SimulationIT {
             List<String> answers = answers(OfficialPython.run(script(), domain, version, NEW_SPAWNABLES));
             assertThat(answers)
                     .containsSubsequence(
+                            "urdf [\"prey_1\",\"base_link\",true]",
+                            "truth [\"map\",\"base_link\",-4.65]",
+                            "health [[0,\"OK\"]]",
                             "nodes [\"/prey_1/amcl\",\"/prey_1/bt_navigator\",\"/prey_1/rsal\",\"/rsal\"]",
                             "parameters [\"use_sim_time\",\"command_timeout\",\"robot_id\",\"robot_model\","
                                     + "\"robot_role\"]",

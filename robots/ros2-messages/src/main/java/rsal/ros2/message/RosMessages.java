@@ -2,7 +2,9 @@ package rsal.ros2.message;
 
 import java.time.Instant;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import rsal.data.ActuatorState;
 import rsal.data.BatteryState;
 import rsal.data.Covariance2d;
 import rsal.data.LaserScan;
@@ -18,8 +20,8 @@ import rsal.ros2.cdr.InvalidCdr;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.message.FrameTransform.Quaternion;
 
-/// Values of ours as messages of ROS 2, in CDR. All of their types are the same in Humble, Jazzy, Kilted and Lyrical.
-/// Of one thread.
+/// Values of ours as messages of ROS 2, in CDR. All of their types are the same in Humble, Jazzy, Kilted and
+/// Lyrical. Of one thread.
 public final class RosMessages {
     private static final int COVARIANCES = 36; // of x, y, z, and turns about these axes
     private static final long SECOND = 1_000_000_000; // ns
@@ -171,8 +173,8 @@ public final class RosMessages {
         return new Twist2d(vx, vy, bytes.float64());
     }
 
-    /// What a `geometry_msgs/PoseWithCovarianceStamped` says, in the plane; empty when it has values that are no
-    /// numbers.
+    /// What a `geometry_msgs/PoseWithCovarianceStamped` says, in the plane; empty when it has values that are
+    /// no numbers.
     public static Optional<PoseEstimate> estimate(RosMessage message) {
         RosMessage with = message.message("pose");
         FrameTransform pose = FrameTransform.of(with.message("pose"), "position", "orientation");
@@ -228,6 +230,25 @@ public final class RosMessages {
         byte[] cells = map.cells(); // their values and order are those of ROS
         writer.int32(cells.length).int8s(cells);
         return writer.toBytes();
+    }
+
+    /// `std_msgs/String`
+    public byte[] text(String text) {
+        return writer.clear().text(text).toBytes();
+    }
+
+    /// `sensor_msgs/JointState`, without efforts, which nobody knows.
+    ///
+    /// @param joints by name
+    public byte[] joints(Instant time, Map<String, ActuatorState> joints) {
+        writer.clear();
+        header(time, "").int32(joints.size());
+        joints.keySet().forEach(writer::text);
+        writer.int32(joints.size());
+        joints.values().forEach(joint -> writer.float64(joint.position()));
+        writer.int32(joints.size());
+        joints.values().forEach(joint -> writer.float64(joint.speed()));
+        return writer.int32(0).toBytes();
     }
 
     /// `rosgraph_msgs/Clock`

@@ -216,7 +216,11 @@ final class PublishedRobot {
     /// All of them, as those who come late get the last message only.
     private void publishMountings(Instant time) {
         fixed.publish(messages.transforms(mounted.entrySet().stream()
-                .map(each -> new Transform(time, BASE, each.getKey(), FrameTransform.of(each.getValue())))
+                .map(each -> new Transform(
+                        time,
+                        BASE,
+                        each.getKey(),
+                        RobotDescription.mounting(robot.model(), each.getKey(), each.getValue())))
                 .toList()));
     }
 

@@ -1,6 +1,7 @@
 package rsal.ros2.bridge;
 
 import java.time.Duration;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -37,13 +38,20 @@ final class Ros2Bridge implements Bridge {
     private final Publication clock;
     private final Task ticking;
     private final Executor requests; // are answered there
+    private final PublishedHealth health;
+    private final Optional<TruthTracker> truth;
     private final Optional<SimulationServer> simulation;
     private boolean closed;
 
     /// A robot with its node.
-    private record Joined(Robot robot, RosLink node, PublishedRobot published) {
+    ///
+    /// @param truth where it really is, if it is simulated
+    private record Joined(
+            Robot robot, RosLink node, PublishedRobot published, PublishedModel model, Optional<PublishedTruth> truth) {
         void close() {
             published.close();
+            model.close();
+            truth.ifPresent(PublishedTruth::close);
             node.close();
         }
     }
@@ -59,14 +67,20 @@ final class Ros2Bridge implements Bridge {
         ticking = scheduler.every(TICK, Phase.OBSERVE, this::tick);
         requests = context.control().<Executor>map(control -> control).orElse(scheduler);
         new NodeParameters("/" + NODE, NodeParameters.of(context)).serve(link, requests, scheduler);
-        simulation = context.simulation()
-                .flatMap(world -> context.control()
-                        .map(control -> new SimulationServer(world, control, this::robot, link, scheduler)));
+        health = new PublishedHealth(this::robots, link, scheduler);
+        truth = context.simulation().map(world -> new TruthTracker(world, scheduler));
+        simulation = truth.flatMap(tracked -> context.control()
+                .map(control -> new SimulationServer(
+                        context.simulation().orElseThrow(), control, tracked, this::robot, link, scheduler)));
         context.robots().forEach(this::join);
     }
 
     private Optional<Robot> robot(String id) {
         return Optional.ofNullable(robots.get(id)).map(Joined::robot);
+    }
+
+    private Collection<Robot> robots() {
+        return robots.values().stream().map(Joined::robot).toList();
     }
 
     private void tick() {
@@ -89,7 +103,13 @@ final class Ros2Bridge implements Bridge {
         String namespace = RosNetwork.namespace(robot.id());
         RosLink node = link.node(namespace, NODE);
         new NodeParameters(namespace + "/" + NODE, NodeParameters.of(robot, context)).serve(node, requests, scheduler);
-        return new Joined(robot, node, new PublishedRobot(robot, context, node, port, scheduler));
+        return new Joined(
+                robot,
+                node,
+                new PublishedRobot(robot, context, node, port, scheduler),
+                new PublishedModel(robot, node, namespace),
+                truth.filter(tracked -> tracked.pose(robot.id()).isPresent())
+                        .map(tracked -> new PublishedTruth(robot.id(), tracked, node, namespace, scheduler)));
     }
 
     @Override
@@ -105,7 +125,9 @@ final class Ros2Bridge implements Bridge {
         if (!closed) {
             closed = true;
             ticking.cancel();
+            health.close();
             simulation.ifPresent(SimulationServer::close);
+            truth.ifPresent(TruthTracker::close);
             robots.values().forEach(Joined::close);
             robots.clear();
             link.close();

@@ -15,7 +15,6 @@ import rsal.time.Scheduler;
 final class SimulationServer {
     private static final String PREFIX = "/rsal/"; // the node's name
 
-    private final TruthTracker truth;
     private final Services services;
     private final ActionServer steps;
 
@@ -24,11 +23,11 @@ final class SimulationServer {
     SimulationServer(
             SimulationControl world,
             RunControl control,
+            TruthTracker truth,
             Function<String, Optional<Robot>> robots,
             RosLink link,
             Scheduler scheduler) {
         TypeLibrary types = TypeLibrary.of(Distribution.JAZZY);
-        truth = new TruthTracker(world, scheduler);
         services = new Services(link, types, control);
         new EntityServices(world, control, truth, robots, scheduler).serve(services, PREFIX);
         var run = new RunServices(control);
@@ -45,6 +44,5 @@ final class SimulationServer {
     void close() {
         steps.close();
         services.close();
-        truth.close();
     }
 }

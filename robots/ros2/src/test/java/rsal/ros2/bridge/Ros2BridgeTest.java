@@ -164,6 +164,25 @@ class Ros2BridgeTest extends RobotBench {
     }
 
     @Test
+    void healthIsToldOnceASecond() {
+        List<RosMessage> arrays = all("/diagnostics");
+        assertThat(arrays).hasSizeBetween(3, 4);
+        List<RosMessage> statuses = arrays.getLast().messages("status");
+        assertThat(statuses)
+                .extracting(status -> status.text("name"))
+                .contains("r1: base", "r1: laser", "r1: sonar", "r1: battery");
+        assertThat(statuses).extracting(status -> status.integer("level")).containsOnly(0L);
+        assertThat(statuses).extracting(status -> status.text("hardware_id")).containsOnly("r1");
+    }
+
+    @Test
+    void theDescriptionIsThatOfTheModel() {
+        assertThat(all("/r1/robot_description").getFirst().text("data"))
+                .isEqualTo(RobotDescription.urdf("r1", robot().model()));
+        assertThat(heard).doesNotContainKey("/r1/joint_states");
+    }
+
+    @Test
     void eachRobotIsANode() {
         assertThat(network.nodes()).containsExactly("/r1/rsal");
     }
@@ -173,7 +192,7 @@ class Ros2BridgeTest extends RobotBench {
         bridge.leave("r1");
         assertThat(there.endpoints())
                 .extracting(each -> each.topic().name())
-                .containsOnly("/clock", "/parameter_events");
+                .containsOnly("/clock", "/parameter_events", "/diagnostics");
         assertThat(network.nodes()).isEmpty();
         assertThat(bridge.offers()).isEmpty();
         bridge.join(robot());

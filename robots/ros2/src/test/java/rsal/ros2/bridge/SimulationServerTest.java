@@ -201,6 +201,28 @@ class SimulationServerTest extends RobotBench {
                 .isEqualTo(5);
     }
 
+    /// In the frame of the map, with velocities in the robot's own.
+    @Test
+    void theTruthIsPublished() {
+        var heard = new ArrayList<RosMessage>();
+        world.place("r1", new Pose2d(6, 4, Math.PI / 2));
+        there.subscribe(new RosTopic("/r1/ground_truth", "nav_msgs/msg/Odometry"), Profile.DEFAULT, bytes -> {
+            var copy = new byte[bytes.remaining()];
+            bytes.get(copy);
+            heard.add(read("nav_msgs/msg/Odometry", copy));
+        });
+        drive(Twist2d.drive(0.3, 0), 2);
+        assertThat(heard).hasSizeBetween(39, 41);
+        RosMessage last = heard.getLast();
+        assertThat(last.message("header").text("frame_id")).isEqualTo("map");
+        assertThat(last.text("child_frame_id")).isEqualTo("base_link");
+        RosMessage position = last.message("pose").message("pose").message("position");
+        assertThat(position.number("y")).isBetween(4.3, 4.7);
+        RosMessage velocity = last.message("twist").message("twist").message("linear");
+        assertThat(velocity.number("x")).isCloseTo(0.3, within(0.02));
+        assertThat(velocity.number("y")).isCloseTo(0, within(0.02));
+    }
+
     @Test
     void entitiesThatAreNotThereAreNotFound() {
         for (String type : List.of("GetEntityState", "GetEntityInfo", "SetEntityState", "DeleteEntity")) {

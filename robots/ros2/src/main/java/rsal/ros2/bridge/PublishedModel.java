@@ -1,0 +1,67 @@
+package rsal.ros2.bridge;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import rsal.data.ActuatorState;
+import rsal.data.Stamped;
+import rsal.device.Actuator;
+import rsal.device.Device;
+import rsal.device.Subscription;
+import rsal.robot.Robot;
+import rsal.robot.RobotModel.Part;
+import rsal.ros2.link.Profile;
+import rsal.ros2.link.RosLink;
+import rsal.ros2.link.RosLink.Publication;
+import rsal.ros2.link.RosTopic;
+import rsal.ros2.message.RosMessages;
+import rsal.ros2.message.RosMessages.Transform;
+
+/// What a robot is like: its description (URDF), and where its joints are, if it has any.
+final class PublishedModel {
+    private final Robot robot;
+    private final RosMessages messages = new RosMessages();
+    private final Map<String, ActuatorState> joints = new LinkedHashMap<>(); // by name
+    private final List<Subscription> subscriptions = new ArrayList<>();
+
+    /// Publishes them until it is closed, and the link.
+    ///
+    /// @param link of the robot's node
+    PublishedModel(Robot robot, RosLink link, String namespace) {
+        this.robot = robot;
+        link.advertise(new RosTopic(namespace + "/robot_description", "std_msgs/msg/String"), Profile.LATCHED)
+                .publish(messages.text(RobotDescription.urdf(namespace.substring(1), robot.model())));
+        var actuators = new LinkedHashMap<Actuator, Part.Actuator>();
+        for (Device device : robot.devices()) {
+            if (device instanceof Actuator actuator
+                    && robot.model().sensors().get(device.info().name()) instanceof Part.Actuator part) {
+                actuators.put(actuator, part);
+            }
+        }
+        if (!actuators.isEmpty()) {
+            Publication states = link.advertise(
+                    new RosTopic(namespace + "/joint_states", "sensor_msgs/msg/JointState"), Profile.DEFAULT);
+            Publication frames =
+                    link.advertise(new RosTopic(namespace + "/tf", "tf2_msgs/msg/TFMessage"), Profile.DEFAULT);
+            actuators.forEach((actuator, part) -> subscriptions.add(
+                    actuator.subscribe(reading -> tell(actuator.info().name(), part, reading, states, frames))));
+        }
+    }
+
+    private void tell(
+            String name, Part.Actuator part, Stamped<ActuatorState> reading, Publication states, Publication frames) {
+        joints.put(name, reading.value());
+        states.publish(messages.joints(reading.time(), joints));
+        frames.publish(messages.transforms(List.of(new Transform(
+                reading.time(),
+                RobotDescription.carrier(robot.model(), name),
+                name,
+                RobotDescription.moved(
+                        robot.model(), name, part, reading.value().position())))));
+    }
+
+    void close() {
+        subscriptions.forEach(Subscription::cancel);
+    }
+}
