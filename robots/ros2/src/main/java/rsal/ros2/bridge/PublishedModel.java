@@ -31,7 +31,7 @@ final class PublishedModel {
     PublishedModel(Robot robot, RosLink link, String namespace) {
         this.robot = robot;
         link.advertise(new RosTopic(namespace + "/robot_description", "std_msgs/msg/String"), Profile.LATCHED)
-                .publish(messages.text(RobotDescription.urdf(namespace.substring(1), robot.model())));
+                .publish(messages.text(UrdfWriter.urdf(namespace.substring(1), robot.model())));
         var actuators = new LinkedHashMap<Actuator, Part.Actuator>();
         for (Device device : robot.devices()) {
             if (device instanceof Actuator actuator
@@ -55,10 +55,9 @@ final class PublishedModel {
         states.publish(messages.joints(reading.time(), joints));
         frames.publish(messages.transforms(List.of(new Transform(
                 reading.time(),
-                RobotDescription.carrier(robot.model(), name),
+                UrdfWriter.carrier(robot.model(), name),
                 name,
-                RobotDescription.moved(
-                        robot.model(), name, part, reading.value().position())))));
+                UrdfWriter.moved(robot.model(), name, part, reading.value().position())))));
     }
 
     void close() {

@@ -217,10 +217,7 @@ final class PublishedRobot {
     private void publishMountings(Instant time) {
         fixed.publish(messages.transforms(mounted.entrySet().stream()
                 .map(each -> new Transform(
-                        time,
-                        BASE,
-                        each.getKey(),
-                        RobotDescription.mounting(robot.model(), each.getKey(), each.getValue())))
+                        time, BASE, each.getKey(), UrdfWriter.mounting(robot.model(), each.getKey(), each.getValue())))
                 .toList()));
     }
 

@@ -38,7 +38,7 @@ final class PublishedTruth {
     private void tell() {
         truth.pose(robot).ifPresent(pose -> {
             var value = new Odometry(pose, ofBase(truth.velocity(robot), pose), false);
-            odometry.publish(messages.odometry(scheduler.instant(), value, "map", RobotDescription.BASE));
+            odometry.publish(messages.odometry(scheduler.instant(), value, "map", UrdfWriter.BASE));
         });
     }
 

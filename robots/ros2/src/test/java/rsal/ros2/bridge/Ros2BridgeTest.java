@@ -178,7 +178,7 @@ class Ros2BridgeTest extends RobotBench {
     @Test
     void theDescriptionIsThatOfTheModel() {
         assertThat(all("/r1/robot_description").getFirst().text("data"))
-                .isEqualTo(RobotDescription.urdf("r1", robot().model()));
+                .isEqualTo(UrdfWriter.urdf("r1", robot().model()));
         assertThat(heard).doesNotContainKey("/r1/joint_states");
     }
 

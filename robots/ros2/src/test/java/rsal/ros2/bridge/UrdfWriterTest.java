@@ -30,7 +30,7 @@ import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Part;
 import rsal.ros2.message.FrameTransform;
 
-class RobotDescriptionTest {
+class UrdfWriterTest {
     private static final Pose2d LIFT = new Pose2d(0.2, 0.1, Math.PI / 2);
 
     private static List<RobotModel> models() {
@@ -62,7 +62,7 @@ class RobotDescriptionTest {
     @ParameterizedTest
     @MethodSource("models")
     void linksFormATree(RobotModel model) throws Exception {
-        Document urdf = parse(RobotDescription.urdf("r1", model));
+        Document urdf = parse(UrdfWriter.urdf("r1", model));
         List<String> links = all(urdf, "link").stream()
                 .map(each -> each.getAttribute("name"))
                 .toList();
@@ -102,14 +102,14 @@ class RobotDescriptionTest {
         var diamond =
                 new Shape.Polygon(List.of(new Point2d(1, 0), new Point2d(2, 1), new Point2d(1, 2), new Point2d(0, 1)));
         var piece = new Prism(diamond, 0.1, 0.3, Optional.of(new Rgb(255, 0, 51)));
-        String urdf = RobotDescription.urdf("a<b", model(piece, Map.of(), Map.of()));
+        String urdf = UrdfWriter.urdf("a<b", model(piece, Map.of(), Map.of()));
         assertThat(urdf)
                 .contains("<robot name=\"a&lt;b\">")
                 .contains("<box size=\"1.4142 1.4142 0.2000\"/>")
                 .contains("<origin xyz=\"1.0000 1.0000 0.2000\" rpy=\"0 0 0.7854\"/>")
                 .contains("rgba=\"1.000 0.000 0.200 1\"");
         var triangle = new Shape.Polygon(List.of(new Point2d(0, 0), new Point2d(3, 0), new Point2d(0, 1)));
-        assertThat(RobotDescription.urdf("r", model(Prism.standing(triangle, 1), Map.of(), Map.of())))
+        assertThat(UrdfWriter.urdf("r", model(Prism.standing(triangle, 1), Map.of(), Map.of())))
                 .contains("<box size=\"3.0000 1.0000 1.0000\"/>");
     }
 
@@ -118,18 +118,18 @@ class RobotDescriptionTest {
     void jointsMoveWhatTheyCarry() throws Exception {
         RobotModel model =
                 model(Prism.standing(new Shape.Disc(new Point2d(0, 0), 0.2), 0.2), parts(), Map.of("table", "lift"));
-        Document urdf = parse(RobotDescription.urdf("r1", model));
+        Document urdf = parse(UrdfWriter.urdf("r1", model));
         List<Element> joints = all(urdf, "joint");
         assertThat(joints).extracting(each -> each.getAttribute("type")).containsExactly("prismatic", "revolute");
         assertThat(links(urdf, "parent")).containsExactly("base_link", "lift");
         assertThat(within1(joints.getFirst(), "origin").getAttribute("xyz")).isEqualTo("0.2000 0.1000 0.0500");
         assertThat(within1(joints.getFirst(), "axis").getAttribute("xyz")).isEqualTo("0.0000 0 1.0000");
         assertThat(within1(joints.getFirst(), "limit").getAttribute("upper")).isEqualTo("2.0000");
-        FrameTransform up = RobotDescription.moved(model, "lift", (Part.Actuator) parts().get("lift"), 1.25);
+        FrameTransform up = UrdfWriter.moved(model, "lift", (Part.Actuator) parts().get("lift"), 1.25);
         assertThat(up.z()).isCloseTo(1.3, within(1e-9));
         assertThat(up.planar().isNear(LIFT, 1e-9, 1e-9)).isTrue();
-        FrameTransform turned = RobotDescription.moved(model, "table", (Part.Actuator) parts().get("table"), 0.5);
-        FrameTransform baseFromTable = RobotDescription.moved(model, "lift", (Part.Actuator) parts().get("lift"), 0.25)
+        FrameTransform turned = UrdfWriter.moved(model, "table", (Part.Actuator) parts().get("table"), 0.5);
+        FrameTransform baseFromTable = UrdfWriter.moved(model, "lift", (Part.Actuator) parts().get("lift"), 0.25)
                 .compose(turned);
         assertThat(baseFromTable.planar().isNear(new Pose2d(0.2, 0.4, 0.5), 1e-9, 1e-9))
                 .isTrue();
@@ -144,9 +144,8 @@ class RobotDescriptionTest {
                 .orElseThrow();
         var found = new ArrayList<String>(model.sensors().keySet());
         assertThat(found).isNotEmpty();
-        FrameTransform laser = RobotDescription.mounting(model, "laser", new Pose2d(-0.03, 0, 0));
+        FrameTransform laser = UrdfWriter.mounting(model, "laser", new Pose2d(-0.03, 0, 0));
         assertThat(laser.z()).isEqualTo(model.height("laser"));
-        assertThat(RobotDescription.mounting(model, "sonar_3", Pose2d.ORIGIN).z())
-                .isEqualTo(model.height("sonar"));
+        assertThat(UrdfWriter.mounting(model, "sonar_3", Pose2d.ORIGIN).z()).isEqualTo(model.height("sonar"));
     }
 }

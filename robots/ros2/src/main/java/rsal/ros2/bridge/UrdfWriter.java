@@ -15,7 +15,7 @@ import rsal.ros2.message.FrameTransform;
 /// A robot model as URDF: its body, the frames of its lasers and sonars, and its actuators as joints. The
 /// origin of `base_link` is on the floor. Wheels are not in it, as models have none; a piece that is neither
 /// a disc nor a rectangle is the box around it, as URDF has no prisms.
-final class RobotDescription {
+final class UrdfWriter {
     static final String BASE = "base_link";
 
     private static final Rgb PLAIN = new Rgb(0x99, 0x99, 0x99);
@@ -24,13 +24,13 @@ final class RobotDescription {
     private final RobotModel model;
     private final StringBuilder xml = new StringBuilder();
 
-    private RobotDescription(RobotModel model) {
+    private UrdfWriter(RobotModel model) {
         this.model = model;
     }
 
     /// @param name the robot's
     static String urdf(String name, RobotModel model) {
-        return new RobotDescription(model).write(name);
+        return new UrdfWriter(model).write(name);
     }
 
     /// Where a laser or a single sonar is. Poses are known in the plane; the model has heights.
