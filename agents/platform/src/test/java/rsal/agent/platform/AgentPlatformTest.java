@@ -199,7 +199,7 @@ class AgentPlatformTest {
                         "in start",
                         "in listener",
                         "in task",
-                        "java.lang.StackOverflowError",
+                        "StackOverflowError",
                         "rsal/Missing",
                         "in stop");
     }
