@@ -123,7 +123,8 @@ final class BagReader {
         if (types.values().stream().anyMatch(type -> type.startsWith("rsal."))) {
             return "This is a recording of RSAL, not a bag of ROS 2.";
         }
-        String some = types.values().stream().distinct().sorted().limit(MOST_TYPES).collect(Collectors.joining(", "));
+        String some =
+                types.values().stream().distinct().sorted().limit(MOST_TYPES).collect(Collectors.joining(", "));
         return some.isEmpty() ? "It is empty." : "It has %s.".formatted(some);
     }
 
