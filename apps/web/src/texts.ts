@@ -635,7 +635,7 @@ export const texts = {
       ['1 … 9', 'select a robot'],
       ['G', 'send the selected robot: click on the map, drag for its heading'],
       ['F', 'follow the selected robot'],
-      ['E', 'show what the selected robot would see, unless one is driven'],
+      ['E', 'show the view of the selected robot, unless a robot is driven'],
       ['T', 'measure distances: drag on the map'],
       ['K', 'drive the selected robot by keys, or give it back'],
       [

@@ -67,7 +67,7 @@ group('what is offered', () => {
   it('are told with range, default and meaning', () => {
     const count = offered('robots: {one: {|').find(({ label }) => label === 'count');
     expect(count?.detail).toBe('1…1000 = 1');
-    expect(count?.description).toContain('How many');
+    expect(count?.description).toContain('Number of them');
     expect(
       offered('robots: {one: {pose: {free: true, |').find(({ label }) => label === 'clearance')?.description,
     ).toContain('[m]');
