@@ -930,7 +930,7 @@ class CommandLineIT {
         Ended text = rsal.run("show", "amcl");
         assertThat(text.out())
                 .contains("makes a Localizer", "DriveBase, RangeSensor")
-                .containsPattern("maxRange +30.0 +a number from 0.5 to 200 \\[m] +ranges beyond");
+                .containsPattern("maxRange +30.0 +a number from 0.5 to 200 \\[m] +longer ranges");
     }
 
     @Test
