@@ -65,6 +65,9 @@ final class OwnEndpoints {
     ///
     /// @return who is gone
     List<SampleWriter> dismiss(long now) {
+        if (leaving.isEmpty()) {
+            return List.of();
+        }
         List<SampleWriter> gone = leaving.entrySet().stream()
                 .filter(each -> each.getValue() <= now || each.getKey().isAcknowledged())
                 .map(Map.Entry::getKey)

@@ -240,11 +240,11 @@ public final class Participant {
         if (now >= due) {
             due = now; // if a listener fails, what is left is done next time
             announce();
-            expire();
+            long earliestExpiry = expire();
             own.dismiss(now)
                     .forEach(gone ->
                             withdraw(BuiltinEndpoint.PUBLICATIONS, gone.data().guid()));
-            due = Math.min(announceAt, earliestExpiry());
+            due = Math.min(announceAt, earliestExpiry);
             wake(own.tick(messages, network, now));
         }
         return due;
@@ -285,16 +285,17 @@ public final class Participant {
                 .data(EntityId.PARTICIPANT_READER, EntityId.PARTICIPANT_WRITER, number, inlineQos, content, payload);
     }
 
-    private void expire() {
+    /// @return when the next participant goes unless it announces itself again [ns]
+    private long expire() {
+        long earliest = Long.MAX_VALUE;
         for (RemoteParticipant other : List.copyOf(others.values())) {
             if (now >= other.expiry) {
                 lose(other);
+            } else {
+                earliest = Math.min(earliest, other.expiry);
             }
         }
-    }
-
-    private long earliestExpiry() {
-        return others.values().stream().mapToLong(other -> other.expiry).reduce(Long.MAX_VALUE, Math::min);
+        return earliest;
     }
 
     private void announce(BuiltinEndpoint to, EndpointData data) {

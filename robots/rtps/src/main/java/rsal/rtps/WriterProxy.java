@@ -244,13 +244,20 @@ final class WriterProxy {
 
     /// When it next has something to ask for, or to give up [ns].
     long due() {
-        return incomplete.values().stream()
-                .mapToLong(each -> each.grown() + INCOMPLETE_FOR)
-                .reduce(due, Math::min);
+        long earliest = due;
+        if (!incomplete.isEmpty()) { // which is rare, and this is called for each heartbeat
+            for (Assembly assembly : incomplete.values()) {
+                earliest = Math.min(earliest, assembly.grown() + INCOMPLETE_FOR);
+            }
+        }
+        return earliest;
     }
 
     /// Forgets samples of which no more fragments come, so that they take no room from others.
     void forgetOld(long now) {
+        if (incomplete.isEmpty()) { // which is rare otherwise, and this is called in each tick
+            return;
+        }
         incomplete.entrySet().stream()
                 .filter(each -> each.getValue().grown() + INCOMPLETE_FOR <= now)
                 .map(Map.Entry::getKey)
