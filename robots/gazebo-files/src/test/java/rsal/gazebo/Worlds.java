@@ -27,7 +27,7 @@ final class Worlds {
                 """.formatted(content));
     }
 
-    /// A model with one shape, and what else is told of it.
+    /// A model with one shape, and other elements.
     static String model(String name, String more, String geometry) {
         return """
                 <model name="%s">%s<link name="link"><collision name="c"><geometry>%s</geometry></collision></link></model>

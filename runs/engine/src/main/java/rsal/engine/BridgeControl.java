@@ -18,12 +18,6 @@ import rsal.system.RunControl;
 
 /// A run as the programs behind one bridge control it.
 final class BridgeControl implements RunControl {
-    private static final List<Spawnable> SPAWNABLES = Stream.concat(
-                    RobotModels.readBuiltIn().stream()
-                            .map(model -> new Spawnable(model.name(), "A robot: %s.".formatted(model.title()), true)),
-                    Arrays.stream(PlacedThing.values()).map(BridgeControl::spawnable))
-            .toList();
-
     private final RunLoop loop;
     private final SimulatedWorld world;
     private final String operator;
@@ -34,6 +28,16 @@ final class BridgeControl implements RunControl {
         this.loop = loop;
         this.world = world;
         this.operator = operator;
+    }
+
+    /// Read when they are asked for, as most bridges don't.
+    private static final class Kinds {
+        static final List<Spawnable> ALL = Stream.concat(
+                        RobotModels.readBuiltIn().stream()
+                                .map(model ->
+                                        new Spawnable(model.name(), "A robot: %s.".formatted(model.title()), true)),
+                        Arrays.stream(PlacedThing.values()).map(BridgeControl::spawnable))
+                .toList();
     }
 
     private static Spawnable spawnable(PlacedThing thing) {
@@ -90,7 +94,7 @@ final class BridgeControl implements RunControl {
 
     @Override
     public List<Spawnable> spawnables() {
-        return SPAWNABLES;
+        return Kinds.ALL;
     }
 
     @Override

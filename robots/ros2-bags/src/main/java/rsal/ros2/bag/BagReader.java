@@ -169,7 +169,8 @@ final class BagReader {
         return shared;
     }
 
-    /// Where frames are told of all robots, or of the one whose scans are read; if there is none such, anywhere.
+    /// Whether a topic has static frames of all robots, or of the robot whose scans are read. If none has, all such
+    /// topics count.
     private boolean isOfRobot(Topic topic) {
         return isStatic(topic)
                 && (isAbove(topic.name())

@@ -113,9 +113,11 @@ final class SqliteBag implements BagFile {
     public void read(Predicate<Topic> wanted, Visitor visitor) throws IOException {
         int topicId = messages.column("topic_id");
         int data = messages.column("data");
+        var chosen = new HashMap<>(topics); // once, as there are many rows
+        chosen.values().removeIf(wanted.negate());
         file.read(messages, row -> {
-            Topic topic = topics.get(row.integer(topicId).orElse(-1));
-            if (topic != null && wanted.test(topic)) {
+            Topic topic = chosen.get(row.integer(topicId).orElse(-1));
+            if (topic != null) {
                 visitor.message(topic, ByteBuffer.wrap(row.data(data)));
             }
         });

@@ -79,7 +79,7 @@ public final class SimulatedWorld {
     public void begin() {
         systems.simulation()
                 .ifPresent(world -> world.entities().stream()
-                        .filter(entity -> !team.has(entity) || isSimulated(entity)) // else a stand-in of a real robot
+                        .filter(entity -> !team.has(entity) || isSimulated(entity)) // else a proxy of a real robot
                         .forEach(entity -> world.truth(entity).ifPresent(pose -> beginning.put(entity, pose))));
     }
 
