@@ -25,7 +25,6 @@ import rsal.ros2.link.RosNetwork;
 import rsal.ros2.message.FrameTransform;
 import rsal.ros2.message.RosMessages;
 import rsal.ros2.type.Distribution;
-import rsal.ros2.type.TypeHash;
 import rsal.ros2.type.TypeLibrary;
 import rsal.settings.Suggestion;
 import rsal.system.RunControl;
@@ -51,7 +50,9 @@ final class EntityServices {
     private static final int NAMESPACE_INVALID = 105;
     private static final int INVALID_SPAWN_POSE = 109;
 
-    private static final String NEW_SPAWNABLES = hash();
+    /// Hash of responses that have what version 2 of the package added.
+    private static final Optional<String> NEW_SPAWNABLES =
+            TypeLibrary.of(Distribution.LYRICAL).hash(SPAWNABLES + "_Response");
 
     private final SimulationControl world;
     private final RunControl control;
@@ -74,12 +75,6 @@ final class EntityServices {
         this.truth = truth;
         this.robots = robots;
         this.scheduler = scheduler;
-    }
-
-    /// Of responses that have what version 2 of the package added.
-    private static String hash() {
-        TypeLibrary types = TypeLibrary.of(Distribution.LYRICAL);
-        return TypeHash.of(types.get(SPAWNABLES + "_Response"), types);
     }
 
     /// @param prefix of names: `/rsal/`
@@ -246,7 +241,7 @@ final class EntityServices {
     }
 
     private byte[] spawnables(RosMessage request, Supplier<Optional<String>> hash) {
-        boolean isNew = hash.get().stream().anyMatch(NEW_SPAWNABLES::equals);
+        boolean isNew = hash.get().equals(NEW_SPAWNABLES);
         boolean isKnown = request.get("sources", List.class).isEmpty();
         ResultCode result = isKnown
                 ? ResultCode.OK

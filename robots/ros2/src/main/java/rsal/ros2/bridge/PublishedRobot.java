@@ -78,14 +78,23 @@ final class PublishedRobot {
     private Optional<Twist2d> wanted = Optional.empty();
     private Optional<Pose2d> odomFromBase = Optional.empty();
 
-    PublishedRobot(Robot robot, BridgeContext context, RosLink link, int port, Scheduler scheduler) {
+    /// @param parameters of its nodes
+    /// @param requests on whose thread they are answered
+    PublishedRobot(
+            Robot robot,
+            BridgeContext context,
+            List<NodeParameters.Parameter> parameters,
+            RosLink link,
+            int port,
+            Executor requests,
+            Scheduler scheduler) {
         this.robot = robot;
         this.link = link;
         this.scheduler = scheduler;
         this.port = port;
         namespace = RosNetwork.namespace(robot.id());
-        requests = context.control().<Executor>map(control -> control).orElse(scheduler);
-        parameters = NodeParameters.of(robot, context);
+        this.requests = requests;
+        this.parameters = parameters;
         timeout = context.timeout();
         watch = timeout.watch();
         transforms = advertise("tf", TRANSFORMS, Profile.DEFAULT);

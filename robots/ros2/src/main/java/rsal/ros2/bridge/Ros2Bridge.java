@@ -102,11 +102,12 @@ final class Ros2Bridge implements Bridge {
     private Joined publish(Robot robot) {
         String namespace = RosNetwork.namespace(robot.id());
         RosLink node = link.node(namespace, NODE);
-        new NodeParameters(namespace + "/" + NODE, NodeParameters.of(robot, context)).serve(node, requests, scheduler);
+        List<NodeParameters.Parameter> parameters = NodeParameters.of(robot, context);
+        new NodeParameters(namespace + "/" + NODE, parameters).serve(node, requests, scheduler);
         return new Joined(
                 robot,
                 node,
-                new PublishedRobot(robot, context, node, port, scheduler),
+                new PublishedRobot(robot, context, parameters, node, port, requests, scheduler),
                 new PublishedModel(robot, node, namespace),
                 truth.filter(tracked -> tracked.pose(robot.id()).isPresent())
                         .map(tracked -> new PublishedTruth(robot.id(), tracked, node, namespace, scheduler)));

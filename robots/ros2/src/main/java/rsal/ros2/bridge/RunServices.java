@@ -1,5 +1,6 @@
 package rsal.ros2.bridge;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
@@ -30,10 +31,10 @@ final class RunServices implements ActionServer.Handler {
 
     /// Spawning, deleting; categories; states of entities read and set; infos; spawnables; reset, of states
     /// and of what was spawned; state of the simulation read and set.
-    private static final short[] ALWAYS = {0, 1, 8, 10, 11, 12, 14, 20, 22, 23, 24, 25};
+    private static final List<Integer> ALWAYS = List.of(0, 1, 8, 10, 11, 12, 14, 20, 22, 23, 24, 25);
 
-    /// Also to pause; steps, single, several, as an action.
-    private static final short[] PAUSABLE = {0, 1, 8, 10, 11, 12, 14, 20, 22, 23, 24, 25, 26, 31, 32, 33};
+    /// To pause; steps, single, several, as an action.
+    private static final List<Integer> PAUSABLE = List.of(26, 31, 32, 33);
 
     private final RunControl control;
     private Optional<Stepping> stepping = Optional.empty();
@@ -63,11 +64,13 @@ final class RunServices implements ActionServer.Handler {
     }
 
     private byte[] features() {
-        short[] features = control.isPausable() ? PAUSABLE : ALWAYS;
-        return new CdrWriter()
-                .int32(features.length)
-                .int16s(features)
-                .int32(0) // formats of resources
+        var features = new ArrayList<>(ALWAYS);
+        if (control.isPausable()) {
+            features.addAll(PAUSABLE);
+        }
+        CdrWriter response = new CdrWriter().int32(features.size());
+        features.forEach(feature -> response.int16(feature.shortValue()));
+        return response.int32(0) // formats of resources
                 .text("RSAL: worlds in the plane; robots have devices and localizers of their own")
                 .toBytes();
     }

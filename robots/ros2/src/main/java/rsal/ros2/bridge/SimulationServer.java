@@ -13,7 +13,7 @@ import rsal.time.Scheduler;
 /// The services of the package `simulation_interfaces`, by which tools of ROS 2 control a simulator,
 /// whichever it is. They are answered also while the run is paused.
 final class SimulationServer {
-    private static final String PREFIX = "/rsal/"; // the node's name
+    private static final String PREFIX = "/" + Ros2Bridge.NODE + "/";
 
     private final Services services;
     private final ActionServer steps;

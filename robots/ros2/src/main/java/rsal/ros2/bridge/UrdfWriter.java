@@ -141,15 +141,11 @@ final class UrdfWriter {
             Point2d b = corners.get((i + 1) % 4);
             Point2d c = corners.get((i + 2) % 4);
             double along = (b.x() - a.x()) * (c.x() - b.x()) + (b.y() - a.y()) * (c.y() - b.y());
-            if (Math.abs(along) > SQUARE * distance(a, b) * distance(b, c)) {
+            if (Math.abs(along) > SQUARE * a.distanceTo(b) * b.distanceTo(c)) {
                 return false;
             }
         }
         return true;
-    }
-
-    private static double distance(Point2d a, Point2d b) {
-        return Math.hypot(a.x() - b.x(), a.y() - b.y());
     }
 
     private static Box rectangle(List<Point2d> corners) {
@@ -157,7 +153,7 @@ final class UrdfWriter {
         Point2d b = corners.get(1);
         Point2d c = corners.get(2);
         double heading = Math.atan2(b.y() - a.y(), b.x() - a.x());
-        return new Box(new Pose2d((a.x() + c.x()) / 2, (a.y() + c.y()) / 2, heading), distance(a, b), distance(b, c));
+        return new Box(new Pose2d((a.x() + c.x()) / 2, (a.y() + c.y()) / 2, heading), a.distanceTo(b), b.distanceTo(c));
     }
 
     private static Box around(List<Point2d> corners) {

@@ -2,7 +2,6 @@ package rsal.ros2.link;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -11,6 +10,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.random.RandomGenerator;
+import java.util.regex.Pattern;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeLibrary;
 import rsal.rtps.GraphListener;
@@ -25,7 +25,7 @@ import rsal.rtps.discovery.Qos;
 /// of a link share its participant.
 public final class RtpsLink implements RosLink {
     private static final String TOPIC = "rt"; // what DDS names of topics begin with
-    private static final String TYPE_HASH = "typehash="; // what endpoints say of their type
+    private static final Pattern TYPE_HASH = Pattern.compile("typehash=(RIHS01_[0-9a-f]{64});"); // in user data
     private static final String REQUEST = "rq";
     private static final String REPLY = "rr";
 
@@ -87,10 +87,12 @@ public final class RtpsLink implements RosLink {
         return Optional.of(new RosEndpoint(topic, data.isWriter(), profile(data.qos()), typeHash(data.userData())));
     }
 
-    private static Optional<String> typeHash(String userData) {
-        return Arrays.stream(userData.split(";", -1))
-                .filter(each -> each.startsWith(TYPE_HASH))
-                .map(each -> each.substring(TYPE_HASH.length()))
+    /// The hash of its type that an endpoint announces in its user data.
+    static Optional<String> typeHash(String userData) {
+        return TYPE_HASH
+                .matcher(userData)
+                .results()
+                .map(found -> found.group(1))
                 .findFirst();
     }
 
@@ -128,7 +130,7 @@ public final class RtpsLink implements RosLink {
     private String userData(String type) {
         return distribution == Distribution.HUMBLE
                 ? ""
-                : types.hash(type).map(hash -> TYPE_HASH + hash + ";").orElse("");
+                : types.hash(type).map("typehash=%s;"::formatted).orElse("");
     }
 
     private SampleWriter writer(String topic, String type, Profile profile) {

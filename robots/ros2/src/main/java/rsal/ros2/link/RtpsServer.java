@@ -6,7 +6,6 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
-import java.util.regex.Pattern;
 import rsal.ros2.link.RosLink.Server;
 import rsal.rtps.SampleListener.Sample;
 import rsal.rtps.SampleWriter;
@@ -17,8 +16,6 @@ import rsal.rtps.wire.ParameterList;
 
 /// Answers requests, each in the way of its client: see [ServiceIdentity].
 final class RtpsServer {
-    private static final Pattern TYPE_HASH = Pattern.compile("typehash=(RIHS01_[0-9a-f]{64});");
-
     private final UdpParticipant participant;
     private final SampleWriter replies;
     private final Server server;
@@ -62,8 +59,7 @@ final class RtpsServer {
                 .filter(each -> !each.isWriter()
                         && each.topic().equals(topic)
                         && each.guid().prefix().equals(client))
-                .flatMap(each -> TYPE_HASH.matcher(each.userData()).results())
-                .map(found -> found.group(1))
+                .flatMap(each -> RtpsLink.typeHash(each.userData()).stream())
                 .findFirst();
     }
 }
