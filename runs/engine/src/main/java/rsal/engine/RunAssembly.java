@@ -49,6 +49,7 @@ import rsal.system.BridgeContext;
 import rsal.system.BridgeProvider;
 import rsal.system.CommandTimeout;
 import rsal.system.ExportedDevice;
+import rsal.system.RobotRecorder;
 import rsal.system.RobotSystem;
 import rsal.time.Scheduler;
 
@@ -74,6 +75,7 @@ final class RunAssembly implements AutoCloseable {
     private final RobotTeam team = new RobotTeam();
     private final RobotPoses where;
     private final List<Bridge> bridges = new ArrayList<>();
+    private Optional<RobotRecorder> recorder = Optional.empty();
     private boolean closed;
 
     /// Makes the robot systems; nothing moves yet.
@@ -109,6 +111,11 @@ final class RunAssembly implements AutoCloseable {
         this.robotViews = new RobotViews(team, world, faults, proxies, scheduler);
     }
 
+    /// Has the robots recorded once they are there. To be called before it begins.
+    void recordBy(RobotRecorder who) {
+        recorder = Optional.of(who);
+    }
+
     /// Finds the robots and, once they are there, begins.
     void begin() {
         systems.discover()
@@ -125,6 +132,7 @@ final class RunAssembly implements AutoCloseable {
             String id = planned.spec().id();
             found.stream().filter(robot -> robot.id().equals(id)).findFirst().ifPresent(robot -> equip(robot, planned));
         }
+        recorder.ifPresent(who -> bridges.add(who.open(bridgeContext(CommandTimeout.none()), scheduler)));
         robotCommands.begin();
         systems.onChange(this::changed);
         agents.gather(systems.simulation());
@@ -263,18 +271,21 @@ final class RunAssembly implements AutoCloseable {
 
     Answer bridge(BridgeProvider provider, InetSocketAddress at, CommandTimeout timeout) {
         try {
-            var context = new BridgeContext(
-                    List.copyOf(team.robots().values()),
-                    plan.map(),
-                    systems.simulation(),
-                    plan.scene().services(),
-                    timeout);
-            Bridge bridge = provider.open(at, context, scheduler);
+            Bridge bridge = provider.open(at, bridgeContext(timeout), scheduler);
             bridges.add(bridge);
             return new Answer.Bridged(bridge.offers());
         } catch (IOException e) {
             return new Answer.Refused(String.valueOf(e.getMessage()));
         }
+    }
+
+    private BridgeContext bridgeContext(CommandTimeout timeout) {
+        return new BridgeContext(
+                List.copyOf(team.robots().values()),
+                plan.map(),
+                systems.simulation(),
+                plan.scene().services(),
+                timeout);
     }
 
     List<AgentView> agentViews() {

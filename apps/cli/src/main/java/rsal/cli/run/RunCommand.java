@@ -101,7 +101,7 @@ public final class RunCommand extends Subcommand {
                     "When the run ends, write the maps that robots drew to this folder: ROBOT.yaml and ROBOT.pgm.")
     private @Nullable String saveMaps;
 
-    @Option(names = "--force", description = "Overwrite maps and a recording that are there.")
+    @Option(names = "--force", description = "Overwrite maps and recordings that are there.")
     private boolean force;
 
     @Option(
