@@ -300,7 +300,7 @@ class ScenarioTest {
                         "type: zebra, robot: prey",
                         "no type of agent 'zebra'",
                         "Known are:",
-                        "A class of your own needs a line in META-INF/services/rsal.agent.AgentType."),
+                        "An agent of your own is named by its file, such as Watcher.java."),
                 List.of("robot: hunter", "robot: huntr", "No robots have the role 'huntr'", "Maybe 'hunter'"),
                 List.of(
                         "chase: {type: wanderer, robot: hunter}",

@@ -195,13 +195,7 @@ class AgentPlatformTest {
         assertThat(run.society.views()).extracting(AgentPlatform.View::status).containsOnly(Status.FAILED);
         assertThat(run.society.views())
                 .extracting(AgentPlatform.View::state)
-                .containsExactly(
-                        "in start",
-                        "in listener",
-                        "in task",
-                        "java.lang.StackOverflowError",
-                        "rsal/Missing",
-                        "in stop");
+                .containsExactly("in start", "in listener", "in task", "StackOverflowError", "rsal/Missing", "in stop");
     }
 
     @SuppressWarnings("InfiniteRecursion") // on purpose

@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import rsal.data.LaserScan;
@@ -38,6 +39,7 @@ import rsal.ros2.type.TypeLibrary;
 /// and odometry and static frames are those of the same robot, by their namespaces. Times are those of the messages'
 /// headers, not of their arrival.
 final class BagReader {
+    private static final int MOST_TYPES = 8; // named in an error
     private static final String SCAN = "sensor_msgs/msg/LaserScan";
     private static final String ODOMETRY = "nav_msgs/msg/Odometry";
     private static final String TRANSFORMS = "tf2_msgs/msg/TFMessage";
@@ -92,10 +94,7 @@ final class BagReader {
     void readScans(BagFile bag) throws IOException {
         String scans = most(SCAN)
                 .orElseThrow(() -> new BrokenLog(
-                        name,
-                        0,
-                        "There are no scans in it: no topic of the type '%s', but %s."
-                                .formatted(SCAN, types.isEmpty() ? "nothing" : types)));
+                        name, 0, "There are no scans in it, of the type '%s'. %s".formatted(SCAN, words())));
         Optional<String> odometry = odometry();
         bag.read(
                 topic -> topic.name().equals(scans)
@@ -117,6 +116,16 @@ final class BagReader {
                     }
                 });
         bag.damage().forEach(damage -> log.skip(number, "damaged", damage, false));
+    }
+
+    /// For people: what is in it instead of scans.
+    private String words() {
+        if (types.values().stream().anyMatch(type -> type.startsWith("rsal."))) {
+            return "This is a recording of RSAL, not a bag of ROS 2.";
+        }
+        String some =
+                types.values().stream().distinct().sorted().limit(MOST_TYPES).collect(Collectors.joining(", "));
+        return some.isEmpty() ? "It is empty." : "It has %s.".formatted(some);
     }
 
     /// Says which topics were read.

@@ -138,7 +138,7 @@ public record Catalog(
                 agents,
                 key,
                 at,
-                " A class of your own needs a line in META-INF/services/%s.".formatted(AgentType.class.getName()),
+                " An agent of your own is named by its file, such as Watcher.java.",
                 problems);
     }
 }
