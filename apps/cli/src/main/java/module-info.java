@@ -54,6 +54,13 @@ module rsal.cli {
             info.picocli,
             tools.jackson.databind;
 
+    uses rsal.cli.log.Conversion;
+
     provides ch.qos.logback.classic.spi.Configurator with
             rsal.cli.terminal.Logging;
+    provides rsal.cli.log.Conversion with
+            rsal.cli.log.ExportConversion,
+            rsal.cli.log.LogConversion,
+            rsal.cli.log.ModelConversion,
+            rsal.cli.log.WorldConversion;
 }

@@ -17,6 +17,7 @@ module rsal.devices {
     uses rsal.robot.DeviceDriver;
     uses rsal.robot.DeviceKind;
     uses rsal.system.BridgeProvider;
+    uses rsal.system.RobotRecorderProvider;
     uses rsal.system.RobotSystemProvider;
 
     provides rsal.robot.DeviceKind with

@@ -26,5 +26,6 @@ module rsal.scenarios {
     uses rsal.robot.DeviceDriver;
     uses rsal.world.SceneFormat;
     uses rsal.system.BridgeProvider;
+    uses rsal.system.RobotRecorderProvider;
     uses rsal.system.RobotSystemProvider;
 }

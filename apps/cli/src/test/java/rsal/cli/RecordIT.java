@@ -27,6 +27,7 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.cli.terminal.Exit;
 import rsal.testkit.LongTest;
+import rsal.testkit.OfficialBagReader;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -40,6 +41,73 @@ class RecordIT {
     @BeforeEach
     void writeScenario() throws Exception {
         rsal = new Rsal(folder);
+    }
+
+    /// The same bytes for the same seed, and the same run as without.
+    @Test
+    void aRunIsRecordedAsABagOfRos2() throws Exception {
+        Ended plain = rsal.run("run", "--headless", "--speed", "max", "--seed", "7", "--for", "10", "--json");
+        Files.createDirectory(folder.resolve("again"));
+        for (String bag : List.of("bag", "again/bag")) {
+            Ended run = rsal.run(
+                    "run",
+                    "--headless",
+                    "--speed",
+                    "max",
+                    "--seed",
+                    "7",
+                    "--for",
+                    "10",
+                    "--json",
+                    "--record-ros2",
+                    bag);
+            assertThat(run.code()).as(run.err()).isEqualTo(Exit.SUCCESS);
+            assertThat(run.err()).contains("Recorded to " + bag);
+            assertThat(json(run).get("eventHash")).isEqualTo(json(plain).get("eventHash"));
+        }
+        for (String file : List.of("metadata.yaml", "bag_0.mcap")) {
+            assertThat(folder.resolve("bag").resolve(file))
+                    .hasSameBinaryContentAs(folder.resolve("again/bag").resolve(file));
+        }
+        Ended there = rsal.run("run", "--headless", "--for", "1", "--record-ros2", "bag");
+        assertThat(there.code()).isEqualTo(Exit.INVALID);
+        assertThat(there.err()).contains("there already", "--force");
+
+        Ended mapped = rsal.run("map", "bag", "--out", "map");
+        assertThat(mapped.code()).as(mapped.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(OfficialBagReader.topics(folder.resolve("bag")))
+                .contains(
+                        "/clock rosgraph_msgs/msg/Clock 100 VOLATILE",
+                        "/hunter_1/ground_truth geometry_msgs/msg/PoseStamped 100 VOLATILE",
+                        "/map nav_msgs/msg/OccupancyGrid 1 TRANSIENT_LOCAL")
+                .anySatisfy(topic -> assertThat(topic).startsWith("/tf_static tf2_msgs/msg/TFMessage"))
+                .anySatisfy(topic -> assertThat(topic).startsWith("/prey_1/scan sensor_msgs/msg/LaserScan"));
+    }
+
+    @Test
+    void logsAreConvertedToBagsAndBack() throws Exception {
+        var log = new StringBuilder();
+        for (int i = 0; i < 30; i++) {
+            log.append("ODOM %s 0 0 0.4 0 0 %s robot 0%n".formatted(0.1 * i, 100 + 0.25 * i))
+                    .append("FLASER 4 1 2 3 4 %1$s 0 0 %1$s 0 0 %2$s robot 0%n".formatted(0.1 * i, 100 + 0.25 * i));
+        }
+        Files.writeString(folder.resolve("lab.log"), log);
+        Ended bag = rsal.run("convert", "lab.log", "lab_bag/");
+        assertThat(bag.code()).as(bag.err()).isZero();
+        assertThat(bag.out()).contains("lab_bag: 30 scans, 30 messages of odometry");
+        Ended back = rsal.run("convert", "lab_bag", "back.log", "--json");
+        assertThat(back.code()).as(back.err()).isZero();
+        assertThat(json(back).get("scans").asInt()).isEqualTo(30);
+        assertThat(Files.readString(folder.resolve("back.log"))).contains("ROBOTLASER1", "ODOM");
+        Ended there = rsal.run("convert", "lab_bag", "back.log");
+        assertThat(there.code()).isEqualTo(Exit.INVALID);
+        assertThat(there.err()).contains("there already", "Say --force");
+        Ended unknown = rsal.run("convert", "lab_bag", "back.pcd");
+        assertThat(unknown.code()).isEqualTo(Exit.INVALID);
+        assertThat(unknown.err()).contains("back.pcd", "OUT.log", "FOLDER/", "FILE.world");
+        Ended none = rsal.run("convert", "nothing.log", "some/");
+        assertThat(none.err()).contains("There is no such file");
+        assertThat(folder.resolve("some")).doesNotExist();
     }
 
     @Test

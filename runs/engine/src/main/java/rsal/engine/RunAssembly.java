@@ -49,6 +49,7 @@ import rsal.system.BridgeContext;
 import rsal.system.BridgeProvider;
 import rsal.system.CommandTimeout;
 import rsal.system.ExportedDevice;
+import rsal.system.RobotRecorder;
 import rsal.system.RobotSystem;
 import rsal.system.RunControl;
 import rsal.time.Scheduler;
@@ -75,6 +76,7 @@ final class RunAssembly implements AutoCloseable {
     private final RobotTeam team = new RobotTeam();
     private final RobotPoses where;
     private final List<Bridge> bridges = new ArrayList<>();
+    private Optional<RobotRecorder> recorder = Optional.empty();
     private boolean closed;
 
     /// Makes the robot systems; nothing moves yet.
@@ -110,6 +112,11 @@ final class RunAssembly implements AutoCloseable {
         this.robotViews = new RobotViews(team, world, faults, proxies, scheduler);
     }
 
+    /// Has the robots recorded once they are there. To be called before it begins.
+    void recordBy(RobotRecorder who) {
+        recorder = Optional.of(who);
+    }
+
     /// Finds the robots and, once they are there, begins.
     void begin() {
         systems.discover()
@@ -127,6 +134,7 @@ final class RunAssembly implements AutoCloseable {
             found.stream().filter(robot -> robot.id().equals(id)).findFirst().ifPresent(robot -> equip(robot, planned));
         }
         world.begin();
+        recorder.ifPresent(who -> bridges.add(who.open(bridgeContext(CommandTimeout.none(), Optional.empty()), scheduler)));
         robotCommands.begin();
         systems.onChange(this::changed);
         agents.gather(systems.simulation());
@@ -265,19 +273,22 @@ final class RunAssembly implements AutoCloseable {
 
     Answer bridge(BridgeProvider provider, InetSocketAddress at, CommandTimeout timeout, RunControl control) {
         try {
-            var context = new BridgeContext(
-                    List.copyOf(team.robots().values()),
-                    plan.map(),
-                    systems.simulation(),
-                    plan.scene().services(),
-                    timeout,
-                    Optional.of(control));
-            Bridge bridge = provider.open(at, context, scheduler);
+            Bridge bridge = provider.open(at, bridgeContext(timeout, Optional.of(control)), scheduler);
             bridges.add(bridge);
             return new Answer.Bridged(bridge.offers());
         } catch (IOException e) {
             return new Answer.Refused(String.valueOf(e.getMessage()));
         }
+    }
+
+    private BridgeContext bridgeContext(CommandTimeout timeout, Optional<RunControl> control) {
+        return new BridgeContext(
+                List.copyOf(team.robots().values()),
+                plan.map(),
+                systems.simulation(),
+                plan.scene().services(),
+                timeout,
+                control);
     }
 
     List<AgentView> agentViews() {

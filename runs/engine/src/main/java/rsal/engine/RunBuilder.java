@@ -4,6 +4,7 @@ import java.util.Optional;
 import java.util.function.LongSupplier;
 import rsal.engine.report.RunObserver;
 import rsal.scenario.RunPlan;
+import rsal.system.RobotRecorder;
 import rsal.time.AllowedToReadWallClock;
 
 /// Says how a run is to be executed, and starts it. None of this changes what happens in the run. Of one
@@ -17,6 +18,7 @@ public final class RunBuilder {
     private int patience = USUAL_PATIENCE;
     private LongSupplier operatorClock = System::nanoTime;
     private Optional<RunObserver> observer = Optional.empty();
+    private Optional<RobotRecorder> recorder = Optional.empty();
 
     RunBuilder(RunPlan plan) {
         this.plan = plan;
@@ -32,6 +34,12 @@ public final class RunBuilder {
     /// Who sees all of the run.
     public RunBuilder observer(RunObserver seen) {
         this.observer = Optional.of(seen);
+        return this;
+    }
+
+    /// Who records its robots, from its first step to its end.
+    public RunBuilder recorder(RobotRecorder of) {
+        this.recorder = Optional.of(of);
         return this;
     }
 
@@ -51,7 +59,7 @@ public final class RunBuilder {
     /// Starts the run. Its robots and agents are made on its own thread: what goes wrong there ends its
     /// [LiveRun#result].
     public LiveRun start() {
-        var loop = new RunLoop(plan, helpers, operatorClock, observer);
+        var loop = new RunLoop(plan, helpers, operatorClock, new Witnesses(observer, recorder));
         loop.start(patience);
         return new LiveRun(loop);
     }

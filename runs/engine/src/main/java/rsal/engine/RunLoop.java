@@ -38,9 +38,9 @@ import rsal.engine.operator.SentGoals;
 import rsal.engine.report.Answer;
 import rsal.engine.report.Performance;
 import rsal.engine.report.RunBroken;
-import rsal.engine.report.RunObserver;
 import rsal.engine.report.RunResult;
 import rsal.scenario.RunPlan;
+import rsal.system.RobotRecorder;
 import rsal.time.AllowedToReadWallClock;
 import rsal.time.LockstepScheduler;
 import rsal.time.Phase;
@@ -90,6 +90,7 @@ final class RunLoop {
     private final AgentTurns turns = new AgentTurns();
     private final RunReporter reporter;
     private final Optional<ObserverFeed> observer;
+    private final Optional<RobotRecorder> recorder;
     private volatile @Nullable Thread thread;
     private volatile boolean remembers;
     private volatile @Nullable FinalState finalState;
@@ -99,8 +100,9 @@ final class RunLoop {
     private @Nullable String outcome;
     private boolean over;
 
-    RunLoop(RunPlan plan, int helpers, LongSupplier operatorClock, Optional<RunObserver> observer) {
+    RunLoop(RunPlan plan, int helpers, LongSupplier operatorClock, Witnesses witnesses) {
         this.plan = plan;
+        this.recorder = witnesses.recorder();
         this.operatorClock = operatorClock;
         this.helpers = Executors.newFixedThreadPool(
                 helpers, Thread.ofPlatform().daemon().name(name + "-helper-", 1).factory());
@@ -109,14 +111,14 @@ final class RunLoop {
             case WALL -> new WallScheduler(name, this.helpers, this::breaksOnItsThread, phaseTimes);
         };
         this.began = scheduler.instant();
-        this.eventLog = new EventLog(this::elapsed, eventViewers::tell, observer);
+        this.eventLog = new EventLog(this::elapsed, eventViewers::tell, witnesses.observer());
         this.metrics = new MetricsObserver(plan, eventLog, scheduler);
         this.traffic = new Traffic(eventLog, metrics, plan.communication().isPresent());
         this.pacer = new Pacer(System::nanoTime, plan.clock() == RunPlan.Clock.WALL ? 1 : plan.speed());
         this.pausing = new Pausing(
                 isSimulated(), scheduler, () -> pacer.restart(elapsed().toNanos()));
         this.reporter = new RunReporter(pacer, operatorClock);
-        this.observer = observer.map(seen -> new ObserverFeed(seen, reporter, eventLog));
+        this.observer = witnesses.observer().map(seen -> new ObserverFeed(seen, reporter, eventLog));
         this.snapshots = new Snapshots(System::nanoTime, sequence -> reporter.snapshot(sequence, progress()));
     }
 
@@ -316,6 +318,7 @@ final class RunLoop {
         var everything = new RunAssembly(plan, scheduler, eventLog, metrics, traffic, turns, goals);
         assembly = everything;
         observer.ifPresent(_ -> everything.noteLinks(operatorTime()));
+        recorder.ifPresent(everything::recordBy);
         everything.begin();
         scheduler.every(plan.step(), Phase.OBSERVE, () -> {
             if (everything.isReady()) { // else its end would hide that robots can't be reached

@@ -117,10 +117,13 @@ final class LogOptions {
 
     /// @throws InvalidSettings when it can't be read, or most of its scans can't be used
     RobotLog read(String file) {
+        return read(file, new LaserHints(Math.toRadians(fieldOfView), LaserHints.DEFAULT.rangeMax(), upsideDown));
+    }
+
+    /// @throws InvalidSettings as above
+    static RobotLog read(String file, LaserHints hints) {
         try {
-            RobotLog log = LogFormats.read(
-                    Path.of(file),
-                    new LaserHints(Math.toRadians(fieldOfView), LaserHints.DEFAULT.rangeMax(), upsideDown));
+            RobotLog log = LogFormats.read(Path.of(file), hints);
             if (skippedShare(log) > TOO_MANY) {
                 throw new InvalidSettings(
                         Location.of(file),

@@ -9,6 +9,7 @@ import java.util.Optional;
 import rsal.cli.terminal.Build;
 import rsal.cli.terminal.Unreachable;
 import rsal.engine.LiveRun;
+import rsal.engine.RunBuilder;
 import rsal.engine.report.RunObserver;
 import rsal.foxglove.FoxgloveServer;
 import rsal.recording.Origin;
@@ -17,19 +18,26 @@ import rsal.scenario.RunPlan;
 import rsal.server.RunServer;
 import rsal.time.AllowedToReadWallClock;
 
-/// Starts runs for all who look on: a recording, Foxglove, a log, all of them or nobody. All methods may be called from
+/// Starts runs for all who look on: recordings, Foxglove, a log, all of them or nobody. All methods may be called from
 /// any thread.
 @AllowedToReadWallClock("What is recorded says when it was started.")
 public final class Onlookers implements AutoCloseable {
     private final RunRecorder recorder;
+    private final RobotRecordings robots;
     private final Optional<FoxgloveServer> foxglove;
     private final boolean logs;
     private final String command;
 
     /// @param logs whether events of runs go to the log
     /// @param command as it was typed
-    Onlookers(RunRecorder recorder, Optional<FoxgloveServer> foxglove, boolean logs, String command) {
+    Onlookers(
+            RunRecorder recorder,
+            RobotRecordings robots,
+            Optional<FoxgloveServer> foxglove,
+            boolean logs,
+            String command) {
         this.recorder = recorder;
+        this.robots = robots;
         this.foxglove = foxglove;
         this.logs = logs;
         this.command = command;
@@ -63,13 +71,17 @@ public final class Onlookers implements AutoCloseable {
         var witnesses = new ArrayList<RunObserver>();
         recorder.begin(origin).ifPresent(witnesses::add);
         foxglove.ifPresent(server -> witnesses.add(server.next(origin)));
-        LiveRun run = witnesses.isEmpty()
-                ? LiveRun.start(plan)
-                : LiveRun.of(plan).observer(RunObserver.all(witnesses)).start();
+        RunBuilder builder = LiveRun.of(plan);
+        if (!witnesses.isEmpty()) {
+            builder.observer(RunObserver.all(witnesses));
+        }
+        robots.begin().ifPresent(builder::recorder);
+        LiveRun run = builder.start();
         if (logs) {
             RunLog.follow(run);
         }
         recorder.began(run);
+        robots.began(run);
         foxglove.ifPresent(server -> server.began(run));
         return run;
     }
@@ -77,6 +89,7 @@ public final class Onlookers implements AutoCloseable {
     /// A run has ended: ends its recording, and tells what became of that.
     public void end(LiveRun run) {
         recorder.end(run);
+        robots.end(run);
     }
 
     /// The results of all recordings so far; empty when nothing is recorded. Does not wait.
@@ -86,12 +99,13 @@ public final class Onlookers implements AutoCloseable {
 
     /// Whether any recording is not whole.
     public boolean hasFailed() {
-        return recorder.hasFailed();
+        return recorder.hasFailed() || robots.hasFailed();
     }
 
     @Override
     public void close() {
         recorder.close();
+        robots.close();
         foxglove.ifPresent(FoxgloveServer::close);
     }
 }

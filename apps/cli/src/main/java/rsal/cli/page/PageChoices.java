@@ -13,6 +13,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.TypeConversionException;
 import rsal.cli.terminal.CommandWords;
 import rsal.cli.terminal.Destination;
+import rsal.cli.terminal.FileName;
 import rsal.cli.terminal.LogLevels;
 import rsal.cli.terminal.Logging;
 import rsal.foxglove.FoxgloveServer;
@@ -35,6 +36,14 @@ public final class PageChoices {
             description = "Record the run, for Foxglove, 'rsal replay' and 'rsal export'. Further runs from the page"
                     + " are written to FILE-2.mcap and so on.")
     private @Nullable String record;
+
+    @Option(
+            names = "--record-ros2",
+            paramLabel = "FOLDER",
+            converter = FileName.class,
+            description = "Record what robots sense as a bag of ROS 2, for 'ros2 bag', RViz and Foxglove. Further runs"
+                    + " from the page go to FOLDER-2 and so on.")
+    private @Nullable String recordRos2;
 
     @Option(
             names = "--foxglove",
@@ -95,6 +104,7 @@ public final class PageChoices {
         logged.ifPresent(this::keepLog);
         return new Onlookers(
                 RunRecorder.to(Optional.ofNullable(record), force, headless, err),
+                new RobotRecordings("ros2", Optional.ofNullable(recordRos2), force, err),
                 foxglove || foxglovePort != null
                         ? Optional.of(
                                 Onlookers.foxglove(foxglovePort == null ? FoxgloveServer.PORT : foxglovePort, err))

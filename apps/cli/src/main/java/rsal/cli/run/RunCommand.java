@@ -108,7 +108,7 @@ public final class RunCommand extends Subcommand {
                     + " ROBOT.pgm.")
     private @Nullable String saveMaps;
 
-    @Option(names = "--force", description = "Overwrite existing maps and an existing recording.")
+    @Option(names = "--force", description = "Overwrite existing maps and recordings.")
     private boolean force;
 
     @Option(

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 
 /// A format of logs of a robot's laser and odometry. Found by [java.util.ServiceLoader]; an implementation has no
 /// state and may be called on any thread.
@@ -25,6 +26,11 @@ public interface LogFormat {
     /// @throws BrokenLog when the file is cut short, damaged, too large or of another kind
     /// @throws IOException when the file can't be read
     void read(String file, InputStream in, LaserHints hints, LogCollector log) throws IOException;
+
+    /// Writes logs in this format; empty for one that is only read.
+    default Optional<LogWriter> writer() {
+        return Optional.empty();
+    }
 
     /// Reads a log from its file, or from the folder that has it. Formats that are read by an index, not from the
     /// beginning to the end, do that here.

@@ -24,6 +24,11 @@ public final class LogFormats {
                 .toList();
     }
 
+    /// Those that can be written, in the same order.
+    public static List<LogWriter> writers() {
+        return installed().stream().flatMap(format -> format.writer().stream()).toList();
+    }
+
     /// Reads a log by the format with the longest suffix that its name ends with; of a folder, that the name of a
     /// file in it ends with.
     ///

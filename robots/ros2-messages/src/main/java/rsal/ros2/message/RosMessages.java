@@ -153,6 +153,14 @@ public final class RosMessages {
         return writer.toBytes();
     }
 
+    /// `geometry_msgs/PoseStamped`
+    public byte[] pose(Instant time, Pose2d pose, String frame) {
+        writer.clear();
+        header(time, frame);
+        write(FrameTransform.of(pose));
+        return writer.toBytes();
+    }
+
     /// When a message is from, by its `std_msgs/Header` [ns].
     public static long stamp(RosMessage header) {
         RosMessage stamp = header.message("stamp");

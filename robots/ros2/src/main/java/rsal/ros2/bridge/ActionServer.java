@@ -15,7 +15,7 @@ import rsal.ros2.cdr.CdrWriter;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
-import rsal.ros2.link.RosLink.Publication;
+import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.RosMessages;
 import rsal.time.Scheduler;

@@ -10,7 +10,7 @@ import rsal.robot.Robot;
 import rsal.ros2.cdr.CdrWriter;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
-import rsal.ros2.link.RosLink.Publication;
+import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.RosMessages;
 import rsal.time.Phase;

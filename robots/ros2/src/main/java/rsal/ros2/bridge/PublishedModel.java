@@ -13,7 +13,7 @@ import rsal.robot.Robot;
 import rsal.robot.RobotModel.Part;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
-import rsal.ros2.link.RosLink.Publication;
+import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.RosMessages;
 import rsal.ros2.message.RosMessages.Transform;

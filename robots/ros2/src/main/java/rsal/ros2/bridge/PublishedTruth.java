@@ -6,7 +6,7 @@ import rsal.data.Pose2d;
 import rsal.data.Twist2d;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
-import rsal.ros2.link.RosLink.Publication;
+import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.RosMessages;
 import rsal.time.Phase;

@@ -7,7 +7,7 @@ import java.util.List;
 import rsal.ros2.cdr.CdrWriter;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
-import rsal.ros2.link.RosLink.Publication;
+import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.link.RosLink.ServiceClient;
 import rsal.ros2.link.RosTopic;
 

@@ -12,7 +12,7 @@ import rsal.data.Twist2d;
 import rsal.device.DeviceInfo;
 import rsal.device.DriveBase;
 import rsal.robot.RobotModel.Drive;
-import rsal.ros2.link.RosLink.Publication;
+import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.message.OdometryMessage;
 import rsal.ros2.message.RosMessages;
 

@@ -18,7 +18,7 @@ import rsal.device.DeviceInfo;
 import rsal.device.Health;
 import rsal.device.Localizer;
 import rsal.ros2.cdr.RosMessage;
-import rsal.ros2.link.RosLink.Publication;
+import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.message.OdometryMessage;
 import rsal.ros2.message.RosMessages;
 

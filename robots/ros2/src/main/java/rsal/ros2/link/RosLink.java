@@ -9,7 +9,7 @@ import java.util.function.Supplier;
 
 /// How this program takes part in ROS 2. Messages are bytes in CDR, with their encapsulation header. Safe for
 /// several threads.
-public interface RosLink extends AutoCloseable {
+public interface RosLink extends RosPublisher, AutoCloseable {
     /// A node of this program, as tools show it. What is opened by it is the node's; closing it takes all of
     /// that away, and the node. Closing the link closes its nodes.
     ///
@@ -18,8 +18,6 @@ public interface RosLink extends AutoCloseable {
 
     /// All that others publish and subscribe to.
     List<RosEndpoint> endpoints();
-
-    Publication advertise(RosTopic topic, Profile profile);
 
     /// @param listener gets each message, on a thread of the link: be quick. The bytes are valid during the
     ///         call only.
@@ -69,15 +67,6 @@ public interface RosLink extends AutoCloseable {
         /// @param request in CDR, with its encapsulation header
         /// @return the response in CDR, on a thread of the link; exceptionally when nobody serves it
         CompletionStage<byte[]> call(byte[] request);
-
-        @Override
-        void close();
-    }
-
-    /// A topic that we publish.
-    interface Publication extends AutoCloseable {
-        /// @param message in CDR, with its encapsulation header; not changed any more
-        void publish(byte[] message);
 
         @Override
         void close();

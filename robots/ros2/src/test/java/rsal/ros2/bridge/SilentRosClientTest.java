@@ -10,7 +10,7 @@ import rsal.data.Twist2d;
 import rsal.device.DriveBase;
 import rsal.ros2.MemoryNetwork;
 import rsal.ros2.link.Profile;
-import rsal.ros2.link.RosLink.Publication;
+import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.RosMessages;
 import rsal.sim.SimProvider;

@@ -32,7 +32,7 @@ import rsal.ros2.cdr.InvalidCdr;
 import rsal.ros2.device.Safety;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
-import rsal.ros2.link.RosLink.Publication;
+import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.FrameTransform;
 import rsal.ros2.message.FrameTransform.Quaternion;

@@ -1,0 +1,132 @@
+package rsal.cli.page;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import rsal.cli.terminal.Build;
+import rsal.cli.terminal.Destination;
+import rsal.engine.LiveRun;
+import rsal.scenario.installed.Providers;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
+import rsal.system.RobotRecorder;
+import rsal.system.RobotRecorderProvider;
+
+/// Records the robots of runs for programs of another robot system, where that is wanted: those of the first run in the
+/// folder that was named, others beside it. All methods may be called from any thread.
+final class RobotRecordings implements AutoCloseable {
+    private final String system;
+    private final Optional<Path> folder;
+    private final boolean force;
+    private final PrintWriter err;
+
+    // under the lock of this
+    private int runs;
+    private @Nullable RobotRecorder recorder;
+    private @Nullable LiveRun run;
+    private @Nullable Path recorded;
+    private boolean failed;
+
+    /// @param system the key of its [RobotRecorderProvider]
+    /// @param folder empty when nothing is to be recorded
+    /// @param err told what became of each recording
+    RobotRecordings(String system, Optional<String> folder, boolean force, PrintWriter err) {
+        this.system = system;
+        this.folder = folder.map(Destination::path);
+        this.force = force;
+        this.err = err;
+    }
+
+    /// Begins to record the next run, when the recording of the one before has ended.
+    ///
+    /// @return who is to record it; empty when nothing is to be recorded
+    /// @throws InvalidSettings when the folder can't be written, or is there and may not be lost
+    synchronized Optional<RobotRecorder> begin() {
+        if (folder.isEmpty()) {
+            return Optional.empty();
+        }
+        close();
+        runs++;
+        Path path = path(folder.get());
+        try {
+            RobotRecorder next = provider().begin(path, force && runs == 1, Build.name());
+            recorder = next;
+            recorded = path;
+            return Optional.of(next);
+        } catch (FileAlreadyExistsException _) {
+            throw new InvalidSettings(
+                    Location.of(path.toString()),
+                    "The recording is there already.",
+                    "Name another folder, or overwrite it by '--force'.");
+        } catch (IOException e) {
+            throw new InvalidSettings(
+                    Location.of(path.toString()),
+                    "No recording can be written to this folder (%s: %s)."
+                            .formatted(e.getClass().getSimpleName(), e.getMessage()),
+                    "Name one that you may write to, on a disk that has room.");
+        }
+    }
+
+    private RobotRecorderProvider provider() {
+        Map<String, RobotRecorderProvider> all =
+                Providers.byKey(RobotRecorderProvider.class, RobotRecorderProvider::key);
+        return Optional.ofNullable(all.get(system))
+                .orElseThrow(() -> new InvalidSettings(
+                        Location.of(system), "Nothing records robots for this system.", "Maybe it is not installed."));
+    }
+
+    /// The run that is recorded has begun.
+    synchronized void began(LiveRun begun) {
+        run = begun;
+    }
+
+    /// Of further runs, a folder that is not there yet: `run-2`.
+    private Path path(Path named) {
+        Path next = named;
+        for (int number = runs; runs > 1 && (next.equals(named) || Files.exists(next)); number++) {
+            next = named.resolveSibling(named.getFileName() + "-" + number);
+        }
+        return next;
+    }
+
+    /// A run has ended, and with it its recording: says what became of it.
+    synchronized void end(LiveRun over) {
+        if (!over.equals(run)) {
+            return;
+        }
+        Path path = recorded;
+        Optional<IOException> why = close(recorder);
+        recorder = null;
+        run = null;
+        err.println(why.map(e -> "rsal: The recording '%s' is not whole: %s. Maybe the disk is full."
+                        .formatted(path, e.getMessage()))
+                .orElse("Recorded to " + path));
+    }
+
+    private Optional<IOException> close(@Nullable RobotRecorder open) {
+        if (open == null) {
+            return Optional.empty();
+        }
+        open.close();
+        failed |= open.failure().isPresent();
+        return open.failure();
+    }
+
+    /// Whether any recording is not whole.
+    synchronized boolean hasFailed() {
+        return failed;
+    }
+
+    /// Ends the recording that is under way.
+    @Override
+    public synchronized void close() {
+        close(recorder);
+        recorder = null;
+        run = null;
+    }
+}
