@@ -143,9 +143,8 @@ final class RobotPublications {
 
     private void publish(Battery battery) {
         Publication states = advertise(battery, "battery_state", "sensor_msgs/msg/BatteryState", Profile.DEFAULT);
-        ends.add(
-                battery.subscribe(reading ->
-                        states.publish(messages.battery(reading.time(), reading.value(), frames.base())))::cancel);
+        ends.add(battery.subscribe(
+                reading -> states.publish(messages.battery(reading.time(), reading.value(), frames.base())))::cancel);
     }
 
     private void publish(Localizer localizer) {
