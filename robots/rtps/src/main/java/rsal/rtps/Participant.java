@@ -183,6 +183,13 @@ public final class Participant {
         return number;
     }
 
+    /// Writes a sample that one participant waits for, when a reader of it is there and ready; at most 5 s later.
+    public void write(SampleWriter writer, SampleWriter.Reply reply, long time) {
+        advance(time);
+        writer.write(reply, now);
+        wake(writer.due());
+    }
+
     /// Nothing more is written by it. It goes when all reliable readers have its samples, at most half a second later.
     public void remove(SampleWriter writer, long time) {
         advance(time);

@@ -24,6 +24,11 @@ final class ReaderProxy {
 
     long acknowledged;
     boolean isHeard;
+
+    /// Whether it takes what is written from now on: a reliable one once it has had a heartbeat. Cyclone DDS takes
+    /// nothing of a writer before.
+    boolean isReady;
+
     long paced = Long.MIN_VALUE; // when fragments were sent [ns]
     long repaired = Long.MIN_VALUE / 2; // when samples were sent again [ns]
     private int newestAnswer; // its count
@@ -42,6 +47,7 @@ final class ReaderProxy {
         this.isReliable = isReliable;
         this.start = start;
         acknowledged = start;
+        isReady = !isReliable;
         heartbeatAt = isReliable ? now : Long.MAX_VALUE;
     }
 
@@ -64,12 +70,14 @@ final class ReaderProxy {
         told(now);
     }
 
+    /// @param isFinal false also for the first answers of readers that have had no heartbeat yet
     /// @param last number that was written
     /// @return false for an answer that is not newer than the one before
-    boolean answered(int count, long base, long last, long now) {
+    boolean answered(int count, long base, boolean isFinal, long last, long now) {
         if (hasAnswered && count - newestAnswer <= 0) {
             return false;
         }
+        isReady |= isFinal || base > 1 || hasAnswered;
         newestAnswer = count;
         hasAnswered = true;
         patience = FIRST_HEARTBEAT; // it is there
@@ -77,7 +85,7 @@ final class ReaderProxy {
             isHeard = true;
             acknowledged = Math.max(acknowledged, Math.min(base - 1, last));
         }
-        heartbeatAt = acknowledged >= last && isHeard ? Long.MAX_VALUE : now + patience;
+        heartbeatAt = acknowledged >= last && isHeard && isReady ? Long.MAX_VALUE : now + patience;
         return true;
     }
 

@@ -40,6 +40,8 @@ public final class SampleWriter {
     private static final int BURST = 128 << 10; // B of fragments to one reader in a millisecond
     private static final int MOST_REPAIRED = 256 << 10; // B of samples sent again at once
     private static final long BETWEEN_REPAIRS = 2 * MILLISECOND;
+    private static final int MOST_HELD = 100; // replies
+    private static final long HELD_FOR = 5_000 * MILLISECOND;
 
     private final EndpointData data;
     private final Exchange exchange;
@@ -48,6 +50,7 @@ public final class SampleWriter {
     private final Deque<Guid> withdrawn = new ArrayDeque<>(); // keys
     private final Map<Guid, ReaderProxy> readers = new LinkedHashMap<>();
     private final List<SampleReader> neighbors = new ArrayList<>(); // of the same participant
+    private final Deque<Held> held = new ArrayDeque<>(); // until their readers are ready
     private long last;
     private int heartbeats;
 
@@ -55,6 +58,17 @@ public final class SampleWriter {
     ///
     /// @param fragmentSize most of a sample that one datagram has [B]
     record Exchange(MessageWriter messages, Transmitter network, int fragmentSize) {}
+
+    /// A sample that one participant waits for.
+    ///
+    /// @param to who asked
+    /// @param timestamp [ns] since 1970
+    /// @param inlineQos writes what goes beside it, without an end; at most 128 B
+    /// @param payload with its encapsulation header; not changed any more
+    public record Reply(
+            GuidPrefix to, long timestamp, Optional<Consumer<ParameterList.Writer>> inlineQos, byte[] payload) {}
+
+    private record Held(Reply reply, long until) {}
 
     SampleWriter(EndpointData data, Exchange exchange) {
         this.data = data;
@@ -76,9 +90,12 @@ public final class SampleWriter {
         return readers.values().stream().allMatch(each -> !each.isReliable || each.acknowledged >= last);
     }
 
-    /// Who reads it, of other participants.
+    /// Who reads it, of other participants, and takes what is written from now on.
     List<Guid> readers() {
-        return List.copyOf(readers.keySet());
+        return readers.values().stream()
+                .filter(each -> each.isReady)
+                .map(each -> each.guid)
+                .toList();
     }
 
     /// @param timestamp [ns] since 1970
@@ -89,6 +106,34 @@ public final class SampleWriter {
     long write(long timestamp, Optional<Consumer<ParameterList.Writer>> inlineQos, byte[] payload, long now) {
         write(new KeptSample(last + 1, timestamp, Optional.empty(), Content.DATA, inlineQos, payload), now);
         return last;
+    }
+
+    /// Writes a sample when a reader of the participant is there and ready, or 5 s later: a client's request may come
+    /// before its reader of replies is known here, which would miss the reply.
+    void write(Reply reply, long now) {
+        if (isReady(reply.to) || held.size() >= MOST_HELD) {
+            write(reply.timestamp, reply.inlineQos, reply.payload, now);
+        } else {
+            held.add(new Held(reply, now + HELD_FOR));
+        }
+    }
+
+    private boolean isReady(GuidPrefix participant) {
+        return participant.equals(data.guid().prefix())
+                || readers.values().stream()
+                        .anyMatch(each -> each.isReady && each.guid.prefix().equals(participant));
+    }
+
+    /// Writes replies that have waited long enough.
+    private void release(long now) {
+        if (held.isEmpty()) { // which is usual, and this is called in each tick
+            return;
+        }
+        List<Held> released = held.stream()
+                .filter(each -> each.until <= now || isReady(each.reply.to))
+                .toList();
+        held.removeAll(released);
+        released.forEach(each -> write(each.reply.timestamp, each.reply.inlineQos, each.reply.payload, now));
     }
 
     /// @param key of which this replaces the sample before
@@ -250,6 +295,7 @@ public final class SampleWriter {
 
     void unmatchAll(GuidPrefix participant) {
         readers.keySet().removeIf(each -> each.prefix().equals(participant));
+        held.removeIf(each -> each.reply.to.equals(participant));
     }
 
     /// Sends what a reader lacks, and tells it what never comes.
@@ -257,13 +303,14 @@ public final class SampleWriter {
         ReaderProxy reader = readers.get(origin.guid(answer.reader()));
         if (reader == null
                 || !reader.isReliable
-                || !reader.answered(answer.count(), answer.missing().base(), last, now)) {
+                || !reader.answered(answer.count(), answer.missing().base(), answer.isFinal(), last, now)) {
             return;
         }
+        release(now);
         if (answer.missing().isEmpty() || answer.missing().base() < 1) {
             if (!answer.isFinal()) {
                 begin(reader.addressee.prefix());
-                heartbeat(reader.guid.entity(), true);
+                heartbeat(reader.guid.entity(), reader.isReady); // until it has answered one
                 send(reader.addressee);
             }
         } else if (now - reader.repaired >= BETWEEN_REPAIRS) {
@@ -332,6 +379,7 @@ public final class SampleWriter {
 
     /// Tells readers what there is that did not answer, and sends fragments.
     void tick(long now) {
+        release(now);
         for (ReaderProxy reader : readers.values()) {
             stream(reader, now);
             if (reader.streams.isEmpty() && reader.heartbeatAt() <= now) {
@@ -345,7 +393,7 @@ public final class SampleWriter {
 
     /// When there is next something to send [ns].
     long due() {
-        long due = Long.MAX_VALUE;
+        long due = held.isEmpty() ? Long.MAX_VALUE : held.getFirst().until;
         for (ReaderProxy reader : readers.values()) {
             due = Math.min(due, reader.streams.isEmpty() ? reader.heartbeatAt() : reader.paced + MILLISECOND);
         }

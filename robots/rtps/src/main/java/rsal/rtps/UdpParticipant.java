@@ -163,7 +163,15 @@ public final class UdpParticipant implements AutoCloseable {
         }
     }
 
-    /// Readers of other participants that a writer has.
+    /// Writes a sample that one participant waits for, when a reader of it is there and ready; at most 5 s later.
+    public void write(SampleWriter writer, SampleWriter.Reply reply) {
+        synchronized (participant) {
+            participant.write(writer, reply, clock.getAsLong());
+            wakeUp();
+        }
+    }
+
+    /// Readers of other participants that take what a writer writes from now on.
     public List<Guid> readers(SampleWriter writer) {
         synchronized (participant) {
             return writer.readers();

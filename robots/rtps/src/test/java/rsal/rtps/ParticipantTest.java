@@ -132,6 +132,52 @@ class ParticipantTest {
         assertThat(Duration.ofNanos(delays.get(1_980))).isLessThan(Duration.ofMillis(100));
     }
 
+    /// A client asks as soon as it knows the server, which may not know yet where to reply.
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.1, 0.3})
+    void repliesReachClientsThatAskEarly(double loss) {
+        for (int seed = 0; seed < Rounds.of(50, 1_000); seed++) {
+            heard.clear();
+            var network = new SimulatedNetwork(seed, loss);
+            Node server = network.join();
+            Node client = network.join();
+            SampleWriter replies = server.participant.createWriter("rr/echo", TYPE, RELIABLE, "", network.now());
+            SampleListener echo = request -> {
+                var reply = new SampleWriter.Reply(
+                        request.writer().prefix(), 0, Optional.empty(), bytes(request.payload()));
+                server.participant.write(replies, reply, network.now());
+            };
+            server.participant.createReader("rq/echo", TYPE, RELIABLE, "", echo, network.now());
+            SampleWriter requests = client.participant.createWriter("rq/echo", TYPE, RELIABLE, "", network.now());
+            SampleReader answers =
+                    client.participant.createReader("rr/echo", TYPE, RELIABLE, "", hearing(), network.now());
+            for (int i = 0; i < 60_000 && (requests.readers().isEmpty() || answers.matched() == 0); i++) {
+                network.run(Duration.ofMillis(1));
+            }
+            client.write(requests, sample(seed, 100));
+            network.run(Duration.ofSeconds(10));
+            assertThat(heardNumbers()).as("seed %d", seed).containsExactly(seed);
+        }
+    }
+
+    /// Nobody knows a reader of replies for it.
+    @Test
+    void replyIsWrittenFiveSecondsLaterWhereNobodyReadsIt() {
+        var network = new SimulatedNetwork(1, 0);
+        Node server = network.join();
+        Node other = network.join();
+        SampleWriter replies = writer(server, network, RELIABLE);
+        reader(other, network, RELIABLE);
+        waitFor(replies, network);
+        GuidPrefix unknown = new GuidPrefix(7, 7);
+        var reply = new SampleWriter.Reply(unknown, 0, Optional.empty(), sample(3, 100));
+        server.participant.write(replies, reply, network.now());
+        network.run(Duration.ofMillis(4_900));
+        assertThat(heardNumbers()).isEmpty();
+        network.run(Duration.ofMillis(200));
+        assertThat(heardNumbers()).containsExactly(3);
+    }
+
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.1, 0.3})
     void samplesInFragmentsArriveWhole(double loss) {
