@@ -82,6 +82,22 @@ public final class PhaseTimes {
         return Duration.ofNanos(sum(processors, phase).get());
     }
 
+    /// Each phase's, as [#of].
+    public Map<Phase, Duration> all() {
+        return byPhase(real);
+    }
+
+    /// Each phase's, as [#processor].
+    public Map<Phase, Duration> allOfProcessor() {
+        return byPhase(processors);
+    }
+
+    private static Map<Phase, Duration> byPhase(Map<Phase, AtomicLong> sums) {
+        var all = new EnumMap<Phase, Duration>(Phase.class);
+        sums.forEach((phase, sum) -> all.put(phase, Duration.ofNanos(sum.get())));
+        return all;
+    }
+
     private static void add(Map<Phase, AtomicLong> sums, Phase phase, long nanos) {
         AtomicLong sum = sum(sums, phase);
         sum.setRelease(sum.getPlain() + nanos); // nobody else writes

@@ -6,9 +6,7 @@ import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.time.Duration;
 import java.time.Instant;
-import java.util.EnumMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Queue;
@@ -179,18 +177,10 @@ final class RunLoop {
         return new Performance(
                 snapshots.newest().time(),
                 stepTimes.soFar(),
-                byPhase(phaseTimes::of),
-                byPhase(phaseTimes::processor),
+                phaseTimes.all(),
+                phaseTimes.allOfProcessor(),
                 traffic.topics(),
                 eventLog.kinds());
-    }
-
-    private static Map<Phase, Duration> byPhase(Function<Phase, Duration> time) {
-        var all = new EnumMap<Phase, Duration>(Phase.class);
-        for (Phase phase : Phase.values()) {
-            all.put(phase, time.apply(phase));
-        }
-        return all;
     }
 
     /// Of the thread that asks [ns]; 0 where the machine doesn't tell.
