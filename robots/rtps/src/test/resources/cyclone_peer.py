@@ -56,7 +56,7 @@ heard, heard_long = reader('rt/rsal/text'), reader('rt/rsal/long', latched=True)
 long.write(Text('p' * length))
 
 end = time.monotonic() + 60
-while not texts.get_matched_subscriptions() and time.monotonic() < end:
+while not (texts.get_matched_subscriptions() and long.get_matched_subscriptions()) and time.monotonic() < end:
     time.sleep(0.01)
 for number in range(count):
     texts.write(Text(f'peer {number}'))
