@@ -53,6 +53,7 @@ public final class Participant {
     private final Map<GuidPrefix, RemoteParticipant> others = new LinkedHashMap<>();
     private final Set<GuidPrefix> refused = new HashSet<>();
     private int entities;
+    private int endpoints; // of others
     private int announcements;
     private long announceAt;
     private long due;
@@ -437,6 +438,7 @@ public final class Participant {
         others.remove(prefix);
         refused.clear();
         own.forgetAll(prefix);
+        endpoints -= other.endpoints.size();
         other.endpoints.keySet().forEach(graph::onEndpointLost);
         graph.onParticipantLost(prefix);
     }
@@ -467,7 +469,8 @@ public final class Participant {
         if (data.equals(before)) {
             return;
         }
-        if (before == null && other.endpoints.size() >= limits.endpoints()) {
+        boolean isFull = other.endpoints.size() >= limits.endpoints() || endpoints >= limits.allEndpoints();
+        if (before == null && isFull) {
             surplus++;
             return;
         }
@@ -475,6 +478,7 @@ public final class Participant {
             forget(other, data.guid());
         }
         other.endpoints.put(data.guid(), data);
+        endpoints++;
         graph.onEndpoint(data);
         own.learn(other, data, now);
         wake(now);
@@ -482,6 +486,7 @@ public final class Participant {
 
     private void forget(RemoteParticipant other, Guid guid) {
         if (other.endpoints.remove(guid) != null) {
+            endpoints--;
             own.forget(guid);
             graph.onEndpointLost(guid);
         }

@@ -3,11 +3,13 @@ package rsal.rtps;
 /// How much a participant keeps of what others send, so that no peer can exhaust its memory.
 ///
 /// @param participants known at a time
-/// @param endpoints of each of them
+/// @param endpoints of each of them: a bridge of a hundred robots has some thousands
+/// @param allEndpoints of all of them together
 /// @param sample longest one [B]
 /// @param assembly of samples in fragments that are not complete, together [B]
 /// @param early samples of one writer that wait for one before them
 /// @param earlyBytes the same [B]
-public record RtpsLimits(int participants, int endpoints, int sample, long assembly, int early, int earlyBytes) {
-    public static final RtpsLimits DEFAULT = new RtpsLimits(512, 2_000, 64 << 20, 192 << 20, 256, 16 << 20);
+public record RtpsLimits(
+        int participants, int endpoints, int allEndpoints, int sample, long assembly, int early, int earlyBytes) {
+    public static final RtpsLimits DEFAULT = new RtpsLimits(512, 16_000, 32_000, 64 << 20, 192 << 20, 256, 16 << 20);
 }

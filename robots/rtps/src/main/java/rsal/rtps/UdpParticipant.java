@@ -48,6 +48,7 @@ public final class UdpParticipant implements AutoCloseable {
     private final Thread thread;
     private final Participant participant; // its own lock
     private volatile boolean isClosed;
+    private boolean reportedSurplus; // of the thread
     private long sleepsUntil = Long.MIN_VALUE; // [ns], under the lock
 
     /// Where and as whom to take part.
@@ -242,6 +243,7 @@ public final class UdpParticipant implements AutoCloseable {
                 synchronized (participant) {
                     sleepsUntil = participant.tick(clock.getAsLong());
                     sleep = sleepsUntil - clock.getAsLong();
+                    reportSurplus();
                 }
                 selector.select(Math.max(1, (sleep + MILLISECOND - 1) / MILLISECOND));
                 selector.selectedKeys().clear();
@@ -256,6 +258,18 @@ public final class UdpParticipant implements AutoCloseable {
             } catch (RuntimeException e) { // which must not end what others hear
                 LOG.log(Level.ERROR, "A listener of samples failed.", e);
             }
+        }
+    }
+
+    /// Once.
+    private void reportSurplus() {
+        if (participant.surplus() > 0 && !reportedSurplus) {
+            reportedSurplus = true;
+            LOG.log(
+                    Level.WARNING,
+                    "Others have more than {0} participants or {1} topics and services; the rest is ignored.",
+                    RtpsLimits.DEFAULT.participants(),
+                    RtpsLimits.DEFAULT.endpoints());
         }
     }
 

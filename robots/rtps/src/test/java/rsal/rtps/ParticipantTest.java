@@ -372,7 +372,7 @@ class ParticipantTest {
 
     @Test
     void participantsBeyondTheLimitAreRefusedAndCounted() {
-        var limits = new RtpsLimits(3, 2, 1 << 20, 1 << 20, 16, 1 << 16);
+        var limits = new RtpsLimits(3, 2, 5, 1 << 20, 1 << 20, 16, 1 << 16);
         var network = new SimulatedNetwork(15, 0);
         Node watcher = network.join(limits, GraphListener.NONE, Duration.ofSeconds(20));
         for (int i = 0; i < 6; i++) {
@@ -383,7 +383,7 @@ class ParticipantTest {
         }
         network.run(Duration.ofSeconds(10));
         assertThat(watcher.participant.participants()).hasSize(3);
-        assertThat(watcher.participant.endpoints()).hasSize(6);
+        assertThat(watcher.participant.endpoints()).hasSize(5);
         assertThat(watcher.participant.surplus()).isPositive();
     }
 

@@ -72,7 +72,7 @@ final class Ros2Bridge implements Bridge {
         simulation = truth.flatMap(tracked -> context.control()
                 .map(control -> new SimulationServer(
                         context.simulation().orElseThrow(), control, tracked, this::robot, link, scheduler)));
-        context.robots().forEach(this::join);
+        link.together(() -> context.robots().forEach(this::join));
     }
 
     private Optional<Robot> robot(String id) {

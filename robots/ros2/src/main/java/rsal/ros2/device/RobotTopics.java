@@ -14,10 +14,14 @@ import rsal.ros2.type.TypeLibrary;
 /// What is published and subscribed to in the namespace of a robot.
 ///
 /// @param namespace `/robot1`; empty for topics without any
-/// @param all of the network
+/// @param all of the network, of which those of its namespace and those without any are kept
 public record RobotTopics(String namespace, List<RosEndpoint> all) {
     public RobotTopics {
-        all = List.copyOf(all);
+        String own = namespace + "/";
+        all = all.stream()
+                .filter(each -> each.topic().name().startsWith(own)
+                        || each.topic().name().lastIndexOf('/') == 0)
+                .toList();
     }
 
     private boolean isOurs(RosTopic topic) {

@@ -15,7 +15,8 @@ import rsal.rtps.wire.EntityId;
 import rsal.rtps.wire.Guid;
 
 /// Which nodes a participant has, and which writers and readers they have: `ros_discovery_info`, by which
-/// tools list nodes. Each change is told at once, the newest one last. Safe for several threads.
+/// tools list nodes. Each change is published at once, or with others of its time ([#together]). Safe for several
+/// threads.
 final class NodeGraph {
     private static final String TOPIC = "ros_discovery_info";
     private static final String TYPE = "rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_";
@@ -26,6 +27,8 @@ final class NodeGraph {
     private final LongSupplier date; // [ns] since 1970
     private final SampleWriter writer;
     private final Set<Node> nodes = new LinkedHashSet<>();
+    private int batches; // that are open
+    private boolean isOld; // what was published last
 
     /// One of them. The graph guards it.
     static final class Node {
@@ -72,8 +75,35 @@ final class NodeGraph {
         tell();
     }
 
-    /// `rmw_dds_common/msg/ParticipantEntitiesInfo`
+    /// Publishes once what changes meanwhile: all of a hundred robots with ten endpoints each would be published a
+    /// thousand times otherwise.
+    void together(Runnable changes) {
+        synchronized (this) {
+            batches++;
+        }
+        try {
+            changes.run();
+        } finally {
+            end();
+        }
+    }
+
+    private synchronized void end() {
+        batches--;
+        if (isOld) {
+            tell();
+        }
+    }
+
     private void tell() {
+        isOld = batches > 0;
+        if (!isOld) {
+            publish();
+        }
+    }
+
+    /// `rmw_dds_common/msg/ParticipantEntitiesInfo`
+    private void publish() {
         var info = new CdrWriter();
         var self = new Guid(writer.data().guid().prefix(), EntityId.PARTICIPANT);
         info.int8s(gid(self)).int32(nodes.size());

@@ -16,8 +16,14 @@ public interface RosLink extends RosPublisher, AutoCloseable {
     /// @param namespace `/robot1`; `/` for none
     RosLink node(String namespace, String name);
 
-    /// All that others publish and subscribe to.
+    /// All that others publish and subscribe to; the same list while nothing changes.
     List<RosEndpoint> endpoints();
+
+    /// Opens or closes many things, of any node, of which others then hear once. What other threads open
+    /// meanwhile waits for that, too.
+    default void together(Runnable opening) {
+        opening.run();
+    }
 
     /// @param listener gets each message, on a thread of the link: be quick. The bytes are valid during the
     ///         call only.

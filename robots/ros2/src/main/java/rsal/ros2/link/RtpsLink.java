@@ -13,7 +13,6 @@ import java.util.random.RandomGenerator;
 import java.util.regex.Pattern;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeLibrary;
-import rsal.rtps.GraphListener;
 import rsal.rtps.SampleListener;
 import rsal.rtps.SampleReader;
 import rsal.rtps.SampleWriter;
@@ -34,6 +33,7 @@ public final class RtpsLink implements RosLink {
     private final TypeLibrary types;
     private final LongSupplier date;
     private final boolean isOwner; // of the participant
+    private final FoundEndpoints found;
     private final NodeGraph graph;
     private final NodeGraph.Node node;
     private final Set<Runnable> ends = ConcurrentHashMap.newKeySet(); // of what is open
@@ -54,7 +54,8 @@ public final class RtpsLink implements RosLink {
         this.types = TypeLibrary.of(distribution);
         this.date = date;
         this.isOwner = true;
-        participant = new UdpParticipant(options, clock, random, GraphListener.NONE);
+        found = new FoundEndpoints();
+        participant = new UdpParticipant(options, clock, random, found);
         graph = new NodeGraph(participant, distribution, date);
         this.node = graph.add("/", node);
     }
@@ -66,15 +67,14 @@ public final class RtpsLink implements RosLink {
         date = owner.date;
         isOwner = false;
         participant = owner.participant;
+        found = owner.found;
         graph = owner.graph;
         node = graph.add(namespace, name);
     }
 
     @Override
     public List<RosEndpoint> endpoints() {
-        return participant.endpoints().stream()
-                .flatMap(each -> endpoint(each).stream())
-                .toList();
+        return found.list();
     }
 
     /// As ROS names it; empty for what is none of its topics.
@@ -166,6 +166,11 @@ public final class RtpsLink implements RosLink {
     }
 
     @Override
+    public void together(Runnable opening) {
+        graph.together(opening);
+    }
+
+    @Override
     public Publication advertise(RosTopic topic, Profile profile) {
         SampleWriter writer = writer(TOPIC + topic.name(), topic.type(), profile);
         Runnable end = opened(List.of(writer), List.of());
@@ -239,8 +244,10 @@ public final class RtpsLink implements RosLink {
         if (isOwner) {
             participant.close();
         } else {
-            List.copyOf(ends).forEach(Runnable::run);
-            graph.remove(node);
+            graph.together(() -> {
+                List.copyOf(ends).forEach(Runnable::run);
+                graph.remove(node);
+            });
         }
     }
 }

@@ -46,6 +46,7 @@ final class Ros2System implements RobotSystem {
     private final RandomGenerator random;
     private final Map<RobotSpec, RosRobot> found = new LinkedHashMap<>();
     private final Map<RobotSpec, Instant> seen = new LinkedHashMap<>();
+    private final Map<RobotSpec, RobotTopics> topics = new LinkedHashMap<>(); // of those that are not found
     private final Map<RosRobot, Boolean> present = new LinkedHashMap<>();
     private final CompletableFuture<List<Robot>> discovered = new CompletableFuture<>();
     private final Listeners<Change> changes = new Listeners<>(e -> {
@@ -53,6 +54,7 @@ final class Ros2System implements RobotSystem {
     });
     private Optional<Task> looking = Optional.empty();
     private @Nullable RosLink link;
+    private List<RosEndpoint> endpoints = List.of(); // of the network, when it was last looked at
     private Instant patienceEnds = Instant.MAX; // unless another robot is found, or tells where it is
     private int progress; // of finding them
     private boolean closed;
@@ -122,22 +124,18 @@ final class Ros2System implements RobotSystem {
 
     private void search(RosLink network, Instant now) {
         List<RosEndpoint> all = network.endpoints();
-        namespaces.forEach((spec, namespace) -> {
-            RobotTopics topics = topics(namespace, all);
-            if (!found.containsKey(spec) && RosRobot.lacking(topics).isEmpty()) {
-                Instant first = seen.computeIfAbsent(spec, _ -> now);
-                List<String> without = RosRobot.without(spec, topics);
-                if (without.isEmpty() || now.isAfter(first.plus(SETTLING))) {
-                    found.put(spec, robot(spec, topics, network));
-                    if (!without.isEmpty()) {
-                        LOG.log(
-                                Level.INFO,
-                                () -> "Robot '%s' publishes nothing for %s."
-                                        .formatted(spec.id(), String.join(", ", without)));
-                    }
+        if (!all.equals(endpoints)) {
+            endpoints = all;
+            topics.clear();
+        }
+        network.together(() -> namespaces.forEach((spec, namespace) -> {
+            if (!found.containsKey(spec)) {
+                RobotTopics its = topics.computeIfAbsent(spec, _ -> topics(namespace, all));
+                if (RosRobot.lacking(its).isEmpty()) {
+                    meet(spec, its, network, now);
                 }
             }
-        });
+        }));
         List<RosRobot> ready = namespaces.keySet().stream()
                 .map(found::get)
                 .filter(Objects::nonNull)
@@ -151,6 +149,22 @@ final class Ros2System implements RobotSystem {
             discovered.complete(ready.stream().map(RosRobot::robot).toList());
         } else if (now.isAfter(patienceEnds)) {
             discovered.completeExceptionally(new IOException(missing(all)));
+        }
+    }
+
+    /// Takes a robot when all of its topics are there, or have had their time to appear.
+    private void meet(RobotSpec spec, RobotTopics its, RosLink network, Instant now) {
+        Instant first = seen.computeIfAbsent(spec, _ -> now);
+        List<String> without = RosRobot.without(spec, its);
+        if (!without.isEmpty() && !now.isAfter(first.plus(SETTLING))) {
+            return;
+        }
+        found.put(spec, robot(spec, its, network));
+        topics.remove(spec);
+        if (!without.isEmpty()) {
+            LOG.log(
+                    Level.INFO,
+                    () -> "Robot '%s' publishes nothing for %s.".formatted(spec.id(), String.join(", ", without)));
         }
     }
 

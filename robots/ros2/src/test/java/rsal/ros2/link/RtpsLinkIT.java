@@ -12,6 +12,8 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
@@ -110,6 +112,32 @@ class RtpsLinkIT {
             publication.close();
             await(() -> subscribed.publishers() == 0);
         }
+    }
+
+    /// With ten topics and a dozen services each, as a bridge has.
+    @Test
+    void aHundredRobotsAreSeen() throws Exception {
+        try (var there = link(Distribution.JAZZY);
+                var here = link(Distribution.JAZZY)) {
+            there.together(() -> {
+                for (int robot = 0; robot < 100; robot++) {
+                    RosLink node = there.node("/r" + robot, "rsal");
+                    for (int i = 0; i < 12; i++) {
+                        node.serve("/r%d/service_%d".formatted(robot, i), "std_srvs/srv/SetBool", _ -> noAnswer());
+                    }
+                    for (int i = 0; i < 10; i++) {
+                        String topic = "/r%d/topic_%d".formatted(robot, i);
+                        node.advertise(new RosTopic(topic, "std_msgs/msg/String"), Profile.DEFAULT);
+                    }
+                }
+            });
+            await(() -> here.endpoints().size() == 1_000);
+            assertThat(here.endpoints()).isSameAs(here.endpoints()); // while nothing changes
+        }
+    }
+
+    private static CompletionStage<byte[]> noAnswer() {
+        return new CompletableFuture<>();
     }
 
     private record Node(String namespace, String name, int writers, int readers) {
