@@ -9,6 +9,6 @@ module rsal.ros2.bags {
     exports rsal.ros2.record;
 
     provides rsal.navigation.log.LogFormat with
-            rsal.ros2.bag.BagFormat,
+            rsal.ros2.bag.McapBagFormat,
             rsal.ros2.bag.SqliteBagFormat;
 }

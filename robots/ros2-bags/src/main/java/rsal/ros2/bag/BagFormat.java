@@ -3,39 +3,41 @@ package rsal.ros2.bag;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Path;
-import java.util.Optional;
 import rsal.navigation.log.LaserHints;
 import rsal.navigation.log.LogCollector;
 import rsal.navigation.log.LogFormat;
-import rsal.navigation.log.LogWriter;
 
-/// Bags that rosbag2 has written in MCAP, a file or the folder of a bag with all of its files.
-public final class BagFormat implements LogFormat {
-    @Override
-    public String suffix() {
-        return BagFiles.MCAP;
+/// Bags that rosbag2 has written, in one of its storages: a file, or the folder of a bag with all of its files.
+public abstract sealed class BagFormat implements LogFormat permits McapBagFormat, SqliteBagFormat {
+    private final String suffix;
+    private final String storage;
+
+    /// @param storage for people
+    BagFormat(String suffix, String storage) {
+        this.suffix = suffix;
+        this.storage = storage;
     }
 
     @Override
-    public String description() {
-        return "Bags of ROS 2 in MCAP: sensor_msgs/LaserScan, nav_msgs/Odometry or TF, and static TF.";
+    public final String suffix() {
+        return suffix;
     }
 
     @Override
-    public Optional<LogWriter> writer() {
-        return Optional.of(new BagLogWriter());
+    public final String description() {
+        return "Bags of ROS 2 in %s: sensor_msgs/LaserScan, nav_msgs/Odometry or TF, and static TF.".formatted(storage);
     }
 
-    /// Copies the stream to a file first, as MCAP is read by its index.
+    /// Copies the stream to a file first, as both storages are read at any place.
     @Override
-    public void read(String file, InputStream in, LaserHints hints, LogCollector log) throws IOException {
+    public final void read(String file, InputStream in, LaserHints hints, LogCollector log) throws IOException {
         try (BagFiles files = BagFiles.copy(file, in)) {
             files.read(hints, log);
         }
     }
 
     @Override
-    public void read(Path file, LaserHints hints, LogCollector log) throws IOException {
+    public final void read(Path file, LaserHints hints, LogCollector log) throws IOException {
         try (BagFiles files = BagFiles.at(file)) {
             files.read(hints, log);
         }

@@ -3,10 +3,7 @@ package rsal.ros2.bag;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.Objects;
 import java.util.function.Predicate;
 import rsal.mcap.Channel;
 import rsal.mcap.McapFile;
@@ -15,7 +12,7 @@ import rsal.mcap.Schema;
 /// A file in MCAP, the default since Iron.
 final class McapBag implements BagFile {
     private final McapFile file;
-    private final Map<Channel, Topic> topics = new HashMap<>();
+    private final BagTopics<Channel> topics = new BagTopics<>();
 
     /// @throws rsal.mcap.InvalidMcap when it is no MCAP
     McapBag(Path path) throws IOException {
@@ -32,15 +29,12 @@ final class McapBag implements BagFile {
 
     @Override
     public List<Topic> topics() {
-        return topics.values().stream().distinct().toList();
+        return topics.distinct();
     }
 
     @Override
     public long count(Topic topic) {
-        return topics.entrySet().stream()
-                .filter(entry -> entry.getValue().equals(topic))
-                .mapToLong(entry -> file.count(entry.getKey()))
-                .sum();
+        return topics.count(topic, file::count);
     }
 
     @Override
@@ -51,7 +45,7 @@ final class McapBag implements BagFile {
     }
 
     private Topic known(Channel channel) {
-        return Objects.requireNonNull(topics.get(channel));
+        return topics.get(channel).orElseThrow(); // of this file
     }
 
     @Override

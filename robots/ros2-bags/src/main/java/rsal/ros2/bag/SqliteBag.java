@@ -20,7 +20,7 @@ final class SqliteBag implements BagFile {
 
     private final SqliteFile file;
     private final SqliteTable messages;
-    private final Map<Long, Topic> topics = new HashMap<>(); // by id
+    private final BagTopics<Long> topics = new BagTopics<>(); // by id
     private final Map<Long, Long> counts = new HashMap<>(); // the same
     private long strays; // messages of no topic
 
@@ -35,9 +35,10 @@ final class SqliteBag implements BagFile {
             int topic = messages.column("topic_id");
             file.read(messages, row -> {
                 long id = row.integer(topic).orElse(-1);
-                strays += topics.containsKey(id) ? 0 : 1;
-                if (topics.containsKey(id)) {
+                if (topics.get(id).isPresent()) {
                     counts.merge(id, 1L, Long::sum);
+                } else {
+                    strays++;
                 }
             });
         } catch (IOException | RuntimeException e) {
@@ -98,23 +99,19 @@ final class SqliteBag implements BagFile {
 
     @Override
     public List<Topic> topics() {
-        return topics.values().stream().distinct().toList();
+        return topics.distinct();
     }
 
     @Override
     public long count(Topic topic) {
-        return topics.entrySet().stream()
-                .filter(entry -> entry.getValue().equals(topic))
-                .mapToLong(entry -> counts.getOrDefault(entry.getKey(), 0L))
-                .sum();
+        return topics.count(topic, id -> counts.getOrDefault(id, 0L));
     }
 
     @Override
     public void read(Predicate<Topic> wanted, Visitor visitor) throws IOException {
         int topicId = messages.column("topic_id");
         int data = messages.column("data");
-        var chosen = new HashMap<>(topics); // once, as there are many rows
-        chosen.values().removeIf(wanted.negate());
+        Map<Long, Topic> chosen = topics.chosen(wanted); // once, as there are many rows
         file.read(messages, row -> {
             Topic topic = chosen.get(row.integer(topicId).orElse(-1));
             if (topic != null) {

@@ -206,7 +206,7 @@ class BagFormatIT {
         Path file = bag("odom").resolve("odom.mcap");
         assertThat(LogFormats.read(file, LaserHints.DEFAULT).scans()).hasSize(20);
         assertThat(LogFormats.read(
-                                new BagFormat(),
+                                new McapBagFormat(),
                                 "odom.mcap",
                                 new ByteArrayInputStream(Files.readAllBytes(file)),
                                 LaserHints.DEFAULT)
