@@ -599,7 +599,7 @@ class CommandLineIT {
                 .isEqualTo("escape-1");
         Ended unknown = rsal.run("agent", "mind", "nobody", "--port", port);
         assertThat(unknown.code()).isEqualTo(Exit.USAGE);
-        assertThat(unknown.err()).contains("nobody");
+        assertThat(unknown.err()).contains("There is no agent 'nobody'. Known are: ", "escape-1, ");
         Ended.signal("INT", process);
         Ended.of(process);
         Ended gone = rsal.run("agent", "mind", "escape-1", "--port", port);

@@ -308,7 +308,7 @@ final class RunAssembly implements AutoCloseable {
     Answer inside(String agent, long now) {
         return agents.inside(agent, now)
                 .<Answer>map(Answer.Seen::new)
-                .orElseGet(() -> new Answer.Refused("There is no agent '%s'.".formatted(agent)));
+                .orElseGet(() -> agents.unknown(agent));
     }
 
     /// @param now in real time [ns]
@@ -343,7 +343,7 @@ final class RunAssembly implements AutoCloseable {
     Answer addAgent(String like, String robot) {
         Optional<PlannedAgent> example = agents.planned(like);
         if (example.isEmpty()) {
-            return new Answer.Refused("There is no agent '%s'.".formatted(like));
+            return agents.unknown(like);
         }
         if (example.get().robot().isPresent() == robot.isEmpty()) {
             return new Answer.Refused(
@@ -390,7 +390,7 @@ final class RunAssembly implements AutoCloseable {
     Answer startAgent(String name) {
         return agents.planned(name)
                 .map(agent -> agents.start(agent, "started again", new Answer.Done()))
-                .orElseGet(() -> new Answer.Refused("There is no agent '%s'.".formatted(name)));
+                .orElseGet(() -> agents.unknown(name));
     }
 
     Answer stopAgent(String name) {
