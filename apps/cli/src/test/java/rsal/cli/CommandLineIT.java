@@ -568,7 +568,7 @@ class CommandLineIT {
         assertThat(status.path("scenario").asString()).isEqualTo("guard");
         assertThat(status.path("paused").asBoolean()).isTrue();
         Ended.signal("INT", process);
-        Ended.of(process);
+        assertThat(Ended.of(process).err()).doesNotContain("Running", "real time", "paused");
 
         Ended wrong = rsal.withPage().run("serve", "nothing.yaml", "--port", "0");
         assertThat(wrong.code()).isEqualTo(Exit.INVALID);

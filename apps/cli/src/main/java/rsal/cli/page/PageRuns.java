@@ -51,6 +51,11 @@ public final class PageRuns {
             return Optional.empty();
         }
 
+        /// Whether a run is only there to be looked at until somebody chooses one: then nothing is printed of it.
+        default boolean isWaiting(LiveRun run) {
+            return false;
+        }
+
         /// The page is there, before all runs but the first.
         default void shown(RunServer page) {}
 
@@ -123,13 +128,18 @@ public final class PageRuns {
             while (true) {
                 LiveRun run = runs.take();
                 eye.began(run);
-                RunResult result = new Progress(err, eye.quiet()).await(run);
+                boolean waits = eye.isWaiting(run);
+                RunResult result = waits
+                        ? Progress.awaitSilently(run)
+                        : new Progress(err, eye.quiet()).await(run);
                 ending.checkNoSignal();
                 eye.ended(run, result);
                 if (first.stay() == Stay.FOR_THE_FIRST) {
                     return result;
                 }
-                err.println("The page is still there, for another run, too; Ctrl-C ends it.");
+                if (!waits) {
+                    err.println("The page is still there, for another run, too; Ctrl-C ends it.");
+                }
             }
         }
     }
