@@ -146,7 +146,8 @@ class LauncherIT {
         assertThat(first.code()).isZero();
         assertThat(first.out()).startsWith("args list --json a b\n");
         assertThat(first.err())
-                .contains("rsal: Building RSAL…\nrsal:   1/2 RSAL data\nrsal:   2/2 RSAL command line\nrsal: Building RSAL took");
+                .contains(
+                        "rsal: Building RSAL…\nrsal:   1/2 RSAL data\nrsal:   2/2 RSAL command line\nrsal: Building RSAL took");
         assertThat(second.out()).startsWith("args list\n");
         assertThat(second.err()).isEmpty();
         assertThat(builds()).hasSize(1);

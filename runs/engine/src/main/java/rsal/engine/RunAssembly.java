@@ -134,7 +134,8 @@ final class RunAssembly implements AutoCloseable {
             found.stream().filter(robot -> robot.id().equals(id)).findFirst().ifPresent(robot -> equip(robot, planned));
         }
         world.begin();
-        recorder.ifPresent(who -> bridges.add(who.open(bridgeContext(CommandTimeout.none(), Optional.empty()), scheduler)));
+        recorder.ifPresent(
+                who -> bridges.add(who.open(bridgeContext(CommandTimeout.none(), Optional.empty()), scheduler)));
         robotCommands.begin();
         systems.onChange(this::changed);
         agents.gather(systems.simulation());
@@ -306,9 +307,7 @@ final class RunAssembly implements AutoCloseable {
 
     /// @param now in real time [ns]
     Answer inside(String agent, long now) {
-        return agents.inside(agent, now)
-                .<Answer>map(Answer.Seen::new)
-                .orElseGet(() -> agents.unknown(agent));
+        return agents.inside(agent, now).<Answer>map(Answer.Seen::new).orElseGet(() -> agents.unknown(agent));
     }
 
     /// @param now in real time [ns]

@@ -160,7 +160,8 @@ class AgentsByHandTest {
                 .isEqualTo(new Answer.Refused("Agent 'amy' does not run. Maybe start it again."));
         assertThat(answer(run.operator().startAgent("amy"))).isEqualTo(new Answer.Done());
         assertThat(status("amy")).isEqualTo(AgentPlatform.Status.RUNNING);
-        assertThat(answer(run.operator().startAgent("zoe"))).isEqualTo(new Answer.Refused("There is no agent 'zoe'. Known are: amy, base."));
+        assertThat(answer(run.operator().startAgent("zoe")))
+                .isEqualTo(new Answer.Refused("There is no agent 'zoe'. Known are: amy, base."));
         assertThat(byHand()).containsExactly("amy stopped", "amy started again");
     }
 

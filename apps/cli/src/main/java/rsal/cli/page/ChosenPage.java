@@ -37,8 +37,9 @@ record ChosenPage(int port, Optional<String> note) {
         }
         return new ChosenPage(
                 PageRuns.DEFAULT_PORT,
-                Optional.of("You have several runs with a page, at the ports %s. This is for the run at %d; --port chooses."
-                        .formatted(ports, PageRuns.DEFAULT_PORT)));
+                Optional.of(
+                        "You have several runs with a page, at the ports %s. This is for the run at %d; --port chooses."
+                                .formatted(ports, PageRuns.DEFAULT_PORT)));
     }
 
     private static boolean isOpen(int port) {

@@ -24,7 +24,10 @@ public final class ControlCommands {
     private ControlCommands() {}
 
     /// `rsal status`
-    @Command(name = "status", description = "Show the state of a run with a page: its robots with their poses, and its agents with what they do.")
+    @Command(
+            name = "status",
+            description =
+                    "Show the state of a run with a page: its robots with their poses, and its agents with what they do.")
     public static final class Status extends PageCommand {
         @Override
         protected int run() throws InterruptedException {

@@ -129,9 +129,7 @@ public final class PageRuns {
                 LiveRun run = runs.take();
                 eye.began(run);
                 boolean waits = eye.isWaiting(run);
-                RunResult result = waits
-                        ? Progress.awaitSilently(run)
-                        : new Progress(err, eye.quiet()).await(run);
+                RunResult result = waits ? Progress.awaitSilently(run) : new Progress(err, eye.quiet()).await(run);
                 ending.checkNoSignal();
                 eye.ended(run, result);
                 if (first.stay() == Stay.FOR_THE_FIRST) {

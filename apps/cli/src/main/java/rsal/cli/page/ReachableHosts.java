@@ -66,7 +66,8 @@ final class ReachableHosts {
         try {
             return Optional.ofNullable(certificate.getSubjectAlternativeNames()).stream()
                     .flatMap(Collection::stream)
-                    .filter(name -> name.getFirst().equals(DNS) || name.getFirst().equals(IP))
+                    .filter(name ->
+                            name.getFirst().equals(DNS) || name.getFirst().equals(IP))
                     .map(name -> String.valueOf(name.get(1)))
                     .filter(name -> !name.startsWith("*"));
         } catch (GeneralSecurityException _) {

@@ -54,7 +54,8 @@ class ControlCommandsTest {
                  "agents": [{"name": "hunter-1", "robot": "hunter-1", "status": "RUNNING", "state": "follows"},
                             {"name": "chief", "robot": "", "status": "FAILED", "state": "no plan"},
                             {"name": "clerk", "robot": "", "status": "ENDED", "state": ""}]}
-                """))).isEqualTo("""
+                """)))
+                .isEqualTo("""
                 hunt:virtual, seed 7: runs at 12.3 s
                 Robots
                   hunter-1   (1.00, 2.00, 0°)   navigator

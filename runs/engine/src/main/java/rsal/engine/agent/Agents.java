@@ -248,7 +248,8 @@ public final class Agents implements AutoCloseable {
         return new Answer.Refused("There is no agent '%s'. %s"
                 .formatted(
                         name,
-                        Suggestion.among(name, started.keySet().stream().sorted().toList())));
+                        Suggestion.among(
+                                name, started.keySet().stream().sorted().toList())));
     }
 
     /// A robot has left: its agents end as they would at the end of the run.
