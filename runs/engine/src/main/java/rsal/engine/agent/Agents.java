@@ -50,7 +50,6 @@ import rsal.engine.robot.RobotTeam;
 import rsal.scenario.Communication;
 import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.PlannedAgent;
-import rsal.settings.Suggestion;
 import rsal.time.Scheduler;
 
 /// The agents of a run: starts them, asks them for people, and journals what they say and what becomes of them. All
@@ -237,19 +236,11 @@ public final class Agents implements AutoCloseable {
                 .isPresent();
     }
 
-    private Answer notRunning(String name) {
+    /// The answer to those that want something of an agent that does not run, or never was there.
+    public Answer notRunning(String name) {
         return planned(name).isPresent()
                 ? new Answer.Refused("Agent '%s' does not run. Maybe start it again.".formatted(name))
-                : unknown(name);
-    }
-
-    /// The answer to those that name an agent that never was there.
-    public Answer unknown(String name) {
-        return new Answer.Refused("There is no agent '%s'. %s"
-                .formatted(
-                        name,
-                        Suggestion.among(
-                                name, started.keySet().stream().sorted().toList())));
+                : Answer.Refused.noAgent(name, started.keySet());
     }
 
     /// A robot has left: its agents end as they would at the end of the run.
