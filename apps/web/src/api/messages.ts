@@ -45,6 +45,13 @@ export interface AgentInside {
   hearings: HearingInfo[];
 }
 
+export interface AgentStatus {
+  name: string;
+  robot: string;
+  status: Status;
+  state: string;
+}
+
 export interface AgentTypeInfo {
   type: string;
   description: string;
@@ -637,6 +644,7 @@ export interface StatusInfo {
   stopped: boolean;
   outcome: string;
   robots: RobotStatus[];
+  agents: AgentStatus[];
   goals: SentGoalInfo[];
 }
 

@@ -39,6 +39,7 @@ final class AgentSpeakAgent implements Agent {
     private final Map<String, Object> settings;
     private final Map<PerceptBelief, List<Literal>> percepts = new EnumMap<>(PerceptBelief.class);
     private @Nullable Life life;
+    private String state = "";
     private boolean awake;
     private boolean thinking;
 
@@ -155,8 +156,23 @@ final class AgentSpeakAgent implements Agent {
         return alive().self.scheduler().after(delay, task);
     }
 
+    /// Prints a line.
     void say(String words) {
-        alive().self.print(words.length() <= MOST_WORDS ? words : words.substring(0, MOST_WORDS) + "…");
+        alive().self.print(shortened(words));
+    }
+
+    /// Says what it does. That is a line when it changes, and none when the program says it again.
+    void state(String words) {
+        if (words.equals(state)) {
+            alive().self.state(shortened(words)); // something else may have been printed since
+        } else {
+            state = words;
+            say(words);
+        }
+    }
+
+    private static String shortened(String words) {
+        return words.length() <= MOST_WORDS ? words : words.substring(0, MOST_WORDS) + "…";
     }
 
     void unhandled(String goal, String where) {

@@ -80,7 +80,7 @@ final class ExternalActions {
             case WANDER -> done(deed, () -> wheels().behave(PioneerStack.wander(robot().model())));
             case STOP -> done(deed, () -> wheels().stop());
             case PUBLISH -> done(deed, () -> publish(terms));
-            case STATE -> done(deed, () -> agent.say(Terms.words(terms)));
+            case STATE -> done(deed, () -> agent.state(Terms.words(terms)));
             case SHOW -> done(deed, () -> self.show(Terms.words(terms.getFirst()), Terms.words(terms.getLast())));
         }
     }

@@ -128,6 +128,19 @@ class AgentSpeakAgentTest extends RobotBench {
                 .orElseThrow();
     }
 
+    @Test
+    void aStateIsALineOnlyWhenItChanges() {
+        var lines = new ArrayList<String>();
+        society.onPrint(print -> lines.add(print.line()));
+        start("a", """
+                !go.
+                +!go <- state(waits); .wait(100); state(waits); .print(beep); state(waits); state(goes); state(waits); .print(beep).
+                """);
+        run.advance(Duration.ofSeconds(1));
+        assertThat(lines).containsExactly("waits", "beep", "goes", "waits", "beep");
+        assertThat(view("a").state()).isEqualTo("beep");
+    }
+
     // ── Beliefs ──────────────────────────────────────────────────────────────────────────────────────────────────
 
     @Test

@@ -33,6 +33,15 @@ record JavaClass(Constructor<?> constructor, Location at) {
         return new JavaClass(constructor(type(sources, classes, use, at), use, at), at);
     }
 
+    /// Whether a file has a class of its name, which is of a kind.
+    static boolean isOf(Class<?> kind, Sources sources, FolderClasses classes) {
+        try {
+            return kind.isAssignableFrom(classes.loadClass(sources.className()));
+        } catch (ClassNotFoundException | LinkageError _) {
+            return false;
+        }
+    }
+
     private static Class<?> type(Sources sources, FolderClasses classes, Use use, Location at) {
         String name = sources.className();
         Class<?> type;

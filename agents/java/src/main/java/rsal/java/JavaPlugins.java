@@ -25,4 +25,10 @@ public final class JavaPlugins implements PluginLanguage {
         return JavaClass.of(sources, FolderClasses.of(askedAt.file(), sources), use)
                 .create(kind);
     }
+
+    @Override
+    public boolean isOf(Class<?> kind, String path, FileSource files, Location askedAt) {
+        var sources = Sources.read(path, files, askedAt);
+        return JavaClass.isOf(kind, sources, FolderClasses.of(askedAt.file(), sources));
+    }
 }

@@ -67,4 +67,21 @@ class JavaPluginsTest {
                 "Class 'Plug' fails: java.lang.IllegalStateException: no.",
                 "");
     }
+
+    @Test
+    void knowsOfWhichKindAClassIsWithoutRunningIt() throws IOException {
+        Files.writeString(
+                folder.resolve("Plug.java"),
+                PLUGIN.replace("{\n    public", "{\n    static { System.exit(1); }\n    public"));
+        var language = new JavaPlugins();
+        var files = FileSource.folder(folder);
+        var at = Location.of(folder.resolve("Plug.java").toString());
+        assertThat(language.isOf(Supplier.class, "Plug.java", files, at)).isTrue();
+        assertThat(language.isOf(Runnable.class, "Plug.java", files, at)).isFalse();
+        Files.writeString(folder.resolve("Plug.java"), "class Other {}");
+        assertThat(language.isOf(Supplier.class, "Plug.java", files, at)).isFalse();
+        Files.writeString(folder.resolve("Plug.java"), "class Plug {");
+        assertThatThrownBy(() -> language.isOf(Supplier.class, "Plug.java", files, at))
+                .isInstanceOf(InvalidSettings.class);
+    }
 }

@@ -568,7 +568,7 @@ class CommandLineIT {
         assertThat(status.path("scenario").asString()).isEqualTo("guard");
         assertThat(status.path("paused").asBoolean()).isTrue();
         Ended.signal("INT", process);
-        Ended.of(process);
+        assertThat(Ended.of(process).err()).doesNotContain("Running", "real time", "paused");
 
         Ended wrong = rsal.withPage().run("serve", "nothing.yaml", "--port", "0");
         assertThat(wrong.code()).isEqualTo(Exit.INVALID);
@@ -599,7 +599,7 @@ class CommandLineIT {
                 .isEqualTo("escape-1");
         Ended unknown = rsal.run("agent", "mind", "nobody", "--port", port);
         assertThat(unknown.code()).isEqualTo(Exit.USAGE);
-        assertThat(unknown.err()).contains("nobody");
+        assertThat(unknown.err()).contains("There is no agent 'nobody'. Known are: ", "escape-1, ");
         Ended.signal("INT", process);
         Ended.of(process);
         Ended gone = rsal.run("agent", "mind", "escape-1", "--port", port);

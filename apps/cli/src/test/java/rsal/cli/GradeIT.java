@@ -99,6 +99,7 @@ class GradeIT {
                         line -> assertThat(line).isEqualTo("heidi,1,0,It printed no result."));
         assertThat(Files.readAllLines(folder.resolve("out/grades.csv"))).hasSize(1 + 8);
         assertThat(folder.resolve("out/alice/seed-1.log")).content().contains("Running lab:default with seed 1");
+        assertThat(graded.err()).contains("frank: 1 of 1").doesNotContain("SLF4J");
         assertThat(graded.out())
                 .contains("frank     1 of 1")
                 .contains("carol     0 of 1    It did not end within 10 s.");
@@ -139,6 +140,9 @@ class GradeIT {
         assertThat(tested.code()).as(tested.err()).isZero();
         JsonNode runs = JsonMapper.shared().readTree(tested.out()).path("runs");
         assertThat(runs).hasSize(2);
+        assertThat(tested.err())
+                .contains("1 of 2: seed ", "2 of 2: seed ", ", success")
+                .doesNotContain("SLF4J");
         assertThat(runs.get(1).path("seed").asLong()).isEqualTo(6);
         Ended same = rsal("run", "lab", "--headless", "--speed", "max", "--seed", "6", "--json");
         assertThat(JsonMapper.shared().readTree(same.out()).path("eventHash").asString())
@@ -148,5 +152,7 @@ class GradeIT {
         Ended failed = rsal("test-agent", "lab", "--seeds", "1");
         assertThat(failed.code()).isEqualTo(4);
         assertThat(failed.out()).contains("my mistake").contains("0 of 1 runs ended in success.");
+        assertThat(rsal("test-agent", "lab", "--seeds", "1", "--for", "0.1").out())
+                .contains("limit", "--for ended it before its own end.");
     }
 }

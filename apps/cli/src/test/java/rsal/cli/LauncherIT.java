@@ -53,11 +53,18 @@ class LauncherIT {
             echo $$ >> builds
             echo "$@" >> arguments
             echo "[INFO] compiling"
+            echo "[INFO] Building RSAL data 0.1.0-SNAPSHOT                                     [1/2]"
+            echo "[INFO] Building RSAL command line 0.1.0-SNAPSHOT                             [2/2]"
             if [ -e slow ]; then touch began; sleep 60; fi
             if [ -e broken ]; then echo "[ERROR] Main.java: there is no such thing"; exit 1; fi
             mkdir -p apps/cli/target/lib
             cp main.jar apps/cli/target/rsal-cli.jar
             cp main.jar apps/cli/target/lib/other.jar
+            case "$*" in *-Ddist*)
+                mkdir -p apps/release/target
+                cp main.jar apps/release/target/rsal-release.jar
+                touch apps/cli/target/bom.json;;
+            esac
             if [ -e report.xml ]; then
                 mkdir -p apps/cli/target/surefire-reports
                 cp report.xml apps/cli/target/surefire-reports/TEST-rsal.A.xml
@@ -138,7 +145,9 @@ class LauncherIT {
 
         assertThat(first.code()).isZero();
         assertThat(first.out()).startsWith("args list --json a b\n");
-        assertThat(first.err()).contains("Building RSAL");
+        assertThat(first.err())
+                .contains(
+                        "rsal: Building RSAL…\nrsal:   1/2 RSAL data\nrsal:   2/2 RSAL command line\nrsal: Building RSAL took");
         assertThat(second.out()).startsWith("args list\n");
         assertThat(second.err()).isEmpty();
         assertThat(builds()).hasSize(1);
@@ -626,6 +635,35 @@ class LauncherIT {
                 .as("Java, of which Javadoc is, and the site")
                 .hasSize(3)
                 .endsWith("ci --no-audit", "run build");
+    }
+
+    @Test
+    void aReleaseIsBuiltAgainOnlyWhenItsSourcesHaveChanged() throws Exception {
+        layOutPage("#!/bin/sh\n");
+        layOutSite();
+        Path source = Files.writeString(project.resolve("apps/cli/src/main/Main.java"), "class Main {}");
+        Path other = Files.writeString(project.resolve("apps/cli/src/main/Other.java"), "class Other {}");
+        FileTime longAgo = FileTime.fromMillis(0);
+
+        assertThat(releases(1)).contains("Building RSAL…");
+        assertThat(releases(1)).contains("Nothing of Java has changed").doesNotContain("Building RSAL…");
+        Files.writeString(source, "class Main { }");
+        Files.setLastModifiedTime(source, longAgo); // as archives and rsync set it
+        assertThat(releases(2)).contains("Building RSAL…");
+        Files.delete(other);
+        assertThat(releases(3)).contains("Building RSAL…");
+        assertThat(releases(3)).doesNotContain("Building RSAL…");
+        Files.setLastModifiedTime(source, FileTime.from(Instant.now().plusSeconds(60)));
+        run("list"); // builds as for a run, where classes may stay whose sources are gone
+        assertThat(releases(4)).contains("Building RSAL…");
+    }
+
+    /// @param built how many releases were built until then
+    private String releases(int built) throws Exception {
+        String err = run("dist").err();
+        assertThat(Files.readAllLines(project.resolve("arguments")).stream().filter(line -> line.contains("-Ddist")))
+                .hasSize(built);
+        return err;
     }
 
     @Test

@@ -30,7 +30,7 @@ class TutorialIT {
     void aScenarioDoesWhatItsTutorialShows() throws Exception {
         String tutorial = tutorial("first-scenario.md");
         Files.writeString(
-                folder.resolve("patrol.yaml"), blocks(tutorial, "yaml").getFirst());
+                folder.resolve("corridor.yaml"), blocks(tutorial, "yaml").getFirst());
         follow(tutorial, new Rsal(folder));
     }
 
@@ -114,9 +114,9 @@ class TutorialIT {
 
     @Test
     void theMistakeItProposesIsExplained() throws Exception {
-        String patrol = blocks(tutorial("first-scenario.md"), "yaml").getFirst();
-        Files.writeString(folder.resolve("patrol.yaml"), patrol.replace("model:", "modle:"));
-        Ended ended = new Rsal(folder).run("validate", "patrol.yaml");
+        String corridor = blocks(tutorial("first-scenario.md"), "yaml").getFirst();
+        Files.writeString(folder.resolve("corridor.yaml"), corridor.replace("model:", "modle:"));
+        Ended ended = new Rsal(folder).run("validate", "corridor.yaml");
         assertThat(ended.code()).isEqualTo(Exit.INVALID);
         assertThat(ended.out()).contains("'modle'", "Maybe 'model'");
     }

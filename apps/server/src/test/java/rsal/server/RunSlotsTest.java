@@ -169,7 +169,7 @@ class RunSlotsTest {
         assertThat(get("/beside/2/api/map/1").status()).isEqualTo(200);
         assertThat(get("/beside/2/api/sweeps").status()).isEqualTo(200);
         await(run(2), snapshot -> snapshot.robots().size() == 2);
-        assertThat(get("/beside/2/api/status").body()).contains("courier-2");
+        assertThat(get("/beside/2/api/status").body()).contains("courier-2", "\"agents\":[{\"name\":\"");
         assertThat(get("/beside/2/api/abilities?robot=courier-2").status()).isEqualTo(200);
         assertThat(get("/api/abilities?robot=courier-2").status()).isEqualTo(409);
         for (String path : List.of(

@@ -459,7 +459,9 @@ class PlayerSystemTest {
         }
         assertThatThrownBy(() -> discover(Map.of("port", nobody), spec()))
                 .cause()
-                .hasMessage("There is no Player server at 'localhost:%d': Connection refused".formatted(nobody));
+                .hasMessage(
+                        "There is no Player server at 'localhost:%d': Connection refused. Start that of the robot; or serve simulated robots: rsal bridge player SCENARIO --no-agents."
+                                .formatted(nobody));
     }
 
     @Test

@@ -8,6 +8,7 @@ import java.util.Optional;
 import rsal.engine.event.ChattyTopics;
 import rsal.engine.report.Answer;
 import rsal.robot.Robot;
+import rsal.settings.Suggestion;
 
 /// What devices had told last and agents had in mind when a run ended, for those who look at it afterwards.
 record FinalState(
@@ -45,6 +46,10 @@ record FinalState(
 
     private static Answer known(Map<String, Answer> all, String name) {
         return Optional.ofNullable(all.get(name))
-                .orElseGet(() -> new Answer.Refused("The run is over, and had no '%s'.".formatted(name)));
+                .orElseGet(() -> new Answer.Refused("The run is over, and had no '%s'. %s"
+                        .formatted(
+                                name,
+                                Suggestion.among(
+                                        name, all.keySet().stream().sorted().toList()))));
     }
 }

@@ -307,9 +307,7 @@ final class RunAssembly implements AutoCloseable {
 
     /// @param now in real time [ns]
     Answer inside(String agent, long now) {
-        return agents.inside(agent, now)
-                .<Answer>map(Answer.Seen::new)
-                .orElseGet(() -> new Answer.Refused("There is no agent '%s'.".formatted(agent)));
+        return agents.inside(agent, now).<Answer>map(Answer.Seen::new).orElseGet(() -> agents.notRunning(agent));
     }
 
     /// @param now in real time [ns]
@@ -344,7 +342,7 @@ final class RunAssembly implements AutoCloseable {
     Answer addAgent(String like, String robot) {
         Optional<PlannedAgent> example = agents.planned(like);
         if (example.isEmpty()) {
-            return new Answer.Refused("There is no agent '%s'.".formatted(like));
+            return agents.notRunning(like);
         }
         if (example.get().robot().isPresent() == robot.isEmpty()) {
             return new Answer.Refused(
@@ -391,7 +389,7 @@ final class RunAssembly implements AutoCloseable {
     Answer startAgent(String name) {
         return agents.planned(name)
                 .map(agent -> agents.start(agent, "started again", new Answer.Done()))
-                .orElseGet(() -> new Answer.Refused("There is no agent '%s'.".formatted(name)));
+                .orElseGet(() -> agents.notRunning(name));
     }
 
     Answer stopAgent(String name) {

@@ -114,7 +114,7 @@ class AgentsByHandTest {
     @Test
     void whoCantBeMadeIsRefused() throws Exception {
         assertThat(answer(run.operator().addAgent("zoe", "")))
-                .isEqualTo(new Answer.Refused("There is no agent 'zoe'."));
+                .isEqualTo(new Answer.Refused("There is no agent 'zoe'. Known are: amy, base."));
         assertThat(answer(run.operator().addAgent("amy", "")))
                 .isEqualTo(new Answer.Refused("Agent 'amy' has a robot, and another one like it needs one."));
         assertThat(answer(run.operator().addAgent("base", "west")))
@@ -160,7 +160,8 @@ class AgentsByHandTest {
                 .isEqualTo(new Answer.Refused("Agent 'amy' does not run. Maybe start it again."));
         assertThat(answer(run.operator().startAgent("amy"))).isEqualTo(new Answer.Done());
         assertThat(status("amy")).isEqualTo(AgentPlatform.Status.RUNNING);
-        assertThat(answer(run.operator().startAgent("zoe"))).isEqualTo(new Answer.Refused("There is no agent 'zoe'."));
+        assertThat(answer(run.operator().startAgent("zoe")))
+                .isEqualTo(new Answer.Refused("There is no agent 'zoe'. Known are: amy, base."));
         assertThat(byHand()).containsExactly("amy stopped", "amy started again");
     }
 
@@ -200,7 +201,7 @@ class AgentsByHandTest {
     @Test
     void whatIsNoMessageIsRefused() throws Exception {
         assertThat(answer(run.operator().say("zoe", "text", Map.of("words", "hi"))))
-                .isEqualTo(new Answer.Refused("There is no agent 'zoe'."));
+                .isEqualTo(new Answer.Refused("There is no agent 'zoe'. Known are: amy, base."));
         assertThat(answer(run.operator().say("amy", "nothing", Map.of()))).isInstanceOf(Answer.Refused.class);
         assertThat(answer(run.operator().say("amy", "victim-helped", Map.of("victim", "one"))))
                 .isInstanceOf(Answer.Refused.class);

@@ -294,7 +294,7 @@ class CommunicationTest {
                     .extracting(one -> one.sender() + " to " + one.listener() + (one.lost() > 0 ? ", lost" : ""))
                     .containsExactly("amy to bob, lost", "bob to amy, lost", "amy to base", "base to amy");
             assertThat(run.inspector().inside("zoe").toCompletableFuture().get(10, TimeUnit.SECONDS))
-                    .isEqualTo(new Answer.Refused("There is no agent 'zoe'."));
+                    .isEqualTo(new Answer.Refused("There is no agent 'zoe'. Known are: amy, base, bob."));
         }
     }
 

@@ -10,11 +10,11 @@ public record SeedRange(long first, long last) {
     public SeedRange {
         if (last < first || last - first < 0 || last - first >= MOST) {
             throw new IllegalArgumentException(
-                    "(%d-%d) must go up, and be of at most %d seeds.".formatted(first, last, MOST));
+                    "Seeds %d:%d must go up, and be of at most %d seeds.".formatted(first, last, MOST));
         }
     }
 
-    /// As typed: `101-120`, `101:120` as ranges of arguments are, or how many there are from 1 on, `20`.
+    /// As typed: `101:120` as ranges of arguments are, `101-120`, or how many there are from 1 on, `20`.
     ///
     /// @throws IllegalArgumentException with a sentence about what is wrong with it
     public static SeedRange parse(String typed) {
@@ -35,7 +35,7 @@ public record SeedRange(long first, long last) {
             return Long.parseLong(typed.strip());
         } catch (NumberFormatException _) {
             throw new IllegalArgumentException(
-                    "'%s' is not a whole number, like 42. Maybe 20 seeds were meant (20), or those from 101 to 120 (101-120)?"
+                    "'%s' is not a whole number, like 42. Maybe 20 seeds were meant (20), or those from 101 to 120 (101:120)?"
                             .formatted(typed.strip()));
         }
     }

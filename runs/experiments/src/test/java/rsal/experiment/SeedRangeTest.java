@@ -27,7 +27,7 @@ class SeedRangeTest {
             0                                          | '0' is less than one seed
             -5                                         | '-5' is less than one seed
             many                                       | 'many' is not a whole number, like 42. Maybe 20 seeds were meant (20)
-            1..5                                       | or those from 101 to 120 (101-120)
+            1..5                                       | or those from 101 to 120 (101:120)
             1000001                                    | at most 1000000
             5-4                                        | must go up
             1-x                                        | 'x' is not a whole number

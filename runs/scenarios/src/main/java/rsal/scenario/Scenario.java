@@ -30,7 +30,7 @@ import rsal.yaml.Yaml;
 public final class Scenario {
     private static final List<String> BUILT_IN = List.of(
             "distribution", "find-and-collect", "foraging", "hunt-and-prey", "patrol", "rescue", "swarm", "teleop");
-    private static final String FILE = "scenario.yaml";
+    static final String FILE = "scenario.yaml";
 
     private final Value.Mapping settings;
     private final FileSource files;
@@ -262,23 +262,10 @@ public final class Scenario {
         return folder + ".yaml";
     }
 
-    private static Path within(Path folder) {
-        Path name = folder.toAbsolutePath().normalize().getFileName();
-        List<String> names = name == null ? List.of(FILE) : List.of(FILE, fileIn(name.toString()));
-        return names.stream()
-                .map(folder::resolve)
-                .filter(Files::exists)
-                .findFirst()
-                .orElseThrow(() -> new InvalidSettings(
-                        Location.of(folder.toString()),
-                        "There is no scenario in this folder: no '%s'.".formatted(String.join("' and no '", names)),
-                        "Maybe name its file, FOLDER/FILE.yaml."));
-    }
-
     private static Origin onDisk(String path) {
         try {
             Path given = Path.of(path);
-            Path file = Files.isDirectory(given) ? within(given) : given;
+            Path file = Files.isDirectory(given) ? ScenarioFolder.fileIn(given) : given;
             Path fileName = file.getFileName();
             Path folder = file.toAbsolutePath().getParent();
             if (fileName == null || folder == null) {

@@ -805,7 +805,10 @@ class ScenarioTest {
         Path own = Files.createDirectory(folder.resolve("renamed"));
         Files.writeString(own.resolve("chase.yaml"), GOOD);
         assertThatThrownBy(() -> Scenario.load(own.toString()))
-                .hasMessageContaining("no 'scenario.yaml' and no 'renamed.yaml'");
+                .hasMessageContaining("no 'scenario.yaml' and no 'renamed.yaml'")
+                .hasMessageContaining("Maybe one of its files was meant: %s.".formatted(own.resolve("chase.yaml")));
+        Files.delete(own.resolve("chase.yaml"));
+        assertThatThrownBy(() -> Scenario.load(own.toString())).hasMessageContaining("make one: rsal new NAME");
     }
 
     @Test

@@ -60,7 +60,8 @@ public final class RescueMaster extends AgentTypeBase {
         }
 
         private void tell() {
-            self.state("%d victims found, %d helped".formatted(found.size(), helped.size()));
+            self.state("%d %s found, %d helped"
+                    .formatted(found.size(), found.size() == 1 ? "victim" : "victims", helped.size()));
         }
     }
 }

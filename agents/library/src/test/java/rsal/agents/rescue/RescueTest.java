@@ -91,7 +91,7 @@ class RescueTest {
         assertThat(scene.said("rescue", VictimHelped.TOPIC)).isEmpty();
         scene.advance(1.5);
         assertThat(scene.said("rescue", VictimHelped.TOPIC)).containsExactly(new VictimHelped(3));
-        assertThat(scene.state("rescue")).isEqualTo("1 victims found, 1 helped");
+        assertThat(scene.state("rescue")).isEqualTo("1 victim found, 1 helped");
     }
 
     @Test

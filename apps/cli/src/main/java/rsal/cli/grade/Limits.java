@@ -20,7 +20,8 @@ final class Limits {
             names = "--seeds",
             paramLabel = "A:B",
             converter = SweepCommand.Seeds.class,
-            description = "Run with the seeds A to B. A single number N is 1 to N. Default: 1:10.")
+            description =
+                    "Run with the seeds A to B, such as 1:20 or 1-20. A single number N is 1 to N. Default: 1:10.")
     SeedRange seeds = new SeedRange(1, 10);
 
     @Option(

@@ -12,6 +12,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import rsal.cli.terminal.ClosedAtExit;
+import rsal.cli.terminal.Logging;
 
 /// Runs of several people's agents, some at once.
 final class SeededTrials {
@@ -51,8 +52,11 @@ final class SeededTrials {
     /// Runs all, and waits for them.
     ///
     /// @param runs by whose they are
+    /// @param ran is given each result as soon as it is there, on any thread
     /// @param told is given each person's results, in their order, as soon as they are there
-    List<Trial> all(Map<String, SeparateRun> runs, Consumer<Trial> told) throws IOException, InterruptedException {
+    List<Trial> all(Map<String, SeparateRun> runs, Consumer<SeparateRun.Result> ran, Consumer<Trial> told)
+            throws IOException, InterruptedException {
+        Logging.begin();
         var ending = new ClosedAtExit(SeparateRun::endAll);
         var trials = new ArrayList<Trial>();
         var workers = Executors.newFixedThreadPool(limits.jobs);
@@ -63,7 +67,11 @@ final class SeededTrials {
                 begun.put(
                         who,
                         limits.seeds.seeds().stream()
-                                .map(seed -> workers.submit(() -> once(run, seed, invalid)))
+                                .map(seed -> workers.submit(() -> {
+                                    SeparateRun.Result result = once(run, seed, invalid);
+                                    ran.accept(result);
+                                    return result;
+                                }))
                                 .toList());
             });
             for (var each : begun.entrySet()) {

@@ -172,6 +172,7 @@ record SeparateRun(List<String> java, Path folder, String scenario, Path logs, D
                 .map(agent -> "%s failed: %s"
                         .formatted(agent.getKey(), agent.getValue().asString("")))
                 .collect(Collectors.joining("; "));
+        String message = failed.isEmpty() && outcome.equals("limit") ? "--for ended it before its own end." : failed;
         return new Result(
                 seed,
                 outcome,
@@ -179,7 +180,7 @@ record SeparateRun(List<String> java, Path folder, String scenario, Path logs, D
                 result.path("simulatedSeconds").asDouble(0),
                 result.path("eventHash").asString(""),
                 metrics,
-                shortened(failed));
+                shortened(message));
     }
 
     private static String lastLine(String text) {

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -47,8 +48,10 @@ public final class TestAgentCommand extends Subcommand {
         try {
             Path logs = Files.createTempDirectory("rsal-test-agent-");
             SeparateRun run = limits.run(Path.of("").toAbsolutePath(), scenario, logs);
-            SeededTrials.Trial trial =
-                    new SeededTrials(limits).all(Map.of(scenario, run), _ -> {}).getFirst();
+            var ended = new AtomicInteger();
+            SeededTrials.Trial trial = new SeededTrials(limits)
+                    .all(Map.of(scenario, run), result -> tell(result, ended.incrementAndGet()), _ -> {})
+                    .getFirst();
             print(trial, logs);
             boolean success = trial.successes() == trial.results().size();
             if (success && !json) {
@@ -58,6 +61,13 @@ public final class TestAgentCommand extends Subcommand {
         } catch (IOException e) {
             throw new Unreachable("Runs can't be started: %s.".formatted(e));
         }
+    }
+
+    /// Progress, as some runs take long.
+    private void tell(SeparateRun.Result result, int ended) {
+        err().println("%d of %d: seed %d, %s"
+                .formatted(ended, limits.seeds.seeds().size(), result.seed(), result.outcome()));
+        err().flush();
     }
 
     private void print(SeededTrials.Trial trial, Path logs) {

@@ -24,7 +24,10 @@ public final class ControlCommands {
     private ControlCommands() {}
 
     /// `rsal status`
-    @Command(name = "status", description = "Show the state of a run with a page: its robots and their poses.")
+    @Command(
+            name = "status",
+            description =
+                    "Show the state of a run with a page: its robots with their poses, and its agents with what they do.")
     public static final class Status extends PageCommand {
         @Override
         protected int run() throws InterruptedException {
@@ -38,7 +41,7 @@ public final class ControlCommands {
             return Exit.SUCCESS;
         }
 
-        private static String text(JsonNode status) {
+        static String text(JsonNode status) {
             String outcome = status.path("outcome").asString("");
             String state = !outcome.isEmpty()
                     ? "over: " + outcome
@@ -46,6 +49,8 @@ public final class ControlCommands {
             String motors = status.path("stopped").asBoolean() ? ", motors are off" : "";
             var robots = new TextTable("  ");
             status.path("robots").forEach(robot -> robots.row(row(robot)));
+            var agents = new TextTable("  ");
+            status.path("agents").forEach(agent -> agents.row(agentRow(agent)));
             var goals = new StringBuilder();
             status.path("goals").forEach(goal -> {
                 if (SentTo.of(goal).isUnderWay()) {
@@ -54,15 +59,25 @@ public final class ControlCommands {
             });
             return String.format(
                     Locale.ROOT,
-                    "%s:%s, seed %s: %s at %.1f s%s%n%s%s",
+                    "%s:%s, seed %s: %s at %.1f s%s%nRobots%n%sAgents%n%s%s",
                     status.path("scenario").asString(),
                     status.path("configuration").asString(),
                     status.path("seed").asString(),
                     state,
                     status.path("time").asDouble(),
                     motors,
-                    robots.isEmpty() ? "  no robots\n" : robots,
-                    goals);
+                    robots.isEmpty() ? "  none\n" : robots,
+                    agents.isEmpty() ? "  none\n" : agents,
+                    goals.isEmpty() ? "" : "Goals that people sent\n" + goals);
+        }
+
+        private static String[] agentRow(JsonNode agent) {
+            String status = agent.path("status").asString().toLowerCase(Locale.ROOT);
+            String state = ShownMind.words(agent.path("state"));
+            return new String[] {
+                agent.path("name").asString(),
+                status.equals("running") ? state : state.isEmpty() ? status : status + ": " + state,
+            };
         }
 
         private static String[] row(JsonNode robot) {

@@ -4,7 +4,6 @@ import java.net.URLEncoder;
 import java.net.http.HttpRequest;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
-import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
@@ -29,11 +28,22 @@ public abstract class PageCommand extends Subcommand {
     private @Nullable Integer port;
 
     final int port() {
-        if (port != null) {
-            return port;
+        Integer known = port;
+        if (known == null) {
+            known = chosen();
+            port = known;
         }
-        List<Integer> ours = PageKey.ports();
-        return ours.size() == 1 ? ours.getFirst() : PageRuns.DEFAULT_PORT;
+        return known;
+    }
+
+    private int chosen() {
+        try {
+            ChosenPage chosen = ChosenPage.now();
+            chosen.note().ifPresent(note -> err().println("rsal: " + note));
+            return chosen.port();
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(spec.commandLine(), String.valueOf(e.getMessage()), e);
+        }
     }
 
     /// A word as part of a query.

@@ -51,6 +51,11 @@ public final class PageRuns {
             return Optional.empty();
         }
 
+        /// Whether a run is only there to be looked at until somebody chooses one: then nothing is printed of it.
+        default boolean isWaiting(LiveRun run) {
+            return false;
+        }
+
         /// The page is there, before all runs but the first.
         default void shown(RunServer page) {}
 
@@ -116,28 +121,37 @@ public final class PageRuns {
             eye.shown(server);
             boolean isChoosing = first.stay() == Stay.FOR_A_CHOICE;
             err.println(isChoosing ? "Choose a scenario at " + server.url() + CHOOSE : "Watch it at " + server.url());
+            if (endpoints.port() == null && server.url().getPort() != DEFAULT_PORT) {
+                err.println(otherPort(server.url().getPort()));
+            }
             endpoints.listening().ifPresent(listening -> tellListening(listening, server.token(), err));
             while (true) {
                 LiveRun run = runs.take();
                 eye.began(run);
-                RunResult result = new Progress(err, eye.quiet()).await(run);
+                boolean waits = eye.isWaiting(run);
+                RunResult result = waits ? Progress.awaitSilently(run) : new Progress(err, eye.quiet()).await(run);
                 ending.checkNoSignal();
                 eye.ended(run, result);
                 if (first.stay() == Stay.FOR_THE_FIRST) {
                     return result;
                 }
-                err.println("The page is still there, for another run, too; Ctrl-C ends it.");
+                if (!waits) {
+                    err.println("The page is still there, for another run, too; Ctrl-C ends it.");
+                }
             }
         }
     }
 
+    /// Else commands would reach the run that has the usual port.
+    private static String otherPort(int port) {
+        return "rsal: Port %d is in use, maybe by another run. For this run say --port %d, as in 'rsal status --port %d'."
+                .formatted(DEFAULT_PORT, port, port);
+    }
+
     private static void tellListening(Listening listening, String token, PrintWriter err) {
-        String host = listening.address().getHostString();
-        err.println("From other machines: https://%s:%d/#token=%s"
-                .formatted(
-                        host.contains(":") ? "[" + host + "]" : host,
-                        listening.address().getPort(),
-                        token));
+        ReachableHosts.of(listening)
+                .forEach(host -> err.println("From other machines: https://%s:%d/#token=%s"
+                        .formatted(host, listening.address().getPort(), token)));
         err.println("rsal: All who have a token reach this run over the network, and may drive its robots.");
     }
 

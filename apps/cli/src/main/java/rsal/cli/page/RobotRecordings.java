@@ -96,11 +96,12 @@ final class RobotRecordings implements AutoCloseable {
 
     /// A run has ended, and with it its recording: says what became of it.
     synchronized void end(LiveRun over) {
-        if (!over.equals(run)) {
+        RobotRecorder open = recorder;
+        if (open == null || !over.equals(run)) {
             return;
         }
         Path path = recorded;
-        Optional<IOException> why = close(recorder);
+        Optional<IOException> why = close(open);
         recorder = null;
         run = null;
         err.println(why.map(e -> "rsal: The recording '%s' is not whole: %s. Maybe the disk is full."

@@ -45,7 +45,7 @@ final class ShownMind {
     }
 
     /// With numbers as short as the page has them: `0.46695204089382697` is `0.467`.
-    private static String words(JsonNode said) {
+    static String words(JsonNode said) {
         return LONG_NUMBER.matcher(said.asString("")).replaceAll(number -> {
             BigDecimal brief = new BigDecimal(number.group(1)).setScale(DECIMALS, RoundingMode.HALF_UP);
             String exponent = number.group(2);

@@ -82,6 +82,11 @@ public final class ServeCommand extends Subcommand {
             }
 
             @Override
+            public boolean isWaiting(LiveRun run) {
+                return run.equals(waiting);
+            }
+
+            @Override
             public void shown(RunServer server) {
                 onlookers.heed(server);
             }

@@ -22,6 +22,7 @@ enum FileKind {
     PART("a part of robots", "'rsal show %1$s' shows it. In a scenario: devices: {DEVICE: %2$s}."),
     WORLD("a world", "Names of worlds end with .world.yaml: rename it."),
     AGENT("an agent's program", "'rsal show %1$s' shows what is in it. In a scenario: agents: {NAME: {type: %2$s}}."),
+    PLUGIN("a metric or a plugin", "'rsal show %1$s' shows what it is, and how a scenario names it."),
     RECORDING("a recording", "'rsal replay %1$s' plays it, 'rsal show %1$s' shows what is in it."),
     LOG("a log of a robot", "'rsal map %1$s' draws a map of it, 'rsal localize %1$s' localizes the robot."),
     IMAGE(
@@ -63,6 +64,9 @@ enum FileKind {
         }
         if (RobotModels.builtInParts().contains(name)) {
             return Optional.of(PART);
+        }
+        if (OwnPlugin.is(name)) {
+            return Optional.of(PLUGIN);
         }
         return name.endsWith(".yaml") || name.endsWith(".yml") ? written(name) : named(name.toLowerCase(Locale.ROOT));
     }

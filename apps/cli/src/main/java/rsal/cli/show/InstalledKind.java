@@ -147,7 +147,7 @@ public record InstalledKind(
     }
 
     /// @param made the driver that uses it; of a kind of devices, what they are
-    private static InstalledKind of(Plugin plugin, String word, String made) {
+    static InstalledKind of(Plugin plugin, String word, String made) {
         return new InstalledKind(
                 word,
                 plugin.key(),
@@ -243,7 +243,8 @@ public record InstalledKind(
         return "%n'%s' is also %s: rsal show %s:%s%n".formatted(name, title(), kind, name);
     }
 
-    private String title() {
+    /// `a controller for 'navigator'`.
+    String title() {
         return switch (kind) {
             case "agent" -> "a type of agents";
             case "driver" -> "a device driver, makes a " + makes.orElseThrow();

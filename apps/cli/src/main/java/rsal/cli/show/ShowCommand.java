@@ -34,7 +34,7 @@ import rsal.settings.Suggestion;
         name = "show",
         description =
                 "Show the content of a scenario, a world (with an image), a map, a robot model, a part, a recording,"
-                        + " or a file of an agent or a metric. Or show the parameters of an agent type, a device"
+                        + " or a file of an agent, a metric or a controller. Or show the parameters of an agent type, a device"
                         + " driver (or of an algorithm that it may use, such as 'vfh'), a metric, a robot system or"
                         + " an agent platform.")
 public final class ShowCommand extends Subcommand {
@@ -45,7 +45,7 @@ public final class ShowCommand extends Subcommand {
             paramLabel = "SCENARIO[:CONFIGURATION]|WORLD|AGENT|NAME",
             description =
                     ScenarioReference.WHAT
-                            + "; a world (FILE.world.yaml, Stage's FILE.world, Gazebo's FILE.sdf, or Player's FILE.cfg); a map (ROS's YAML); a recording (FILE.mcap); an agent in Java or AgentSpeak (FILE.java, FILE.asl); a metric in Java (FILE.java); or what 'rsal list WHAT' names.")
+                            + "; a world (FILE.world.yaml, Stage's FILE.world, Gazebo's FILE.sdf, or Player's FILE.cfg); a map (ROS's YAML); a recording (FILE.mcap); an agent in Java or AgentSpeak (FILE.java, FILE.asl); a metric or a controller in Java (FILE.java); or what 'rsal list WHAT' names.")
     private String name = "";
 
     @Option(
@@ -71,9 +71,9 @@ public final class ShowCommand extends Subcommand {
             showMap();
             return Exit.SUCCESS;
         }
-        Optional<InstalledKind> metric = image == null ? OwnMetric.of(name) : Optional.empty();
-        if (metric.isPresent()) {
-            show(metric.get(), metric.get().text());
+        Optional<InstalledKind> plugin = image == null ? OwnPlugin.of(name) : Optional.empty();
+        if (plugin.isPresent()) {
+            show(plugin.get(), plugin.get().text());
             return Exit.SUCCESS;
         }
         Optional<ShownAgent> agent = image == null ? ShownAgent.of(name) : Optional.empty();

@@ -24,14 +24,15 @@ import rsal.settings.Problem;
 @Command(
         name = "validate",
         description = "Check scenarios with all configurations or with one, worlds, maps, robot models, parts, agents'"
-                + " programs and recordings. Reports every error and starts nothing.")
+                + " programs, metrics, controllers and recordings. Reports every error and starts nothing.")
 public final class ValidateCommand extends Subcommand {
     @Parameters(
             converter = FileName.class,
             paramLabel = "SCENARIO[:CONFIGURATION]|FILE",
             arity = "1..*",
-            description = ScenarioReference.WHAT
-                    + "; or the file of a world, a map, a robot model or part, an agent's program, or a recording.")
+            description =
+                    ScenarioReference.WHAT
+                            + "; or the file of a world, a map, a robot model or part, an agent's program, a metric, a controller, or a recording.")
     @SuppressWarnings("NullAway.Init") // picocli fills it in
     private List<String> files;
 
@@ -109,6 +110,7 @@ public final class ValidateCommand extends Subcommand {
             case MODEL, PART ->
                 what += ShownPart.of(file).map(shown -> ", " + shown.title()).orElse("");
             case AGENT -> ShownAgent.of(file);
+            case PLUGIN -> what = OwnPlugin.of(file).map(InstalledKind::title).orElse(what);
             case RECORDING -> RecordingFile.open(file, true).close();
             case LOG, IMAGE, WORLD -> throw kind.refusal(file);
         }

@@ -23,6 +23,7 @@ import rsal.cli.terminal.ClosedAtExit;
 import rsal.cli.terminal.Destination;
 import rsal.cli.terminal.Exit;
 import rsal.cli.terminal.FileName;
+import rsal.cli.terminal.Logging;
 import rsal.cli.terminal.Mistake;
 import rsal.cli.terminal.Subcommand;
 import rsal.cli.terminal.Unreachable;
@@ -89,9 +90,10 @@ public final class SweepCommand extends Subcommand {
 
     @Option(
             names = "--seeds",
-            paramLabel = "A-B",
+            paramLabel = "A:B",
             converter = Seeds.class,
-            description = "Run each combination with the seeds A to B. A single number N is 1 to N, as with --repeat.")
+            description = "Run each combination with the seeds A to B, such as 101:120 or 101-120. A single number N is"
+                    + " 1 to N, as with --repeat.")
     private @Nullable SeedRange seeds;
 
     @Option(names = "--jobs", paramLabel = "N", description = "Number of runs at once. Default: the number of cores.")
@@ -156,6 +158,7 @@ public final class SweepCommand extends Subcommand {
 
     private void runAll(Sweep sweep, SweepFolder opened, Recordings recordings) throws InterruptedException {
         int cores = Runtime.getRuntime().availableProcessors();
+        Logging.begin();
         var progress = new SweepProgress(err(), sweep.trials().size());
         try (var runs = new SweepRun(sweep, opened, jobs, cores, recordings, progress::ended)) {
             var ending = new ClosedAtExit(() -> breakOff(runs, progress));

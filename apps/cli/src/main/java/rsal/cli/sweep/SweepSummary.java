@@ -22,6 +22,8 @@ import rsal.experiment.statistics.Share;
 /// The result of a sweep, in short: for each combination how its runs ended, and the means of what was
 /// measured.
 record SweepSummary(Findings findings, Path folder) {
+    private static final int MOST_FEW = 4; // runs; the quantile of Student's t is 3.2 then, 12.7 of two
+
     static SweepSummary of(Findings findings, Path folder) {
         return new SweepSummary(findings, folder);
     }
@@ -104,8 +106,26 @@ record SweepSummary(Findings findings, Path folder) {
         return table
                 + failures()
                 + conclusions()
+                + aboutFewRuns(fewestRuns())
                 + "Means ± half of their 95 %% confidence intervals. Rows: %s; a page of them: rsal report %s%n"
                         .formatted(folder.resolve(SweepFolder.TABLE), folder);
+    }
+
+    private int fewestRuns() {
+        return findings.design().combinations().stream()
+                .mapToInt(combination -> findings.of(combination).size())
+                .min()
+                .orElse(0);
+    }
+
+    /// Why intervals may be wider than what they are about.
+    ///
+    /// @param runs of the combination that has the fewest
+    static String aboutFewRuns(int runs) {
+        return runs < 2 || runs > MOST_FEW
+                ? ""
+                : "The intervals are wide because they are of only %d runs (Student's t distribution). Add seeds: --repeat 10.%n"
+                        .formatted(runs);
     }
 
     private List<MetricSamples> measurements() {

@@ -6,6 +6,7 @@ import java.util.concurrent.TimeUnit;
 /// nobody waits in doubt and what runs for days leaves no long log.
 public final class LifeSigns {
     private long next = TimeUnit.SECONDS.toNanos(10);
+    private boolean toldPause;
 
     /// @param passed since it began [ns]
     public boolean isDue(long passed) {
@@ -13,6 +14,15 @@ public final class LifeSigns {
         while (passed >= next) {
             next *= 2;
         }
+        return due;
+    }
+
+    /// The same of something that can stand still, of which that is said only once.
+    ///
+    /// @param passed since it began [ns]
+    public boolean isDue(long passed, boolean paused) {
+        boolean due = isDue(passed) && !(paused && toldPause);
+        toldPause = paused && (toldPause || due);
         return due;
     }
 }

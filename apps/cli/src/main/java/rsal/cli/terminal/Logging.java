@@ -50,6 +50,11 @@ public final class Logging extends ContextAwareBase implements Configurator {
         return ExecutionStatus.DO_NOT_INVOKE_NEXT_IF_ANY;
     }
 
+    /// Has logs ready before several threads write some at once: SLF4J would print that it kept lines meanwhile.
+    public static void begin() {
+        context();
+    }
+
     /// Tells everything our own code has to say from now on.
     static void tellMore() {
         FOR_PEOPLE.setLevel(Level.DEBUG.toString());

@@ -38,6 +38,17 @@ public final class Progress {
         this.quiet = quiet;
     }
 
+    /// Waits for the end of a run, and tells nothing.
+    ///
+    /// @throws Exception what broke the run
+    public static RunResult awaitSilently(LiveRun run) throws Exception {
+        try {
+            return run.result().toCompletableFuture().get();
+        } catch (ExecutionException e) {
+            throw e.getCause() instanceof Exception cause ? cause : e;
+        }
+    }
+
     /// Waits for the end of a run.
     ///
     /// @throws Exception what broke the run
@@ -73,12 +84,15 @@ public final class Progress {
         if (terminal) {
             err.print(CLEAR_LINE + line(now));
             err.flush();
-        } else if (signs.isDue(System.nanoTime() - began)) {
+        } else if (signs.isDue(System.nanoTime() - began, now.paused())) {
             err.println(line(now));
         }
     }
 
-    private static String line(Snapshot now) {
+    static String line(Snapshot now) {
+        if (now.paused()) {
+            return String.format(Locale.ROOT, "%8.1f s  paused", seconds(now.time()));
+        }
         return String.format(Locale.ROOT, "%8.1f s  %.3g × real time", seconds(now.time()), now.rate());
     }
 

@@ -21,7 +21,7 @@ record ResultText(RunPlan plan, RunResult result) {
         if (!set.isEmpty()) {
             table.row("set", set);
         }
-        table.row("outcome", result.outcome())
+        table.row("outcome", outcome())
                 .row(
                         "time",
                         String.format(
@@ -42,6 +42,11 @@ record ResultText(RunPlan plan, RunResult result) {
         table.row("event hash", result.eventHash());
         String joined = plan.with().map(" with %s"::formatted).orElse("");
         return "%s:%s%s, seed %d\n".formatted(result.scenario(), result.configuration(), joined, result.seed()) + table;
+    }
+
+    /// `limit` is no outcome of the scenario's.
+    private String outcome() {
+        return result.outcome().equals("limit") ? "limit (ended by --for)" : result.outcome();
     }
 
     private static String written(Pose2d pose) {

@@ -8,6 +8,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import rsal.cli.page.ControlCommands.Controlled;
 import rsal.cli.terminal.Unreachable;
+import tools.jackson.databind.json.JsonMapper;
 
 class ControlCommandsTest {
     private final List<String> done = new ArrayList<>();
@@ -41,5 +42,27 @@ class ControlCommandsTest {
     void thatControlCannotBeGivenBackIsTold() {
         assertThatThrownBy(() -> Controlled.andThen(() -> "answer", () -> refuse("Nobody is there.")))
                 .hasMessage("Nobody is there.");
+    }
+
+    @Test
+    void aStatusListsRobotsAndAgents() {
+        assertThat(ControlCommands.Status.text(JsonMapper.shared().readTree("""
+                {"scenario": "hunt", "configuration": "virtual", "seed": "7", "time": 12.34, "paused": false,
+                 "stopped": false, "outcome": "", "goals": [],
+                 "robots": [{"id": "hunter-1", "x": 1, "y": 2, "heading": 0, "gone": false, "stopped": false,
+                             "inCharge": "navigator"}],
+                 "agents": [{"name": "hunter-1", "robot": "hunter-1", "status": "RUNNING", "state": "follows"},
+                            {"name": "chief", "robot": "", "status": "FAILED", "state": "no plan"},
+                            {"name": "clerk", "robot": "", "status": "ENDED", "state": ""}]}
+                """)))
+                .isEqualTo("""
+                hunt:virtual, seed 7: runs at 12.3 s
+                Robots
+                  hunter-1   (1.00, 2.00, 0°)   navigator
+                Agents
+                  hunter-1   follows
+                  chief      failed: no plan
+                  clerk      ended
+                """);
     }
 }

@@ -143,4 +143,25 @@ class FileKindTest {
         assertThat(rsal("show", file("bot.yaml")).out()).contains("a robot model, My robot", "maxTurnRate: 120");
         assertThat(rsal("show", file("laser.yaml")).out()).contains("a robot part, a LaserScanner");
     }
+
+    @ParameterizedTest
+    @CsvSource({
+        "controller, Cautious.java, a controller for 'navigator', room",
+        "metric, Spacing.java, a metric, mean(spacing)",
+    })
+    void whatAFileAddsToRobotsAndMetricsIsCalledWhatItIs(String kind, String file, String title, String content)
+            throws IOException {
+        Path made = folder.resolve("own");
+        assertThat(rsal("new", made.toString(), "--kind", kind).code()).isEqualTo(Exit.SUCCESS);
+        String name = made.resolve(file).toString();
+        assertThat(rsal("show", name).out())
+                .startsWith(file + ": " + title + "\n")
+                .contains(content);
+        assertThat(rsal("validate", name).out()).isEqualTo(name + ": valid, " + title + "\n");
+        assertThat(rsal("run", name, "--headless").err())
+                .startsWith(name + ": This is a metric or a plugin, not a scenario.");
+        Files.writeString(made.resolve(file), "public class %s {".formatted(file.replace(".java", "")));
+        assertThat(rsal("validate", name).out()).contains("Java can't compile this", file + ":1:");
+        assertThat(rsal("validate", name).code()).isEqualTo(Exit.INVALID);
+    }
 }

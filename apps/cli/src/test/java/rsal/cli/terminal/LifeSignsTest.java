@@ -21,4 +21,14 @@ class LifeSignsTest {
         assertThat(signs.isDue(TimeUnit.SECONDS.toNanos(101))).isFalse();
         assertThat(signs.isDue(TimeUnit.SECONDS.toNanos(160))).isTrue();
     }
+
+    @Test
+    void saysOnceThatSomethingStandsStill() {
+        var signs = new LifeSigns();
+        assertThat(signs.isDue(TimeUnit.SECONDS.toNanos(10), true)).isTrue();
+        assertThat(signs.isDue(TimeUnit.SECONDS.toNanos(20), true)).isFalse();
+        assertThat(signs.isDue(TimeUnit.SECONDS.toNanos(40), false)).isTrue();
+        assertThat(signs.isDue(TimeUnit.SECONDS.toNanos(80), true)).isTrue();
+        assertThat(signs.isDue(TimeUnit.SECONDS.toNanos(160), true)).isFalse();
+    }
 }

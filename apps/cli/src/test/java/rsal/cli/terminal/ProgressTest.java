@@ -3,9 +3,12 @@ package rsal.cli.terminal;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import rsal.engine.report.Answer;
 import rsal.engine.report.RunEvent;
+import rsal.engine.report.Snapshot;
 
 class ProgressTest {
     @Test
@@ -24,6 +27,28 @@ class ProgressTest {
         assertThat(Progress.tells(event("collision", "ran into wall"))).isTrue();
         assertThat(Progress.tells(event("print", "beat"))).isTrue();
         assertThat(Progress.tells(event("goal", "is at (3.00, 1.00), 0°"))).isFalse();
+    }
+
+    @Test
+    void aRunThatStandsStillIsCalledPaused() {
+        assertThat(Progress.line(at(true))).isEqualTo("    12.3 s  paused");
+        assertThat(Progress.line(at(false))).isEqualTo("    12.3 s  1.50 × real time");
+    }
+
+    private static Snapshot at(boolean paused) {
+        return new Snapshot(
+                1,
+                Duration.ofMillis(12_340),
+                paused,
+                false,
+                1,
+                1.5,
+                Optional.empty(),
+                List.of(),
+                List.of(),
+                List.of(),
+                List.of(),
+                Answer.Linked.NONE);
     }
 
     private static RunEvent event(String kind, String text) {

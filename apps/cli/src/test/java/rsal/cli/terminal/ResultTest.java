@@ -24,11 +24,15 @@ class ResultTest {
     }
 
     private static RunResult result(RunPlan plan, Map<String, String> failed) {
+        return result(plan, "success", failed);
+    }
+
+    private static RunResult result(RunPlan plan, String outcome, Map<String, String> failed) {
         return new RunResult(
                 plan.scenario().name(),
                 plan.configuration(),
                 plan.seed(),
-                "success",
+                outcome,
                 1,
                 2,
                 "abc",
@@ -52,6 +56,14 @@ class ResultTest {
         assertThat(json.endPoses()).containsEntry("guard-1", new ResultJson.EndPose(1, -2.5, Math.PI / 2));
         assertThat(json.with()).contains("distribution:found");
         assertThat(json.arguments()).containsEntry("guards", 3L).containsKeys(argumentsOf(plan));
+    }
+
+    @Test
+    void anOutcomeThatIsNoneOfTheScenarioIsExplained() {
+        RunPlan plan = plan(RunOptions.NONE);
+        assertThat(new ResultText(plan, result(plan, "limit", Map.of())).toString())
+                .containsPattern("outcome +limit \\(ended by --for\\)\n");
+        assertThat(new ResultText(plan, result(plan)).toString()).containsPattern("outcome +success\n");
     }
 
     @Test

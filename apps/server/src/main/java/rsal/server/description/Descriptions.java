@@ -43,6 +43,7 @@ import rsal.scenario.Scenario;
 import rsal.scene.Scene;
 import rsal.server.message.Messages.AgentDetails;
 import rsal.server.message.Messages.AgentInside;
+import rsal.server.message.Messages.AgentStatus;
 import rsal.server.message.Messages.AgentTypeInfo;
 import rsal.server.message.Messages.AgentTypes;
 import rsal.server.message.Messages.ArgumentInfo;
@@ -510,7 +511,14 @@ public final class Descriptions {
                 snapshot.stopped(),
                 snapshot.outcome().orElse(""),
                 snapshot.robots().stream().map(Descriptions::status).toList(),
+                snapshot.agents().stream()
+                        .map(agent -> agentStatus(agent.view()))
+                        .toList(),
                 run.goals().stream().map(Descriptions::goal).toList());
+    }
+
+    private static AgentStatus agentStatus(AgentPlatform.View view) {
+        return new AgentStatus(view.agent().name(), view.agent().robot(), status(view), view.state());
     }
 
     private static SentGoalInfo goal(SentGoal goal) {

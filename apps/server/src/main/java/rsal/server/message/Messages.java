@@ -435,7 +435,12 @@ public final class Messages {
             boolean stopped,
             String outcome,
             List<RobotStatus> robots,
+            List<AgentStatus> agents,
             List<SentGoalInfo> goals) {}
+
+    /// @param robot id of its robot; empty when it has none
+    /// @param state what it says it is doing; the failure's message when it failed
+    public record AgentStatus(String name, String robot, AgentDetails.Status status, String state) {}
 
     /// A place to which somebody sent a robot.
     ///

@@ -87,8 +87,10 @@ public final class RemoteServer implements AutoCloseable {
     public CompletionStage<Void> known(Duration patience) {
         return scheduler.within(patience, offer).handle((_, error) -> {
             if (error != null) {
-                throw new CompletionException(
-                        new IOException("There is no Player server at '%s': %s".formatted(name, reason), error));
+                throw new CompletionException(new IOException(
+                        "There is no Player server at '%s': %s. Start that of the robot; or serve simulated robots: rsal bridge player SCENARIO --no-agents."
+                                .formatted(name, reason),
+                        error));
             }
             return null;
         });

@@ -236,11 +236,11 @@ public final class Agents implements AutoCloseable {
                 .isPresent();
     }
 
-    private Answer notRunning(String name) {
-        return new Answer.Refused(
-                planned(name).isPresent()
-                        ? "Agent '%s' does not run. Maybe start it again.".formatted(name)
-                        : "There is no agent '%s'.".formatted(name));
+    /// The answer to those that want something of an agent that does not run, or never was there.
+    public Answer notRunning(String name) {
+        return planned(name).isPresent()
+                ? new Answer.Refused("Agent '%s' does not run. Maybe start it again.".formatted(name))
+                : Answer.Refused.noAgent(name, started.keySet());
     }
 
     /// A robot has left: its agents end as they would at the end of the run.

@@ -1,11 +1,13 @@
 package rsal.engine.report;
 
 import java.time.Duration;
+import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import rsal.agent.bdi.Mind;
 import rsal.data.OccupancyGrid;
+import rsal.settings.Suggestion;
 import rsal.system.ExportedDevice;
 
 /// What became of an operator's command.
@@ -100,5 +102,13 @@ public sealed interface Answer {
     }
 
     /// @param why a sentence for people
-    record Refused(String why) implements Answer {}
+    record Refused(String why) implements Answer {
+        /// There is no agent of this name.
+        ///
+        /// @param known names of those that there are
+        public static Refused noAgent(String name, Collection<String> known) {
+            String remedy = Suggestion.among(name, known.stream().sorted().toList());
+            return new Refused("There is no agent '%s'. %s".formatted(name, remedy));
+        }
+    }
 }
