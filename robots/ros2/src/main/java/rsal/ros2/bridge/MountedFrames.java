@@ -31,11 +31,11 @@ final class MountedFrames {
 
     void publish(Instant time) {
         publication.publish(messages.transforms(mounts.entrySet().stream()
-                        .map(each -> new Transform(
-                                time,
-                                each.getValue().base(),
-                                each.getKey(),
-                                each.getValue().baseFromFrame()))
-                        .toList()));
+                .map(each -> new Transform(
+                        time,
+                        each.getValue().base(),
+                        each.getKey(),
+                        each.getValue().baseFromFrame()))
+                .toList()));
     }
 }

@@ -7,8 +7,8 @@ import java.util.List;
 import rsal.ros2.cdr.CdrWriter;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
-import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.link.RosLink.ServiceClient;
+import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.link.RosTopic;
 
 /// Tells a robot itself that its motors are to be off, as after an emergency stop, so that it stands still whatever

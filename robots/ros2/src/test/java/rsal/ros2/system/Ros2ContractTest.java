@@ -11,6 +11,8 @@ import rsal.system.RobotSystemProvider;
 import rsal.testkit.contract.BatteryContract;
 import rsal.testkit.contract.DeviceContract;
 import rsal.testkit.contract.DriveBaseContract;
+import rsal.testkit.contract.GripperContract;
+import rsal.testkit.contract.ImuContract;
 import rsal.testkit.contract.LaserScannerContract;
 import rsal.testkit.contract.LocalizerContract;
 import rsal.testkit.contract.NavigatorContract;
@@ -120,6 +122,22 @@ class Ros2ContractTest {
         @Override
         protected Map<String, String> parts() {
             return Map.of("navigator", "own-navigator");
+        }
+    }
+
+    @Nested
+    class Inertial extends ImuContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverRos();
+        }
+    }
+
+    @Nested
+    class ClosingGripper extends GripperContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverRos();
         }
     }
 }
