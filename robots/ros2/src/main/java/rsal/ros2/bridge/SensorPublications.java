@@ -1,6 +1,7 @@
 package rsal.ros2.bridge;
 
 import java.util.List;
+import rsal.device.BlobFinder;
 import rsal.device.Device;
 import rsal.device.Gripper;
 import rsal.device.imu.Imu;
@@ -9,7 +10,8 @@ import rsal.device.imu.Imu;
 final class SensorPublications {
     private static final List<Kind<?>> ALL = List.of(
             new Kind<>(Imu.class, ImuPublication::begin),
-            new Kind<>(Gripper.class, GripperPublication::begin));
+            new Kind<>(Gripper.class, GripperPublication::begin),
+            new Kind<>(BlobFinder.class, BlobsPublication::begin));
 
     private SensorPublications() {}
 

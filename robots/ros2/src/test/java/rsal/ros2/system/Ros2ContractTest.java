@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import rsal.device.Mapper;
 import rsal.system.RobotSystemProvider;
 import rsal.testkit.contract.BatteryContract;
+import rsal.testkit.contract.BlobFinderContract;
 import rsal.testkit.contract.DeviceContract;
 import rsal.testkit.contract.DriveBaseContract;
 import rsal.testkit.contract.GripperContract;
@@ -135,6 +136,14 @@ class Ros2ContractTest {
 
     @Nested
     class ClosingGripper extends GripperContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverRos();
+        }
+    }
+
+    @Nested
+    class Blobs extends BlobFinderContract {
         @Override
         protected RobotSystemProvider provider() {
             return new OverRos();
