@@ -6,6 +6,7 @@ import rsal.testkit.contract.ActuatorContract;
 import rsal.testkit.contract.BatteryContract;
 import rsal.testkit.contract.BlobFinderContract;
 import rsal.testkit.contract.BumperContract;
+import rsal.testkit.contract.CameraContract;
 import rsal.testkit.contract.CarDriveContract;
 import rsal.testkit.contract.DriveBaseContract;
 import rsal.testkit.contract.FiducialFinderContract;
@@ -134,6 +135,14 @@ class SimContractTest {
 
     @Nested
     class Inertial extends ImuContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new SimProvider();
+        }
+    }
+
+    @Nested
+    class ImageCamera extends CameraContract {
         @Override
         protected RobotSystemProvider provider() {
             return new SimProvider();

@@ -8,7 +8,7 @@ import rsal.robot.RobotModel.Part;
 /// Parts of models that become devices by topics, beside those that [RosRobot] itself knows.
 final class RosParts {
     private static final List<Maker> ALL =
-            List.of(new ImuMaker(), new GripperMaker(), new BlobFinderMaker());
+            List.of(new ImuMaker(), new GripperMaker(), new BlobFinderMaker(), new CameraMaker());
 
     private RosParts() {}
 

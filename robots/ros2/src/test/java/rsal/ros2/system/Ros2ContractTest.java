@@ -10,6 +10,7 @@ import rsal.device.Mapper;
 import rsal.system.RobotSystemProvider;
 import rsal.testkit.contract.BatteryContract;
 import rsal.testkit.contract.BlobFinderContract;
+import rsal.testkit.contract.CameraContract;
 import rsal.testkit.contract.DeviceContract;
 import rsal.testkit.contract.DriveBaseContract;
 import rsal.testkit.contract.GripperContract;
@@ -128,6 +129,14 @@ class Ros2ContractTest {
 
     @Nested
     class Inertial extends ImuContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverRos();
+        }
+    }
+
+    @Nested
+    class ImageCamera extends CameraContract {
         @Override
         protected RobotSystemProvider provider() {
             return new OverRos();
