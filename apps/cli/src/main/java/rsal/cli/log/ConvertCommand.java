@@ -17,10 +17,11 @@ import rsal.world.yaml.YamlFormat;
 /// `rsal convert`
 @Command(
         name = "convert",
-        description = "Convert a world of Stage or Gazebo to YAML, with its floor plans as images beside it. Or convert any"
-                + " world or scenario for Gazebo (OUT.sdf), with its robots, and a configuration for ros_gz_bridge beside"
-                + " it. Or convert a robot description of ROS (URDF) to a robot model, with parts for its lasers beside"
-                + " it. Or convert the log of a robot: a bag of ROS 2 to a log of CARMEN, and the reverse.")
+        description =
+                "Convert a world of Stage or Gazebo to YAML, with its floor plans as images beside it. Or convert any"
+                        + " world or scenario for Gazebo (OUT.sdf), with its robots, and a configuration for ros_gz_bridge beside"
+                        + " it. Or convert a robot description of ROS (URDF) to a robot model, with parts for its lasers beside"
+                        + " it. Or convert the log of a robot: a bag of ROS 2 to a log of CARMEN, and the reverse.")
 public final class ConvertCommand extends Subcommand {
     @Parameters(
             index = "0",

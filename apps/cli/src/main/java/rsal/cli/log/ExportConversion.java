@@ -19,7 +19,8 @@ public final class ExportConversion implements Conversion {
 
     @Override
     public boolean accepts(String file, Optional<String> out) {
-        return !file.endsWith(ModelConversion.URDF) && out.flatMap(SceneExport::of).isPresent();
+        return !file.endsWith(ModelConversion.URDF)
+                && out.flatMap(SceneExport::of).isPresent();
     }
 
     @Override

@@ -30,7 +30,8 @@ public final class WorldConversion implements Conversion {
 
     @Override
     public boolean accepts(String file, Optional<String> out) {
-        return WORLDS.stream().anyMatch(file::endsWith) && out.flatMap(SceneExport::of).isEmpty();
+        return WORLDS.stream().anyMatch(file::endsWith)
+                && out.flatMap(SceneExport::of).isEmpty();
     }
 
     @Override

@@ -91,12 +91,12 @@ final class PublishedRobot {
         ends.add(sensors::close);
         sensors.begin();
         robot.find(DriveBase.class).ifPresent(this::takeVelocities);
-        var desk = new ServedDevices.Desk(outlet, link, () -> new Services(link, TYPES, requests), scheduler);
+        var desk = new GoalServers.Desk(outlet, link, () -> new Services(link, TYPES, requests), scheduler);
         for (Device device : robot.devices()) {
             switch (device) {
                 case Localizer localizer -> takePoses(localizer);
                 case Navigator navigator -> serve(navigator);
-                default -> ServedDevices.serve(device, desk).forEach(this::add);
+                default -> GoalServers.serve(device, desk).forEach(this::add);
             }
         }
     }
@@ -173,7 +173,7 @@ final class PublishedRobot {
         ends.add(node::close);
     }
 
-    private void add(ServedDevices.Served served) {
+    private void add(GoalServers.Served served) {
         offer(served.device(), served.name());
         ends.add(served.close());
     }

@@ -10,10 +10,10 @@ import rsal.ros2.link.RosLink;
 import rsal.time.Scheduler;
 
 /// Kinds of devices that take goals of others if a robot has them, beside those that [PublishedRobot] itself knows.
-final class ServedDevices {
-    private static final List<Kind<?>> ALL = List.of(new Kind<>(Gripper.class, ServedDevices::serve));
+final class GoalServers {
+    private static final List<Kind<?>> ALL = List.of(new Kind<>(Gripper.class, GoalServers::serve));
 
-    private ServedDevices() {}
+    private GoalServers() {}
 
     /// Where goals come in.
     ///
