@@ -19,10 +19,15 @@ public record Ended(int code, String out, String err) {
 
     /// Waits for the end, with nothing more to read for the process.
     static Ended of(Process process) throws Exception {
+        return of(process, PATIENCE_SECONDS);
+    }
+
+    /// @param patience how long it may take [s]
+    static Ended of(Process process, int patience) throws Exception {
         var out = CompletableFuture.supplyAsync(() -> text(process.getInputStream()));
         var err = CompletableFuture.supplyAsync(() -> text(process.getErrorStream()));
         process.getOutputStream().close();
-        boolean ended = process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS);
+        boolean ended = process.waitFor(patience, TimeUnit.SECONDS);
         if (!ended) {
             process.destroyForcibly();
         }

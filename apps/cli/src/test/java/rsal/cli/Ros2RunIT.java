@@ -20,6 +20,8 @@ import tools.jackson.databind.json.JsonMapper;
 /// drives them.
 @Timeout(value = 5, unit = TimeUnit.MINUTES)
 class Ros2RunIT {
+    private static final int PATIENCE = 270; // s, of a run in real time
+
     @TempDir
     Path folder;
 
@@ -29,23 +31,38 @@ class Ros2RunIT {
         return new Rsal(folder).inEnvironment(Map.of("ROS_DOMAIN_ID", Long.toString(domain)));
     }
 
-    /// What the agents' process says, of a hunt for so many seconds.
-    private JsonNode hunt(List<String> more) throws Exception {
-        Process robots = rsal().start("bridge", "ros2", "hunt-and-prey", "--no-agents", "--seed", "7", "--json");
+    /// What the agents' process says of a run that the bridge's robots drive.
+    ///
+    /// @param settings of both processes
+    /// @param offered names of some that the bridge offers
+    /// @param more options of the run
+    private JsonNode run(String scenario, List<String> settings, List<String> offered, List<String> more)
+            throws Exception {
+        var bridge = new ArrayList<>(List.of("bridge", "ros2", scenario, "--no-agents", "--json"));
+        bridge.addAll(settings);
+        Process robots = rsal().start(bridge.toArray(String[]::new));
         try (BufferedReader told = robots.inputReader()) {
             JsonNode offers = JsonMapper.shared().readTree(told.readLine()).get("offers");
             assertThat(offers.valueStream().map(offer -> offer.get("name").asString()))
-                    .contains("/prey_1/odom", "/hunter_1/scan", "/hunter_2/cmd_vel");
-            var command = new ArrayList<>(
-                    List.of("run", "hunt-and-prey:ros2", "--seed", "7", "--headless", "--arm", "--json"));
+                    .containsAll(offered);
+            var command = new ArrayList<>(List.of("run", scenario + ":ros2", "--headless", "--arm", "--json"));
+            command.addAll(settings);
             command.addAll(more);
-            Ended hunt = rsal().run(command.toArray(String[]::new));
-            assertThat(hunt.code()).as(hunt.err()).isEqualTo(Exit.SUCCESS);
-            return JsonMapper.shared().readTree(hunt.out());
+            Ended run = Ended.of(rsal().start(command.toArray(String[]::new)), PATIENCE);
+            assertThat(run.code()).as(run.err()).isEqualTo(Exit.SUCCESS);
+            return JsonMapper.shared().readTree(run.out());
         } finally {
             Ended.signal("INT", robots);
             assertThat(robots.waitFor()).isEqualTo(130);
         }
+    }
+
+    private JsonNode hunt(List<String> more) throws Exception {
+        return run(
+                "hunt-and-prey",
+                List.of("--seed", "7"),
+                List.of("/prey_1/odom", "/hunter_1/scan", "/hunter_2/cmd_vel"),
+                more);
     }
 
     @Test
@@ -62,6 +79,19 @@ class Ros2RunIT {
     @LongTest
     void huntersCatchTheirPrey() throws Exception {
         assertThat(hunt(List.of()).get("outcome").asString()).isEqualTo("success");
+    }
+
+    /// With cameras and a gripper; the can is counted by its simulated twin in the agents' process.
+    @Test
+    @LongTest
+    void aCollectorBringsWhatAnExplorerFinds() throws Exception {
+        JsonNode result = run(
+                "find-and-collect",
+                List.of("--seed", "2", "--set", "cans=1", "--set", "collectors=1"),
+                List.of("/collector_1/gripper_controller/gripper_cmd", "/explorer_1/camera/detections"),
+                List.of());
+        assertThat(result.get("outcome").asString()).isEqualTo("success");
+        assertThat(result.get("metrics").get("collected").asDouble()).isEqualTo(1);
     }
 
     @Test

@@ -6,10 +6,12 @@ import rsal.testkit.contract.ActuatorContract;
 import rsal.testkit.contract.BatteryContract;
 import rsal.testkit.contract.BlobFinderContract;
 import rsal.testkit.contract.BumperContract;
+import rsal.testkit.contract.CameraContract;
 import rsal.testkit.contract.CarDriveContract;
 import rsal.testkit.contract.DriveBaseContract;
 import rsal.testkit.contract.FiducialFinderContract;
 import rsal.testkit.contract.GripperContract;
+import rsal.testkit.contract.ImuContract;
 import rsal.testkit.contract.LaserScannerContract;
 import rsal.testkit.contract.LightContract;
 import rsal.testkit.contract.OmnidirectionalDriveContract;
@@ -125,6 +127,22 @@ class SimContractTest {
 
     @Nested
     class Actuator extends ActuatorContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new SimProvider();
+        }
+    }
+
+    @Nested
+    class Inertial extends ImuContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new SimProvider();
+        }
+    }
+
+    @Nested
+    class ImageCamera extends CameraContract {
         @Override
         protected RobotSystemProvider provider() {
             return new SimProvider();

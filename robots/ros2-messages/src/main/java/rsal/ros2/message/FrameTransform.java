@@ -12,6 +12,9 @@ import rsal.ros2.cdr.RosMessage;
 public record FrameTransform(double x, double y, double z, Quaternion rotation) {
     public static final FrameTransform NONE = new FrameTransform(0, 0, 0, new Quaternion(0, 0, 0, 1));
 
+    /// Where the optical frame of a camera (x to the right, y down, z ahead) is in one with x ahead (REP 103).
+    public static final FrameTransform OPTICAL = new FrameTransform(0, 0, 0, new Quaternion(-0.5, 0.5, -0.5, 0.5));
+
     /// @param message `geometry_msgs/Transform` or `geometry_msgs/Pose`
     /// @param translation name of its first field
     /// @param rotation name of its second field
@@ -61,18 +64,20 @@ public record FrameTransform(double x, double y, double z, Quaternion rotation) 
     /// A rotation in space.
     public record Quaternion(double x, double y, double z, double w) {
         /// Of length 1; none at all where it has none, as of messages that nobody filled.
-        Quaternion unit() {
+        public Quaternion unit() {
             double length = Math.sqrt(x * x + y * y + z * z + w * w);
             return length == 0
                     ? new Quaternion(0, 0, 0, 1)
                     : new Quaternion(x / length, y / length, z / length, w / length);
         }
 
-        Quaternion conjugate() {
+        /// The rotation back.
+        public Quaternion conjugate() {
             return new Quaternion(-x, -y, -z, w);
         }
 
-        Quaternion times(Quaternion other) {
+        /// First the other one, then this.
+        public Quaternion times(Quaternion other) {
             return new Quaternion(
                     w * other.x + x * other.w + y * other.z - z * other.y,
                     w * other.y - x * other.z + y * other.w + z * other.x,
@@ -80,7 +85,8 @@ public record FrameTransform(double x, double y, double z, Quaternion rotation) 
                     w * other.w - x * other.x - y * other.y - z * other.z);
         }
 
-        double[] rotated(double vx, double vy, double vz) {
+        /// A vector after it: x, y, z.
+        public double[] rotated(double vx, double vy, double vz) {
             Quaternion turned = times(new Quaternion(vx, vy, vz, 0)).times(conjugate());
             return new double[] {turned.x, turned.y, turned.z};
         }

@@ -21,6 +21,7 @@ public final class TypeLibrary {
     private static final List<String> PACKAGES = List.of(
             "action_msgs",
             "builtin_interfaces",
+            "control_msgs",
             "diagnostic_msgs",
             "geographic_msgs",
             "geometry_msgs",

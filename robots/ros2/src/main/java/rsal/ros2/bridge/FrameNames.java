@@ -24,4 +24,9 @@ record FrameNames(String prefix) {
     String sensor(String name) {
         return prefix + name;
     }
+
+    /// That of a camera with its z axis ahead (REP 103).
+    String optical(String name) {
+        return prefix + name + "_optical_frame";
+    }
 }

@@ -79,16 +79,24 @@ final class PublishedRobot {
         Publication fixed = advertise("tf_static", TRANSFORMS, Profile.LATCHED);
         Publication map = advertise("map", "nav_msgs/msg/OccupancyGrid", Profile.LATCHED);
         map.publish(new RosMessages().map(scheduler.instant(), context.map(), FrameNames.PLAIN.map()));
-        var sensors = new RobotPublications(
-                robot, link, namespace, FrameNames.PLAIN, transforms, new MountedFrames(fixed), this::offer);
+        var outlet = new RobotOutlet(
+                robot,
+                link,
+                namespace,
+                FrameNames.PLAIN,
+                new MountedFrames(fixed),
+                this::offer,
+                new Hearers(link, scheduler)::isHeard);
+        var sensors = new RobotPublications(outlet, transforms);
         ends.add(sensors::close);
         sensors.begin();
         robot.find(DriveBase.class).ifPresent(this::takeVelocities);
+        var desk = new GoalServers.Desk(outlet, link, () -> new Services(link, TYPES, requests), scheduler);
         for (Device device : robot.devices()) {
             switch (device) {
                 case Localizer localizer -> takePoses(localizer);
                 case Navigator navigator -> serve(navigator);
-                default -> {}
+                default -> GoalServers.serve(device, desk).forEach(this::add);
             }
         }
     }
@@ -163,6 +171,11 @@ final class PublishedRobot {
         ends.add(new PublishedNavigator(
                 navigator, node.link(), new Services(node.link(), TYPES, requests), name, scheduler)::close);
         ends.add(node::close);
+    }
+
+    private void add(GoalServers.Served served) {
+        offer(served.device(), served.name());
+        ends.add(served.close());
     }
 
     /// Whose state Nav2's programs ask for before they send goals.

@@ -70,7 +70,8 @@ final class RecordedRobots implements Bridge {
     public List<ExportedDevice> join(Robot robot) {
         String namespace = RosNetwork.namespace(robot.id());
         var names = new FrameNames(namespace.substring(1) + "/");
-        var sensors = new RobotPublications(robot, bag, namespace, names, transforms, mounted, (_, _) -> {});
+        var outlet = new RobotOutlet(robot, bag, namespace, names, mounted, (_, _) -> {}, _ -> true);
+        var sensors = new RobotPublications(outlet, transforms);
         robots.put(robot.id(), sensors);
         truths.put(
                 robot.id(),

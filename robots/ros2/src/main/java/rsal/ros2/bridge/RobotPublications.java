@@ -4,7 +4,6 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.BiConsumer;
 import rsal.data.LaserScan;
 import rsal.data.Odometry;
 import rsal.data.Pose2d;
@@ -19,9 +18,7 @@ import rsal.device.Localizer;
 import rsal.device.SonarArray;
 import rsal.robot.Robot;
 import rsal.ros2.link.Profile;
-import rsal.ros2.link.RosPublisher;
 import rsal.ros2.link.RosPublisher.Publication;
-import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.FrameTransform;
 import rsal.ros2.message.RosMessages;
 import rsal.ros2.message.RosMessages.Transform;
@@ -29,34 +26,19 @@ import rsal.ros2.message.RosMessages.Transform;
 /// What a robot of ours senses, as topics in its namespace; on a network and in recordings alike.
 final class RobotPublications {
     private final Robot robot;
-    private final RosPublisher link;
-    private final String namespace;
+    private final RobotOutlet outlet;
     private final FrameNames frames;
     private final Publication transforms;
-    private final MountedFrames mounted;
-    private final BiConsumer<Device, String> published;
     private final RosMessages messages = new RosMessages();
-    private final List<Runnable> ends = new ArrayList<>();
     private Optional<Pose2d> odomFromBase = Optional.empty();
 
+    /// @param outlet which this closes
     /// @param transforms where its frames are told that move
-    /// @param mounted where its frames are told that don't
-    /// @param published is told the name of each topic, without the namespace
-    RobotPublications(
-            Robot robot,
-            RosPublisher link,
-            String namespace,
-            FrameNames frames,
-            Publication transforms,
-            MountedFrames mounted,
-            BiConsumer<Device, String> published) {
-        this.robot = robot;
-        this.link = link;
-        this.namespace = namespace;
-        this.frames = frames;
+    RobotPublications(RobotOutlet outlet, Publication transforms) {
+        this.outlet = outlet;
+        this.robot = outlet.robot();
+        this.frames = outlet.frames();
         this.transforms = transforms;
-        this.mounted = mounted;
-        this.published = published;
     }
 
     /// Begins with all of its devices.
@@ -72,21 +54,14 @@ final class RobotPublications {
                 case SonarArray sonars -> publish(sonars);
                 case Battery battery -> publish(battery);
                 case Localizer localizer -> publish(localizer);
-                default -> {}
+                default -> SensorPublications.begin(device, outlet);
             }
         }
     }
 
-    private Publication advertise(Device device, String name, String type, Profile profile) {
-        Publication publication = link.advertise(new RosTopic(namespace + "/" + name, type), profile);
-        ends.add(publication::close);
-        published.accept(device, name);
-        return publication;
-    }
-
     private void publish(DriveBase base) {
-        Publication odometry = advertise(base, "odom", "nav_msgs/msg/Odometry", Profile.DEFAULT);
-        ends.add(base.subscribe(reading -> tellOdometry(odometry, reading))::cancel);
+        Publication odometry = outlet.advertise(base, "odom", "nav_msgs/msg/Odometry", Profile.DEFAULT);
+        outlet.keep(base.subscribe(reading -> tellOdometry(odometry, reading)));
     }
 
     private void tellOdometry(Publication odometry, Stamped<Odometry> reading) {
@@ -101,22 +76,13 @@ final class RobotPublications {
     }
 
     private void publish(LaserScanner laser, String name) {
-        Publication scans = advertise(laser, name, "sensor_msgs/msg/LaserScan", Profile.DEFAULT);
-        ends.add(laser.subscribe(reading -> tellScan(scans, laser.info().name(), reading))::cancel);
-    }
-
-    /// Notes where a sensor is.
-    ///
-    /// @param name the device's; of sonars with a number
-    /// @return whether that is new, so that it is to be published
-    private boolean mount(String name, Pose2d baseFromSensor) {
-        return mounted.put(
-                frames.base(), frames.sensor(name), UrdfWriter.mounting(robot.model(), name, baseFromSensor));
+        Publication scans = outlet.advertise(laser, name, "sensor_msgs/msg/LaserScan", Profile.DEFAULT);
+        outlet.keep(laser.subscribe(reading -> tellScan(scans, laser.info().name(), reading)));
     }
 
     private void tellScan(Publication scans, String name, Stamped<LaserScan> reading) {
-        if (mount(name, reading.value().baseFromLaser())) {
-            mounted.publish(reading.time());
+        if (outlet.mount(name, reading.value().baseFromLaser())) {
+            outlet.publishMounts(reading.time());
         }
         double period = 0; // which no device tells
         scans.publish(messages.scan(reading.time(), reading.value(), frames.sensor(name), period));
@@ -124,33 +90,34 @@ final class RobotPublications {
 
     private void publish(SonarArray sonars) {
         var publications = new ArrayList<Publication>(); // one for each, once it is known how many there are
-        ends.add(sonars.subscribe(reading -> {
+        outlet.keep(sonars.subscribe(reading -> {
             RangeArray ranges = reading.value();
             boolean isNew = false;
             for (int i = 0; i < ranges.count(); i++) {
                 String name = "%s_%d".formatted(sonars.info().name(), i);
                 if (i == publications.size()) {
-                    publications.add(advertise(sonars, name, "sensor_msgs/msg/Range", Profile.DEFAULT));
+                    publications.add(outlet.advertise(sonars, name, "sensor_msgs/msg/Range", Profile.DEFAULT));
                 }
-                isNew |= mount(name, ranges.baseFromSensors().get(i));
+                isNew |= outlet.mount(name, ranges.baseFromSensors().get(i));
                 publications.get(i).publish(messages.range(reading.time(), ranges, i, frames.sensor(name)));
             }
             if (isNew) {
-                mounted.publish(reading.time());
+                outlet.publishMounts(reading.time());
             }
-        })::cancel);
+        }));
     }
 
     private void publish(Battery battery) {
-        Publication states = advertise(battery, "battery_state", "sensor_msgs/msg/BatteryState", Profile.DEFAULT);
-        ends.add(battery.subscribe(
-                reading -> states.publish(messages.battery(reading.time(), reading.value(), frames.base())))::cancel);
+        Publication states =
+                outlet.advertise(battery, "battery_state", "sensor_msgs/msg/BatteryState", Profile.DEFAULT);
+        outlet.keep(battery.subscribe(
+                reading -> states.publish(messages.battery(reading.time(), reading.value(), frames.base()))));
     }
 
     private void publish(Localizer localizer) {
-        Publication poses =
-                advertise(localizer, "amcl_pose", "geometry_msgs/msg/PoseWithCovarianceStamped", Profile.LATCHED);
-        ends.add(localizer.subscribe(reading -> tellPose(poses, reading))::cancel);
+        Publication poses = outlet.advertise(
+                localizer, "amcl_pose", "geometry_msgs/msg/PoseWithCovarianceStamped", Profile.LATCHED);
+        outlet.keep(localizer.subscribe(reading -> tellPose(poses, reading)));
     }
 
     private void tellPose(Publication poses, Stamped<PoseEstimate> reading) {
@@ -163,6 +130,6 @@ final class RobotPublications {
     }
 
     void close() {
-        ends.forEach(Runnable::run);
+        outlet.close();
     }
 }

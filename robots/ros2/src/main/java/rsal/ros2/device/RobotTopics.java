@@ -46,6 +46,16 @@ public record RobotTopics(String namespace, List<RosEndpoint> all) {
                 .toList();
     }
 
+    /// A topic of a type that somebody publishes: that of a device's name if there is one, else the usual one, else the
+    /// first one.
+    ///
+    /// @param type that somebody publishes
+    RosTopic named(String type, String device, String usual) {
+        List<RosTopic> own = published(type, device);
+        var wanted = new RosTopic(namespace + "/" + device, type);
+        return own.contains(wanted) ? wanted : published(type, usual).getFirst();
+    }
+
     /// A topic of that name that somebody subscribes to, of the first of these types that there is.
     Optional<RosTopic> subscribed(String name, List<String> types) {
         return types.stream()

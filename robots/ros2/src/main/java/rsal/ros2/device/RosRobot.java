@@ -58,6 +58,7 @@ public final class RosRobot {
     private final Subscribed driven;
     private final Map<RosSensor<?>, Subscribed> sensors = new LinkedHashMap<>();
     private final List<Device> devices = new ArrayList<>();
+    private final List<RosDevice> registered = new ArrayList<>();
     private final List<RosNavigator> navigators = new ArrayList<>(); // one at most
     private final List<Runnable> others = new ArrayList<>(); // close what is no sensor's
     private final List<Consumer<OdometryMessage>> drivenListeners = new ArrayList<>();
@@ -77,7 +78,7 @@ public final class RosRobot {
     }
 
     /// Sensors of its model that it does not publish, by name: the robot is used without them.
-    public static List<String> without(RobotSpec spec, RobotTopics topics) {
+    public static List<String> without(RobotSpec spec, RobotTopics topics, RosSettings settings) {
         var without = new ArrayList<String>();
         int lasers = 0;
         for (Map.Entry<String, Part> part : spec.model().sensors().entrySet()) {
@@ -88,7 +89,10 @@ public final class RosRobot {
                 case Part.Sonars sonars ->
                     topics.published(RANGE, "").size()
                             >= sonars.baseFromSensors().size();
-                default -> true;
+                default ->
+                    RosParts.maker(part.getValue())
+                            .map(maker -> maker.isThere(part.getKey(), part.getValue(), topics, settings))
+                            .orElse(true);
             };
             if (!isThere) {
                 without.add(part.getKey());
@@ -102,7 +106,7 @@ public final class RosRobot {
         return switch (part) {
             case Part.Laser _, Part.Sonars _, Part.Battery _ -> true;
             case Part.Own own -> OWN.contains(own.makes());
-            default -> false;
+            default -> RosParts.maker(part).isPresent();
         };
     }
 
@@ -113,9 +117,10 @@ public final class RosRobot {
             RobotTopics topics,
             RosLink link,
             TypeLibrary types,
-            Safety safety,
+            RosSettings settings,
             Scheduler scheduler,
             RandomGenerator random) {
+        Safety safety = settings.safety();
         this.spec = spec;
         this.topics = topics;
         this.link = link;
@@ -150,7 +155,8 @@ public final class RosRobot {
                 topics.ownOrShared("tf_static", TRANSFORMS),
                 Profile.LATCHED,
                 inbox(TRANSFORMS, TRANSFORMS_WAITING, frames::addFixed))::close);
-        List<String> without = without(spec, topics);
+        List<String> without = without(spec, topics, settings);
+        var context = new RosContext(topics, link, types, scheduler, frames, clock, base, settings.gripper(), random);
         int lasers = 0;
         for (Map.Entry<String, Part> part : spec.model().sensors().entrySet()) {
             if (without.contains(part.getKey())) {
@@ -164,7 +170,11 @@ public final class RosRobot {
                 case Part.Own own when own.makes().equals(Navigator.class) -> addNavigator(info, random);
                 case Part.Own own when own.makes().equals(Mapper.class) -> addMap(info);
                 case Part.Own _ -> addLocalizer(info);
-                default -> throw new IllegalArgumentException("'%s' is refused before.".formatted(part.getKey()));
+                default ->
+                    add(RosParts.maker(part.getValue())
+                            .orElseThrow(() ->
+                                    new IllegalArgumentException("'%s' is refused before.".formatted(part.getKey())))
+                            .make(info, part.getValue(), context));
             }
         }
     }
@@ -172,6 +182,11 @@ public final class RosRobot {
     private void add(RosSensor<?> device, Subscribed subscription) {
         sensors.put(device, subscription);
         devices.add(device);
+    }
+
+    private void add(RosDevice made) {
+        registered.add(made);
+        devices.add(made.device());
     }
 
     private Inbox<OdometryMessage> odometryInbox() {
@@ -273,6 +288,7 @@ public final class RosRobot {
     public boolean look(Instant now) {
         base.drive(now);
         navigators.forEach(navigator -> navigator.look(now));
+        registered.forEach(made -> made.look().accept(now));
         sensors.forEach((sensor, subscription) -> sensor.look(now, subscription.publishers()));
         return driven.publishers() > 0;
     }
@@ -280,6 +296,7 @@ public final class RosRobot {
     /// Stops it, for good.
     public void end() {
         navigators.forEach(RosNavigator::end);
+        registered.forEach(made -> made.close().run());
         base.end();
         sensors.values().forEach(Subscribed::close);
         others.forEach(Runnable::run);

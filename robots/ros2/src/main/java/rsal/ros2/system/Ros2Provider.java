@@ -8,11 +8,14 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
+import rsal.ros2.device.GripperSettings;
 import rsal.ros2.device.RosRobot;
+import rsal.ros2.device.RosSettings;
 import rsal.ros2.device.Safety;
 import rsal.ros2.link.RosEnvironment;
 import rsal.ros2.link.RosNetwork;
@@ -76,6 +79,26 @@ public final class Ros2Provider implements RobotSystemProvider {
             "A service of type std_srvs/SetBool in each robot's namespace. It is called with true when the robot's motors"
                     + " are switched off, and with false when they are switched on. Default: none.");
 
+    private static final Parameter<String> GRIPPER_ACTION = Parameter.text(
+            "gripperAction",
+            GripperSettings.USUAL.action(),
+            "The action (control_msgs/GripperCommand) of a gripper's paddles, in each robot's namespace.");
+    private static final Parameter<String> GRIPPER_JOINT = Parameter.text(
+            "gripperJoint", GripperSettings.USUAL.joint(), "The joint of the paddles, as joint_states names it.");
+    private static final Parameter<String> GRIPPER_POSITIONS = Parameter.text(
+            "gripperPositions",
+            "",
+            "Positions of that joint when the paddles are open and when they are closed, such as 0.025 -0.015. Default: the"
+                    + " opening of the robot's model, and 0.");
+    private static final Parameter<Double> GRIPPER_EFFORT = Parameter.number(
+            "gripperEffort", 0, 0, 10_000, "N", "The greatest effort of a gripper; 0 for the controller's own.");
+    private static final Parameter<String> LIFT_ACTION = Parameter.text(
+            "liftAction",
+            GripperSettings.USUAL.liftAction(),
+            "The action (control_msgs/GripperCommand) of a gripper's lift, in each robot's namespace, if it has one.");
+    private static final Parameter<String> LIFT_JOINT = Parameter.text(
+            "liftJoint", GripperSettings.USUAL.liftJoint(), "The joint of the lift, as joint_states names it.");
+
     @Override
     public String key() {
         return "ros2";
@@ -102,7 +125,13 @@ public final class Ros2Provider implements RobotSystemProvider {
                 RealRobots.WATCHDOG,
                 RealRobots.ARMED,
                 STOP_TOPIC,
-                STOP_SERVICE);
+                STOP_SERVICE,
+                GRIPPER_ACTION,
+                GRIPPER_JOINT,
+                GRIPPER_POSITIONS,
+                GRIPPER_EFFORT,
+                LIFT_ACTION,
+                LIFT_JOINT);
     }
 
     @Override
@@ -120,7 +149,7 @@ public final class Ros2Provider implements RobotSystemProvider {
                     problems.add(new Problem(
                             robot.id(),
                             "model",
-                            "Robots of ROS 2 can't have its '%s' yet: lasers, sonars, batteries, maps, localizers, navigators are."
+                            "Robots of ROS 2 can't have '%s'. They can have lasers, sonars, IMUs, batteries, cameras, blob detectors, grippers, maps, localizers, navigators."
                                     .formatted(part.name())));
                 }
             }
@@ -128,6 +157,7 @@ public final class Ros2Provider implements RobotSystemProvider {
         try {
             Map<RobotSpec, String> namespaces = namespaces(settings, config.robots());
             UdpParticipant.Options network = network(settings, NODE);
+            GripperSettings gripper = gripper(settings);
             if (problems.isEmpty()) {
                 Optional<Distribution> distribution = Arrays.stream(Distribution.values())
                         .filter(each -> each.words().equals(settings.get(DISTRIBUTION)))
@@ -136,11 +166,13 @@ public final class Ros2Provider implements RobotSystemProvider {
                         namespaces,
                         () -> RosNetwork.join(network, Distribution.JAZZY, NODE),
                         distribution,
-                        new Safety(
-                                settings.seconds(RealRobots.WATCHDOG),
-                                settings.get(RealRobots.ARMED),
-                                settings.get(STOP_TOPIC),
-                                settings.get(STOP_SERVICE)),
+                        new RosSettings(
+                                new Safety(
+                                        settings.seconds(RealRobots.WATCHDOG),
+                                        settings.get(RealRobots.ARMED),
+                                        settings.get(STOP_TOPIC),
+                                        settings.get(STOP_SERVICE)),
+                                gripper),
                         scheduler,
                         new SecureRandom());
             }
@@ -150,6 +182,38 @@ public final class Ros2Provider implements RobotSystemProvider {
             problems.add(new Problem(robot, "mrs", String.valueOf(e.getMessage())));
         }
         throw new InvalidRobots(problems);
+    }
+
+    private static GripperSettings gripper(Arguments settings) {
+        Optional<double[]> positions = positions(settings.get(GRIPPER_POSITIONS).strip());
+        return new GripperSettings(
+                settings.get(GRIPPER_ACTION),
+                settings.get(GRIPPER_JOINT),
+                positions.map(both -> OptionalDouble.of(both[0])).orElseGet(OptionalDouble::empty),
+                positions.map(both -> both[1]).orElse(0.0),
+                settings.get(GRIPPER_EFFORT),
+                settings.get(LIFT_ACTION),
+                settings.get(LIFT_JOINT));
+    }
+
+    /// Open and closed; empty when they are not given.
+    private static Optional<double[]> positions(String text) {
+        if (text.isEmpty()) {
+            return Optional.empty();
+        }
+        try {
+            double[] both = Arrays.stream(text.split("\\s+", -1))
+                    .mapToDouble(Double::parseDouble)
+                    .toArray();
+            if (both.length == 2 && Double.isFinite(both[0] + both[1]) && both[0] != both[1]) {
+                return Optional.of(both);
+            }
+        } catch (NumberFormatException _) {
+            // the same message as for too many numbers
+        }
+        throw new IllegalArgumentException(
+                "'gripperPositions' must be two different numbers, open and closed, such as 0.025 -0.015, not '%s'."
+                        .formatted(text));
     }
 
     /// @param node as tools show it

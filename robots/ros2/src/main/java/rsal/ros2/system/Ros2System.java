@@ -22,7 +22,7 @@ import rsal.robot.Robot;
 import rsal.robot.RobotSpec;
 import rsal.ros2.device.RobotTopics;
 import rsal.ros2.device.RosRobot;
-import rsal.ros2.device.Safety;
+import rsal.ros2.device.RosSettings;
 import rsal.ros2.link.RosEndpoint;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.type.Distribution;
@@ -41,7 +41,7 @@ final class Ros2System implements RobotSystem {
     private final Map<RobotSpec, String> namespaces;
     private final Opening opening;
     private final Optional<Distribution> distribution;
-    private final Safety safety;
+    private final RosSettings settings;
     private final Scheduler scheduler;
     private final RandomGenerator random;
     private final Map<RobotSpec, RosRobot> found = new LinkedHashMap<>();
@@ -70,13 +70,13 @@ final class Ros2System implements RobotSystem {
             Map<RobotSpec, String> namespaces,
             Opening opening,
             Optional<Distribution> distribution,
-            Safety safety,
+            RosSettings settings,
             Scheduler scheduler,
             RandomGenerator random) {
         this.namespaces = namespaces;
         this.opening = opening;
         this.distribution = distribution;
-        this.safety = safety;
+        this.settings = settings;
         this.scheduler = scheduler;
         this.random = random;
     }
@@ -155,7 +155,7 @@ final class Ros2System implements RobotSystem {
     /// Takes a robot when all of its topics are there, or have had their time to appear.
     private void meet(RobotSpec spec, RobotTopics its, RosLink network, Instant now) {
         Instant first = seen.computeIfAbsent(spec, _ -> now);
-        List<String> without = RosRobot.without(spec, its);
+        List<String> without = RosRobot.without(spec, its, settings);
         if (!without.isEmpty() && !now.isAfter(first.plus(SETTLING))) {
             return;
         }
@@ -171,7 +171,7 @@ final class Ros2System implements RobotSystem {
     private RosRobot robot(RobotSpec spec, RobotTopics topics, RosLink network) {
         Distribution its = distribution.orElseGet(() -> topics.distribution(USUAL));
         LOG.log(Level.INFO, () -> "Robot '%s' has messages of %s.".formatted(spec.id(), its.words()));
-        return new RosRobot(spec, topics, network, TypeLibrary.of(its), safety, scheduler, random);
+        return new RosRobot(spec, topics, network, TypeLibrary.of(its), settings, scheduler, random);
     }
 
     private static RobotTopics topics(String namespace, List<RosEndpoint> all) {

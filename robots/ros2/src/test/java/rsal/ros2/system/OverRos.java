@@ -18,6 +18,8 @@ import rsal.robot.Robot;
 import rsal.robot.RobotSpec;
 import rsal.ros2.MemoryNetwork;
 import rsal.ros2.bridge.PublishedRobots;
+import rsal.ros2.device.GripperSettings;
+import rsal.ros2.device.RosSettings;
 import rsal.ros2.device.Safety;
 import rsal.ros2.link.RosNetwork;
 import rsal.settings.Arguments;
@@ -107,7 +109,7 @@ final class OverRos implements RobotSystemProvider {
                     namespaces,
                     network::join,
                     Optional.empty(),
-                    new Safety(WATCHDOG, true, "", ""),
+                    new RosSettings(new Safety(WATCHDOG, true, "", ""), GripperSettings.USUAL),
                     scheduler,
                     new SplittableRandom(1));
             opened.push(remote);

@@ -9,8 +9,12 @@ import org.junit.jupiter.api.Test;
 import rsal.device.Mapper;
 import rsal.system.RobotSystemProvider;
 import rsal.testkit.contract.BatteryContract;
+import rsal.testkit.contract.BlobFinderContract;
+import rsal.testkit.contract.CameraContract;
 import rsal.testkit.contract.DeviceContract;
 import rsal.testkit.contract.DriveBaseContract;
+import rsal.testkit.contract.GripperContract;
+import rsal.testkit.contract.ImuContract;
 import rsal.testkit.contract.LaserScannerContract;
 import rsal.testkit.contract.LocalizerContract;
 import rsal.testkit.contract.NavigatorContract;
@@ -120,6 +124,38 @@ class Ros2ContractTest {
         @Override
         protected Map<String, String> parts() {
             return Map.of("navigator", "own-navigator");
+        }
+    }
+
+    @Nested
+    class Inertial extends ImuContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverRos();
+        }
+    }
+
+    @Nested
+    class ImageCamera extends CameraContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverRos();
+        }
+    }
+
+    @Nested
+    class ClosingGripper extends GripperContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverRos();
+        }
+    }
+
+    @Nested
+    class Blobs extends BlobFinderContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverRos();
         }
     }
 }

@@ -29,6 +29,8 @@ import rsal.ros2.MemoryNetwork;
 import rsal.ros2.cdr.CdrReader;
 import rsal.ros2.cdr.CdrWriter;
 import rsal.ros2.cdr.InvalidCdr;
+import rsal.ros2.device.GripperSettings;
+import rsal.ros2.device.RosSettings;
 import rsal.ros2.device.Safety;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
@@ -100,7 +102,8 @@ class Ros2SystemTest {
                 Map.of(spec(), "/r1"),
                 network::join,
                 Optional.empty(),
-                new Safety(Duration.ofMillis(500), true, "e_stop", "set_e_stop"),
+                new RosSettings(
+                        new Safety(Duration.ofMillis(500), true, "e_stop", "set_e_stop"), GripperSettings.USUAL),
                 run,
                 new SplittableRandom(1));
         system.onChange(changes::add);

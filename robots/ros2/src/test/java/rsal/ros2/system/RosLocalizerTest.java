@@ -22,6 +22,8 @@ import rsal.device.Localizer;
 import rsal.model.RobotModels;
 import rsal.robot.RobotSpec;
 import rsal.ros2.MemoryNetwork;
+import rsal.ros2.device.GripperSettings;
+import rsal.ros2.device.RosSettings;
 import rsal.ros2.device.Safety;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
@@ -64,7 +66,7 @@ class RosLocalizerTest {
                 Map.of(spec, "/r1"),
                 network::join,
                 Optional.empty(),
-                new Safety(Duration.ofMillis(500), true, "", ""),
+                new RosSettings(new Safety(Duration.ofMillis(500), true, "", ""), GripperSettings.USUAL),
                 run,
                 new SplittableRandom(1));
     }

@@ -29,6 +29,8 @@ import rsal.model.RobotModels;
 import rsal.robot.RobotSpec;
 import rsal.ros2.MemoryNetwork;
 import rsal.ros2.cdr.CdrWriter;
+import rsal.ros2.device.GripperSettings;
+import rsal.ros2.device.RosSettings;
 import rsal.ros2.device.Safety;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
@@ -93,7 +95,7 @@ class RosNavigatorTest {
                 Map.of(spec, "/r1"),
                 network::join,
                 Optional.empty(),
-                new Safety(Duration.ofMillis(500), true, "", ""),
+                new RosSettings(new Safety(Duration.ofMillis(500), true, "", ""), GripperSettings.USUAL),
                 run,
                 new SplittableRandom(1));
         var found = system.discover().toCompletableFuture();

@@ -1,0 +1,29 @@
+package rsal.ros2.device;
+
+import rsal.device.DeviceInfo;
+import rsal.robot.RobotModel.Part;
+import rsal.ros2.link.RosTopic;
+
+/// Makes a blob detector of the topic `camera/detections`, of one with the device's name, or of the first one of its
+/// type.
+final class BlobFinderMaker implements RosParts.Maker {
+    private static final String DETECTIONS = "vision_msgs/msg/Detection2DArray";
+    private static final String USUAL = "camera/detections";
+
+    @Override
+    public boolean makes(Part part) {
+        return part instanceof Part.BlobFinder;
+    }
+
+    @Override
+    public boolean isThere(String name, Part part, RobotTopics topics, RosSettings settings) {
+        return !topics.published(DETECTIONS, USUAL).isEmpty();
+    }
+
+    @Override
+    public RosDevice make(DeviceInfo info, Part part, RosContext context) {
+        RosTopic topic = context.topics().named(DETECTIONS, info.name() + "/detections", USUAL);
+        var finder = new RosBlobFinder(info, topic.name(), (Part.BlobFinder) part, context.frames(), context.clock());
+        return RosDevice.of(finder, context.newest(topic, finder::take));
+    }
+}

@@ -1,0 +1,57 @@
+package rsal.ros2.device;
+
+import java.util.List;
+import java.util.Optional;
+import rsal.device.DeviceInfo;
+import rsal.device.camera.Camera;
+import rsal.device.camera.CameraKind;
+import rsal.robot.RobotModel.Part;
+import rsal.ros2.link.RosLink.Subscribed;
+import rsal.ros2.link.RosTopic;
+
+/// Makes a camera of its images: `camera/image_raw`, those below the device's name, or the first ones; with depth if
+/// there is a topic with `depth` in its name.
+final class CameraMaker implements RosParts.Maker {
+    private static final String IMAGE = "sensor_msgs/msg/Image";
+    private static final String INFO = "sensor_msgs/msg/CameraInfo";
+    private static final String DEPTH = "depth";
+
+    @Override
+    public boolean makes(Part part) {
+        return part instanceof Part.Registered registered && registered.makes().equals(Camera.class);
+    }
+
+    @Override
+    public boolean isThere(String name, Part part, RobotTopics topics, RosSettings settings) {
+        return images(name, topics, false).isPresent();
+    }
+
+    /// @param name the device's
+    private static Optional<RosTopic> images(String name, RobotTopics topics, boolean hasDepth) {
+        String image = hasDepth ? "/depth/image_raw" : "/image_raw";
+        var named = new RosTopic(topics.namespace() + "/" + name + image, IMAGE);
+        List<RosTopic> all = topics.published(IMAGE, "camera" + image);
+        return all.contains(named)
+                ? Optional.of(named)
+                : all.stream()
+                        .filter(topic -> topic.name().contains(DEPTH) == hasDepth)
+                        .findFirst();
+    }
+
+    @Override
+    public RosDevice make(DeviceInfo info, Part part, RosContext context) {
+        RosTopic color = images(info.name(), context.topics(), false).orElseThrow();
+        Optional<RosTopic> depth = images(info.name(), context.topics(), true);
+        double focal = CameraKind.focalLength(((Part.Registered) part).arguments());
+        var camera = new RosCamera(info, color.name(), focal, depth.isPresent(), context.frames(), context.clock());
+        Subscribed images = context.newest(color, camera::takeColor);
+        Optional<Subscribed> depths = depth.map(topic -> context.newest(topic, camera::takeDepth));
+        String folder = color.name().substring(0, color.name().lastIndexOf('/') + 1);
+        Subscribed infos = context.newest(new RosTopic(folder + "camera_info", INFO), camera::takeInfo);
+        return new RosDevice(camera, now -> camera.look(now, images.publishers()), () -> {
+            images.close();
+            depths.ifPresent(Subscribed::close);
+            infos.close();
+        });
+    }
+}

@@ -1,0 +1,94 @@
+package rsal.ros2.device;
+
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import rsal.device.DeviceInfo;
+import rsal.device.camera.Camera;
+import rsal.device.camera.CameraImage;
+import rsal.ros2.cdr.RosMessage;
+import rsal.ros2.message.RosMessages;
+
+/// A camera that publishes `sensor_msgs/Image`, in color and, if it can, as depth. An image is one of color with the
+/// one
+/// of depth that was taken with it. Its focal length is that of `sensor_msgs/CameraInfo`, or, as long as none has come,
+/// the model's.
+final class RosCamera extends RosSensor<CameraImage> implements Camera {
+    private static final long TOGETHER = 20_000_000; // ns, between color and depth of one image at most
+
+    private final double usualFocalLength; // px
+    private final boolean hasDepth;
+    private final Frames frames;
+    private final RobotClock clock;
+    private double focalLength; // px; 0 as long as nobody has told
+    private int toldWidth; // px, of images of that focal length
+    private @Nullable Taken color; // without depth yet
+    private @Nullable Taken depth; // without color yet
+
+    /// @param stamp [ns]
+    private record Taken(long stamp, ImageMessage image) {
+        boolean isWith(Taken other) {
+            return Math.abs(stamp - other.stamp) <= TOGETHER;
+        }
+    }
+
+    /// @param topic of its images in color
+    /// @param focalLength of the model [px]
+    /// @param hasDepth whether images of depth are to come
+    RosCamera(DeviceInfo info, String topic, double focalLength, boolean hasDepth, Frames frames, RobotClock clock) {
+        super(info, info.id(), topic);
+        this.usualFocalLength = focalLength;
+        this.hasDepth = hasDepth;
+        this.frames = frames;
+        this.clock = clock;
+    }
+
+    void takeInfo(RosMessage message) {
+        double focal = message.get("k", double[].class)[0];
+        long width = message.integer("width");
+        if (focal > 0 && Double.isFinite(focal) && width > 0 && width <= ImageMessage.LONGEST) {
+            focalLength = focal;
+            toldWidth = (int) width;
+        }
+    }
+
+    void takeColor(RosMessage message) {
+        taken(message).ifPresent(image -> {
+            color = image;
+            join();
+        });
+    }
+
+    void takeDepth(RosMessage message) {
+        taken(message).ifPresent(image -> {
+            depth = image;
+            join();
+        });
+    }
+
+    private static Optional<Taken> taken(RosMessage message) {
+        long stamp = RosMessages.stamp(message.message("header"));
+        return ImageMessage.of(message).map(image -> new Taken(stamp, image));
+    }
+
+    private void join() {
+        Taken colors = color;
+        Taken depths = depth;
+        if (colors == null || (hasDepth && (depths == null || !depths.isWith(colors)))) {
+            return;
+        }
+        int width = colors.image.width();
+        int height = colors.image.height();
+        Optional<byte[]> rgb = colors.image.rgb();
+        if (rgb.isEmpty()) {
+            return;
+        }
+        byte[] millimeters = depths == null
+                ? new byte[2 * width * height]
+                : depths.image.depth(width, height).orElseGet(() -> new byte[2 * width * height]);
+        double focal = focalLength > 0 ? focalLength * width / toldWidth : usualFocalLength;
+        color = null;
+        depth = null;
+        heard(frames.now());
+        tell(clock.time(colors.stamp), new CameraImage(width, height, focal, rgb.get(), millimeters));
+    }
+}

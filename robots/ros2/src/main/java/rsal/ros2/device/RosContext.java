@@ -1,0 +1,46 @@
+package rsal.ros2.device;
+
+import java.util.function.Consumer;
+import java.util.random.RandomGenerator;
+import rsal.ros2.cdr.MessageCodec;
+import rsal.ros2.cdr.RosMessage;
+import rsal.ros2.link.Inbox;
+import rsal.ros2.link.Profile;
+import rsal.ros2.link.RosLink;
+import rsal.ros2.link.RosLink.Subscribed;
+import rsal.ros2.link.RosTopic;
+import rsal.ros2.type.TypeLibrary;
+import rsal.time.Scheduler;
+
+/// What devices of a robot are made with.
+///
+/// @param topics of the robot
+/// @param types of its distribution
+/// @param base which switches the robot's motors
+/// @param random for ids of goals, which nobody else may have
+record RosContext(
+        RobotTopics topics,
+        RosLink link,
+        TypeLibrary types,
+        Scheduler scheduler,
+        Frames frames,
+        RobotClock clock,
+        RosBase base,
+        GripperSettings gripper,
+        RandomGenerator random) {
+    Inbox<RosMessage> inbox(String type, int capacity, Consumer<RosMessage> receiver) {
+        MessageCodec codec = MessageCodec.of(types.get(type), types);
+        return new Inbox<>(capacity, codec::read, scheduler, receiver);
+    }
+
+    /// The newest messages of a sensor.
+    Subscribed newest(RosTopic topic, Consumer<RosMessage> receiver) {
+        return link.subscribe(topic, Profile.SENSOR_DATA, inbox(topic.type(), 1, receiver));
+    }
+
+    /// As it is offered, and so that nothing gets lost.
+    Profile reliable(RosTopic topic) {
+        Profile offered = topics.profile(topic);
+        return offered == Profile.SENSOR_DATA ? Profile.DEFAULT : offered;
+    }
+}
