@@ -96,7 +96,7 @@ final class RobotRecordings implements AutoCloseable {
 
     /// A run has ended, and with it its recording: says what became of it.
     synchronized void end(LiveRun over) {
-        if (!over.equals(run)) {
+        if (!over.equals(run) || recorder == null) {
             return;
         }
         Path path = recorded;
