@@ -17,9 +17,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import rsal.testkit.architecture.ClassRules;
 
-/// What the tests of each module try on its own classes, on those of all modules at once: that takes a few seconds, not
-/// a few for
-/// each of thirty processes.
+/// What the tests of each module try on its own classes, on those of all modules at once: that takes a few seconds,
+/// not a few for each of thirty processes.
 @EnabledIfSystemProperty(named = "rsal.test.whole", matches = "true", disabledReason = "each module's own tests try it")
 class AllModulesTest extends ClassRules {
     /// Not on the class path of these tests.

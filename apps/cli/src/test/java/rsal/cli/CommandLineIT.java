@@ -44,9 +44,8 @@ import rsal.testkit.Trials;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/// The whole command: exit codes, what is on stdout and stderr, signals. Most commands are done by one process after
-/// the other,
-/// as a start takes most of their time; runs by `headless`, signals, environment and flags have processes of their own.
+/// The whole command: exit codes, what is on stdout and stderr, signals. Most commands are done by one process, as a
+/// start takes most of their time. Those of `headless`, signals, environment and flags have processes of their own.
 class CommandLineIT {
     private static final String GUARD = """
             rsal: 1
@@ -529,7 +528,9 @@ class CommandLineIT {
         return rsal.apart().run(line.toArray(String[]::new));
     }
 
-    @Trials(value = {"INT, 130, --headless", "TERM, 143, --json", "TERM, 143, --headless", "INT, 130, --json"}, landing = 2)
+    @Trials(
+            value = {"INT, 130, --headless", "TERM, 143, --json", "TERM, 143, --headless", "INT, 130, --json"},
+            landing = 2)
     void aSignalEndsRunAndPage(String signal, int code, String option) throws Exception {
         Process process = rsal.withPage().start("run", "guard.yaml", "--port", "0", option, "--set", "guards=2");
         BufferedReader err = process.errorReader();

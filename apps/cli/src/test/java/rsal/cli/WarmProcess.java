@@ -16,9 +16,8 @@ import org.junit.jupiter.api.extension.AnnotatedElementContext;
 import org.junit.jupiter.api.extension.ExtensionContext;
 import org.junit.jupiter.api.io.TempDirFactory;
 
-/// A process that does one command line after the other, in a folder of its own: a start takes most of the time that a
-/// short
-/// command needs. Tests whose commands name files in their folder take that folder as theirs:
+/// A process that does one command line after the other, in a folder of its own: a start takes most of the time that
+/// a short command needs. Tests whose commands name files in their folder take that folder as theirs:
 ///
 /// ```java
 /// @TempDir(factory = WarmProcess.Folder.class, cleanup = CleanupMode.NEVER)

@@ -8,9 +8,8 @@ import java.lang.annotation.Target;
 import org.junit.jupiter.api.condition.DisabledIfSystemProperty;
 
 /// Left out by `./rsal test`, which sets the system property `rsal.test.whole`: there one test of the command line's
-/// tries the
-/// same on the classes of all modules at once. To read the classes takes most of the time, and longest in a new
-/// process.
+/// tries the same on the classes of all modules at once. To read the classes takes most of the time, and longest in a
+/// new process.
 @Inherited
 @Target(ElementType.TYPE)
 @Retention(RetentionPolicy.RUNTIME)

@@ -188,8 +188,8 @@ public final class HostRun implements AutoCloseable {
         }
     }
 
-    /// Lets time pass until so much is counted. A busy machine may take its time, so it fails only when nothing more is counted for
-    /// a while.
+    /// Lets time pass until so much is counted. A busy machine may take its time, so it fails only when nothing
+    /// more is counted for a while.
     void untilCounted(String what, IntSupplier count, int wanted) {
         for (int counted = ask(count::getAsInt); counted < wanted; counted = ask(count::getAsInt)) {
             int before = counted;
