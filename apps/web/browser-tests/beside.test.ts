@@ -268,7 +268,7 @@ describe.skipIf(!chromium)('runs side by side', () => {
     await picture(page, 'beside-narrow');
   });
 
-  it('can be looked at without the token, and are told nothing then', async () => {
+  longTest('can be looked at without the token, and are told nothing then', async () => {
     await rsal.beside({});
     const page = await open(`${rsal.origin}/beside.html`);
     await frame(page, 2).locator('tr[data-robot="guard-1"]').waitFor();

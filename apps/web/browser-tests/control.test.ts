@@ -40,7 +40,7 @@ describe.skipIf(!chromium)('control, of several who have the token', () => {
     await expectAccessible(bob);
   });
 
-  it('is kept for as long as its page is there', async () => {
+  longTest('is kept for as long as its page is there', async () => {
     await ann.waitForTimeout(12_000);
     await bob.getByRole('button', { name: 'Ann has control' }).waitFor();
   });

@@ -4,7 +4,7 @@ import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
-import { expectAccessible, longTest, looks, visits } from './visits';
+import { expectAccessible, longTest, looks, trials, visits } from './visits';
 import { poseOf } from './world';
 
 const WORLD = fileURLToPath(new URL('driving.world', import.meta.url));
@@ -209,7 +209,7 @@ describe.skipIf(!chromium)('robots of a world', () => {
     await moved('roamer');
   });
 
-  it.each(['idle', 'roamer', 'glider'])('are sent somewhere: %s', async (robot) => {
+  it.each(trials(['idle', 'roamer', 'glider']))('are sent somewhere: %s', async (robot) => {
     await select(robot);
     const map = page.locator('#map');
     const box = (await map.boundingBox())!;
@@ -227,7 +227,7 @@ describe.skipIf(!chromium)('robots of a world', () => {
     await rsal.post('speed', { factor: '1' });
   });
 
-  it('say what they cannot do', async () => {
+  longTest('say what they cannot do', async () => {
     await select('blind');
     await page.getByText("It can't be sent anywhere. It has no sensor that measures ranges").waitFor();
     await page.getByText("It can't be given a behavior that moves it.").waitFor();
@@ -242,7 +242,7 @@ describe.skipIf(!chromium)('robots of a world', () => {
     await page.keyboard.up('w');
   });
 
-  it('cannot be driven by those who may only watch', async () => {
+  longTest('cannot be driven by those who may only watch', async () => {
     const watching = await openRun(rsal.origin);
     await row('idle', watching).getByRole('button').click();
     expect(await watching.getByRole('button', { name: 'Drive by keys' }).isDisabled()).toBe(true);
@@ -267,7 +267,7 @@ describe.skipIf(!chromium)('robots of a world', () => {
     await hunt.end();
   });
 
-  it.each(looks)(
+  longTest.each(looks)(
     'break no rule of accessibility while they are driven, %s at %i × %i',
     async (colorScheme, width, height) => {
       page = await openRun(rsal.url, { colorScheme, viewport: { width, height } });

@@ -5,7 +5,7 @@ import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { chromium } from './chromium';
 import { Rsal } from './rsal';
-import { expectAccessible, picture, visits } from './visits';
+import { expectAccessible, longTest, picture, visits } from './visits';
 
 const TEXT = `rsal: 1
 scenario: own
@@ -60,7 +60,7 @@ describe.skipIf(!chromium)('the editor of texts', () => {
     expect(loaded.some((name) => /\/editor-/.test(name))).toBe(true);
   });
 
-  it('offers to save what can be saved, and says why all else can not', async () => {
+  longTest('offers to save what can be saved, and says why all else can not', async () => {
     const page = await opened();
     await page.keyboard.press('c');
     await page.getByRole('button', { name: /^Edit: My own/ }).click();

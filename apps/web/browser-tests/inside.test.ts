@@ -77,7 +77,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     await isAccessible(page);
   });
 
-  it('has a history of what it did, believed and wanted, step by step', async () => {
+  longTest('has a history of what it did, believed and wanted, step by step', async () => {
     const page = await opened(1400, 900, 'light');
     await look(page, 'evade');
     const inside = agent(page, 'evade');
@@ -112,7 +112,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     await picture(page, 'mind-narrow-dark');
   });
 
-  it('asks nothing of agents that nobody looks at', async () => {
+  longTest('asks nothing of agents that nobody looks at', async () => {
     const page = await opened(1400, 900, 'light');
     const asked: string[] = [];
     page.on('request', (request) => asked.push(new URL(request.url()).pathname));
@@ -167,7 +167,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     await page.getByText('started, like nav-1, for prey').first().waitFor();
   });
 
-  it('are started of any type, as the form says', async () => {
+  longTest('are started of any type, as the form says', async () => {
     const page = await opened(1400, 900, 'light');
     await page.getByRole('button', { name: 'New…' }).click();
     const form = page.getByRole('dialog', { name: 'A new agent' });
@@ -188,7 +188,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     await page.getByText('started, as wander, for prey').first().waitFor();
   });
 
-  it('are left alone by who may only watch', async () => {
+  longTest('are left alone by who may only watch', async () => {
     const page = await openRun(rsal.origin);
     await look(page, 'evade');
     await agent(page, 'evade')
@@ -197,7 +197,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     expect(await agent(page, 'evade').getByRole('button', { name: 'Stop it' }).count()).toBe(0);
   });
 
-  it('shows the arguments of an agent, and which are not the default', async () => {
+  longTest('shows the arguments of an agent, and which are not the default', async () => {
     const page = await opened(1400, 900, 'light');
     await look(page, 'evade');
     const inside = agent(page, 'evade');

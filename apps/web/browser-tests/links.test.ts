@@ -67,7 +67,7 @@ describe.skipIf(!chromium)('who hears whom', () => {
     }, 'somebody said something');
   });
 
-  it('is shown of what has been, too', async () => {
+  longTest('is shown of what has been, too', async () => {
     const page = await opened('light');
     const without = await somethingDrawn(page);
     await layer(page).click();

@@ -4,10 +4,15 @@ import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { chromium } from './chromium';
 import { eventually, settled } from './eventually';
 import { Rsal } from './rsal';
-import { expectAccessible, longTest, looks, visits } from './visits';
+import { expectAccessible, longTest, looks, trials, visits } from './visits';
 import { drag, onScreen, poseOf, timeOn } from './world';
 
 const SEED = '42';
+
+const SIZES = trials([
+  [1280, 720],
+  [820, 1180],
+] as const);
 
 describe.skipIf(!chromium)('the page', () => {
   const { open, openRun } = visits();
@@ -53,7 +58,7 @@ describe.skipIf(!chromium)('the page', () => {
     expect(await page.getByText('following the wall').count()).toBeGreaterThan(0);
   });
 
-  it('opens a single line to the run, while it is still being loaded', async () => {
+  longTest('opens a single line to the run, while it is still being loaded', async () => {
     const lines: string[] = [];
     page.on('websocket', (line) => lines.push(line.url()));
     await page.route('**/assets/*.js', async (route) => {
@@ -122,7 +127,7 @@ describe.skipIf(!chromium)('the page', () => {
     }, 'the prey knows where it is');
   });
 
-  it('says why a robot cannot be put into a wall, and leaves it where it is', async () => {
+  longTest('says why a robot cannot be put into a wall, and leaves it where it is', async () => {
     await pause();
     const before = await pose('prey-1');
     await drag(page, before, { x: 0, y: 7.75 });
@@ -166,10 +171,7 @@ describe.skipIf(!chromium)('the page', () => {
     expect(await late.getByRole('alert').getByText(/./).count()).toBe(0);
   });
 
-  it.each([
-    [1280, 720],
-    [820, 1180],
-  ])('shows all digits of a place at %i × %i', async (width, height) => {
+  it.each(SIZES)('shows all digits of a place at %i × %i', async (width, height) => {
     page = await opened(rsal.url, { viewport: { width, height } });
     await page.keyboard.press('1');
     await page.getByText('Place, copy, remove').click();
@@ -180,7 +182,7 @@ describe.skipIf(!chromium)('the page', () => {
     }
   });
 
-  it('places a robot by typed numbers', async () => {
+  longTest('places a robot by typed numbers', async () => {
     await pause();
     await page.keyboard.press('1');
     await page.getByText('Place, copy, remove').click();
@@ -461,10 +463,7 @@ describe.skipIf(!chromium)('the page', () => {
     expect(await page.getByTestId('outcome').count()).toBe(0);
   });
 
-  it.each([
-    [1280, 720],
-    [820, 1180],
-  ])('shows the whole ending beside the map at %i × %i', async (width, height) => {
+  it.each(SIZES)('shows the whole ending beside the map at %i × %i', async (width, height) => {
     await rsal.post('restart', { configuration: 'advanced', arguments: {} });
     page = await opened(rsal.url, { viewport: { width, height } });
     await rsal.post('stop');
@@ -516,7 +515,7 @@ describe.skipIf(!chromium)('the page', () => {
     await eventually(async () => (await time()) > 0, 'the next run goes on');
   });
 
-  it('tells what goes wrong', async () => {
+  longTest('tells what goes wrong', async () => {
     await rsal.post('restart', { configuration: 'faulty', arguments: {}, seed: SEED });
     await rsal.post('speed', { factor: '20' });
     await page.getByPlaceholder('Filter').fill('in the way');
@@ -554,7 +553,7 @@ describe.skipIf(!chromium)('the page', () => {
     expect(await page.getByRole('dialog').count()).toBe(0);
   });
 
-  it('hides and shows layers', async () => {
+  longTest('hides and shows layers', async () => {
     await pause();
     const all = await picture();
     const scans = page.getByRole('button', { name: 'Scans' });
@@ -589,7 +588,7 @@ describe.skipIf(!chromium)('the page', () => {
     await check('at the end');
   });
 
-  it('keeps what was selected when it loses its connection for a moment', async () => {
+  longTest('keeps what was selected when it loses its connection for a moment', async () => {
     let lose = () => {};
     page = await open('about:blank', { mayFail: true, viewport: { width: 1280, height: 720 } });
     await page.routeWebSocket(/\/api\/live/, (socket) => {

@@ -64,7 +64,7 @@ describe.skipIf(!chromium)('plots', () => {
     await ticks('−20 s');
   });
 
-  it('are looked at more closely by the wheel, all at the same time, and stand still then', async () => {
+  longTest('are looked at more closely by the wheel, all at the same time, and stand still then', async () => {
     await wheel(box(), 100, -500);
     await pointAway();
     await ticks(/^\d:\d\d\.\d$/, DISTANCE);

@@ -88,7 +88,7 @@ describe.skipIf(!chromium)('looking back', () => {
     await shows(paused - 0.05, paused + 0.05);
   });
 
-  it('shows what is left of a recording that was cut off, and says so', async () => {
+  longTest('shows what is left of a recording that was cut off, and says so', async () => {
     const whole = readFileSync(file);
     const left = join(folder, 'left.mcap');
     writeFileSync(left, whole.subarray(0, 0.6 * whole.length));
@@ -151,7 +151,7 @@ describe.skipIf(!chromium)('looking back', () => {
     ).toBe(true);
   });
 
-  it('has no accessibility violations, light or dark, wide or narrow', async () => {
+  longTest('has no accessibility violations, light or dark, wide or narrow', async () => {
     for (const [name, options] of Object.entries({
       light: {},
       dark: { colorScheme: 'dark' as const },
@@ -277,7 +277,7 @@ describe.skipIf(!chromium)('looking back', () => {
     },
   );
 
-  it('tells of a run that goes on what devices had told and agents had in mind at each moment', async () => {
+  longTest('tells of a run that goes on what devices had told and agents had in mind at each moment', async () => {
     await running.post('restart', { configuration: 'virtual', seed: '5' });
     await look(running.url);
     await eventually(async () => (await time()) > 8, 'it has run a while');

@@ -93,7 +93,7 @@ describe.skipIf(!chromium)('the choice of a scenario', () => {
     await page.keyboard.press('Escape');
   });
 
-  it('can be looked at without the token, and changes nothing then', async () => {
+  longTest('can be looked at without the token, and changes nothing then', async () => {
     const page = await opened(rsal.url.split('#')[0]!);
     await page.getByRole('button', { name: 'Scenarios…' }).click();
     await card(page, 'patrol').waitFor();

@@ -45,7 +45,7 @@ describe.skipIf(!chromium)('a sweep', () => {
     return parseInt(await progress(page).innerText());
   }
 
-  it('is told how large it is before it begins, and what is wrong with it', async () => {
+  longTest('is told how large it is before it begins, and what is wrong with it', async () => {
     const page = await opened(rsal.url);
     await choose(page);
     await form(page).getByText('10 runs: 1 combination × 10 seeds').waitFor();

@@ -4,7 +4,7 @@ import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
-import { expectAccessible, picture, visits } from './visits';
+import { expectAccessible, longTest, picture, visits } from './visits';
 import { colorAt, drag, onScreen, type Place } from './world';
 
 const YARD = fileURLToPath(new URL('yard.world', import.meta.url));
@@ -171,7 +171,7 @@ describe.skipIf(!chromium)('a world of things', () => {
     await eventually(() => isNear(robot('pioneer2dx-1'), { x: 0, y: 0 }), 'it is in the middle');
   });
 
-  it('may only be watched without the token', async () => {
+  longTest('may only be watched without the token', async () => {
     const late = await openRun(rsal.origin);
     expect(await late.getByRole('button', { name: 'Add…' }).isDisabled()).toBe(true);
     await late.locator('#map').click({ button: 'right' });
@@ -182,7 +182,7 @@ describe.skipIf(!chromium)('a world of things', () => {
     expect(await late.getByRole('button', { name: 'Remove' }).isDisabled()).toBe(true);
   });
 
-  it('breaks no rule of accessibility', async () => {
+  longTest('breaks no rule of accessibility', async () => {
     await thing('crate').getByRole('button').first().click();
     const check = (what: string) => expectAccessible(page, undefined, what);
     await check('with a thing selected');

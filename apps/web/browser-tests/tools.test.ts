@@ -281,7 +281,7 @@ describe.skipIf(!chromium)('what people work with', () => {
     await page.setViewportSize({ width: 1400, height: 900 });
   });
 
-  it('the border between the map and the panels is moved by a pointer and by keys, and stays there', async () => {
+  longTest('the border between the map and the panels is moved by a pointer and by keys, and stays there', async () => {
     const border = page.getByRole('separator', { name: 'Border between the map and the panels' });
     const height = async () => (await page.locator('.view').boundingBox())!.height;
     const before = await height();

@@ -90,7 +90,7 @@ describe.skipIf(!chromium)('the view of the world', () => {
     expect(await numberOf('turn')).toBe(0);
   });
 
-  it('sends the selected robot by the right button, headed as it is dragged', async () => {
+  longTest('sends the selected robot by the right button, headed as it is dragged', async () => {
     const goal = page.locator('li', { hasText: 'operator' });
     const sent: unknown[] = [];
     page.on('request', (request) => {
@@ -133,7 +133,7 @@ describe.skipIf(!chromium)('the view of the world', () => {
     expect(sent).toHaveLength(1);
   });
 
-  it('says why the right button cannot send a robot', async () => {
+  longTest('says why the right button cannot send a robot', async () => {
     await page.locator('tr[data-robot="blind"]').click();
     await drag(page, { x: 3, y: -2 }, { x: 3, y: 0 }, 'right');
     await page.getByRole('alert').getByText(/./).first().waitFor();

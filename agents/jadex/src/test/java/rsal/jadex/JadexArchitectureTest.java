@@ -1,9 +1,11 @@
 package rsal.jadex;
 
-import rsal.testkit.architecture.ArchitectureRules;
+import java.util.List;
+import rsal.testkit.architecture.ClassRules;
 
-class JadexArchitectureTest extends ArchitectureRules {
+/// Not among those that the command line's tests try at once: it comes only when it is asked for.
+class JadexArchitectureTest extends ClassRules {
     JadexArchitectureTest() {
-        super(JadexHostProvider.class);
+        super(List.of(home(JadexHostProvider.class)));
     }
 }

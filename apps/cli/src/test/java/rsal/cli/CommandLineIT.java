@@ -28,6 +28,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.CleanupMode;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -39,10 +40,12 @@ import rsal.map.Maps;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
 import rsal.testkit.LongTest;
+import rsal.testkit.Trials;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/// The whole command as a process of its own: exit codes, what is on stdout and stderr, signals.
+/// The whole command: exit codes, what is on stdout and stderr, signals. Most commands are done by one process, as a
+/// start takes most of their time. Those of `headless`, signals, environment and flags have processes of their own.
 class CommandLineIT {
     private static final String GUARD = """
             rsal: 1
@@ -78,7 +81,7 @@ class CommandLineIT {
             run: {stop: [{when: time > 8, outcome: success}]}
             """;
 
-    @TempDir
+    @TempDir(factory = WarmProcess.Folder.class, cleanup = CleanupMode.NEVER)
     Path folder;
 
     private Rsal rsal;
@@ -91,7 +94,7 @@ class CommandLineIT {
 
     @Test
     void helpGoesToStdout() throws Exception {
-        Ended ended = rsal.run("--help");
+        Ended ended = rsal.apart().run("--help");
         assertThat(ended.code()).isEqualTo(Exit.SUCCESS);
         assertThat(ended.out()).contains("run", "list", "show", "validate", "convert", "doctor", "test", "Exit codes");
         assertThat(ended.err()).isEmpty();
@@ -522,11 +525,12 @@ class CommandLineIT {
     private Ended headless(String... options) throws Exception {
         var line = new ArrayList<>(List.of("run", "guard.yaml:short", "--headless", "--speed", "max"));
         line.addAll(List.of(options));
-        return rsal.run(line.toArray(String[]::new));
+        return rsal.apart().run(line.toArray(String[]::new));
     }
 
-    @ParameterizedTest
-    @CsvSource({"INT, 130, --headless", "TERM, 143, --headless", "INT, 130, --json", "TERM, 143, --json"})
+    @Trials(
+            value = {"INT, 130, --headless", "TERM, 143, --json", "TERM, 143, --headless", "INT, 130, --json"},
+            landing = 2)
     void aSignalEndsRunAndPage(String signal, int code, String option) throws Exception {
         Process process = rsal.withPage().start("run", "guard.yaml", "--port", "0", option, "--set", "guards=2");
         BufferedReader err = process.errorReader();
@@ -652,7 +656,7 @@ class CommandLineIT {
 
     @Test
     void anOperatorSeesSendsAndStopsRobotsFromOutside() throws Exception {
-        Rsal ours = rsal.inEnvironment(Map.of("XDG_RUNTIME_DIR", folder.toString()));
+        Rsal ours = rsal; // whose folder of pages is its own
         Process process = ours.withPage().start("run", "teleop", "--port", "0", "--seed", "5");
         String url = process.errorReader().readLine().substring("Watch it at ".length());
         String port = Integer.toString(URI.create(url).getPort());

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.zip.GZIPOutputStream;
+import org.junit.jupiter.api.io.CleanupMode;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -19,7 +20,7 @@ class HowTosIT {
     /// What commands have that need a bag, or more than a minute.
     private static final List<String> LEFT_OUT = List.of("lab_bag", "explore.yaml", "--odometry-noise");
 
-    @TempDir
+    @TempDir(factory = WarmProcess.Folder.class, cleanup = CleanupMode.NEVER)
     Path folder;
 
     @ParameterizedTest

@@ -308,11 +308,19 @@ class LauncherIT {
         Path passed = Files.createDirectories(project.resolve("testing")).resolve("all-passed");
 
         assertThat(run("test").err()).doesNotContain("Long tests");
-        assertThat(project.resolve("arguments")).content().doesNotContain("rsal.test.all");
+        assertThat(project.resolve("arguments"))
+                .content()
+                .contains("-Drsal.test.whole=true", "-Derrorprone.tests=-XepDisableAllChecks")
+                .doesNotContain("rsal.test.all");
         assertThat(passed).doesNotExist();
 
         assertThat(run("test", "--all").out()).isEqualTo("2 passed, 0 failed\n");
-        assertThat(project.resolve("arguments")).content().contains("-Drsal.test.all=true");
+        assertThat(project.resolve("arguments"))
+                .content()
+                .contains("-Drsal.test.all=true")
+                .satisfies(all -> assertThat(all.substring(all.indexOf("-Drsal.test.all")))
+                        .as("checked by Error Prone, too")
+                        .doesNotContain("errorprone"));
         assertThat(passed).content().endsWith(": 2 passed, 0 failed\n");
         assertThat(run("test").err())
                 .contains("Long tests run by './rsal test --all', which last passed on " + Files.readString(passed));

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.CleanupMode;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -24,7 +25,7 @@ import tools.jackson.databind.json.JsonMapper;
 
 /// `rsal map` as a process of its own, on the log of a robot that drives through a room and back.
 class MapIT {
-    @TempDir
+    @TempDir(factory = WarmProcess.Folder.class, cleanup = CleanupMode.NEVER)
     Path folder;
 
     private Rsal rsal;

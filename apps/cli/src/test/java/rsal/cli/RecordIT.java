@@ -24,6 +24,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.CleanupMode;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.cli.terminal.Exit;
 import rsal.testkit.LongTest;
@@ -33,7 +34,7 @@ import tools.jackson.databind.json.JsonMapper;
 
 /// Recordings as people make and use them: each command a process of its own.
 class RecordIT {
-    @TempDir
+    @TempDir(factory = WarmProcess.Folder.class, cleanup = CleanupMode.NEVER)
     Path folder;
 
     private Rsal rsal;

@@ -35,6 +35,7 @@ final class Rsal {
     private final String own;
     private final List<String> flags = new ArrayList<>();
     private final Map<String, String> environment;
+    private final boolean apart;
 
     /// @param folder where it is started
     Rsal(Path folder) {
@@ -46,9 +47,11 @@ final class Rsal {
         this.folder = folder;
         this.own = own;
         this.environment = Map.of();
+        this.apart = false;
     }
 
-    private Rsal(Rsal other, List<String> flags, Map<String, String> environment) {
+    private Rsal(Rsal other, boolean apart, List<String> flags, Map<String, String> environment) {
+        this.apart = apart;
         this.folder = other.folder;
         this.own = other.own;
         this.flags.addAll(other.flags);
@@ -57,11 +60,11 @@ final class Rsal {
     }
 
     Rsal with(String... moreFlags) {
-        return new Rsal(this, List.of(moreFlags), environment);
+        return new Rsal(this, apart, List.of(moreFlags), environment);
     }
 
     Rsal inEnvironment(Map<String, String> variables) {
-        return new Rsal(this, List.of(), variables);
+        return new Rsal(this, apart, List.of(), variables);
     }
 
     /// With a page that is blank.
@@ -74,12 +77,22 @@ final class Rsal {
     Process start(String... arguments) throws Exception {
         var builder = new ProcessBuilder(Ended.interruptible(command(arguments))).directory(folder.toFile());
         builder.environment().remove("NO_COLOR");
+        if (WarmProcess.isIn(folder)) {
+            builder.environment().put(WarmProcess.RUNTIME, folder.toString()); // it is to find pages
+        }
         builder.environment().putAll(environment);
         return builder.start();
     }
 
+    /// In a process that is there already where that has this folder and nothing else is asked for.
     Ended run(String... arguments) throws Exception {
-        return Ended.of(start(arguments));
+        boolean isPlain = !apart && own.isEmpty() && flags.isEmpty() && environment.isEmpty();
+        return isPlain && WarmProcess.isIn(folder) ? WarmProcess.run(arguments) : Ended.of(start(arguments));
+    }
+
+    /// With a process for each command in any case.
+    Rsal apart() {
+        return new Rsal(this, true, List.of(), environment);
     }
 
     /// Does what a command line says in this process, which is faster by far: for those that start nothing and name
@@ -104,18 +117,24 @@ final class Rsal {
     }
 
     List<String> command(String... arguments) {
-        var all = new ArrayList<>(List.of("-XX:AOTCache=" + Trained.CACHE));
-        all.addAll(flags);
-        return java(all, own.isEmpty() ? classPath() : classPath() + ":" + own, arguments);
+        List<String> all = javaCommand("rsal.cli.Main");
+        all.addAll(List.of(arguments));
+        return all;
     }
 
-    private static List<String> java(List<String> flags, String classPath, String... arguments) {
+    /// @param main the class whose program it is
+    List<String> javaCommand(String main) {
+        var all = new ArrayList<>(List.of("-XX:AOTCache=" + Trained.CACHE));
+        all.addAll(flags);
+        return java(all, own.isEmpty() ? classPath() : classPath() + ":" + own, main);
+    }
+
+    private static List<String> java(List<String> flags, String classPath, String main) {
         var command = new ArrayList<String>();
         command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
         command.addAll(FLAGS);
         command.addAll(flags);
-        command.addAll(List.of("-cp", classPath, "rsal.cli.Main"));
-        command.addAll(List.of(arguments));
+        command.addAll(List.of("-cp", classPath, main));
         return command;
     }
 
@@ -153,7 +172,9 @@ final class Rsal {
         private static void train(Path cache) throws IOException, InterruptedException {
             List<String> flags = List.of("-XX:AOTCacheOutput=" + cache);
             String[] run = {"run", "hunt-and-prey", "--headless", "--speed", "max", "--for", "5"};
-            Process training = new ProcessBuilder(java(flags, classPath(), run))
+            List<String> command = java(flags, classPath(), "rsal.cli.Main");
+            command.addAll(List.of(run));
+            Process training = new ProcessBuilder(command)
                     .redirectOutput(Redirect.DISCARD)
                     .redirectError(Redirect.DISCARD)
                     .start();

@@ -13,11 +13,13 @@ import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.CleanupMode;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rsal.cli.terminal.Exit;
 import rsal.testkit.LongTest;
+import rsal.testkit.Trials;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -53,7 +55,7 @@ class SweepIT {
             "--out",
             "s");
 
-    @TempDir
+    @TempDir(factory = WarmProcess.Folder.class, cleanup = CleanupMode.NEVER)
     Path folder;
 
     private Rsal rsal;
@@ -121,8 +123,7 @@ class SweepIT {
         }
     }
 
-    @ParameterizedTest
-    @CsvSource({"INT, 130", "TERM, 143"})
+    @Trials({"INT, 130", "TERM, 143"})
     void aSignalBreaksItOffAndItCanGoOn(String signal, int code) throws Exception {
         Process process = rsal.start(with());
         assertThat(process.errorReader().readLine()).contains("16 runs");

@@ -12,6 +12,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.CleanupMode;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.cli.terminal.Exit;
 import rsal.testkit.LongTest;
@@ -22,7 +23,7 @@ class TutorialIT {
     private static final String PROMPT = "$ ./rsal ";
     private static final String WATCHED = "./rsal run ";
 
-    @TempDir
+    @TempDir(factory = WarmProcess.Folder.class, cleanup = CleanupMode.NEVER)
     Path folder;
 
     @Test

@@ -19,6 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import rsal.testkit.LongTest;
 
 /// An operator stops the robots while others do what they can to keep the server from hearing that.
 class EmergencyStopTest {
@@ -66,6 +67,7 @@ class EmergencyStopTest {
 
     @ParameterizedTest
     @EnumSource
+    @LongTest
     void isConfirmedAtOnceUnder(Attack attack) throws Exception {
         begin(attack);
 

@@ -20,6 +20,7 @@ import rsal.rtps.discovery.ParticipantData;
 import rsal.rtps.discovery.Qos;
 import rsal.rtps.wire.Guid;
 import rsal.rtps.wire.GuidPrefix;
+import rsal.testkit.LongTest;
 import rsal.testkit.Rounds;
 
 /// Participants on a simulated network: what arrives, in which order, and how soon.
@@ -359,6 +360,7 @@ class ParticipantTest {
     }
 
     @Test
+    @LongTest
     void aHundredFindEachOtherWithinThreeSeconds() {
         var network = new SimulatedNetwork(14, 0);
         var nodes = IntStream.range(0, 100).mapToObj(_ -> network.join()).toList();

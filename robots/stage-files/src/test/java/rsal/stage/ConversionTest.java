@@ -18,6 +18,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rsal.scene.Scene;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
+import rsal.testkit.Trials;
 import rsal.world.yaml.SceneWriter;
 import rsal.world.yaml.YamlFormat;
 
@@ -189,8 +190,9 @@ class ConversionTest {
         }
     }
 
-    @ParameterizedTest
-    @ValueSource(strings = {"0", "90", "180", "-90", "30"})
+    @Trials(
+            value = {"0", "90", "180", "-90", "30"},
+            landing = 4)
     void imagesStay(String degrees) {
         StringBuilder drawn = new StringBuilder();
         for (int row = 0; row < 101; row++) {

@@ -6,6 +6,8 @@ import java.time.Duration;
 import java.util.List;
 import org.junit.jupiter.api.Assertions;
 import org.junit.jupiter.api.Test;
+import rsal.testkit.LongTest;
+import rsal.testkit.Rounds;
 
 /// Too much of anything is refused, quickly and in words.
 class WorldBoundsIT {
@@ -48,6 +50,7 @@ class WorldBoundsIT {
     }
 
     @Test
+    @LongTest
     void aBombOfBlocks() {
         var points = new StringBuilder("define b block ( points 1000 ");
         for (int i = 0; i < 1000; i++) {
@@ -96,7 +99,7 @@ class WorldBoundsIT {
     @Test
     void endlessGuesses() {
         var text = new StringBuilder();
-        for (int i = 0; i < 30_000; i++) {
+        for (int i = 0; i < Rounds.of(8_000, 30_000); i++) {
             text.append("define macro%d model ( color \"colour%d\" property%d 1 )\n".formatted(i, i, i));
             text.append("macro%d ( )\nteleport%d ( )\n".formatted(i, i));
         }

@@ -13,6 +13,7 @@ import rsal.engine.report.RunEvent;
 import rsal.engine.report.RunResult;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
+import rsal.testkit.LongTest;
 import rsal.testkit.Trials;
 
 @Timeout(300)
@@ -52,7 +53,7 @@ class DistributionIT {
         }
     }
 
-    @Trials({"found, 1", "virtual, 1", "virtual, 2", "virtual, 3", "found, 2", "found, 3"})
+    @Trials({"virtual, 1", "found, 1", "virtual, 2", "virtual, 3", "found, 2", "found, 3"})
     void allRobotsArriveWithoutACollision(String configuration, long seed) {
         Dispersal dispersal = disperse(configuration, seed);
         assertThat(dispersal.result.outcome()).isEqualTo("success");
@@ -62,6 +63,7 @@ class DistributionIT {
     }
 
     @Trials({"1", "2", "3"})
+    @LongTest
     void theOthersArriveWhenOneStopsOnItsWayAndMessagesAreLost(long seed) {
         Dispersal dispersal = disperse("faulty", seed);
         assertThat(dispersal.result.outcome()).isEqualTo("success");

@@ -103,6 +103,7 @@ class ExploreTest {
     }
 
     @Test
+    @LongTest
     void robotsOfARunDrawOneMap() {
         try (var run = LiveRun.start(Runs.plan(folder, TWO_EXPLORERS, RunOptions.NONE))) {
             Runs.result(run);

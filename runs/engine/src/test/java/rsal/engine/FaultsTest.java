@@ -24,6 +24,7 @@ import rsal.engine.report.RunResult;
 import rsal.engine.report.Snapshot;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
+import rsal.testkit.Rounds;
 
 @Timeout(120)
 class FaultsTest {
@@ -196,16 +197,17 @@ class FaultsTest {
     @Test
     void faultsAtRandomComeAsOftenAsTheyShould() {
         var options = RunOptions.NONE.withSpeed(Double.POSITIVE_INFINITY);
-        String longer = SCENARIO.replace("time >= 10", "time >= 400")
+        int seconds = Rounds.of(100, 400);
+        String longer = SCENARIO.replace("time >= 10", "time >= " + seconds)
                 + "faults: [{kind: frozen, robots: all, devices: base, every: 6, for: [1, 3]}]\n";
         Ended run = run(Runs.plan(folder, longer, options));
-        assertThat(run.metric("faults")).isCloseTo(3 * 400 / 8.0, within(4 * Math.sqrt(3 * 400 / 8.0)));
+        assertThat(run.metric("faults")).isCloseTo(3 * seconds / 8.0, within(4 * Math.sqrt(3 * seconds / 8.0)));
         var lengths = run.faults().stream()
                 .filter(words -> words.contains(" for "))
                 .map(words -> Double.parseDouble(words.replaceAll(".* for (.*) s", "$1")))
                 .toList();
         assertThat(lengths).allSatisfy(length -> assertThat(length).isBetween(1.0, 3.0));
-        assertThat(new HashSet<>(lengths)).hasSizeGreaterThan(50);
+        assertThat(new HashSet<>(lengths)).hasSizeGreaterThan(seconds / 8);
     }
 
     @Test

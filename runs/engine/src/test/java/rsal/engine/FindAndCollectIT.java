@@ -274,6 +274,7 @@ class FindAndCollectIT {
     }
 
     @Trials({"1", "2", "3"})
+    @LongTest
     void foragersBringAllWhenOneStopsAndOneSeesNothingForAWhile(long seed) {
         Collection all = collect(ALONE, "faulty", seed, Map.of());
         assertTidy(all);

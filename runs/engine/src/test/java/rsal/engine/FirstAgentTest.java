@@ -15,13 +15,12 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 import rsal.agent.platform.AgentPlatform;
 import rsal.engine.report.AgentView;
 import rsal.engine.report.RunEvent;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
+import rsal.testkit.Trials;
 import rsal.testkit.example.Witness;
 
 /// The agents of the tutorial are those of this module's tests, and do what it says.
@@ -50,8 +49,7 @@ class FirstAgentTest {
         }
     }
 
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3})
+    @Trials({"1", "2", "3"})
     void bothPostsAreVisitedAndWrittenDown(long seed) throws IOException {
         Map<String, AgentPlatform.View> agents = agentsAfter(watch(), seed);
         assertThat(nearest(agents, "first")).isLessThan(0.6);
@@ -68,8 +66,7 @@ class FirstAgentTest {
         assertThat(agents.get("logbook").beliefs()).containsOnlyKeys("post 2");
     }
 
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3})
+    @Trials({"1", "2", "3"})
     void whatThePageShowsIsWhatTheTutorialSays(long seed) throws IOException {
         try (var run = LiveRun.start(plan(watch(), seed))) {
             assertThat(Runs.result(run).outcome()).isEqualTo("success");

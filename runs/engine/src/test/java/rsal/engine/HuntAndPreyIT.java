@@ -86,6 +86,7 @@ class HuntAndPreyIT {
     }
 
     @Test
+    @LongTest
     void runsInAgentSpeakDoNotMeetInOneProcess() {
         var options = RunOptions.NONE.withConfiguration("jason").withSeed(3).withSpeed(Double.POSITIVE_INFINITY);
         try (var one = LiveRun.of(HUNT.plan(options)).helpers(1).start();
@@ -97,6 +98,7 @@ class HuntAndPreyIT {
     }
 
     @Test
+    @LongTest
     void severalHuntersInAgentSpeakDivideThePreyAmongThem() {
         var options = RunOptions.NONE
                 .withConfiguration("jason")

@@ -77,6 +77,7 @@ class PatrolIT {
     }
 
     @Trials({"1", "2"})
+    @LongTest
     void theOthersTakeOverWhenOneIsGoneAndMessagesAreLost(long seed) {
         Watch watch = watch("faulty", seed, 700);
         assertThat(watch.guards(0)).hasSize(4);

@@ -98,6 +98,7 @@ class SwarmIT {
     }
 
     @Test
+    @LongTest
     void aHundredDoTheSameOnOneCoreAndMore() {
         RunResult alone = run("hundred", 1, 3, 1);
         assertThat(run("hundred", 1, 3, 3).eventHash()).isEqualTo(alone.eventHash());

@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.engine.report.RunResult;
 import rsal.scenario.RunOptions;
+import rsal.testkit.LongTest;
 import rsal.testkit.Trials;
 
 /// A team to which it is given as a task to map a place, as in `swarm:mapping`, in four rooms.
@@ -62,6 +63,7 @@ class TeamMappingIT {
     }
 
     @Trials({"1", "2", "3"})
+    @LongTest
     void mapsAllWhenOneIsTakenAwayAndMessagesAreLost(long seed) {
         assertMapped(ROOMS + FAULTS, seed);
     }

@@ -12,7 +12,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.data.OccupancyGrid;
@@ -25,10 +25,10 @@ class CsvExportTest {
     private static final String SCENARIO = "find-and-collect";
 
     @TempDir
-    Path folder;
+    static Path folder; // of one export, which all tests look at
 
-    @BeforeEach
-    void export() throws Exception {
+    @BeforeAll
+    static void export() throws Exception {
         export(folder);
     }
 

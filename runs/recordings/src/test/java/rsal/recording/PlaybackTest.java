@@ -54,7 +54,7 @@ class PlaybackTest {
     void whatWasSeenOfARunIsSeenAgain() throws Exception {
         for (String scenario : List.of(HUNT, "find-and-collect")) {
             Path file = folder.resolve(scenario + ".mcap");
-            RunPlan plan = Recorded.plan(scenario, 7, Rounds.of(8, 20));
+            RunPlan plan = Recorded.plan(scenario, 7, Rounds.of(4, 20));
             Seen seen = record(plan, file);
             try (Playback playback = open(file)) {
                 assertThat(playback.until()).isEqualTo(seen.snapshots.getLast().time());
@@ -335,8 +335,9 @@ class PlaybackTest {
         try (Playback played = open(file);
                 Playback sought = open(file)) {
             var random = new Random(5);
-            List<Duration> times =
-                    random.ints(40, -1000, 32_000).mapToObj(Duration::ofMillis).toList();
+            List<Duration> times = random.ints(Rounds.of(10, 40), -1000, 32_000)
+                    .mapToObj(Duration::ofMillis)
+                    .toList();
             var expected = new ArrayList<Snapshot>();
             for (Duration time : times.stream().sorted().toList()) {
                 expected.add(played.at(time));
@@ -383,7 +384,8 @@ class PlaybackTest {
         byte[] bytes = Files.readAllBytes(file);
         var random = new Random(11);
         int opened = 0;
-        for (int i = 0; i < 60; i++) {
+        int rounds = Rounds.of(15, 60);
+        for (int i = 0; i < rounds; i++) {
             byte[] damaged = bytes.clone();
             for (int j = random.nextInt(1, 20); j > 0; j--) {
                 damaged[random.nextInt(damaged.length)] = (byte) random.nextInt();
@@ -399,7 +401,7 @@ class PlaybackTest {
                 assertThat(e.getMessage()).isNotBlank();
             }
         }
-        assertThat(opened).isBetween(10, 60);
+        assertThat(opened).isBetween(rounds / 6, rounds);
     }
 
     private static Playback open(Path file) throws IOException {

@@ -28,6 +28,7 @@ import rsal.recording.proto.ProtoReader;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
+import rsal.testkit.Rounds;
 
 class RecorderTest {
     private static final String HUNT = "hunt-and-prey";
@@ -55,7 +56,8 @@ class RecorderTest {
 
     @Test
     void recordingChangesNothingAndTheSameRunIsTheSameRecording() throws Exception {
-        RunPlan plan = Recorded.plan(HUNT, 7, 20);
+        int seconds = Rounds.of(8, 20);
+        RunPlan plan = Recorded.plan(HUNT, 7, seconds);
         RunResult without = LiveRun.start(plan).result().toCompletableFuture().get(100, TimeUnit.SECONDS);
         Path first = folder.resolve("first.mcap");
         Path second = folder.resolve("second.mcap");
@@ -70,7 +72,7 @@ class RecorderTest {
                     .containsEntry("outcome", without.outcome())
                     .containsEntry("droppedStates", "0");
             assertThat(recording.run()).containsEntry("seed", "7").containsEntry("scenario", HUNT);
-            assertThat(recording.duration()).isEqualTo(Duration.ofSeconds(20));
+            assertThat(recording.duration()).isEqualTo(Duration.ofSeconds(seconds));
             assertThat(recording.file().channels())
                     .extracting(channel -> channel.topic())
                     .contains("/map", "/tf", "/state", "/events", "/log", "/messages", "/agents", "/world", "/robots");

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.settings.Problem;
+import rsal.testkit.Rounds;
 
 /// What is said of places that a scenario gives and that robots don't get to.
 class DestinationsTest {
@@ -159,7 +160,8 @@ class DestinationsTest {
     @Test
     void allThatComesAlongIsClean() {
         for (Scenario scenario : Scenario.builtIn()) {
-            for (Configuration configuration : scenario.configurations()) {
+            List<Configuration> all = scenario.configurations();
+            for (Configuration configuration : all.subList(0, Rounds.of(1, all.size()))) {
                 assertThat(scenario.plan(RunOptions.NONE.withConfiguration(configuration.name()))
                                 .notes())
                         .as("%s:%s", scenario.name(), configuration.name())

@@ -19,6 +19,7 @@ import rsal.data.PoseEstimate;
 import rsal.data.PoseEstimate.Hypothesis;
 import rsal.data.PoseEstimate.Quality;
 import rsal.testkit.DrawnMap;
+import rsal.testkit.Trials;
 
 class AmclTest {
     private static final LocalizationMap ROOM = new LocalizationMap(Seen.ROOM.grid(), 0.1, 0.05);
@@ -67,8 +68,9 @@ class AmclTest {
             ###################################################################
             """);
 
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3, 4, 5, 6})
+    @Trials(
+            value = {"1", "2", "3", "4", "5", "6"},
+            landing = 2)
     void findsItselfWithoutBeingToldWhereItIs(long seed) {
         var amcl = new Amcl(ROOM, Amcl.Settings.of(150, 3000), new SplittableRandom(seed));
         Pose2d truth = Seen.ROOM.pose('a', -40.0 * seed);
@@ -80,8 +82,7 @@ class AmclTest {
     }
 
     /// It goes any way while it turns, and its wheels count a twentieth too much and drift aside.
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3})
+    @Trials({"1", "2", "3"})
     void followsABaseThatGoesSideways(long seed) {
         var odometry = new OdometryModel(0.1, 0.06, 0.12, 0.1, OdometryModel.Base.OMNIDIRECTIONAL);
         var settings = new Amcl.Settings(150, 3000, 15, 0.1, Math.toRadians(6), odometry, new Kld(0.05, 2.33));
@@ -104,8 +105,9 @@ class AmclTest {
     }
 
     /// Nobody tells it where it is, and after 100 updates somebody carries it to the other side of a wall.
-    @ParameterizedTest
-    @CsvSource({"16, 1", "16, 2", "16, 3", "8, 1", "8, 2", "8, 3"})
+    @Trials(
+            value = {"16, 1", "8, 1", "16, 2", "16, 3", "8, 2", "8, 3"},
+            landing = 2)
     void findsItselfBySonarsAloneAndAgainAfterItWasCarried(int sonars, long seed) {
         Amcl.Settings settings = Amcl.Settings.of(150, 3000).with(SensorModel.Kind.BEAM);
         var amcl = new Amcl(ROOM, settings, new SplittableRandom(seed));
@@ -142,8 +144,7 @@ class AmclTest {
         assertThat(estimate.mapFromBase().distanceTo(back)).isLessThan(0.3);
     }
 
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3})
+    @Trials({"1", "2", "3"})
     void noticesThatItIsCarriedWhileItsWheelsStand(long seed) {
         var amcl = new Amcl(ROOM, Amcl.Settings.of(150, 3000), new SplittableRandom(seed));
         Pose2d first = Seen.ROOM.pose('a', 0);
@@ -209,8 +210,9 @@ class AmclTest {
         assertThat(told.confidence()).isLessThan(0.4);
     }
 
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3, 4, 5, 6})
+    @Trials(
+            value = {"1", "2", "3", "4", "5", "6"},
+            landing = 2)
     void noticesThatItWasCarriedAwayAndFindsBack(long seed) {
         var amcl = new Amcl(ROOM, Amcl.Settings.of(150, 3000), new SplittableRandom(seed));
         Pose2d first = Seen.ROOM.pose('a', 0);
@@ -248,8 +250,9 @@ class AmclTest {
                 .isLessThan(0.1);
     }
 
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3, 4, 5, 6})
+    @Trials(
+            value = {"1", "2", "3", "4", "5", "6"},
+            landing = 2)
     void onTheMapOfAnotherBuildingItIsNowhere(long seed) {
         var seen = new Seen(LIKE_ROOMS);
         Pose2d truth = LIKE_ROOMS.pose("abc".charAt((int) seed % 3), 0);
@@ -263,8 +266,9 @@ class AmclTest {
         }
     }
 
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3, 4, 5, 6})
+    @Trials(
+            value = {"1", "2", "3", "4", "5", "6"},
+            landing = 2)
     void somebodyWhoWalksAlongIsNoReasonToDoubt(long seed) {
         var amcl = new Amcl(
                 new LocalizationMap(LIKE_ROOMS.grid(), 0.1, 0.05),
@@ -294,8 +298,9 @@ class AmclTest {
         return beams;
     }
 
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3, 4, 5, 6})
+    @Trials(
+            value = {"1", "2", "3", "4", "5", "6"},
+            landing = 2)
     void saysThatASymmetricPlaceIsAmbiguous(long seed) {
         var map = new LocalizationMap(SYMMETRIC.grid(), 0.1, 0.05);
         var amcl = new Amcl(map, Amcl.Settings.of(150, 3000), new SplittableRandom(seed));
@@ -324,8 +329,9 @@ class AmclTest {
     }
 
     /// Of two places that look the same, particles sooner or later leave one by chance.
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3, 4, 5, 6})
+    @Trials(
+            value = {"1", "2", "3", "4", "5", "6"},
+            landing = 2)
     void aBeliefInTwoPlacesStaysAmbiguousWhereTheyLookTheSame(long seed) {
         var amcl = new Amcl(
                 new LocalizationMap(SYMMETRIC.grid(), 0.1, 0.05),

@@ -155,7 +155,7 @@ public abstract class ControllerContract {
 
     @Trials(
             value = {"1", "2", "3", "4"},
-            landing = 2)
+            landing = 1)
     void touchesNothingBySonarsAlone(long seed) {
         var random = new SplittableRandom(seed);
         var posts = new ArrayList<Point2d>();
@@ -247,7 +247,7 @@ public abstract class ControllerContract {
 
     @Trials(
             value = {"1", "2", "3", "4", "5", "6"},
-            landing = 3)
+            landing = 2)
     void neverTouchesAnything(long seed) {
         var random = new SplittableRandom(seed);
         var posts = new ArrayList<Point2d>();
@@ -265,7 +265,7 @@ public abstract class ControllerContract {
     /// People walk to and fro. They turn around before a robot that is in their way.
     @Trials(
             value = {"1", "2", "3", "4"},
-            landing = 2)
+            landing = 1)
     void touchesNobodyWhoWalksAbout(long seed) {
         var random = new SplittableRandom(seed);
         Drive drive = new Drive(seed % 2 == 0 ? BOX : WEDGE, List.of());

@@ -30,10 +30,15 @@ class ExplorerTest extends DeviceContract<Explorer> {
         return List.of(new SlamDriver(), new NavigatorDriver(), new ExplorerDriver(), new ExploredDriver());
     }
 
+    /// And its planner knows ways as far as that map.
     @Test
     void tellsTheMapAsItGrowsUntilNothingIsLeftToSee() {
+        Planner planner = robot().require(Planner.class);
+        Pose2d start = WORLD.pose('@', 0);
+        Pose2d far = WORLD.pose('c', 0);
         var maps = new ArrayList<Stamped<OccupancyGrid>>();
         device().subscribe(maps::add);
+        assertThat(planned(planner, start, far)).isInstanceOf(Planner.Result.NoPath.class);
         advance(300);
 
         assertThat(maps).hasSizeGreaterThan(50).allMatch(map -> map.frame().equals("map"));
@@ -48,6 +53,10 @@ class ExplorerTest extends DeviceContract<Explorer> {
         assertThat(device().frontier()).isEmpty();
         assertThat(robot().require(Navigator.class).goal()).isEmpty();
         assertThat(simulation().contacts()).isEmpty();
+        assertThat(planned(planner, start, far))
+                .isInstanceOfSatisfying(
+                        Planner.Result.Found.class,
+                        way -> assertThat(way.cost()).isGreaterThanOrEqualTo(start.distanceTo(far) - 0.5));
     }
 
     @Test
@@ -83,19 +92,6 @@ class ExplorerTest extends DeviceContract<Explorer> {
         device().resume();
         advance(20);
         assertThat(truth()).isNotEqualTo(stands);
-    }
-
-    @Test
-    void itsPlannerKnowsWaysAsFarAsItHasMapped() {
-        Planner planner = robot().require(Planner.class);
-        Pose2d start = WORLD.pose('@', 0);
-        Pose2d far = WORLD.pose('c', 0);
-        assertThat(planned(planner, start, far)).isInstanceOf(Planner.Result.NoPath.class);
-        advance(300);
-        assertThat(planned(planner, start, far))
-                .isInstanceOfSatisfying(
-                        Planner.Result.Found.class,
-                        way -> assertThat(way.cost()).isGreaterThanOrEqualTo(start.distanceTo(far) - 0.5));
     }
 
     private Planner.Result planned(Planner planner, Pose2d from, Pose2d to) {

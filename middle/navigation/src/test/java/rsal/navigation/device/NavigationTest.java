@@ -29,6 +29,7 @@ import rsal.navigation.wavefront.Wavefront;
 import rsal.robot.RobotSpec;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
+import rsal.testkit.Trials;
 import rsal.testkit.contract.RobotBench;
 
 /// Localizers and navigators at work on the office floor, several robots at once.
@@ -39,8 +40,7 @@ class NavigationTest {
             CostMap.of(OFFICE, DistanceField.toNotFree(OFFICE), new CostMap.Clearance(0.35, 0.7, 3));
     private static final List<String> IDS = List.of("r0", "r1", "r2");
 
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3})
+    @Trials({"1", "2", "3"})
     void threeRobotsReachWhatTheyAreSentToAndKnowWhereTheyAre(long seed) {
         var random = new SplittableRandom(seed);
         NavigationRun run = officeRun(seed, Runnable::run, random);

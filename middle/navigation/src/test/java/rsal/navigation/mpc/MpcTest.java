@@ -5,8 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
@@ -16,6 +14,7 @@ import rsal.navigation.avoid.Controller.Motion;
 import rsal.navigation.avoid.Controller.Target;
 import rsal.navigation.avoid.ControllerContract;
 import rsal.navigation.avoid.Obstacles;
+import rsal.testkit.Trials;
 
 class MpcTest extends ControllerContract {
     @Override
@@ -23,8 +22,7 @@ class MpcTest extends ControllerContract {
         return new Mpc(footprint, LIMITS, new Mpc.Settings(8, 0.05, 0.5, 4), reaction, beat);
     }
 
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3, 4})
+    @Trials({"1", "2", "3", "4"})
     void tellsAWayThatIsFree(long seed) {
         assertTellsFreeWays(seed, 0.05);
     }

@@ -4,13 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Map;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import rsal.bench.navigation.OfficeRun.Errand;
+import rsal.testkit.Trials;
 
 class OfficeRunIT {
-    @ParameterizedTest
-    @CsvSource({"vfh, 1", "nd, 2", "snd, 2"})
+    @Trials({"vfh, 1", "nd, 2", "snd, 2"})
     void threeRobotsReachTheirGoalsInTimeWithoutTouchingAnything(String planner, long seed) {
         try (var run = new OfficeRun(Map.of("controller", planner), seed, Runnable::run)) {
             List<Errand> errands = run.run(15);

@@ -38,6 +38,7 @@ import rsal.device.Subscription;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
+import rsal.testkit.Rounds;
 import rsal.testkit.fake.FakeSystem;
 import rsal.time.Task;
 
@@ -49,7 +50,7 @@ import rsal.time.Task;
 public abstract class AgentHostContract extends ContractNetContract {
     private static final Parameter<String> GREETING = Parameter.text("words", "hello", "What it says.");
     private static final Topic<Integer> NUMBERS = new Topic<>("numbers", Integer.class);
-    private static final int MANY = 1000;
+    private static final int MANY = Rounds.of(250, 1000);
     private static final List<String> BIDDERS = List.of("amy", "bob", "eve");
 
     /// Whether the multi-agent system lets go of a thread by itself, but later than a test waits.
@@ -752,6 +753,7 @@ public abstract class AgentHostContract extends ContractNetContract {
         var atWork = new AtomicInteger();
         var together = new AtomicInteger();
         var heard = new int[1]; // no lock: it is written in turn
+        int each = Rounds.of(25, 100);
         try (var run = run()) {
             for (int i = 0; i < 20; i++) {
                 run.start("agent-" + i, self -> {
@@ -765,10 +767,10 @@ public abstract class AgentHostContract extends ContractNetContract {
                     self.scheduler()
                             .after(
                                     Duration.ofMillis(500),
-                                    () -> IntStream.range(0, 100).forEach(k -> self.publish(NUMBERS, k)));
+                                    () -> IntStream.range(0, each).forEach(k -> self.publish(NUMBERS, k)));
                 });
             }
-            run.until("all have heard all", () -> heard[0] == 20 * 19 * 100);
+            run.untilCounted("all have heard all", () -> heard[0], 20 * 19 * each);
         }
         assertThat(together).hasValue(0);
     }
@@ -782,7 +784,7 @@ public abstract class AgentHostContract extends ContractNetContract {
             for (int i = 0; i < MANY; i++) {
                 run.start("agent-" + i, self -> self.publish(WORDS, "here"));
             }
-            run.until("it has heard all", () -> heard.size() == MANY);
+            run.untilCounted("it has heard all", heard::size, MANY);
         }
     }
 

@@ -15,6 +15,7 @@ import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
+import java.util.function.IntSupplier;
 import java.util.function.Supplier;
 import rsal.agent.Agent;
 import rsal.agent.AgentContext;
@@ -185,6 +186,16 @@ public final class HostRun implements AutoCloseable {
             await(reached, what);
             looks.cancel();
         }
+    }
+
+    /// Lets time pass until so much is counted. A busy machine may take its time, so it fails only when nothing
+    /// more is counted for a while.
+    void untilCounted(String what, IntSupplier count, int wanted) {
+        for (int counted = ask(count::getAsInt); counted < wanted; counted = ask(count::getAsInt)) {
+            int before = counted;
+            until("%s: more than %d of %d".formatted(what, before, wanted), () -> count.getAsInt() > before);
+        }
+        assertThat(ask(count::getAsInt)).as(what).isEqualTo(wanted);
     }
 
     void pass(long millis) {
