@@ -64,24 +64,27 @@ describe.skipIf(!chromium)('plots', () => {
     await ticks('−20 s');
   });
 
-  longTest('are looked at more closely by the wheel, all at the same time, and stand still then', async () => {
-    await wheel(box(), 100, -500);
-    await pointAway();
-    await ticks(/^\d:\d\d\.\d$/, DISTANCE);
-    expect(await plotOf(SPEED).getByText('now').count()).toBe(0);
-    expect(await span().locator('option:checked').innerText()).toMatch(/^[\d.]+ s of it$/);
-    const path = () => box().locator('path').getAttribute('d');
-    const before = await path();
-    await picture(page, 'plots-zoomed');
-    await expectAccessible(page);
-    const time = await page.getByTestId('time').innerText();
-    await eventually(async () => (await page.getByTestId('time').innerText()) > time, 'the run goes on');
-    expect(await path()).toBe(before);
-    await box().dblclick();
-    await pointAway();
-    await plotOf(DISTANCE).getByText('now').waitFor();
-    expect(await span().locator('option:checked').innerText()).toBe('60 s');
-  });
+  longTest(
+    'are looked at more closely by the wheel, all at the same time, and stand still then',
+    async () => {
+      await wheel(box(), 100, -500);
+      await pointAway();
+      await ticks(/^\d:\d\d\.\d$/, DISTANCE);
+      expect(await plotOf(SPEED).getByText('now').count()).toBe(0);
+      expect(await span().locator('option:checked').innerText()).toMatch(/^[\d.]+ s of it$/);
+      const path = () => box().locator('path').getAttribute('d');
+      const before = await path();
+      await picture(page, 'plots-zoomed');
+      await expectAccessible(page);
+      const time = await page.getByTestId('time').innerText();
+      await eventually(async () => (await page.getByTestId('time').innerText()) > time, 'the run goes on');
+      expect(await path()).toBe(before);
+      await box().dblclick();
+      await pointAway();
+      await plotOf(DISTANCE).getByText('now').waitFor();
+      expect(await span().locator('option:checked').innerText()).toBe('60 s');
+    },
+  );
 
   longTest('leave the wheel to the panel that is scrolled by it', async () => {
     const scroller = page.locator('.panel', { hasText: 'Robots' }).locator('.body').first();

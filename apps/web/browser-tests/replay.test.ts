@@ -277,34 +277,37 @@ describe.skipIf(!chromium)('looking back', () => {
     },
   );
 
-  longTest('tells of a run that goes on what devices had told and agents had in mind at each moment', async () => {
-    await running.post('restart', { configuration: 'virtual', seed: '5' });
-    await look(running.url);
-    await eventually(async () => (await time()) > 8, 'it has run a while');
-    await page.locator('tr[data-robot="hunter-1"]').click();
-    const odometry = () => page.locator('[data-reading="base"]').innerText();
-    const agent = page.locator('.inside').getByText('What changed in it');
-    await page.locator('[data-reading="laser"]').getByText('nearest').waitFor();
-    await agent.waitFor();
-    const told: Record<number, string> = {};
-    for (const seconds of [3, 7]) {
-      await cursor().fill(String(seconds));
-      await shows(seconds - 0.6, seconds + 0.6); // before a page is open, there are two moments a second
-      const asked = `robot=hunter-1&time=${String(await time())}`;
-      const answer = await fetch(`${running.origin}/api/readings?${asked}`);
-      const { readings } = (await answer.json()) as Readings;
-      const base = readings.find(({ device }) => device === 'base')!;
-      const { value } = base.facts.find(({ name }) => name === 'odometry')!;
-      await eventually(async () => (await odometry()).includes(value), 'the base told what it had');
+  longTest(
+    'tells of a run that goes on what devices had told and agents had in mind at each moment',
+    async () => {
+      await running.post('restart', { configuration: 'virtual', seed: '5' });
+      await look(running.url);
+      await eventually(async () => (await time()) > 8, 'it has run a while');
+      await page.locator('tr[data-robot="hunter-1"]').click();
+      const odometry = () => page.locator('[data-reading="base"]').innerText();
+      const agent = page.locator('.inside').getByText('What changed in it');
       await page.locator('[data-reading="laser"]').getByText('nearest').waitFor();
       await agent.waitFor();
-      told[seconds] = value;
-    }
-    expect(told[3]).not.toEqual(told[7]);
-    await picture(page, 'live-back-card');
-    await cursor().fill('3');
-    await eventually(async () => (await odometry()).includes(told[3]!), 'it is as it was there');
-  });
+      const told: Record<number, string> = {};
+      for (const seconds of [3, 7]) {
+        await cursor().fill(String(seconds));
+        await shows(seconds - 0.6, seconds + 0.6); // before a page is open, there are two moments a second
+        const asked = `robot=hunter-1&time=${String(await time())}`;
+        const answer = await fetch(`${running.origin}/api/readings?${asked}`);
+        const { readings } = (await answer.json()) as Readings;
+        const base = readings.find(({ device }) => device === 'base')!;
+        const { value } = base.facts.find(({ name }) => name === 'odometry')!;
+        await eventually(async () => (await odometry()).includes(value), 'the base told what it had');
+        await page.locator('[data-reading="laser"]').getByText('nearest').waitFor();
+        await agent.waitFor();
+        told[seconds] = value;
+      }
+      expect(told[3]).not.toEqual(told[7]);
+      await picture(page, 'live-back-card');
+      await cursor().fill('3');
+      await eventually(async () => (await odometry()).includes(told[3]!), 'it is as it was there');
+    },
+  );
 
   it('looks back in a run that goes on, and to the present again', async () => {
     await running.post('restart', { configuration: 'virtual', seed: '5' });

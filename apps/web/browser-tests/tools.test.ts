@@ -281,26 +281,29 @@ describe.skipIf(!chromium)('what people work with', () => {
     await page.setViewportSize({ width: 1400, height: 900 });
   });
 
-  longTest('the border between the map and the panels is moved by a pointer and by keys, and stays there', async () => {
-    const border = page.getByRole('separator', { name: 'Border between the map and the panels' });
-    const height = async () => (await page.locator('.view').boundingBox())!.height;
-    const before = await height();
-    const { x, y } = (await border.boundingBox())!;
-    await page.mouse.move(x + 300, y + 4);
-    await page.mouse.down();
-    await page.mouse.move(x + 300, y - 76, { steps: 3 });
-    await page.mouse.up();
-    await eventually(async () => Math.abs((await height()) - before + 80) < 3, 'the map is lower');
-    await border.press('ArrowDown');
-    await eventually(async () => Math.abs((await height()) - before + 56) < 3, 'a step higher');
-    await picture(page, 'border');
-    await expectAccessible(page);
-    await page.reload();
-    await page.locator('tr[data-robot][data-x]').first().waitFor();
-    expect(Math.abs((await height()) - before + 56)).toBeLessThan(3);
-    await border.press('Home');
-    await eventually(async () => (await height()) === before, 'it is as it was');
-  });
+  longTest(
+    'the border between the map and the panels is moved by a pointer and by keys, and stays there',
+    async () => {
+      const border = page.getByRole('separator', { name: 'Border between the map and the panels' });
+      const height = async () => (await page.locator('.view').boundingBox())!.height;
+      const before = await height();
+      const { x, y } = (await border.boundingBox())!;
+      await page.mouse.move(x + 300, y + 4);
+      await page.mouse.down();
+      await page.mouse.move(x + 300, y - 76, { steps: 3 });
+      await page.mouse.up();
+      await eventually(async () => Math.abs((await height()) - before + 80) < 3, 'the map is lower');
+      await border.press('ArrowDown');
+      await eventually(async () => Math.abs((await height()) - before + 56) < 3, 'a step higher');
+      await picture(page, 'border');
+      await expectAccessible(page);
+      await page.reload();
+      await page.locator('tr[data-robot][data-x]').first().waitFor();
+      expect(Math.abs((await height()) - before + 56)).toBeLessThan(3);
+      await border.press('Home');
+      await eventually(async () => (await height()) === before, 'it is as it was');
+    },
+  );
 
   describe.each([
     ['side by side', 1280, 800, 'Border between robots and agents', true, 'ArrowRight'],
