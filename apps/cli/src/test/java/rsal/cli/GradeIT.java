@@ -148,11 +148,12 @@ class GradeIT {
         assertThat(JsonMapper.shared().readTree(same.out()).path("eventHash").asString())
                 .isEqualTo(runs.get(1).path("eventHash").asString());
 
+        assertThat(rsal("test-agent", "lab", "--seeds", "1", "--for", "0.1").out())
+                .contains("limit", "--for ended it before its own end.");
+
         write("lab/Go.java", AGENT.formatted("throw new IllegalStateException(\"my mistake\");"));
         Ended failed = rsal("test-agent", "lab", "--seeds", "1");
         assertThat(failed.code()).isEqualTo(4);
         assertThat(failed.out()).contains("my mistake").contains("0 of 1 runs ended in success.");
-        assertThat(rsal("test-agent", "lab", "--seeds", "1", "--for", "0.1").out())
-                .contains("limit", "--for ended it before its own end.");
     }
 }

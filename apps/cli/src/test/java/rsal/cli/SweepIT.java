@@ -152,7 +152,7 @@ class SweepIT {
             guard.yaml:real                        | 3 | real time
             guard.yaml --repeat 0                  | 2 | '0'
             guard.yaml --seeds five                | 2 | Maybe 20 seeds were meant (20)
-            guard.yaml --seeds 5-4                 | 2 | (5-4) must go up
+            guard.yaml --seeds 5-4                 | 2 | Seeds 5:4 must go up
             guard.yaml --jobs 0                    | 2 | '0'
             guard.yaml --repeat 2 --seeds 1-2      | 2 | either --repeat or --seeds
             guard.yaml --resume                    | 3 | no sweep to go on with

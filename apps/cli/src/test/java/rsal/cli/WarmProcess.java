@@ -11,6 +11,9 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.extension.AnnotatedElementContext;
 import org.junit.jupiter.api.extension.ExtensionContext;
@@ -30,12 +33,15 @@ final class WarmProcess {
     static final String RUNTIME = "XDG_RUNTIME_DIR";
 
     private static final Path FOLDER = make();
-    private static final WarmProcess ONLY = start();
+    private static final int PATIENCE_SECONDS = 120; // as for a process of its own, which has 60 and waits for nobody
+    private static Optional<WarmProcess> running = Optional.empty(); // guarded by the class
 
+    private final Process process;
     private final DataOutputStream to;
     private final DataInputStream from;
 
     private WarmProcess(Process process) {
+        this.process = process;
         to = new DataOutputStream(process.getOutputStream());
         from = new DataInputStream(process.getInputStream());
     }
@@ -45,11 +51,30 @@ final class WarmProcess {
         return folder.equals(FOLDER);
     }
 
-    static Ended run(String... arguments) throws IOException {
-        return ONLY.execute(arguments);
+    /// One command line after the other. After one that hangs or ends the process, the next has a new one.
+    static synchronized Ended run(String... arguments) throws IOException {
+        WarmProcess warm = running.orElseGet(WarmProcess::start);
+        running = Optional.of(warm);
+        CompletableFuture<Boolean> isDone = new CompletableFuture<>();
+        isDone.completeOnTimeout(false, PATIENCE_SECONDS, TimeUnit.SECONDS).thenAccept(done -> {
+            if (!done) {
+                warm.process.destroyForcibly(); // which ends the reading
+            }
+        });
+        try {
+            return warm.execute(arguments);
+        } catch (IOException e) {
+            running = Optional.empty();
+            throw new IOException(
+                    "'rsal %s' ended its process, or took more than %d s."
+                            .formatted(String.join(" ", arguments), PATIENCE_SECONDS),
+                    e);
+        } finally {
+            isDone.complete(true);
+        }
     }
 
-    private synchronized Ended execute(String... arguments) throws IOException {
+    private Ended execute(String... arguments) throws IOException {
         to.writeInt(arguments.length);
         for (String argument : arguments) {
             WarmMain.write(to, argument.getBytes(StandardCharsets.UTF_8));
@@ -87,8 +112,10 @@ final class WarmProcess {
             if (!process.waitFor(Duration.ofSeconds(5))) {
                 process.destroyForcibly();
             }
-            empty(FOLDER);
-            Files.delete(FOLDER);
+            if (Files.exists(FOLDER)) { // unless another one has ended
+                empty(FOLDER);
+                Files.delete(FOLDER);
+            }
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         } catch (InterruptedException _) {

@@ -11,5 +11,5 @@ package rsal.rtps;
 /// @param earlyBytes the same [B]
 public record RtpsLimits(
         int participants, int endpoints, int allEndpoints, int sample, long assembly, int early, int earlyBytes) {
-    public static final RtpsLimits DEFAULT = new RtpsLimits(512, 16_000, 32_000, 64 << 20, 192 << 20, 256, 16 << 20);
+    public static final RtpsLimits DEFAULT = new RtpsLimits(512, 16_000, 100_000, 64 << 20, 192 << 20, 256, 16 << 20);
 }

@@ -40,7 +40,8 @@ public final class SampleWriter {
     private static final int BURST = 128 << 10; // B of fragments to one reader in a millisecond
     private static final int MOST_REPAIRED = 256 << 10; // B of samples sent again at once
     private static final long BETWEEN_REPAIRS = 2 * MILLISECOND;
-    private static final int MOST_HELD = 100; // replies
+    private static final int MOST_HELD = 16; // replies for one participant
+    private static final int MOST_HELD_BYTES = 4 << 20; // of all of them
     private static final long HELD_FOR = 5_000 * MILLISECOND;
 
     private final EndpointData data;
@@ -61,12 +62,12 @@ public final class SampleWriter {
 
     /// A sample that one participant waits for.
     ///
-    /// @param to who asked
+    /// @param to who asked: one of its readers, or where that is unknown, one of its writers
     /// @param timestamp [ns] since 1970
     /// @param inlineQos writes what goes beside it, without an end; at most 128 B
     /// @param payload with its encapsulation header; not changed any more
     public record Reply(
-            GuidPrefix to, long timestamp, Optional<Consumer<ParameterList.Writer>> inlineQos, byte[] payload) {}
+            Guid to, long timestamp, Optional<Consumer<ParameterList.Writer>> inlineQos, byte[] payload) {}
 
     private record Held(Reply reply, long until) {}
 
@@ -111,17 +112,36 @@ public final class SampleWriter {
     /// Writes a sample when a reader of the participant is there and ready, or 5 s later: a client's request may come
     /// before its reader of replies is known here, which would miss the reply.
     void write(Reply reply, long now) {
-        if (isReady(reply.to) || held.size() >= MOST_HELD) {
+        if (isReady(reply.to) || !hasRoom(reply)) {
             write(reply.timestamp, reply.inlineQos, reply.payload, now);
         } else {
             held.add(new Held(reply, now + HELD_FOR));
         }
     }
 
-    private boolean isReady(GuidPrefix participant) {
-        return participant.equals(data.guid().prefix())
-                || readers.values().stream()
-                        .anyMatch(each -> each.isReady && each.guid.prefix().equals(participant));
+    private boolean hasRoom(Reply reply) {
+        GuidPrefix participant = reply.to.prefix();
+        int bytes = held.stream().mapToInt(each -> each.reply.payload.length).sum();
+        return bytes + reply.payload.length <= MOST_HELD_BYTES
+                && held.stream()
+                                .filter(each -> each.reply.to.prefix().equals(participant))
+                                .count()
+                        < MOST_HELD;
+    }
+
+    /// Whether a client would get a reply: its reader, or all that its participant has, as far as they are known.
+    private boolean isReady(Guid client) {
+        if (client.prefix().equals(data.guid().prefix())) {
+            return true; // a neighbor
+        }
+        if (client.entity().isReader()) {
+            ReaderProxy reader = readers.get(client);
+            return reader != null && reader.isReady;
+        }
+        List<ReaderProxy> its = readers.values().stream()
+                .filter(each -> each.guid.prefix().equals(client.prefix()))
+                .toList();
+        return !its.isEmpty() && its.stream().allMatch(each -> each.isReady);
     }
 
     /// Writes replies that have waited long enough.
@@ -295,7 +315,7 @@ public final class SampleWriter {
 
     void unmatchAll(GuidPrefix participant) {
         readers.keySet().removeIf(each -> each.prefix().equals(participant));
-        held.removeIf(each -> each.reply.to.equals(participant));
+        held.removeIf(each -> each.reply.to.prefix().equals(participant));
     }
 
     /// Sends what a reader lacks, and tells it what never comes.

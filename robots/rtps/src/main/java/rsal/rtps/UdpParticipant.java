@@ -267,9 +267,11 @@ public final class UdpParticipant implements AutoCloseable {
             reportedSurplus = true;
             LOG.log(
                     Level.WARNING,
-                    "Others have more than {0} participants or {1} topics and services; the rest is ignored.",
+                    "Some participants or topics of others are ignored, and robots may not be found: "
+                            + "there are {0} participants at most, with {1} topics and services each and {2} together.",
                     RtpsLimits.DEFAULT.participants(),
-                    RtpsLimits.DEFAULT.endpoints());
+                    RtpsLimits.DEFAULT.endpoints(),
+                    RtpsLimits.DEFAULT.allEndpoints());
         }
     }
 

@@ -18,6 +18,7 @@ import rsal.rtps.SimulatedNetwork.Node;
 import rsal.rtps.discovery.EndpointData;
 import rsal.rtps.discovery.ParticipantData;
 import rsal.rtps.discovery.Qos;
+import rsal.rtps.wire.EntityId;
 import rsal.rtps.wire.Guid;
 import rsal.rtps.wire.GuidPrefix;
 import rsal.testkit.LongTest;
@@ -145,7 +146,7 @@ class ParticipantTest {
             SampleWriter replies = server.participant.createWriter("rr/echo", TYPE, RELIABLE, "", network.now());
             SampleListener echo = request -> {
                 var reply = new SampleWriter.Reply(
-                        request.writer().prefix(), 0, Optional.empty(), bytes(request.payload()));
+                        request.writer(), 0, Optional.empty(), bytes(request.payload()));
                 server.participant.write(replies, reply, network.now());
             };
             server.participant.createReader("rq/echo", TYPE, RELIABLE, "", echo, network.now());
@@ -161,6 +162,28 @@ class ParticipantTest {
         }
     }
 
+    /// Nodes of a process share a participant: one client of a service may be known when another one asks.
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.3})
+    void repliesReachASecondClientOfTheParticipant(double loss) {
+        for (int seed = 0; seed < Rounds.of(50, 1_000); seed++) {
+            heard.clear();
+            var network = new SimulatedNetwork(seed, loss);
+            Node server = network.join();
+            Node client = network.join();
+            SampleWriter replies = server.participant.createWriter("rr/echo", TYPE, RELIABLE, "", network.now());
+            client.participant.createReader("rr/echo", TYPE, RELIABLE, "", _ -> {}, network.now());
+            network.run(Duration.ofSeconds(10));
+            SampleReader answers =
+                    client.participant.createReader("rr/echo", TYPE, RELIABLE, "", hearing(), network.now());
+            var reply =
+                    new SampleWriter.Reply(answers.data().guid(), 0, Optional.empty(), sample(seed, 100));
+            server.participant.write(replies, reply, network.now());
+            network.run(Duration.ofSeconds(10));
+            assertThat(heardNumbers()).as("seed %d", seed).containsExactly(seed);
+        }
+    }
+
     /// Nobody knows a reader of replies for it.
     @Test
     void replyIsWrittenFiveSecondsLaterWhereNobodyReadsIt() {
@@ -170,7 +193,7 @@ class ParticipantTest {
         SampleWriter replies = writer(server, network, RELIABLE);
         reader(other, network, RELIABLE);
         waitFor(replies, network);
-        GuidPrefix unknown = new GuidPrefix(7, 7);
+        var unknown = new Guid(new GuidPrefix(7, 7), EntityId.writer(1));
         var reply = new SampleWriter.Reply(unknown, 0, Optional.empty(), sample(3, 100));
         server.participant.write(replies, reply, network.now());
         network.run(Duration.ofMillis(4_900));

@@ -59,7 +59,7 @@ public final class RunBuilder {
     /// Starts the run. Its robots and agents are made on its own thread: what goes wrong there ends its
     /// [LiveRun#result].
     public LiveRun start() {
-        var loop = new RunLoop(plan, helpers, operatorClock, new Witnesses(observer, recorder));
+        var loop = new RunLoop(plan, helpers, operatorClock, new RunMonitors(observer, recorder));
         loop.start(patience);
         return new LiveRun(loop);
     }

@@ -98,9 +98,9 @@ final class RunLoop {
     private @Nullable String outcome;
     private boolean over;
 
-    RunLoop(RunPlan plan, int helpers, LongSupplier operatorClock, Witnesses witnesses) {
+    RunLoop(RunPlan plan, int helpers, LongSupplier operatorClock, RunMonitors monitors) {
         this.plan = plan;
-        this.recorder = witnesses.recorder();
+        this.recorder = monitors.recorder();
         this.operatorClock = operatorClock;
         this.helpers = Executors.newFixedThreadPool(
                 helpers, Thread.ofPlatform().daemon().name(name + "-helper-", 1).factory());
@@ -109,14 +109,14 @@ final class RunLoop {
             case WALL -> new WallScheduler(name, this.helpers, this::breaksOnItsThread, phaseTimes);
         };
         this.began = scheduler.instant();
-        this.eventLog = new EventLog(this::elapsed, eventViewers::tell, witnesses.observer());
+        this.eventLog = new EventLog(this::elapsed, eventViewers::tell, monitors.observer());
         this.metrics = new MetricsObserver(plan, eventLog, scheduler);
         this.traffic = new Traffic(eventLog, metrics, plan.communication().isPresent());
         this.pacer = new Pacer(System::nanoTime, plan.clock() == RunPlan.Clock.WALL ? 1 : plan.speed());
         this.pausing = new Pausing(
                 isSimulated(), scheduler, () -> pacer.restart(elapsed().toNanos()));
         this.reporter = new RunReporter(pacer, operatorClock);
-        this.observer = witnesses.observer().map(seen -> new ObserverFeed(seen, reporter, eventLog));
+        this.observer = monitors.observer().map(seen -> new ObserverFeed(seen, reporter, eventLog));
         this.snapshots = new Snapshots(System::nanoTime, sequence -> reporter.snapshot(sequence, progress()));
     }
 

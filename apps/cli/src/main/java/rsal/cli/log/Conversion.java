@@ -16,7 +16,7 @@ public interface Conversion {
     /// @param out where to, if that was said
     boolean accepts(String file, Optional<String> out);
 
-    /// Writes, or nothing at all.
+    /// Writes what it was made of. What it fails to write is not left half written in a place that was free.
     ///
     /// @throws rsal.settings.InvalidSettings when the file can't be converted, or something is in the way
     Result convert(Request request);

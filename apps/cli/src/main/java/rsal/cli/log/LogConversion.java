@@ -79,9 +79,12 @@ public final class LogConversion implements Conversion {
             return writer.write(log, target, force);
         } catch (FileAlreadyExistsException _) {
             throw ConvertedFiles.isThere(target);
-        } catch (IOException e) {
+        } catch (IOException | RuntimeException e) {
             if (isNew) {
                 delete(target);
+            }
+            if (e instanceof RuntimeException mistake) {
+                throw mistake;
             }
             throw new Unreachable("It can't be written: %s.".formatted(e));
         }

@@ -16,6 +16,7 @@ import rsal.recording.Origin;
 import rsal.recording.Recorder;
 import rsal.scenario.RunPlan;
 import rsal.server.RunServer;
+import rsal.system.RobotRecorder;
 import rsal.time.AllowedToReadWallClock;
 
 /// Starts runs for all who look on: recordings, Foxglove, a log, all of them or nobody. All methods may be called from
@@ -68,6 +69,7 @@ public final class Onlookers implements AutoCloseable {
 
     public synchronized LiveRun start(RunPlan plan) {
         var origin = new Origin(plan, Build.name(), command, Instant.now());
+        Optional<RobotRecorder> bag = robots.begin(); // first, as it may be refused
         var witnesses = new ArrayList<RunObserver>();
         recorder.begin(origin).ifPresent(witnesses::add);
         foxglove.ifPresent(server -> witnesses.add(server.next(origin)));
@@ -75,7 +77,7 @@ public final class Onlookers implements AutoCloseable {
         if (!witnesses.isEmpty()) {
             builder.observer(RunObserver.all(witnesses));
         }
-        robots.begin().ifPresent(builder::recorder);
+        bag.ifPresent(builder::recorder);
         LiveRun run = builder.start();
         if (logs) {
             RunLog.follow(run);

@@ -50,7 +50,7 @@ final class RobotRecordings implements AutoCloseable {
         if (folder.isEmpty()) {
             return Optional.empty();
         }
-        close();
+        end();
         runs++;
         Path path = path(folder.get());
         try {
@@ -61,8 +61,8 @@ final class RobotRecordings implements AutoCloseable {
         } catch (FileAlreadyExistsException _) {
             throw new InvalidSettings(
                     Location.of(path.toString()),
-                    "The recording is there already.",
-                    "Name another folder, or overwrite it by '--force'.");
+                    "The folder is not empty.",
+                    "Name another folder, or overwrite the recording in it by '--force'.");
         } catch (IOException e) {
             throw new InvalidSettings(
                     Location.of(path.toString()),
@@ -94,10 +94,16 @@ final class RobotRecordings implements AutoCloseable {
         return next;
     }
 
-    /// A run has ended, and with it its recording: says what became of it.
+    /// A run has ended, and with it its recording, unless another has begun since: says what became of it.
     synchronized void end(LiveRun over) {
+        if (over.equals(run)) {
+            end();
+        }
+    }
+
+    private void end() {
         RobotRecorder open = recorder;
-        if (open == null || !over.equals(run)) {
+        if (open == null) {
             return;
         }
         Path path = recorded;

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.LongSupplier;
 import rsal.data.Odometry;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
@@ -25,6 +26,7 @@ import rsal.ros2.record.OfferedQuality;
 /// Writes a robot's log as a bag, with the topics and frames of REP 105: `/scan`, `/odom`, and `/tf` from `odom` to
 /// `base_link`; where somebody has corrected the poses, also from `map` to `odom`.
 final class BagLogWriter implements LogWriter {
+    private static final String PROGRAM = "rsal convert";
     private static final String MAP = "map";
     private static final String ODOM = "odom";
     private static final String BASE = "base_link";
@@ -39,14 +41,21 @@ final class BagLogWriter implements LogWriter {
 
     @Override
     public boolean accepts(String name) {
-        return name.endsWith("/") || name.toLowerCase(Locale.ROOT).endsWith(BagFiles.MCAP);
+        return isFile(name) || (name.endsWith("/") && !isFile(name.substring(0, name.length() - 1)));
+    }
+
+    private static boolean isFile(String name) {
+        return name.toLowerCase(Locale.ROOT).endsWith(BagFiles.MCAP);
     }
 
     @Override
     public Written write(RobotLog log, Path target, boolean force) throws IOException {
         List<Motion> motions = odometry(log);
         Instant[] now = {Instant.EPOCH};
-        try (BagWriter bag = BagWriter.create(target, force, "rsal convert", () -> nanos(now[0]))) {
+        LongSupplier clock = () -> nanos(now[0]);
+        try (BagWriter bag = isFile(target.toString())
+                ? BagWriter.file(target, force, PROGRAM, clock)
+                : BagWriter.folder(target, force, PROGRAM, clock)) {
             var topics = new Topics(bag);
             int next = 0;
             for (Scan scan : log.scans()) {
@@ -76,16 +85,23 @@ final class BagLogWriter implements LogWriter {
                         && !log.motions().get(next + 1).time().isAfter(scan.time())) {
                     next++;
                 }
-                Optional<Motion> near = log.motions().stream().skip(next).findFirst();
-                motions.add(new Motion(
-                        scan.line(),
-                        scan.time(),
-                        odomFromBase,
-                        near.map(Motion::speed).orElse(0.0),
-                        near.map(Motion::turnRate).orElse(0.0)));
+                Optional<Motion> near =
+                        next < log.motions().size() ? Optional.of(log.motions().get(next)) : Optional.empty();
+                Optional<Motion> before = motions.isEmpty() ? Optional.empty() : Optional.of(motions.getLast());
+                Twist2d twist = near.map(motion -> Twist2d.drive(motion.speed(), motion.turnRate()))
+                        .or(() -> before.map(last -> between(last, scan.time(), odomFromBase)))
+                        .orElse(Twist2d.drive(0, 0));
+                motions.add(new Motion(scan.line(), scan.time(), odomFromBase, twist.vx(), twist.omega()));
             }
         }
         return motions.isEmpty() ? log.motions() : motions;
+    }
+
+    /// How fast it was on average since a pose before, ahead and around.
+    private static Twist2d between(Motion before, Instant time, Pose2d odomFromBase) {
+        double seconds = Duration.between(before.time(), time).toNanos() / 1e9;
+        Pose2d moved = before.odomFromBase().inverse().compose(odomFromBase);
+        return seconds > 0 ? Twist2d.drive(moved.x() / seconds, moved.theta() / seconds) : Twist2d.drive(0, 0);
     }
 
     private static long nanos(Instant time) {

@@ -1,6 +1,12 @@
 package rsal.ros2.record;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /// What `metadata.yaml` says of a bag, in version 9, that of Jazzy and later.
 ///
@@ -9,6 +15,8 @@ import java.util.List;
 /// @param duration from the first to the last [ns]
 record BagMetadata(String file, long start, long duration, long messages, List<Topic> topics) {
     static final String NAME = "metadata.yaml";
+    private static final long MOST_BYTES = 64 << 20;
+    private static final Pattern FILE = Pattern.compile("\\s*- \"?(.+?)\"?\\s*");
 
     /// @param hash of its type, `RIHS01_…`
     record Topic(String name, String type, String hash, OfferedQuality quality, long messages) {}
@@ -52,6 +60,25 @@ record BagMetadata(String file, long start, long duration, long messages, List<T
                     topic.name(), topic.type(), topic.hash(), topic.quality().yaml(10), topic.messages()));
         }
         return text.toString();
+    }
+
+    /// The files that a `metadata.yaml` names, of any version; empty where there is none, or it is of something else.
+    static Optional<List<String>> files(Path metadata) throws IOException {
+        if (!Files.isRegularFile(metadata) || Files.size(metadata) > MOST_BYTES) {
+            return Optional.empty();
+        }
+        List<String> lines = Files.readAllLines(metadata);
+        if (lines.isEmpty() || !lines.getFirst().startsWith("rosbag2_bagfile_information:")) {
+            return Optional.empty();
+        }
+        return Optional.of(lines.stream()
+                .dropWhile(line -> !line.strip().equals("relative_file_paths:"))
+                .skip(1)
+                .map(FILE::matcher)
+                .takeWhile(Matcher::matches)
+                .map(line -> line.group(1).replace("\\\"", "\"").replace("\\\\", "\\"))
+                .filter(file -> !file.contains("/")) // none outside of the folder
+                .toList());
     }
 
     /// Names of files may have any characters.

@@ -35,7 +35,6 @@ import rsal.ros2.type.TypeLibrary;
 /// second), and the folder has a `metadata.yaml`, which counts none of them until the end. For one thread.
 public final class BagWriter implements Closeable {
     private static final String SUFFIX = ".mcap";
-    private static final List<String> SUFFIXES = List.of(SUFFIX, ".db3", BagMetadata.NAME);
     private static final TypeLibrary TYPES = TypeLibrary.of(Distribution.JAZZY);
 
     private final Optional<Path> folder;
@@ -54,22 +53,27 @@ public final class BagWriter implements Closeable {
         this.file = file;
     }
 
-    /// Begins a bag.
+    /// Begins a bag of one file in MCAP.
     ///
-    /// @param target the folder of the bag; or its only file, if the name ends in `.mcap`
-    /// @param force whether a bag that is there may be lost
+    /// @param force whether a file that is there may be lost
     /// @param program that writes, for people
     /// @param clock by which chunks grow old [ns]
     /// @throws FileAlreadyExistsException when it is there and may not
-    public static BagWriter create(Path target, boolean force, String program, LongSupplier clock) throws IOException {
-        boolean isFile = target.toString().endsWith(SUFFIX);
-        String name = String.valueOf(target.getFileName());
-        if (isFile) {
-            return new BagWriter(Optional.empty(), name, open(target, force, program, clock));
-        }
-        prepare(target, force);
-        String file = name + "_0" + SUFFIX;
-        var writer = new BagWriter(Optional.of(target), file, open(target.resolve(file), force, program, clock));
+    public static BagWriter file(Path file, boolean force, String program, LongSupplier clock) throws IOException {
+        return new BagWriter(
+                Optional.empty(), String.valueOf(file.getFileName()), open(file, force, program, clock));
+    }
+
+    /// Begins a bag that is a folder.
+    ///
+    /// @param force whether a bag that is there may be lost; other files stay
+    /// @param program that writes, for people
+    /// @param clock by which chunks grow old [ns]
+    /// @throws FileAlreadyExistsException when the folder has something, and may not lose it
+    public static BagWriter folder(Path folder, boolean force, String program, LongSupplier clock) throws IOException {
+        prepare(folder, force);
+        String file = folder.getFileName() + "_0" + SUFFIX;
+        var writer = new BagWriter(Optional.of(folder), file, open(folder.resolve(file), force, program, clock));
         try {
             writer.writeMetadata();
             return writer;
@@ -109,11 +113,22 @@ public final class BagWriter implements Closeable {
         if (!inside.isEmpty() && !force) {
             throw new FileAlreadyExistsException(folder.toString());
         }
-        for (Path each : inside) {
-            if (SUFFIXES.stream().anyMatch(each.toString()::endsWith)) {
-                Files.delete(each);
-            }
+        if (!inside.isEmpty()) {
+            delete(folder);
         }
+    }
+
+    /// Deletes the bag in a folder: what its `metadata.yaml` names, and that file.
+    ///
+    /// @throws FileAlreadyExistsException when there is no bag, so that nothing else gets lost
+    private static void delete(Path folder) throws IOException {
+        Path metadata = folder.resolve(BagMetadata.NAME);
+        List<String> files = BagMetadata.files(metadata)
+                .orElseThrow(() -> new FileAlreadyExistsException(folder.toString(), null, "it is no bag"));
+        for (String file : files) {
+            Files.deleteIfExists(folder.resolve(file));
+        }
+        Files.delete(metadata);
     }
 
     /// A new topic.

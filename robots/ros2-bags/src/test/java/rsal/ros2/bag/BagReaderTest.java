@@ -50,7 +50,7 @@ class BagReaderTest {
     @Test
     void odometryAndMountAreThoseOfTheRobotWithTheMostScans() throws Exception {
         Path file = folder.resolve("two.mcap");
-        try (BagWriter bag = BagWriter.create(file, false, "a test", () -> 0)) {
+        try (BagWriter bag = BagWriter.file(file, false, "a test", () -> 0)) {
             write(bag, "/one", 20, 1, 0.25);
             write(bag, "/two", 10, 9, 0.75);
         }

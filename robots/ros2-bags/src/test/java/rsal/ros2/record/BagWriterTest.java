@@ -8,6 +8,7 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
+import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -25,7 +26,7 @@ class BagWriterTest {
     private final AtomicLong now = new AtomicLong();
 
     private BagWriter begin(Path bag, boolean force) throws IOException {
-        return BagWriter.create(bag, force, "a test", now::get);
+        return BagWriter.folder(bag, force, "a test", now::get);
     }
 
     private void write(BagWriter bag, int seconds) throws IOException {
@@ -75,24 +76,53 @@ class BagWriterTest {
         }
         Path notes = Files.writeString(bag.resolve("notes.txt"), "mine");
         assertThatThrownBy(() -> begin(bag, false)).isInstanceOf(FileAlreadyExistsException.class);
-        Files.move(bag.resolve("bag_0.mcap"), bag.resolve("bag_1.mcap"));
-        begin(bag, true).close();
-        assertThat(bag.resolve("bag_1.mcap")).doesNotExist();
-        assertThat(notes).exists();
-        assertThat(bag.resolve("metadata.yaml")).content().contains("message_count: 0", "[]");
+        Path other = Files.writeString(bag.resolve("run.mcap"), "another recording");
+        Path moved = Files.move(bag, folder.resolve("moved"));
+        begin(moved, true).close();
+        assertThat(moved.resolve("bag_0.mcap")).doesNotExist();
+        assertThat(List.of(moved.resolve(notes.getFileName()), moved.resolve(other.getFileName())))
+                .allSatisfy(file -> assertThat(file).exists());
+        assertThat(moved.resolve("metadata.yaml")).content().contains("message_count: 0", "[]");
+    }
+
+    /// Whatever may be lost by force: what is no bag is not.
+    @Test
+    void aFolderOfSomethingElseIsKept() throws Exception {
+        Path recording = Files.writeString(folder.resolve("run.mcap"), "a recording");
+        assertThatThrownBy(() -> begin(folder, true)).isInstanceOf(FileAlreadyExistsException.class);
+        Files.writeString(folder.resolve("metadata.yaml"), "name: a map\n");
+        assertThatThrownBy(() -> begin(folder, true)).isInstanceOf(FileAlreadyExistsException.class);
+        assertThat(recording).exists();
+        assertThat(folder.resolve("metadata.yaml")).exists();
+    }
+
+    @Test
+    void filesOfMetadataAreThoseWithin() throws Exception {
+        Path metadata = folder.resolve("metadata.yaml");
+        Files.writeString(metadata, """
+                rosbag2_bagfile_information:
+                  version: 5
+                  relative_file_paths:
+                    - run_0.db3
+                    - "a \\"bag\\"_1.db3"
+                    - ../other.db3
+                  duration:
+                    - nothing
+                """);
+        assertThat(BagMetadata.files(metadata)).hasValue(List.of("run_0.db3", "a \"bag\"_1.db3"));
     }
 
     @Test
     void aFileAloneHasNoFolder() throws Exception {
         Path file = folder.resolve("clock.mcap");
-        try (BagWriter writer = begin(file, false)) {
+        try (BagWriter writer = BagWriter.file(file, false, "a test", now::get)) {
             write(writer, 3);
         }
         try (McapFile read = McapFile.check(file)) {
             assertThat(read.damage()).isEmpty();
             assertThat(read.metadata("rosbag2").get("serialized_metadata")).contains("message_count: 3");
         }
-        assertThat(folder).isDirectoryContaining("glob:**clock.mcap");
+        assertThat(folder).isDirectoryNotContaining(each -> !each.equals(file));
     }
 
     @Test

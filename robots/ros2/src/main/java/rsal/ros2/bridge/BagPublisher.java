@@ -54,6 +54,8 @@ final class BagPublisher implements RosPublisher, AutoCloseable {
             bag.message(number, clock.getAsLong(), message);
         } catch (IOException e) {
             failure = e;
+        } catch (RuntimeException e) { // as a file has 65,535 topics at most
+            failure = new IOException(e.getMessage(), e);
         }
     }
 

@@ -26,7 +26,7 @@ final class BlobsPublication {
         Publication detections =
                 outlet.advertise(finder, name + "/detections", "vision_msgs/msg/Detection2DArray", Profile.DEFAULT);
         outlet.keep(finder.subscribe(reading -> {
-            if (outlet.mountCamera(name, reading.value().baseFromCamera())) {
+            if (outlet.mountCamera(reading.time(), name, reading.value().baseFromCamera())) {
                 outlet.publishMounts(reading.time());
             }
             detections.publish(publication.message(reading, frame));

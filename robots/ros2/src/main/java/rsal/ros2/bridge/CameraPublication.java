@@ -54,7 +54,7 @@ final class CameraPublication {
 
     private void tell(Stamped<CameraImage> reading) {
         if (outlet.robot().model().sensors().get(name) instanceof Part.Registered part
-                && outlet.mountCamera(name, part.baseFromDevice())) {
+                && outlet.mountCamera(reading.time(), name, part.baseFromDevice())) {
             outlet.publishMounts(reading.time());
         }
         if (published.plus(PERIOD).minus(TOLERANCE).isAfter(reading.time())) {

@@ -20,7 +20,7 @@ final class GoalServers {
     /// @param outlet of the robot
     /// @param link of its node
     /// @param services makes new ones, which their user closes
-    record Desk(RobotOutlet outlet, RosLink link, Supplier<Services> services, Scheduler scheduler) {
+    record Context(RobotOutlet outlet, RosLink link, Supplier<Services> services, Scheduler scheduler) {
         String name(String name) {
             return outlet.topic(name, "").name();
         }
@@ -29,7 +29,7 @@ final class GoalServers {
     /// Serves a device.
     interface Serving<D extends Device> {
         /// @return the names under which it is served, in the robot's namespace
-        List<Served> serve(D device, Desk desk);
+        List<Served> serve(D device, Context context);
     }
 
     /// @param name in the robot's namespace
@@ -37,23 +37,23 @@ final class GoalServers {
     record Served(Device device, String name, Runnable close) {}
 
     private record Kind<D extends Device>(Class<D> type, Serving<D> serving) {
-        List<Served> serve(Device device, Desk desk) {
-            return type.isInstance(device) ? serving.serve(type.cast(device), desk) : List.of();
+        List<Served> serve(Device device, Context context) {
+            return type.isInstance(device) ? serving.serve(type.cast(device), context) : List.of();
         }
     }
 
-    static List<Served> serve(Device device, Desk desk) {
-        return ALL.stream().flatMap(kind -> kind.serve(device, desk).stream()).toList();
+    static List<Served> serve(Device device, Context context) {
+        return ALL.stream().flatMap(kind -> kind.serve(device, context).stream()).toList();
     }
 
     /// Sizes are those of the model; without them positions mean nothing.
-    private static List<Served> serve(Gripper gripper, Desk desk) {
+    private static List<Served> serve(Gripper gripper, Context context) {
         var served = new ArrayList<Served>();
-        if (desk.outlet.robot().model().sensors().get(gripper.info().name()) instanceof Part.Gripper part) {
-            var names = GripperNames.of(gripper, desk.outlet);
+        if (context.outlet.robot().model().sensors().get(gripper.info().name()) instanceof Part.Gripper part) {
+            var names = GripperNames.of(gripper, context.outlet);
             var paddles = new PublishedGripper.Motion(
                     part.opening(), Gripper::close, Gripper::open, state -> GripperPublication.gap(part, state), true);
-            served.add(serve(gripper, paddles, names.paddles(), desk));
+            served.add(serve(gripper, paddles, names.paddles(), context));
             if (part.hasLift()) {
                 var lift = new PublishedGripper.Motion(
                         part.height(),
@@ -61,15 +61,15 @@ final class GoalServers {
                         Gripper::lift,
                         state -> GripperPublication.height(part, state),
                         false);
-                served.add(serve(gripper, lift, names.lift(), desk));
+                served.add(serve(gripper, lift, names.lift(), context));
             }
         }
         return served;
     }
 
-    private static Served serve(Gripper gripper, PublishedGripper.Motion motion, String name, Desk desk) {
+    private static Served serve(Gripper gripper, PublishedGripper.Motion motion, String name, Context context) {
         var action =
-                new PublishedGripper(gripper, motion, desk.link, desk.services.get(), desk.name(name), desk.scheduler);
+                new PublishedGripper(gripper, motion, context.link, context.services.get(), context.name(name), context.scheduler);
         return new Served(gripper, name, action::close);
     }
 }

@@ -32,7 +32,7 @@ final class ImuPublication {
         if (outlet.robot().model().sensors().get(name) instanceof Part.Registered part) {
             publication.learn(part);
             outlet.keep(imu.subscribe(reading -> {
-                if (outlet.mount(name, part.baseFromDevice())) {
+                if (outlet.mount(reading.time(), name, part.baseFromDevice())) {
                     outlet.publishMounts(reading.time());
                 }
             }));

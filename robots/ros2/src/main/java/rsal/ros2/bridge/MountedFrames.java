@@ -1,36 +1,59 @@
 package rsal.ros2.bridge;
 
 import java.time.Instant;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.message.FrameTransform;
 import rsal.ros2.message.RosMessages;
 import rsal.ros2.message.RosMessages.Transform;
 
-/// Where sensors are on their robots (`tf_static`). All of them are told when one is new, as those who come late get
-/// the last message only.
+/// Where sensors are on their robots (`tf_static`). All of them are published when one is new, as those who come late
+/// get the last message only. Those that an actuator moves are published as transforms that move (`tf`).
 final class MountedFrames {
     private final RosMessages messages = new RosMessages();
-    private final Publication publication;
+    private final Publication fixed;
+    private final Publication moving;
     private final Map<String, Mount> mounts = new LinkedHashMap<>(); // by frame
+    private final Set<String> moved = new HashSet<>(); // frames, which are not among the mounts
 
     private record Mount(String base, FrameTransform baseFromFrame) {}
 
-    MountedFrames(Publication publication) {
-        this.publication = publication;
+    /// @param fixed `tf_static`
+    /// @param moving `tf`
+    MountedFrames(Publication fixed, Publication moving) {
+        this.fixed = fixed;
+        this.moving = moving;
     }
 
-    /// Notes where a sensor is.
+    /// Notes where a sensor is; publishes it at once if it has moved.
     ///
-    /// @return whether that is new, so that it is to be published
-    boolean put(String base, String frame, FrameTransform baseFromFrame) {
+    /// @return whether those that don't move have changed, and are to be published
+    boolean put(Instant time, String base, String frame, FrameTransform baseFromFrame) {
         var mount = new Mount(base, baseFromFrame);
-        return !mount.equals(mounts.put(frame, mount));
+        Mount before = moved.contains(frame) ? null : mounts.putIfAbsent(frame, mount);
+        boolean isNew = before == null && !moved.contains(frame);
+        boolean hasMoved = before != null && !before.equals(mount) && moved.add(frame);
+        if (hasMoved) {
+            mounts.remove(frame);
+        }
+        if (moved.contains(frame)) {
+            moving.publish(messages.transforms(List.of(new Transform(time, base, frame, baseFromFrame))));
+        }
+        return isNew || hasMoved;
+    }
+
+    /// Those of a robot that has left.
+    void remove(Set<String> frames) {
+        mounts.keySet().removeAll(frames);
+        moved.removeAll(frames);
     }
 
     void publish(Instant time) {
-        publication.publish(messages.transforms(mounts.entrySet().stream()
+        fixed.publish(messages.transforms(mounts.entrySet().stream()
                 .map(each -> new Transform(
                         time,
                         each.getValue().base(),

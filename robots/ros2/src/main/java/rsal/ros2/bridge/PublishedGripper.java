@@ -74,7 +74,10 @@ final class PublishedGripper implements ActionServer.Handler {
             }
             case Result.Cancelled _ ->
                 goal.end(goal.isCanceling() ? Status.CANCELED : Status.ABORTED, this::writeNoResult);
-            case Result.Stuck(GripperState state, String _) -> goal.end(Status.ABORTED, state(state, !isZero, false));
+            case Result.Stuck(GripperState state, String _) -> {
+                boolean isStalled = !isZero; // paddles that are stuck while they close would count as holding something
+                goal.end(Status.ABORTED, state(state, isStalled, false));
+            }
         }
     }
 

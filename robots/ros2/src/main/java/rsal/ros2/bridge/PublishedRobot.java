@@ -84,19 +84,19 @@ final class PublishedRobot {
                 link,
                 namespace,
                 FrameNames.PLAIN,
-                new MountedFrames(fixed),
+                new MountedFrames(fixed, transforms),
                 this::offer,
-                new Hearers(link, scheduler)::isHeard);
+                new Subscribers(link, scheduler)::isHeard);
         var sensors = new RobotPublications(outlet, transforms);
         ends.add(sensors::close);
         sensors.begin();
         robot.find(DriveBase.class).ifPresent(this::takeVelocities);
-        var desk = new GoalServers.Desk(outlet, link, () -> new Services(link, TYPES, requests), scheduler);
+        var goals = new GoalServers.Context(outlet, link, () -> new Services(link, TYPES, requests), scheduler);
         for (Device device : robot.devices()) {
             switch (device) {
                 case Localizer localizer -> takePoses(localizer);
                 case Navigator navigator -> serve(navigator);
-                default -> GoalServers.serve(device, desk).forEach(this::add);
+                default -> GoalServers.serve(device, goals).forEach(this::add);
             }
         }
     }

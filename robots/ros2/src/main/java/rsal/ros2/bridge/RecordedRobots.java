@@ -22,8 +22,7 @@ import rsal.time.Task;
 
 /// All robots of a run in one bag: each one's sensors in its namespace; the map, the time, and the frames of all on
 /// `/map`, `/clock`, `/tf` and `/tf_static`, those of a robot with its namespace before their names. In simulated
-/// worlds
-/// also where robots really are (`ground_truth`).
+/// worlds also where robots really are (`ground_truth`).
 final class RecordedRobots implements Bridge {
     private static final Duration PERIOD = Duration.ofMillis(100); // of the time and the truth
     private static final String TRANSFORMS = "tf2_msgs/msg/TFMessage";
@@ -45,7 +44,7 @@ final class RecordedRobots implements Bridge {
         this.scheduler = scheduler;
         this.simulation = context.simulation();
         transforms = bag.advertise(new RosTopic("/tf", TRANSFORMS), Profile.DEFAULT);
-        mounted = new MountedFrames(bag.advertise(new RosTopic("/tf_static", TRANSFORMS), Profile.LATCHED));
+        mounted = new MountedFrames(bag.advertise(new RosTopic("/tf_static", TRANSFORMS), Profile.LATCHED), transforms);
         clock = bag.advertise(new RosTopic("/clock", "rosgraph_msgs/msg/Clock"), Profile.SENSOR_DATA);
         bag.advertise(new RosTopic("/map", "nav_msgs/msg/OccupancyGrid"), Profile.LATCHED)
                 .publish(messages.map(scheduler.instant(), context.map(), FrameNames.PLAIN.map()));

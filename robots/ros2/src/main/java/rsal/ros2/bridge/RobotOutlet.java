@@ -2,7 +2,9 @@ package rsal.ros2.bridge;
 
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.function.Predicate;
 import rsal.data.Pose2d;
@@ -25,9 +27,10 @@ final class RobotOutlet {
     private final BiConsumer<Device, String> published;
     private final Predicate<RosTopic> heard;
     private final List<Runnable> ends = new ArrayList<>();
+    private final Set<String> mounts = new HashSet<>(); // frames of its sensors
 
-    /// @param mounted where its frames are told that don't move
-    /// @param published is told the name of each topic, without the namespace
+    /// @param mounted where its sensors' frames are published
+    /// @param published gets the name of each topic, without the namespace
     /// @param heard whether somebody wants the messages of a topic
     RobotOutlet(
             Robot robot,
@@ -84,18 +87,26 @@ final class RobotOutlet {
     /// Notes where a sensor is.
     ///
     /// @param name the device's; of sonars with a number
-    /// @return whether that is new, so that it is to be published
-    boolean mount(String name, Pose2d baseFromSensor) {
-        return mounted.put(
-                frames.base(), frames.sensor(name), UrdfWriter.mounting(robot.model(), name, baseFromSensor));
+    /// @return whether that is new, so that mounts are to be published
+    boolean mount(Instant time, String name, Pose2d baseFromSensor) {
+        return mount(
+                time,
+                frames.base(),
+                frames.sensor(name),
+                UrdfWriter.mounting(robot.model(), name, baseFromSensor));
+    }
+
+    private boolean mount(Instant time, String base, String frame, FrameTransform baseFromFrame) {
+        mounts.add(frame);
+        return mounted.put(time, base, frame, baseFromFrame);
     }
 
     /// Notes where a camera is, which looks along its x axis, with its optical frame.
     ///
-    /// @return whether that is new, so that it is to be published
-    boolean mountCamera(String name, Pose2d baseFromCamera) {
-        boolean isNew = mount(name, baseFromCamera);
-        return mounted.put(frames.sensor(name), frames.optical(name), FrameTransform.OPTICAL) || isNew;
+    /// @return whether that is new, so that mounts are to be published
+    boolean mountCamera(Instant time, String name, Pose2d baseFromCamera) {
+        boolean isNew = mount(time, name, baseFromCamera);
+        return mount(time, frames.sensor(name), frames.optical(name), FrameTransform.OPTICAL) || isNew;
     }
 
     void publishMounts(Instant time) {
@@ -109,5 +120,6 @@ final class RobotOutlet {
 
     void close() {
         ends.forEach(Runnable::run);
+        mounted.remove(mounts);
     }
 }

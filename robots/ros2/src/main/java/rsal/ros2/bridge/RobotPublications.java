@@ -81,7 +81,7 @@ final class RobotPublications {
     }
 
     private void tellScan(Publication scans, String name, Stamped<LaserScan> reading) {
-        if (outlet.mount(name, reading.value().baseFromLaser())) {
+        if (outlet.mount(reading.time(), name, reading.value().baseFromLaser())) {
             outlet.publishMounts(reading.time());
         }
         double period = 0; // which no device tells
@@ -98,7 +98,7 @@ final class RobotPublications {
                 if (i == publications.size()) {
                     publications.add(outlet.advertise(sonars, name, "sensor_msgs/msg/Range", Profile.DEFAULT));
                 }
-                isNew |= outlet.mount(name, ranges.baseFromSensors().get(i));
+                isNew |= outlet.mount(reading.time(), name, ranges.baseFromSensors().get(i));
                 publications.get(i).publish(messages.range(reading.time(), ranges, i, frames.sensor(name)));
             }
             if (isNew) {

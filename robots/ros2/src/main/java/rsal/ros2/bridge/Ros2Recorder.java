@@ -20,7 +20,7 @@ final class Ros2Recorder implements RobotRecorder {
 
     Ros2Recorder(Path folder, boolean force, String program) throws IOException {
         LongSupplier clock = this::now;
-        bag = new BagPublisher(BagWriter.create(folder, force, program, clock), clock);
+        bag = new BagPublisher(BagWriter.folder(folder, force, program, clock), clock);
     }
 
     /// The run's time, since 1970 [ns]; simulated runs begin there.

@@ -26,6 +26,12 @@ final class CameraMaker implements RosParts.Maker {
         return images(name, topics, false).isPresent();
     }
 
+    @Override
+    public boolean isComplete(String name, Part part, RobotTopics topics, RosSettings settings) {
+        return isThere(name, part, topics, settings)
+                && images(name, topics, true).isPresent();
+    }
+
     /// @param name the device's
     private static Optional<RosTopic> images(String name, RobotTopics topics, boolean hasDepth) {
         String image = hasDepth ? "/depth/image_raw" : "/image_raw";
@@ -34,7 +40,10 @@ final class CameraMaker implements RosParts.Maker {
         return all.contains(named)
                 ? Optional.of(named)
                 : all.stream()
-                        .filter(topic -> topic.name().contains(DEPTH) == hasDepth)
+                        .filter(topic -> topic.name()
+                                        .substring(topics.namespace().length())
+                                        .contains(DEPTH)
+                                == hasDepth)
                         .findFirst();
     }
 

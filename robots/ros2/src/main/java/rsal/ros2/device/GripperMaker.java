@@ -28,6 +28,13 @@ final class GripperMaker implements RosParts.Maker {
         return isServed(settings.gripper().action(), topics);
     }
 
+    @Override
+    public boolean isComplete(String name, Part part, RobotTopics topics, RosSettings settings) {
+        boolean hasLift = part instanceof Part.Gripper gripper && gripper.hasLift();
+        return isThere(name, part, topics, settings)
+                && (!hasLift || isServed(settings.gripper().liftAction(), topics));
+    }
+
     private static boolean isServed(String action, RobotTopics topics) {
         String feedback = action + "/_action/feedback";
         return topics.published(FEEDBACK, feedback)

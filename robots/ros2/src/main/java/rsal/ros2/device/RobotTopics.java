@@ -71,7 +71,7 @@ public record RobotTopics(String namespace, List<RosEndpoint> all) {
         return isPublished(own) ? own : new RosTopic("/" + name, type);
     }
 
-    private boolean isPublished(RosTopic topic) {
+    boolean isPublished(RosTopic topic) {
         return all.stream().anyMatch(each -> each.isPublisher() && each.topic().equals(topic));
     }
 

@@ -1,7 +1,9 @@
 package rsal.ros2.device;
 
+import java.util.ArrayDeque;
+import java.util.Comparator;
+import java.util.Deque;
 import java.util.Optional;
-import org.jspecify.annotations.Nullable;
 import rsal.device.DeviceInfo;
 import rsal.device.camera.Camera;
 import rsal.device.camera.CameraImage;
@@ -9,11 +11,11 @@ import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.message.RosMessages;
 
 /// A camera that publishes `sensor_msgs/Image`, in color and, if it can, as depth. An image is one of color with the
-/// one
-/// of depth that was taken with it. Its focal length is that of `sensor_msgs/CameraInfo`, or, as long as none has come,
-/// the model's.
+/// one of depth that was taken with it, which may come some images later, as depth takes time to compute. Its focal
+/// length is that of `sensor_msgs/CameraInfo`, or, as long as none has come, the model's.
 final class RosCamera extends RosSensor<CameraImage> implements Camera {
     private static final long TOGETHER = 20_000_000; // ns, between color and depth of one image at most
+    private static final int MOST_WAITING = 5; // images of color, and of depth
 
     private final double usualFocalLength; // px
     private final boolean hasDepth;
@@ -21,8 +23,8 @@ final class RosCamera extends RosSensor<CameraImage> implements Camera {
     private final RobotClock clock;
     private double focalLength; // px; 0 as long as nobody has told
     private int toldWidth; // px, of images of that focal length
-    private @Nullable Taken color; // without depth yet
-    private @Nullable Taken depth; // without color yet
+    private final Deque<Taken> colors = new ArrayDeque<>(); // without depth yet
+    private final Deque<Taken> depths = new ArrayDeque<>(); // without color yet
 
     /// @param stamp [ns]
     private record Taken(long stamp, ImageMessage image) {
@@ -52,17 +54,34 @@ final class RosCamera extends RosSensor<CameraImage> implements Camera {
     }
 
     void takeColor(RosMessage message) {
-        taken(message).ifPresent(image -> {
-            color = image;
-            join();
+        taken(message).ifPresent(color -> {
+            if (hasDepth) {
+                keep(colors, color);
+                find(depths, color).ifPresent(depth -> join(color, Optional.of(depth)));
+            } else {
+                join(color, Optional.empty());
+            }
         });
     }
 
     void takeDepth(RosMessage message) {
-        taken(message).ifPresent(image -> {
-            depth = image;
-            join();
+        taken(message).ifPresent(depth -> {
+            keep(depths, depth);
+            find(colors, depth).ifPresent(color -> join(color, Optional.of(depth)));
         });
+    }
+
+    private static void keep(Deque<Taken> waiting, Taken image) {
+        if (waiting.size() == MOST_WAITING) {
+            waiting.removeFirst();
+        }
+        waiting.addLast(image);
+    }
+
+    private static Optional<Taken> find(Deque<Taken> waiting, Taken other) {
+        return waiting.stream()
+                .filter(other::isWith)
+                .min(Comparator.comparingLong(each -> Math.abs(each.stamp - other.stamp)));
     }
 
     private static Optional<Taken> taken(RosMessage message) {
@@ -70,25 +89,19 @@ final class RosCamera extends RosSensor<CameraImage> implements Camera {
         return ImageMessage.of(message).map(image -> new Taken(stamp, image));
     }
 
-    private void join() {
-        Taken colors = color;
-        Taken depths = depth;
-        if (colors == null || (hasDepth && (depths == null || !depths.isWith(colors)))) {
-            return;
-        }
-        int width = colors.image.width();
-        int height = colors.image.height();
-        Optional<byte[]> rgb = colors.image.rgb();
+    private void join(Taken color, Optional<Taken> depth) {
+        colors.removeIf(each -> each.stamp <= color.stamp);
+        depths.removeIf(each -> each.stamp <= color.stamp + TOGETHER);
+        int width = color.image.width();
+        int height = color.image.height();
+        Optional<byte[]> rgb = color.image.rgb();
         if (rgb.isEmpty()) {
             return;
         }
-        byte[] millimeters = depths == null
-                ? new byte[2 * width * height]
-                : depths.image.depth(width, height).orElseGet(() -> new byte[2 * width * height]);
+        byte[] millimeters = depth.flatMap(taken -> taken.image.depth(width, height))
+                .orElseGet(() -> new byte[2 * width * height]);
         double focal = focalLength > 0 ? focalLength * width / toldWidth : usualFocalLength;
-        color = null;
-        depth = null;
         heard(frames.now());
-        tell(clock.time(colors.stamp), new CameraImage(width, height, focal, rgb.get(), millimeters));
+        tell(clock.time(color.stamp), new CameraImage(width, height, focal, rgb.get(), millimeters));
     }
 }

@@ -38,8 +38,11 @@ record RosContext(
         return link.subscribe(topic, Profile.SENSOR_DATA, inbox(topic.type(), 1, receiver));
     }
 
-    /// As it is offered, and so that nothing gets lost.
+    /// As it is offered, and so that nothing gets lost; latched where nobody offers it yet.
     Profile reliable(RosTopic topic) {
+        if (!topics.isPublished(topic)) {
+            return Profile.LATCHED;
+        }
         Profile offered = topics.profile(topic);
         return offered == Profile.SENSOR_DATA ? Profile.DEFAULT : offered;
     }

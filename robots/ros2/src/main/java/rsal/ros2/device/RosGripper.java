@@ -91,10 +91,13 @@ final class RosGripper extends RosSensor<GripperState> implements Gripper {
         });
     }
 
-    /// At the end of a goal: what is known by it.
+    /// At the end of a goal: what is known by it. Listeners hear it, unless nobody serves the gripper: it stays lost.
     private Stamped<GripperState> tellNow() {
-        tell(context.frames().now(), state());
-        return latest().orElseThrow();
+        Stamped<GripperState> reading = reading(context.frames().now(), state());
+        if (isServed) {
+            deliver(reading);
+        }
+        return reading;
     }
 
     private GripperState state() {

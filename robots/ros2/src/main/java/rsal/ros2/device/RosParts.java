@@ -21,6 +21,11 @@ final class RosParts {
         /// @param name the device's
         boolean isThere(String name, Part part, RobotTopics topics, RosSettings settings);
 
+        /// Whether it has all topics by which the part can do more.
+        default boolean isComplete(String name, Part part, RobotTopics topics, RosSettings settings) {
+            return isThere(name, part, topics, settings);
+        }
+
         /// @param part one that is there
         RosDevice make(DeviceInfo info, Part part, RosContext context);
     }

@@ -101,6 +101,15 @@ public final class RosRobot {
         return without;
     }
 
+    /// Whether it publishes all that the sensors of its model can have, such as depth of a camera.
+    public static boolean isComplete(RobotSpec spec, RobotTopics topics, RosSettings settings) {
+        return without(spec, topics, settings).isEmpty()
+                && spec.model().sensors().entrySet().stream()
+                        .allMatch(part -> RosParts.maker(part.getValue())
+                                .map(maker -> maker.isComplete(part.getKey(), part.getValue(), topics, settings))
+                                .orElse(true));
+    }
+
     /// Whether a part can be made of topics.
     public static boolean has(Part part) {
         return switch (part) {

@@ -28,8 +28,13 @@ abstract class RosSensor<T> extends SensorCore<T> {
 
     /// A new reading; times go up, whatever the robot says.
     final void tell(Instant time, T value) {
+        deliver(reading(time, value));
+    }
+
+    /// What would be the next reading.
+    final Stamped<T> reading(Instant time, T value) {
         Instant after = latest().map(last -> last.time().plusNanos(1)).orElse(Instant.MIN);
-        deliver(new Stamped<>(time.isBefore(after) ? after : time, frame, value));
+        return new Stamped<>(time.isBefore(after) ? after : time, frame, value);
     }
 
     /// A message has come.

@@ -2,5 +2,5 @@ package rsal.ros2.device;
 
 /// How robots are used.
 ///
-/// @param gripper what those are called that have one
+/// @param gripper names and positions of the joints of grippers
 public record RosSettings(Safety safety, GripperSettings gripper) {}

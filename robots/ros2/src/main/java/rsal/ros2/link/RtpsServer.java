@@ -41,17 +41,17 @@ final class RtpsServer {
         if (isHeader) {
             byte[] header = Arrays.copyOfRange(payload, 0, ServiceIdentity.BEGIN + ServiceIdentity.HEADER);
             server.answer(ServiceIdentity.without(payload), responseHash)
-                    .thenAccept(reply -> write(sample, Optional.empty(), ServiceIdentity.with(header, reply)));
+                    .thenAccept(
+                            reply -> write(sample.writer(), Optional.empty(), ServiceIdentity.with(header, reply)));
         } else {
             Guid client = identity.map(Guid::read).orElse(sample.writer());
             long number = sample.number();
             Consumer<ParameterList.Writer> beside = list -> ServiceIdentity.put(list, client, number);
-            server.answer(payload, responseHash).thenAccept(reply -> write(sample, Optional.of(beside), reply));
+            server.answer(payload, responseHash).thenAccept(reply -> write(client, Optional.of(beside), reply));
         }
     }
 
-    private void write(Sample request, Optional<Consumer<ParameterList.Writer>> beside, byte[] reply) {
-        GuidPrefix client = request.writer().prefix();
+    private void write(Guid client, Optional<Consumer<ParameterList.Writer>> beside, byte[] reply) {
         participant.write(replies, new SampleWriter.Reply(client, date.getAsLong(), beside, reply));
     }
 

@@ -155,10 +155,10 @@ final class Ros2System implements RobotSystem {
     /// Takes a robot when all of its topics are there, or have had their time to appear.
     private void meet(RobotSpec spec, RobotTopics its, RosLink network, Instant now) {
         Instant first = seen.computeIfAbsent(spec, _ -> now);
-        List<String> without = RosRobot.without(spec, its, settings);
-        if (!without.isEmpty() && !now.isAfter(first.plus(SETTLING))) {
+        if (!RosRobot.isComplete(spec, its, settings) && !now.isAfter(first.plus(SETTLING))) {
             return;
         }
+        List<String> without = RosRobot.without(spec, its, settings);
         found.put(spec, robot(spec, its, network));
         topics.remove(spec);
         if (!without.isEmpty()) {

@@ -35,20 +35,31 @@ public record EndpointData(Guid guid, String topic, String type, Qos qos, List<L
     private static final long MAX_BLOCKING = 100_000_000; // ns
     private static final int KEEP_LAST = 0;
     private static final int KEEP_ALL = 1;
+    private static final int LONGEST = 1_024; // characters; names of ROS have 255 at most
 
     public EndpointData {
         locators = List.copyOf(locators);
     }
 
     /// @param isWriter writers are reliable and readers best effort where they don't say
+    /// @throws InvalidRtps also when a name is longer than 1,024 characters
     public static EndpointData of(ParameterList list, boolean isWriter) throws InvalidRtps {
         return new EndpointData(
                 list.find(ENDPOINT_GUID, Guid.BYTES).map(Guid::read).orElseThrow(() -> lacks("GUID")),
-                list.text(TOPIC_NAME).orElseThrow(() -> lacks("topic")),
-                list.text(TYPE_NAME).orElseThrow(() -> lacks("type")),
+                name(list, TOPIC_NAME).orElseThrow(() -> lacks("topic")),
+                name(list, TYPE_NAME).orElseThrow(() -> lacks("type")),
                 qos(list, isWriter),
                 ParticipantData.locators(list, UNICAST_LOCATOR),
-                list.octets(USER_DATA).orElse(""));
+                list.octets(USER_DATA).filter(data -> data.length() <= LONGEST).orElse(""));
+    }
+
+    private static Optional<String> name(ParameterList list, int parameter) throws InvalidRtps {
+        Optional<String> name = list.text(parameter);
+        if (name.isPresent() && name.get().length() > LONGEST) {
+            throw new InvalidRtps(
+                    "A name has %d characters.".formatted(name.get().length()));
+        }
+        return name;
     }
 
     private static InvalidRtps lacks(String what) {

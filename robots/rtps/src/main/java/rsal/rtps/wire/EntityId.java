@@ -49,6 +49,11 @@ public record EntityId(int octets) {
         return kind == 0x02 || kind == 0x03;
     }
 
+    public boolean isReader() {
+        int kind = octets & 0x0f;
+        return kind == 0x04 || kind == 0x07;
+    }
+
     @Override
     public String toString() {
         return "%08x".formatted(octets);

@@ -10,9 +10,8 @@ import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosTopic;
 
 /// Which topics others subscribe to, as known half a second ago at most: for messages so large that they are made only
-/// when
-/// somebody wants them.
-final class Hearers {
+/// when somebody subscribes.
+final class Subscribers {
     private static final Duration LOOK = Duration.ofMillis(500);
 
     private final RosLink link;
@@ -20,7 +19,7 @@ final class Hearers {
     private Instant looked = Instant.MIN;
     private Set<RosTopic> heard = Set.of();
 
-    Hearers(RosLink link, InstantSource clock) {
+    Subscribers(RosLink link, InstantSource clock) {
         this.link = link;
         this.clock = clock;
     }
