@@ -60,12 +60,15 @@ class Studio {
   }
 }
 
+const types = new Map<string, protobuf.Type>(); // by name, as to read a description takes longer than many messages
+
 /** By the description that comes with the channel. */
 function read(channel: Channel, data: Uint8Array): Record<string, unknown> {
   const descriptors = protobuf.Root as unknown as { fromDescriptor(set: Uint8Array): protobuf.Root };
-  const type = descriptors
-    .fromDescriptor(Buffer.from(channel.schema, 'base64'))
-    .lookupType(channel.schemaName);
+  const type =
+    types.get(channel.schemaName) ??
+    descriptors.fromDescriptor(Buffer.from(channel.schema, 'base64')).lookupType(channel.schemaName);
+  types.set(channel.schemaName, type);
   return type.toObject(type.decode(data), { longs: Number, defaults: true });
 }
 
