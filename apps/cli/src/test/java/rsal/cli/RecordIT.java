@@ -72,7 +72,7 @@ class RecordIT {
         }
         Ended there = rsal.run("run", "--headless", "--for", "1", "--record-ros2", "bag");
         assertThat(there.code()).isEqualTo(Exit.INVALID);
-        assertThat(there.err()).contains("there already", "--force");
+        assertThat(there.err()).contains("The folder is not empty", "--force");
 
         Ended mapped = rsal.run("map", "bag", "--out", "map");
         assertThat(mapped.code()).as(mapped.err()).isEqualTo(Exit.SUCCESS);

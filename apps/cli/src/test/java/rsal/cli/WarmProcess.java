@@ -56,11 +56,12 @@ final class WarmProcess {
         WarmProcess warm = running.orElseGet(WarmProcess::start);
         running = Optional.of(warm);
         CompletableFuture<Boolean> isDone = new CompletableFuture<>();
-        isDone.completeOnTimeout(false, PATIENCE_SECONDS, TimeUnit.SECONDS).thenAccept(done -> {
-            if (!done) {
-                warm.process.destroyForcibly(); // which ends the reading
-            }
-        });
+        var _ = isDone.completeOnTimeout(false, PATIENCE_SECONDS, TimeUnit.SECONDS)
+                .thenAccept(done -> {
+                    if (!done) {
+                        warm.process.destroyForcibly(); // which ends the reading
+                    }
+                });
         try {
             return warm.execute(arguments);
         } catch (IOException e) {

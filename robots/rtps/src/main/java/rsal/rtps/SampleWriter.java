@@ -66,8 +66,7 @@ public final class SampleWriter {
     /// @param timestamp [ns] since 1970
     /// @param inlineQos writes what goes beside it, without an end; at most 128 B
     /// @param payload with its encapsulation header; not changed any more
-    public record Reply(
-            Guid to, long timestamp, Optional<Consumer<ParameterList.Writer>> inlineQos, byte[] payload) {}
+    public record Reply(Guid to, long timestamp, Optional<Consumer<ParameterList.Writer>> inlineQos, byte[] payload) {}
 
     private record Held(Reply reply, long until) {}
 

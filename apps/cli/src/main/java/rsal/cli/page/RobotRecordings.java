@@ -62,7 +62,9 @@ final class RobotRecordings implements AutoCloseable {
             throw new InvalidSettings(
                     Location.of(path.toString()),
                     "The folder is not empty.",
-                    "Name another folder, or overwrite the recording in it by '--force'.");
+                    force
+                            ? "Name another folder, as there is no recording in it that '--force' could overwrite."
+                            : "Name another folder, or overwrite the recording in it by '--force'.");
         } catch (IOException e) {
             throw new InvalidSettings(
                     Location.of(path.toString()),

@@ -60,8 +60,7 @@ public final class BagWriter implements Closeable {
     /// @param clock by which chunks grow old [ns]
     /// @throws FileAlreadyExistsException when it is there and may not
     public static BagWriter file(Path file, boolean force, String program, LongSupplier clock) throws IOException {
-        return new BagWriter(
-                Optional.empty(), String.valueOf(file.getFileName()), open(file, force, program, clock));
+        return new BagWriter(Optional.empty(), String.valueOf(file.getFileName()), open(file, force, program, clock));
     }
 
     /// Begins a bag that is a folder.

@@ -43,7 +43,9 @@ final class GoalServers {
     }
 
     static List<Served> serve(Device device, Context context) {
-        return ALL.stream().flatMap(kind -> kind.serve(device, context).stream()).toList();
+        return ALL.stream()
+                .flatMap(kind -> kind.serve(device, context).stream())
+                .toList();
     }
 
     /// Sizes are those of the model; without them positions mean nothing.
@@ -68,8 +70,8 @@ final class GoalServers {
     }
 
     private static Served serve(Gripper gripper, PublishedGripper.Motion motion, String name, Context context) {
-        var action =
-                new PublishedGripper(gripper, motion, context.link, context.services.get(), context.name(name), context.scheduler);
+        var action = new PublishedGripper(
+                gripper, motion, context.link, context.services.get(), context.name(name), context.scheduler);
         return new Served(gripper, name, action::close);
     }
 }

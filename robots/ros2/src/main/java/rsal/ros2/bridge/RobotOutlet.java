@@ -90,10 +90,7 @@ final class RobotOutlet {
     /// @return whether that is new, so that mounts are to be published
     boolean mount(Instant time, String name, Pose2d baseFromSensor) {
         return mount(
-                time,
-                frames.base(),
-                frames.sensor(name),
-                UrdfWriter.mounting(robot.model(), name, baseFromSensor));
+                time, frames.base(), frames.sensor(name), UrdfWriter.mounting(robot.model(), name, baseFromSensor));
     }
 
     private boolean mount(Instant time, String base, String frame, FrameTransform baseFromFrame) {

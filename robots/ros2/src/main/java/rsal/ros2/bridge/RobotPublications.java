@@ -98,7 +98,8 @@ final class RobotPublications {
                 if (i == publications.size()) {
                     publications.add(outlet.advertise(sonars, name, "sensor_msgs/msg/Range", Profile.DEFAULT));
                 }
-                isNew |= outlet.mount(reading.time(), name, ranges.baseFromSensors().get(i));
+                isNew |= outlet.mount(
+                        reading.time(), name, ranges.baseFromSensors().get(i));
                 publications.get(i).publish(messages.range(reading.time(), ranges, i, frames.sensor(name)));
             }
             if (isNew) {

@@ -98,8 +98,8 @@ final class RosCamera extends RosSensor<CameraImage> implements Camera {
         if (rgb.isEmpty()) {
             return;
         }
-        byte[] millimeters = depth.flatMap(taken -> taken.image.depth(width, height))
-                .orElseGet(() -> new byte[2 * width * height]);
+        byte[] millimeters =
+                depth.flatMap(taken -> taken.image.depth(width, height)).orElseGet(() -> new byte[2 * width * height]);
         double focal = focalLength > 0 ? focalLength * width / toldWidth : usualFocalLength;
         heard(frames.now());
         tell(clock.time(color.stamp), new CameraImage(width, height, focal, rgb.get(), millimeters));

@@ -41,8 +41,7 @@ final class RtpsServer {
         if (isHeader) {
             byte[] header = Arrays.copyOfRange(payload, 0, ServiceIdentity.BEGIN + ServiceIdentity.HEADER);
             server.answer(ServiceIdentity.without(payload), responseHash)
-                    .thenAccept(
-                            reply -> write(sample.writer(), Optional.empty(), ServiceIdentity.with(header, reply)));
+                    .thenAccept(reply -> write(sample.writer(), Optional.empty(), ServiceIdentity.with(header, reply)));
         } else {
             Guid client = identity.map(Guid::read).orElse(sample.writer());
             long number = sample.number();

@@ -296,7 +296,9 @@ class RosSensorsTest {
         for (int i = 0; i < 3; i++) {
             colors.publish(image(2, 2, "rgb8", 6, false, new byte[12]));
             advance();
-            assertThat(robot.require(Camera.class).latest()).as("of other times").isEmpty();
+            assertThat(robot.require(Camera.class).latest())
+                    .as("of other times")
+                    .isEmpty();
         }
         depths.publish(late); // of the first of them
         advance();
