@@ -33,17 +33,19 @@ final class MountedFrames {
     ///
     /// @return whether those that don't move have changed, and are to be published
     boolean put(Instant time, String base, String frame, FrameTransform baseFromFrame) {
-        var mount = new Mount(base, baseFromFrame);
-        Mount before = moved.contains(frame) ? null : mounts.putIfAbsent(frame, mount);
-        boolean isNew = before == null && !moved.contains(frame);
-        boolean hasMoved = before != null && !before.equals(mount) && moved.add(frame);
-        if (hasMoved) {
+        boolean hasChanged = false;
+        if (!moved.contains(frame)) {
+            var mount = new Mount(base, baseFromFrame);
+            Mount before = mounts.putIfAbsent(frame, mount);
+            if (before == null || before.equals(mount)) {
+                return before == null;
+            }
             mounts.remove(frame);
+            moved.add(frame);
+            hasChanged = true;
         }
-        if (moved.contains(frame)) {
-            moving.publish(messages.transforms(List.of(new Transform(time, base, frame, baseFromFrame))));
-        }
-        return isNew || hasMoved;
+        moving.publish(messages.transforms(List.of(new Transform(time, base, frame, baseFromFrame))));
+        return hasChanged;
     }
 
     /// Those of a robot that has left.

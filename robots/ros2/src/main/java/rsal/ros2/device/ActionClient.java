@@ -26,6 +26,10 @@ import rsal.time.Scheduler;
 
 /// Has somebody pursue goals: a client of an action of ROS 2. All on the scheduler's thread.
 final class ActionClient {
+    static final int SUCCEEDED = 4; // states of action_msgs/GoalStatus
+    static final int CANCELED = 5;
+    static final int ABORTED = 6;
+
     private static final int FEEDBACK_WAITING = 10;
     private static final int ID = 16; // bytes
     private static final Duration ANSWER = Duration.ofSeconds(5); // to a goal: yes or no

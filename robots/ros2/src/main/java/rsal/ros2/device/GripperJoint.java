@@ -17,9 +17,6 @@ import rsal.ros2.cdr.RosMessage;
 /// (closed, up). While its robot's motors are off, its goals wait, and one under way is canceled and sent again.
 final class GripperJoint {
     private static final Duration PATIENCE = Duration.ofSeconds(15);
-    private static final int SUCCEEDED = 4; // states of action_msgs/GoalStatus
-    private static final int CANCELED = 5;
-    private static final int ABORTED = 6;
 
     private final ActionClient action;
     private final RosContext context;
@@ -118,11 +115,11 @@ final class GripperJoint {
             RosMessage result = response.message("result");
             int status = (int) response.integer("status");
             boolean isStalled = result.get("stalled", Boolean.class);
-            if (status == SUCCEEDED || (status == ABORTED && isStalled && target == 1)) {
+            if (status == ActionClient.SUCCEEDED || (status == ActionClient.ABORTED && isStalled && target == 1)) {
                 moved(result.number("position"));
                 stalled = isStalled && target == 1;
                 finish(Result.Reached::new);
-            } else if (status == CANCELED) {
+            } else if (status == ActionClient.CANCELED) {
                 if (its.equals(goal)) {
                     sent = null;
                     cancel();

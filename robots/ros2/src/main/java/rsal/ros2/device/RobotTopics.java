@@ -84,6 +84,12 @@ public record RobotTopics(String namespace, List<RosEndpoint> all) {
                 .orElse(Profile.SENSOR_DATA);
     }
 
+    /// As [#profile], so that nothing gets lost.
+    Profile reliable(RosTopic topic) {
+        Profile offered = profile(topic);
+        return offered == Profile.SENSOR_DATA ? Profile.DEFAULT : offered;
+    }
+
     /// Which distribution's types its programs use, by the hashes that they announce. Humble's announce none.
     ///
     /// @param usual where the hashes fit it as well as any other

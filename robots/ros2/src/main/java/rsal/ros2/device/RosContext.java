@@ -40,10 +40,6 @@ record RosContext(
 
     /// As it is offered, and so that nothing gets lost; latched where nobody offers it yet.
     Profile reliable(RosTopic topic) {
-        if (!topics.isPublished(topic)) {
-            return Profile.LATCHED;
-        }
-        Profile offered = topics.profile(topic);
-        return offered == Profile.SENSOR_DATA ? Profile.DEFAULT : offered;
+        return topics.isPublished(topic) ? topics.reliable(topic) : Profile.LATCHED;
     }
 }

@@ -26,8 +26,6 @@ import rsal.ros2.message.RosMessages;
 final class RosNavigator extends DeviceCore implements Navigator {
     private static final Duration PATIENCE = Duration.ofSeconds(1); // without anybody who serves the action
     private static final String MAP = "map";
-    private static final int SUCCEEDED = 4; // states of action_msgs/GoalStatus
-    private static final int CANCELED = 5;
     private static final int FIRST_OF_PLANNING = 200; // error codes of Nav2
     private static final int LAST_OF_PLANNING = 399;
 
@@ -85,10 +83,10 @@ final class RosNavigator extends DeviceCore implements Navigator {
         }
 
         private Result result(int status, RosMessage result) {
-            if (status == SUCCEEDED) {
+            if (status == ActionClient.SUCCEEDED) {
                 return new Result.Reached(mapFromGoal);
             }
-            if (status == CANCELED) {
+            if (status == ActionClient.CANCELED) {
                 return new Result.Cancelled("The robot's navigator canceled it.");
             }
             boolean tellsWhy = result.fields().containsKey("error_code"); // Humble does not

@@ -17,8 +17,6 @@ import rsal.device.Navigator;
 import rsal.robot.Robot;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
-import rsal.ros2.cdr.MessageCodec;
-import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.link.Inbox;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
@@ -50,11 +48,11 @@ public final class RosRobot {
     private final RobotSpec spec;
     private final RobotTopics topics;
     private final RosLink link;
-    private final TypeLibrary types;
     private final Scheduler scheduler;
     private final Frames frames;
     private final RobotClock clock;
     private final RosBase base;
+    private final RosContext context;
     private final Subscribed driven;
     private final Map<RosSensor<?>, Subscribed> sensors = new LinkedHashMap<>();
     private final List<Device> devices = new ArrayList<>();
@@ -133,7 +131,6 @@ public final class RosRobot {
         this.spec = spec;
         this.topics = topics;
         this.link = link;
-        this.types = types;
         this.scheduler = scheduler;
         frames = new Frames(scheduler);
         clock = new RobotClock(scheduler);
@@ -150,6 +147,7 @@ public final class RosRobot {
                 safety,
                 frames,
                 clock);
+        context = new RosContext(topics, link, types, scheduler, frames, clock, base, settings.gripper(), random);
         var motors = new MotorSwitch(spec.id(), link, topics.namespace(), safety);
         motors.tell(base.enabled());
         base.onMotors(motors::tell);
@@ -159,13 +157,12 @@ public final class RosRobot {
         others.add(link.subscribe(
                 topics.ownOrShared("tf", TRANSFORMS),
                 Profile.DEFAULT,
-                inbox(TRANSFORMS, TRANSFORMS_WAITING, frames::add))::close);
+                context.inbox(TRANSFORMS, TRANSFORMS_WAITING, frames::add))::close);
         others.add(link.subscribe(
                 topics.ownOrShared("tf_static", TRANSFORMS),
                 Profile.LATCHED,
-                inbox(TRANSFORMS, TRANSFORMS_WAITING, frames::addFixed))::close);
+                context.inbox(TRANSFORMS, TRANSFORMS_WAITING, frames::addFixed))::close);
         List<String> without = without(spec, topics, settings);
-        var context = new RosContext(topics, link, types, scheduler, frames, clock, base, settings.gripper(), random);
         int lasers = 0;
         for (Map.Entry<String, Part> part : spec.model().sensors().entrySet()) {
             if (without.contains(part.getKey())) {
@@ -212,11 +209,6 @@ public final class RosRobot {
         }
     }
 
-    private Inbox<RosMessage> inbox(String type, int capacity, Consumer<RosMessage> receiver) {
-        MessageCodec codec = MessageCodec.of(types.get(type), types);
-        return new Inbox<>(capacity, codec::read, scheduler, receiver);
-    }
-
     private void addLaser(DeviceInfo info, Part.Laser part, int number) {
         RosTopic topic = topics.published(SCAN, "scan").get(number);
         var laser = new RosLaser(info, topic.name(), part, frames, clock);
@@ -235,7 +227,7 @@ public final class RosRobot {
         for (int i = 0; i < part.baseFromSensors().size(); i++) {
             int sensor = i;
             Subscribed subscription = link.subscribe(
-                    all.get(i), Profile.SENSOR_DATA, inbox(RANGE, 1, message -> sonars.take(sensor, message)));
+                    all.get(i), Profile.SENSOR_DATA, context.inbox(RANGE, 1, message -> sonars.take(sensor, message)));
             if (i == 0) {
                 add(sonars, subscription);
             } else {
@@ -247,7 +239,7 @@ public final class RosRobot {
     private void addBattery(DeviceInfo info) {
         RosTopic topic = topics.published(BATTERY, "battery_state").getFirst();
         var battery = new RosBattery(info, topic.name(), frames, clock);
-        add(battery, link.subscribe(topic, Profile.SENSOR_DATA, inbox(BATTERY, 1, battery::take)));
+        add(battery, link.subscribe(topic, Profile.SENSOR_DATA, context.inbox(BATTERY, 1, battery::take)));
     }
 
     /// Its pose may come as a topic, or by TF alone.
@@ -259,24 +251,18 @@ public final class RosRobot {
         others.add(initial::close);
         var localizer = new RosLocalizer(info, topic.name(), initial, frames, clock);
         drivenListeners.add(localizer::take);
-        add(localizer, link.subscribe(topic, reliable(topic), inbox(POSE, 1, localizer::take)));
+        add(localizer, link.subscribe(topic, topics.reliable(topic), context.inbox(POSE, 1, localizer::take)));
     }
 
     private void addMap(DeviceInfo info) {
         RosTopic topic = topics.ownOrShared("map", MAP);
         var map = new PublicMap(info, topic.name(), clock);
-        add(map, link.subscribe(topic, reliable(topic), inbox(MAP, 1, map::take)));
-    }
-
-    /// As it is offered, and so that nothing gets lost.
-    private Profile reliable(RosTopic topic) {
-        Profile offered = topics.profile(topic);
-        return offered == Profile.SENSOR_DATA ? Profile.DEFAULT : offered;
+        add(map, link.subscribe(topic, topics.reliable(topic), context.inbox(MAP, 1, map::take)));
     }
 
     private void addNavigator(DeviceInfo info, RandomGenerator random) {
         String name = topics.namespace() + "/navigate_to_pose";
-        var action = new ActionClient(link, types, name, NAVIGATE, scheduler, random);
+        var action = new ActionClient(link, context.types(), name, NAVIGATE, scheduler, random);
         var navigator = new RosNavigator(info, action, name, base, frames);
         navigators.add(navigator);
         devices.add(navigator);
