@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.Optional;
 import java.util.stream.Stream;
 import rsal.cli.log.WorldConversion.Converted;
-import rsal.cli.terminal.Mistake;
 import rsal.scene.Scene;
 import rsal.settings.Location;
 import rsal.world.SceneExport;
@@ -37,12 +36,7 @@ public final class ExportConversion implements Conversion {
         var lines = new ArrayList<>(files.names());
         lines.add(written.summary());
         return new Result(
-                new Converted(
-                        request.file(),
-                        files.names(),
-                        scene.things().size(),
-                        scene.robots().size(),
-                        Mistake.of(scene.warnings())),
+                Converted.of(request.file(), files, scene),
                 lines,
                 Stream.concat(
                                 scene.warnings().stream().map(String::valueOf),

@@ -21,7 +21,12 @@ public final class WorldConversion implements Conversion {
     private static final List<String> WORLDS = List.of(".world", ".sdf");
 
     /// @param files that were written, the world's first
-    record Converted(String file, List<String> files, int things, int robots, List<Mistake> warnings) {}
+    record Converted(String file, List<String> files, int things, int robots, List<Mistake> warnings) {
+        static Converted of(String file, ConvertedFiles written, Scene scene) {
+            return new Converted(
+                    file, written.names(), scene.things().size(), scene.robots().size(), Mistake.of(scene.warnings()));
+        }
+    }
 
     @Override
     public String description() {
@@ -53,12 +58,7 @@ public final class WorldConversion implements Conversion {
                         Counted.of(scene.robots().size(), "robot")));
         files.names().stream().skip(1).forEach(lines::add);
         return new Result(
-                new Converted(
-                        request.file(),
-                        files.names(),
-                        scene.things().size(),
-                        scene.robots().size(),
-                        Mistake.of(scene.warnings())),
+                Converted.of(request.file(), files, scene),
                 lines,
                 scene.warnings().stream().map(String::valueOf).toList());
     }

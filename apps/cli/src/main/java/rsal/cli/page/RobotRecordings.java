@@ -3,9 +3,9 @@ package rsal.cli.page;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.FileAlreadyExistsException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import rsal.cli.terminal.Build;
@@ -52,7 +52,7 @@ final class RobotRecordings implements AutoCloseable {
         }
         end();
         runs++;
-        Path path = path(folder.get());
+        Path path = RecordingPaths.of(folder.get(), "", runs);
         try {
             RobotRecorder next = provider().begin(path, force && runs == 1, Build.name());
             recorder = next;
@@ -87,15 +87,6 @@ final class RobotRecordings implements AutoCloseable {
         run = begun;
     }
 
-    /// Of further runs, a folder that is not there yet: `run-2`.
-    private Path path(Path named) {
-        Path next = named;
-        for (int number = runs; runs > 1 && (next.equals(named) || Files.exists(next)); number++) {
-            next = named.resolveSibling(named.getFileName() + "-" + number);
-        }
-        return next;
-    }
-
     /// A run has ended, and with it its recording, unless another has begun since: says what became of it.
     synchronized void end(LiveRun over) {
         if (over.equals(run)) {
@@ -108,13 +99,10 @@ final class RobotRecordings implements AutoCloseable {
         if (open == null) {
             return;
         }
-        Path path = recorded;
         Optional<IOException> why = close(open);
         recorder = null;
         run = null;
-        err.println(why.map(e -> "rsal: The recording '%s' is not whole: %s. Maybe the disk is full."
-                        .formatted(path, e.getMessage()))
-                .orElse("Recorded to " + path));
+        RecordingPaths.report(err, Objects.requireNonNull(recorded), why);
     }
 
     private Optional<IOException> close(@Nullable RobotRecorder open) {

@@ -3,8 +3,8 @@ package rsal.cli.page;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.FileAlreadyExistsException;
-import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import rsal.cli.terminal.Destination;
@@ -73,7 +73,7 @@ final class RunRecorder implements AutoCloseable {
         }
         end();
         runs++;
-        Path path = path(file.get());
+        Path path = RecordingPaths.of(file.get(), ENDING, runs);
         boolean waits = headless && origin.plan().clock() == RunPlan.Clock.SIMULATED;
         try {
             var next = Recorder.begin(
@@ -105,20 +105,6 @@ final class RunRecorder implements AutoCloseable {
         run = begun;
     }
 
-    /// Of further runs, a file that is not there yet: `run-2.mcap`.
-    private Path path(Path named) {
-        if (runs == 1) {
-            return named;
-        }
-        String name = String.valueOf(named.getFileName());
-        String stem = name.endsWith(ENDING) ? name.substring(0, name.length() - ENDING.length()) : name;
-        Path next;
-        do {
-            next = named.resolveSibling(stem + "-" + runs + ENDING);
-        } while (Files.exists(next) && runs++ < Integer.MAX_VALUE);
-        return next;
-    }
-
     /// A run has ended: ends its recording, unless another has begun since, and tells what became of it.
     synchronized void end(LiveRun over) {
         if (over.equals(run)) {
@@ -132,13 +118,7 @@ final class RunRecorder implements AutoCloseable {
         if (ended == null) {
             return;
         }
-        Optional<IOException> why = ended.failure();
-        if (why.isPresent()) {
-            err.println("rsal: The recording '%s' is not whole: %s. Maybe the disk is full."
-                    .formatted(recorded, why.get().getMessage()));
-        } else {
-            err.println("Recorded to " + recorded);
-        }
+        RecordingPaths.report(err, Objects.requireNonNull(recorded), ended.failure());
         if (ended.dropped() > 0) {
             err.println("The disk was too slow: %d states of the run were not recorded.".formatted(ended.dropped()));
         }
