@@ -1,5 +1,6 @@
 package rsal.system;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletionStage;
@@ -13,8 +14,21 @@ import rsal.robot.RobotSpec;
 
 /// Where robots come from: a simulated world, a set of Player servers, a ROS 2 domain.
 public interface RobotSystem extends AutoCloseable {
-    /// Starts the system and finds its robots, each with the hardware devices it has.
+    /// Starts the system and finds its robots, each with the hardware devices it has. Completes within
+    /// [#discoveryLimit()]: with all robots, or exceptionally with a message that says what is missing.
+    /// A system that [admits late robots][#admitsLateRobots()] may complete without some of them. These
+    /// [appear][Change.Appeared] later.
     CompletionStage<List<Robot>> discover();
+
+    /// How long [#discover()] takes at most; the run fails afterwards.
+    default Duration discoveryLimit() {
+        return Duration.ofSeconds(10);
+    }
+
+    /// Whether the run may begin before all robots are found.
+    default boolean admitsLateRobots() {
+        return false;
+    }
 
     Subscription onChange(Consumer<? super Change> listener);
 

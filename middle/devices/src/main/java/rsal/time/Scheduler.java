@@ -56,7 +56,8 @@ public interface Scheduler extends InstantSource, Executor {
         var result = new CompletableFuture<T>();
         Task timer = after(
                 limit,
-                () -> result.completeExceptionally(new TimeoutException("No answer within %s.".formatted(limit))));
+                () -> result.completeExceptionally(
+                        new TimeoutException("No answer within %s s.".formatted(limit.toMillis() / 1000.0))));
         stage.whenComplete((value, error) -> execute(() -> {
             timer.cancel();
             if (error == null) {

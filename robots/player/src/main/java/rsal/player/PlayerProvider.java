@@ -76,7 +76,18 @@ public final class PlayerProvider implements RobotSystemProvider {
 
     @Override
     public List<Parameter<?>> parameters() {
-        return List.of(SERVERS, HOST, PORT, INDEX, DELIVERY, RealRobots.WATCHDOG, RealRobots.ARMED, SIMULATION, NAMES);
+        return List.of(
+                SERVERS,
+                HOST,
+                PORT,
+                INDEX,
+                DELIVERY,
+                RealRobots.WATCHDOG,
+                RealRobots.ARMED,
+                RealRobots.WAIT,
+                RealRobots.LATE,
+                SIMULATION,
+                NAMES);
     }
 
     @Override
@@ -108,6 +119,7 @@ public final class PlayerProvider implements RobotSystemProvider {
                 Delivery.valueOf(settings.get(DELIVERY).toUpperCase(Locale.ROOT)),
                 settings.seconds(RealRobots.WATCHDOG),
                 settings.get(RealRobots.ARMED),
+                RealRobots.Waiting.of(settings),
                 scheduler);
     }
 

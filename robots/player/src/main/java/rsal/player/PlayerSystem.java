@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
@@ -23,19 +24,21 @@ import rsal.player.device.RemoteTruth;
 import rsal.robot.Robot;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotSpec;
+import rsal.system.RealRobots.Waiting;
 import rsal.system.RobotSystem;
 import rsal.time.Scheduler;
 import rsal.time.Task;
 
 /// Robots of Player servers. One whose server is lost is gone, and appears again when that is back.
 final class PlayerSystem implements RobotSystem {
-    private static final Duration PATIENCE = Duration.ofSeconds(8);
+    private static final Duration SETUP = Duration.ofSeconds(12); // of a robot's devices, once its servers are there
 
     private final Map<RobotSpec, ServerAddress> berths;
     private final Optional<Overseer> overseer;
     private final Delivery delivery;
     private final Duration watchdog;
     private final boolean armed;
+    private final Waiting waiting;
     private final Scheduler scheduler;
     private final Map<Server, RemoteServer> servers = new LinkedHashMap<>();
     private final List<RemoteRobot> robots = new ArrayList<>();
@@ -58,12 +61,14 @@ final class PlayerSystem implements RobotSystem {
             Delivery delivery,
             Duration watchdog,
             boolean armed,
+            Waiting waiting,
             Scheduler scheduler) {
         this.berths = berths;
         this.overseer = overseer;
         this.delivery = delivery;
         this.watchdog = watchdog;
         this.armed = armed;
+        this.waiting = waiting;
         this.scheduler = scheduler;
         this.looking = scheduler.every(RemoteServer.LOOK, this::look);
     }
@@ -83,8 +88,47 @@ final class PlayerSystem implements RobotSystem {
                 .map(berth -> find(berth.getKey(), berth.getValue()).toCompletableFuture())
                 .toList();
         CompletionStage<Void> seen = overseer.map(this::oversee).orElse(CompletableFuture.completedStage(null));
-        return seen.thenCompose(_ -> all(found))
-                .thenApply(_ -> found.stream().map(CompletableFuture::join).toList());
+        CompletionStage<Void> complete = seen.thenCompose(_ -> all(found));
+        return waiting.late()
+                ? seen.thenCompose(_ -> early(found))
+                : complete.thenApply(
+                        _ -> found.stream().map(CompletableFuture::join).toList());
+    }
+
+    /// Those that are found in time. The others appear when they are found.
+    private CompletionStage<List<Robot>> early(List<CompletableFuture<Robot>> found) {
+        return scheduler.within(waiting.patience(), all(found)).handle((_, _) -> {
+            var early = new ArrayList<Robot>();
+            List<RobotSpec> specs = List.copyOf(berths.keySet());
+            for (int i = 0; i < found.size(); i++) {
+                String id = specs.get(i).id();
+                CompletableFuture<Robot> search = found.get(i);
+                if (search.isDone() && !search.isCompletedExceptionally()) {
+                    early.add(search.join());
+                } else {
+                    var _ = search.handle((robot, error) -> {
+                        changes.tell(error == null ? new Change.Appeared(robot) : new Change.Gone(id, why(error)));
+                        return id;
+                    });
+                }
+            }
+            return List.copyOf(early);
+        });
+    }
+
+    private static String why(Throwable error) {
+        Throwable cause = error instanceof CompletionException && error.getCause() != null ? error.getCause() : error;
+        return String.valueOf(cause.getMessage());
+    }
+
+    @Override
+    public Duration discoveryLimit() {
+        return waiting.patience().plus(SETUP);
+    }
+
+    @Override
+    public boolean admitsLateRobots() {
+        return waiting.late();
     }
 
     private RemoteServer server(Server at) {
@@ -94,15 +138,16 @@ final class PlayerSystem implements RobotSystem {
     private CompletionStage<Void> oversee(Overseer how) {
         List<RemoteServer> all =
                 how.server().map(this::server).map(List::of).orElseGet(() -> List.copyOf(servers.values()));
-        return all(all.stream().map(server -> server.known(PATIENCE)).toList()).thenCompose(_ -> {
-            truth = RemoteTruth.in(all, how.names(), scheduler);
-            return truth.map(RemoteTruth::start)
-                    .orElseGet(() ->
-                            CompletableFuture.failedStage(new IOException("None of the servers %s has a 'simulation'."
-                                    .formatted(all.stream()
-                                            .map(server -> "'%s'".formatted(server.name()))
-                                            .toList()))));
-        });
+        return all(all.stream().map(server -> server.known(waiting.patience())).toList())
+                .thenCompose(_ -> {
+                    truth = RemoteTruth.in(all, how.names(), scheduler);
+                    return truth.map(RemoteTruth::start)
+                            .orElseGet(() -> CompletableFuture.failedStage(new IOException(
+                                    "None of the servers %s has a 'simulation'."
+                                            .formatted(all.stream()
+                                                    .map(server -> "'%s'".formatted(server.name()))
+                                                    .toList()))));
+                });
     }
 
     private static CompletionStage<Void> all(List<? extends CompletionStage<?>> stages) {
@@ -112,8 +157,7 @@ final class PlayerSystem implements RobotSystem {
 
     private CompletionStage<Robot> find(RobotSpec spec, ServerAddress berth) {
         List<RemoteServer> its = berth.servers().stream().map(servers::get).toList();
-        CompletionStage<Void> known =
-                all(its.stream().map(server -> server.known(PATIENCE)).toList());
+        CompletionStage<Void> known = all(its.stream().map(this::known).toList());
         return known.thenCompose(_ -> {
                     RemoteRobot robot;
                     try {
@@ -128,6 +172,10 @@ final class PlayerSystem implements RobotSystem {
                     its.forEach(server -> server.onChange(lost -> changed(robot, its, lost)));
                     return robot;
                 });
+    }
+
+    private CompletionStage<Void> known(RemoteServer server) {
+        return waiting.late() ? server.known() : server.known(waiting.patience());
     }
 
     /// Models of the robots that its servers have before it; those that are not ours are believed to be like

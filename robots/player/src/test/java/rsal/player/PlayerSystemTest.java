@@ -474,6 +474,23 @@ class PlayerSystemTest {
     }
 
     @Test
+    void robotsMayJoinWhenTheirServersStartLate() {
+        int port = port();
+        on(theirTime, () -> {
+            bridge.close();
+            return true;
+        });
+        assertThat(discover(Map.of("port", port, "armed", true, "wait", 3.0, "late", true), spec()))
+                .isEmpty();
+        serve(port);
+        until(() -> !changes.isEmpty());
+        assertThat(on(time, () -> changes.getFirst()))
+                .isInstanceOfSatisfying(
+                        Change.Appeared.class,
+                        change -> assertThat(change.robot().id()).isEqualTo("r1"));
+    }
+
+    @Test
     void itMayHaveNoRobots() {
         assertThat(discover(Map.of("servers", "nonsense"))).isEmpty();
     }

@@ -76,7 +76,9 @@ final class RunAssembly implements AutoCloseable {
     private final RobotTeam team = new RobotTeam();
     private final RobotPoses where;
     private final List<Bridge> bridges = new ArrayList<>();
+    private final List<RobotSystem.Change> early = new ArrayList<>(); // before all was put together
     private Optional<RobotRecorder> recorder = Optional.empty();
+    private boolean assembled;
     private boolean closed;
 
     /// Makes the robot systems; nothing moves yet.
@@ -119,6 +121,7 @@ final class RunAssembly implements AutoCloseable {
 
     /// Finds the robots and, once they are there, begins.
     void begin() {
+        systems.onChange(this::changed);
         systems.discover()
                 .whenComplete((found, error) -> scheduler.execute(() -> {
                     if (error instanceof RunBroken broken) {
@@ -131,17 +134,23 @@ final class RunAssembly implements AutoCloseable {
     private void assemble(List<Robot> found) {
         for (PlannedRobot planned : plan.robots()) {
             String id = planned.spec().id();
-            found.stream().filter(robot -> robot.id().equals(id)).findFirst().ifPresent(robot -> equip(robot, planned));
+            found.stream()
+                    .filter(robot -> robot.id().equals(id))
+                    .findFirst()
+                    .ifPresentOrElse(
+                            robot -> equip(robot, planned),
+                            () -> eventLog.event("run", id, "is not there yet; it joins when it is found"));
         }
         world.begin();
         recorder.ifPresent(
                 who -> bridges.add(who.open(bridgeContext(CommandTimeout.none(), Optional.empty()), scheduler)));
         robotCommands.begin();
-        systems.onChange(this::changed);
         agents.gather(systems.simulation());
         systems.simulation().ifPresent(new ThingArrivals(plan, scheduler, eventLog)::begin);
         faults.begin();
-        plan.agents().forEach(agents::start);
+        plan.agents().stream()
+                .filter(agent -> agent.robot().map(team::has).orElse(true)) // others start with their robots
+                .forEach(agents::start);
         eventLog.event(
                 "run",
                 "",
@@ -149,6 +158,9 @@ final class RunAssembly implements AutoCloseable {
                         .formatted(
                                 Counted.of(team.robots().size(), "robot"),
                                 Counted.of(plan.agents().size(), "agent")));
+        assembled = true;
+        early.forEach(this::changed);
+        early.clear();
     }
 
     private void equip(Robot robot, PlannedRobot planned) {
@@ -163,6 +175,10 @@ final class RunAssembly implements AutoCloseable {
 
     private void changed(RobotSystem.Change change) {
         if (closed) {
+            return;
+        }
+        if (!assembled) {
+            early.add(change);
             return;
         }
         switch (change) {
@@ -189,10 +205,10 @@ final class RunAssembly implements AutoCloseable {
         }
     }
 
-    /// Gives a robot that nobody planned what those like it have.
+    /// Gives a robot that joins what was planned for it, or else what those like it have.
     private void join(Robot robot) {
         String id = robot.id();
-        PlannedRobot planned = dynamicRobots.plan(robot, world.truth(id));
+        PlannedRobot planned = dynamicRobots.planned(id).orElseGet(() -> dynamicRobots.plan(robot, world.truth(id)));
         observer.joined(id, robot.role());
         equip(robot, planned);
         bridges.forEach(bridge -> offer(bridge, id));

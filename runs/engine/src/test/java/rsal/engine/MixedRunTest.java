@@ -208,7 +208,7 @@ class MixedRunTest {
             nowhere | Robot system 'reality' of real failed: Nobody is there.
             away    | Robot system 'reality' of real failed: Nobody answers.
             empty   | Robot system 'reality' of real has no robot 'real'; it has [].
-            silent  | Robot system 'reality' of real failed: No answer within PT10S.
+            silent  | Robot system 'reality' of real failed: No answer within 10.0 s.
             """)
     void aSystemThatFailsIsNamedWithItsRobotsEvenIfTheRunWouldHaveEndedMeanwhile(String host, String words) {
         assertThat(broken(MIXED.replace("host: lab", "host: " + host))).hasMessage(words);

@@ -96,6 +96,11 @@ public final class RemoteServer implements AutoCloseable {
         });
     }
 
+    /// Completes when it is known what the server has, whenever that is.
+    public CompletionStage<Void> known() {
+        return offer.thenAccept(_ -> {});
+    }
+
     /// Why there is no connection, when there is none.
     String reason() {
         return reason;

@@ -124,6 +124,8 @@ public final class Ros2Provider implements RobotSystemProvider {
                 DISTRIBUTION,
                 RealRobots.WATCHDOG,
                 RealRobots.ARMED,
+                RealRobots.WAIT,
+                RealRobots.LATE,
                 STOP_TOPIC,
                 STOP_SERVICE,
                 GRIPPER_ACTION,
@@ -173,6 +175,7 @@ public final class Ros2Provider implements RobotSystemProvider {
                                         settings.get(STOP_TOPIC),
                                         settings.get(STOP_SERVICE)),
                                 gripper),
+                        RealRobots.Waiting.of(settings),
                         scheduler,
                         new SecureRandom());
             }

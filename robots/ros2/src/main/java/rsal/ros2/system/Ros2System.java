@@ -27,6 +27,7 @@ import rsal.ros2.link.RosEndpoint;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeLibrary;
+import rsal.system.RealRobots.Waiting;
 import rsal.system.RobotSystem;
 import rsal.time.Scheduler;
 import rsal.time.Task;
@@ -35,19 +36,20 @@ import rsal.time.Task;
 final class Ros2System implements RobotSystem {
     private static final Logger LOG = System.getLogger(Ros2System.class.getName());
     private static final Distribution USUAL = Distribution.JAZZY; // where several fit
-    private static final Duration PATIENCE = Duration.ofSeconds(8);
+    private static final Duration QUIET = Duration.ofSeconds(3); // of waiting, before people learn for whom
     private static final Duration SETTLING = Duration.ofSeconds(2); // of topics, after the first of a robot
 
     private final Map<RobotSpec, String> namespaces;
     private final Opening opening;
     private final Optional<Distribution> distribution;
     private final RosSettings settings;
+    private final Waiting waiting;
     private final Scheduler scheduler;
     private final RandomGenerator random;
     private final Map<RobotSpec, RosRobot> found = new LinkedHashMap<>();
     private final Map<RobotSpec, Instant> seen = new LinkedHashMap<>();
     private final Map<RobotSpec, RobotTopics> topics = new LinkedHashMap<>(); // of those that are not found
-    private final Map<RosRobot, Boolean> present = new LinkedHashMap<>();
+    private final Map<RosRobot, Boolean> present = new LinkedHashMap<>(); // those that the run has
     private final CompletableFuture<List<Robot>> discovered = new CompletableFuture<>();
     private final Listeners<Change> changes = new Listeners<>(e -> {
         throw e;
@@ -57,6 +59,7 @@ final class Ros2System implements RobotSystem {
     private List<RosEndpoint> endpoints = List.of(); // of the network, when it was last looked at
     private Instant patienceEnds = Instant.MAX; // unless another robot is found, or tells where it is
     private int progress; // of finding them
+    private boolean hasReported; // since the last progress
     private boolean closed;
 
     /// Joins the network.
@@ -71,12 +74,14 @@ final class Ros2System implements RobotSystem {
             Opening opening,
             Optional<Distribution> distribution,
             RosSettings settings,
+            Waiting waiting,
             Scheduler scheduler,
             RandomGenerator random) {
         this.namespaces = namespaces;
         this.opening = opening;
         this.distribution = distribution;
         this.settings = settings;
+        this.waiting = waiting;
         this.scheduler = scheduler;
         this.random = random;
     }
@@ -92,9 +97,20 @@ final class Ros2System implements RobotSystem {
             return CompletableFuture.failedStage(
                     new IOException("The network of ROS 2 can't be joined: %s".formatted(e.getMessage()), e));
         }
-        patienceEnds = scheduler.instant().plus(PATIENCE);
+        patienceEnds = scheduler.instant().plus(waiting.patience());
         looking = Optional.of(scheduler.every(RosRobot.LOOK, this::look));
         return discovered;
+    }
+
+    /// A robot makes progress twice: when it is found, and when it is ready.
+    @Override
+    public Duration discoveryLimit() {
+        return waiting.patience().multipliedBy(1 + 2L * namespaces.size()).plusSeconds(1);
+    }
+
+    @Override
+    public boolean admitsLateRobots() {
+        return waiting.late();
     }
 
     private void look() {
@@ -102,27 +118,34 @@ final class Ros2System implements RobotSystem {
             return;
         }
         Instant now = scheduler.instant();
-        if (!discovered.isDone()) {
-            search(link, now);
+        if (found.size() < namespaces.size()) {
+            search(link);
         }
-        found.values().forEach(robot -> {
-            boolean isThere = robot.look(now);
-            if (discovered.isDone() && isThere != present.getOrDefault(robot, true)) {
-                tell(robot, isThere);
-            }
+        Map<RosRobot, Boolean> there = new LinkedHashMap<>();
+        found.values().forEach(robot -> there.put(robot, robot.look(now)));
+        if (!discovered.isDone()) {
+            await(now);
+        }
+        if (discovered.isDone()) {
+            there.forEach(this::compare);
+        }
+    }
+
+    /// Reports what has changed since the last look. A robot that has joined late is ready when it appears.
+    private void compare(RosRobot robot, boolean isThere) {
+        boolean wasThere = present.getOrDefault(robot, false);
+        if (isThere != wasThere && (present.containsKey(robot) || robot.isReady())) {
             present.put(robot, isThere);
-        });
+            Robot its = robot.robot();
+            changes.tell(
+                    isThere
+                            ? new Change.Appeared(its)
+                            : new Change.Gone(its.id(), "Nobody publishes its odometry any more."));
+        }
     }
 
-    private void tell(RosRobot robot, boolean isThere) {
-        Robot its = robot.robot();
-        changes.tell(
-                isThere
-                        ? new Change.Appeared(its)
-                        : new Change.Gone(its.id(), "Nobody publishes its odometry any more."));
-    }
-
-    private void search(RosLink network, Instant now) {
+    private void search(RosLink network) {
+        Instant now = scheduler.instant();
         List<RosEndpoint> all = network.endpoints();
         if (!all.equals(endpoints)) {
             endpoints = all;
@@ -136,6 +159,10 @@ final class Ros2System implements RobotSystem {
                 }
             }
         }));
+    }
+
+    /// Ends the discovery when all robots are ready, or nothing more has come for too long.
+    private void await(Instant now) {
         List<RosRobot> ready = namespaces.keySet().stream()
                 .map(found::get)
                 .filter(Objects::nonNull)
@@ -143,12 +170,19 @@ final class Ros2System implements RobotSystem {
                 .toList();
         if (ready.size() + found.size() > progress) {
             progress = ready.size() + found.size();
-            patienceEnds = now.plus(PATIENCE);
+            patienceEnds = now.plus(waiting.patience());
+            hasReported = false;
         }
-        if (ready.size() == namespaces.size()) {
+        if (!hasReported && now.isAfter(patienceEnds.minus(waiting.patience()).plus(QUIET))) {
+            hasReported = true;
+            LOG.log(Level.WARNING, () -> "Still waiting for robots. " + missing(endpoints));
+        }
+        boolean isTooLate = now.isAfter(patienceEnds);
+        if (ready.size() == namespaces.size() || (isTooLate && waiting.late())) {
+            ready.forEach(robot -> present.put(robot, true));
             discovered.complete(ready.stream().map(RosRobot::robot).toList());
-        } else if (now.isAfter(patienceEnds)) {
-            discovered.completeExceptionally(new IOException(missing(all)));
+        } else if (isTooLate) {
+            discovered.completeExceptionally(new IOException(missing(endpoints)));
         }
     }
 

@@ -25,6 +25,7 @@ import rsal.ros2.link.RosNetwork;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 import rsal.sim.SimProvider;
+import rsal.system.RealRobots.Waiting;
 import rsal.system.RobotSystem;
 import rsal.system.RobotSystemProvider;
 import rsal.testkit.fake.Computers;
@@ -110,6 +111,7 @@ final class OverRos implements RobotSystemProvider {
                     network::join,
                     Optional.empty(),
                     new RosSettings(new Safety(WATCHDOG, true, "", ""), GripperSettings.USUAL),
+                    Waiting.USUAL,
                     scheduler,
                     new SplittableRandom(1));
             opened.push(remote);

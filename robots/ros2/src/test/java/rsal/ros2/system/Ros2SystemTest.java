@@ -44,6 +44,7 @@ import rsal.scene.Scene;
 import rsal.settings.Arguments;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
+import rsal.system.RealRobots.Waiting;
 import rsal.system.RobotSystem.Change;
 import rsal.system.RobotSystemProvider.Config;
 import rsal.system.RobotSystemProvider.InvalidRobots;
@@ -66,9 +67,9 @@ class Ros2SystemTest {
     private Publication odometry;
     private Publication scans;
 
-    private static RobotSpec spec() {
+    private static RobotSpec spec(String id) {
         return new RobotSpec(
-                "r1",
+                id,
                 "tested",
                 new RobotModels(FileSource.resources(RobotBench.class, "/"))
                         .read("pioneer2dx", HERE, Map.of("laser", new RobotModels.Choice("urg04lx", HERE))),
@@ -98,12 +99,17 @@ class Ros2SystemTest {
     }
 
     private Ros2System system() {
+        return system(Map.of(spec("r1"), "/r1"), Waiting.USUAL);
+    }
+
+    private Ros2System system(Map<RobotSpec, String> namespaces, Waiting waiting) {
         var system = new Ros2System(
-                Map.of(spec(), "/r1"),
+                namespaces,
                 network::join,
                 Optional.empty(),
                 new RosSettings(
                         new Safety(Duration.ofMillis(500), true, "e_stop", "set_e_stop"), GripperSettings.USUAL),
+                waiting,
                 run,
                 new SplittableRandom(1));
         system.onChange(changes::add);
@@ -246,6 +252,51 @@ class Ros2SystemTest {
         }
     }
 
+    @Test
+    void theLimitOfDiscoveryIsNeverReached() {
+        try (Ros2System system = system()) {
+            CompletableFuture<List<Robot>> found = system.discover().toCompletableFuture();
+            advance(system.discoveryLimit().toMillis() / 1000.0 - 1, false);
+            assertThat(found).isCompletedExceptionally();
+        }
+    }
+
+    @Test
+    void robotsMayJoinLate() {
+        var waiting = new Waiting(Duration.ofSeconds(3), true);
+        try (Ros2System system = system(Map.of(spec("r1"), "/r1"), waiting)) {
+            assertThat(system.admitsLateRobots()).isTrue();
+            CompletableFuture<List<Robot>> found = system.discover().toCompletableFuture();
+            advance(4, false);
+            assertThat(found.join()).isEmpty();
+            assertThat(changes).isEmpty();
+            robotIsThere("geometry_msgs/msg/Twist");
+            advance(1, false);
+            assertThat(changes).isEmpty(); // as it has published no odometry yet
+            advance(3, true);
+            assertThat(changes).singleElement().isInstanceOfSatisfying(Change.Appeared.class, change -> {
+                assertThat(change.robot().id()).isEqualTo("r1");
+                assertThat(change.robot().require(LaserScanner.class).latest()).isPresent();
+            });
+            odometry.close();
+            scans.close();
+            advance(0.2, false);
+            assertThat(changes).hasSize(2).last().isInstanceOf(Change.Gone.class);
+        }
+    }
+
+    @Test
+    void thoseThatAreThereAreNotReportedTwice() {
+        robotIsThere("geometry_msgs/msg/Twist");
+        var waiting = new Waiting(Duration.ofSeconds(3), true);
+        try (Ros2System system = system(Map.of(spec("r1"), "/r1", spec("r2"), "/r2"), waiting)) {
+            CompletableFuture<List<Robot>> found = system.discover().toCompletableFuture();
+            advance(8, true);
+            assertThat(found.join()).extracting(Robot::id).containsExactly("r1");
+            assertThat(changes).isEmpty();
+        }
+    }
+
     /// What is no message is left out, and the next one is read.
     @Test
     void malformedMessagesDisturbNobody() {
@@ -267,7 +318,7 @@ class Ros2SystemTest {
         var provider = new Ros2Provider();
         var settings = Arguments.of(provider.parameters(), Map.of("namespaces", namespace));
         assertThatThrownBy(() -> provider.create(
-                        new Config(settings, Scene.of(RobotBench.WORLD.grid()), List.of(spec()), 1), run))
+                        new Config(settings, Scene.of(RobotBench.WORLD.grid()), List.of(spec("r1")), 1), run))
                 .isInstanceOf(InvalidRobots.class)
                 .hasMessageContaining("'%s' is no namespace of ROS 2. Write one such as /robot1.".formatted(namespace));
     }

@@ -45,6 +45,7 @@ import rsal.scene.Scene;
 import rsal.settings.Arguments;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
+import rsal.system.RealRobots.Waiting;
 import rsal.system.RobotSystemProvider;
 import rsal.system.RobotSystemProvider.InvalidRobots;
 import rsal.testkit.contract.RobotBench;
@@ -101,6 +102,7 @@ class RosGripperTest {
                 network::join,
                 Optional.empty(),
                 new RosSettings(new Safety(Duration.ofMillis(500), true, "", ""), SETTINGS),
+                Waiting.USUAL,
                 run,
                 new SplittableRandom(1));
         var found = system.discover().toCompletableFuture();

@@ -34,6 +34,7 @@ import rsal.ros2.message.RosMessages;
 import rsal.ros2.message.RosMessages.Transform;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
+import rsal.system.RealRobots.Waiting;
 import rsal.testkit.contract.RobotBench;
 import rsal.time.LockstepScheduler;
 
@@ -67,6 +68,7 @@ class RosLocalizerTest {
                 network::join,
                 Optional.empty(),
                 new RosSettings(new Safety(Duration.ofMillis(500), true, "", ""), GripperSettings.USUAL),
+                Waiting.USUAL,
                 run,
                 new SplittableRandom(1));
     }

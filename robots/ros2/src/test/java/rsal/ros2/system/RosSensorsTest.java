@@ -46,6 +46,7 @@ import rsal.ros2.message.RosMessages;
 import rsal.ros2.message.RosMessages.Transform;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
+import rsal.system.RealRobots.Waiting;
 import rsal.testkit.contract.RobotBench;
 import rsal.time.LockstepScheduler;
 
@@ -100,6 +101,7 @@ class RosSensorsTest {
                 network::join,
                 Optional.empty(),
                 new RosSettings(new Safety(Duration.ofMillis(500), true, "", ""), GripperSettings.USUAL),
+                Waiting.USUAL,
                 run,
                 new SplittableRandom(1));
         var found = system.discover().toCompletableFuture();

@@ -33,6 +33,7 @@ public final class RobotCommands {
     private final Agents agents;
     private final SentGoals goals;
     private boolean stopped;
+    private boolean armed; // by people, and not stopped since
 
     public RobotCommands(
             OccupancyGrid map,
@@ -177,6 +178,7 @@ public final class RobotCommands {
     /// Switches all motors off.
     public Answer stop() {
         stopped = true;
+        armed = false;
         team.teleoperation().forEach(Teleoperation::stop);
         eventLog.event("operator", "", "emergency stop");
         return new Answer.Stopped(team.teleoperation().size());
@@ -186,6 +188,7 @@ public final class RobotCommands {
     /// there was another reason for that.
     public Answer rearm() {
         stopped = false;
+        armed = true;
         arbiters().forEach(CommandArbiter::rearm);
         List<String> off = team.robots().keySet().stream()
                 .filter(id -> team.teleoperation(id)
@@ -237,10 +240,22 @@ public final class RobotCommands {
         goals.abort(robot, "The robot left.");
     }
 
-    /// A robot has come, and stands still, too, while the emergency stop holds.
+    /// A robot has joined. It stands still, too, while the emergency stop holds. If it came with its motors off, they
+    /// stay off until people arm the robots, and are switched on if they have done so before.
     public void joined(String robot) {
-        if (stopped) {
+        boolean cameOff = team.robot(robot)
+                .flatMap(one -> one.find(DriveBase.class))
+                .filter(base -> !base.enabled())
+                .isPresent();
+        if (stopped || (cameOff && !armed)) {
             team.teleoperation(robot).ifPresent(Teleoperation::stop);
+            if (!stopped) {
+                eventLog.event("operator", robot, "motors are off until somebody switches them on");
+                stopped = arbiters().allMatch(CommandArbiter::isOff);
+            }
+        } else if (cameOff) {
+            team.teleoperation(robot).map(Teleoperation::arbiter).ifPresent(CommandArbiter::rearm);
+            eventLog.event("operator", robot, "motors on, as those of the other robots");
         }
     }
 }

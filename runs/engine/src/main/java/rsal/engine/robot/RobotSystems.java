@@ -3,6 +3,7 @@ package rsal.engine.robot;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -29,7 +30,6 @@ import rsal.time.Scheduler;
 /// All robot systems of a run as one: it has the robots of all of them and the world of the one that simulates,
 /// and breaks each robot by what its own system has for that. All calls on the run's thread.
 public final class RobotSystems implements RobotSystem {
-    private static final Duration DISCOVERY_LIMIT = Duration.ofSeconds(10);
     private static final int MOST_NAMED = 3; // robots, in messages
 
     private final Scheduler scheduler;
@@ -76,14 +76,15 @@ public final class RobotSystems implements RobotSystem {
         return robots.isEmpty() ? "" : " of %s%s".formatted(some, robots.size() > MOST_NAMED ? "…" : "");
     }
 
-    /// Finds all of them at once. The first failure tells whose it is, and does not wait for the others.
+    /// Finds all of them at once, but for those that their systems admit later. The first failure says whose it is, and
+    /// does not wait for the others.
     @Override
     public CompletionStage<List<Robot>> discover() {
         var all = new CompletableFuture<List<Robot>>();
         var searches = new ArrayList<CompletableFuture<List<Robot>>>();
         for (Part part : parts) {
             CompletableFuture<List<Robot>> search = scheduler
-                    .within(DISCOVERY_LIMIT, RunBroken.blaming(part.name, part.system::discover))
+                    .within(part.system.discoveryLimit(), RunBroken.blaming(part.name, part.system::discover))
                     .toCompletableFuture();
             searches.add(search.whenComplete((found, error) -> {
                 if (error != null) {
@@ -102,11 +103,28 @@ public final class RobotSystems implements RobotSystem {
     }
 
     private static Optional<RunBroken> missing(Part part, List<Robot> found) {
+        if (part.system.admitsLateRobots()) {
+            return Optional.empty();
+        }
         List<String> ids = found.stream().map(Robot::id).toList();
         return part.robots.stream()
                 .filter(robot -> !ids.contains(robot))
                 .findFirst()
                 .map(robot -> new RunBroken("%s has no robot '%s'; it has %s.".formatted(part.name, robot, ids)));
+    }
+
+    /// The longest of its systems.
+    @Override
+    public Duration discoveryLimit() {
+        return parts.stream()
+                .map(part -> part.system.discoveryLimit())
+                .max(Comparator.naturalOrder())
+                .orElse(Duration.ZERO);
+    }
+
+    @Override
+    public boolean admitsLateRobots() {
+        return parts.stream().anyMatch(part -> part.system.admitsLateRobots());
     }
 
     @Override

@@ -113,6 +113,11 @@ public final class DynamicRobots {
         return role + "-" + number;
     }
 
+    /// What the scenario plans for a robot; empty for one that nobody planned.
+    public Optional<PlannedRobot> planned(String id) {
+        return planned.stream().filter(one -> one.spec().id().equals(id)).findFirst();
+    }
+
     /// Plans a robot that is there already. When nobody expected it, it is made after one of its role and
     /// model.
     public PlannedRobot plan(Robot robot, Optional<Pose2d> mapFromBase) {

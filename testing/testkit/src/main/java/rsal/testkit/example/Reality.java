@@ -1,5 +1,6 @@
 package rsal.testkit.example;
 
+import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -7,6 +8,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
 import rsal.data.OccupancyGrid;
+import rsal.device.DriveBase;
 import rsal.device.SimulationControl;
 import rsal.device.Subscription;
 import rsal.robot.Robot;
@@ -15,6 +17,7 @@ import rsal.settings.Parameter;
 import rsal.system.RobotSystem;
 import rsal.system.RobotSystemProvider;
 import rsal.testkit.fake.FakeProvider;
+import rsal.testkit.fake.FakeSystem;
 import rsal.time.LockstepScheduler;
 import rsal.time.Scheduler;
 
@@ -52,7 +55,7 @@ public class Reality implements RobotSystemProvider {
             throw new IllegalStateException("Nobody is there.");
         }
         var there = new Config(config.settings(), Scene.of(hall()), config.robots(), config.seed());
-        return new Robots(new FakeProvider().create(there, scheduler), host);
+        return new Robots((FakeSystem) new FakeProvider().create(there, scheduler), host, scheduler);
     }
 
     private static OccupancyGrid hall() {
@@ -62,16 +65,30 @@ public class Reality implements RobotSystemProvider {
     }
 
     /// @param host `away` can't be reached, `empty` has no robots, `silent` is never done with looking for them,
-    /// `stuck` can't let go of them, and `watched` knows where they are; all others are fine
-    private record Robots(RobotSystem fakes, String host) implements RobotSystem {
+    /// `stuck` can't let go of them, `watched` knows where they are, and of `late` the last one joins after 3 s, of
+    /// `late-off` with its motors off; all others are fine
+    private record Robots(FakeSystem fakes, String host, Scheduler scheduler) implements RobotSystem {
         @Override
         public CompletionStage<List<Robot>> discover() {
             return switch (host) {
                 case "away" -> CompletableFuture.failedFuture(new IllegalStateException("Nobody answers."));
                 case "empty" -> fakes.discover().thenApply(_ -> List.of());
                 case "silent" -> new CompletableFuture<>();
+                case "late", "late-off" -> fakes.discover().thenApply(this::withoutTheLast);
                 default -> fakes.discover();
             };
+        }
+
+        private List<Robot> withoutTheLast(List<Robot> all) {
+            Robot last = all.getLast();
+            last.require(DriveBase.class).enable(host.equals("late"));
+            scheduler.after(Duration.ofSeconds(3), () -> fakes.tell(new Change.Appeared(last)));
+            return all.subList(0, all.size() - 1);
+        }
+
+        @Override
+        public boolean admitsLateRobots() {
+            return host.startsWith("late");
         }
 
         @Override

@@ -1,0 +1,72 @@
+package rsal.engine;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import rsal.engine.report.RunResult;
+import rsal.scenario.RunOptions;
+import rsal.scenario.RunPlan;
+
+/// A robot that the scenario plans, and that its robot system finds only after the run has begun.
+@Timeout(60)
+class LateRobotTest {
+    private static final String SCENARIO = Runs.TWO_WANDERERS
+            .replace("type: truthful, error: 0.2", "type: truthful")
+            .replace("run:\n", "mrs: {use: reality, host: late}\nrun:\n");
+
+    @TempDir
+    private Path folder;
+
+    private RunPlan plan(String scenario) {
+        return Runs.plan(folder, scenario, RunOptions.NONE);
+    }
+
+    private static List<String> events(LiveRun run) {
+        return run.events(0).stream()
+                .map(event -> event.subject() + ": " + event.text())
+                .toList();
+    }
+
+    @Test
+    void itJoinsWithTheAgentsThatWerePlannedForIt() {
+        LiveRun run = LiveRun.start(plan(SCENARIO));
+        RunResult result = Runs.result(run);
+        assertThat(result.outcome()).isEqualTo("timeout");
+        assertThat(events(run))
+                .containsSubsequence(
+                        "hunter-1: is not there yet; it joins when it is found",
+                        ": 1 robot, 2 agents",
+                        "hunter-1: is there",
+                        "chase-1: has started")
+                .doesNotContain("hunter-1: motors are off until somebody switches them on");
+        assertThat(run.snapshot().robots()).extracting(robot -> robot.id()).containsExactly("prey", "hunter-1");
+    }
+
+    @Test
+    void itsMotorsStayOffUntilSomebodySwitchesThemOn() {
+        LiveRun run = LiveRun.start(plan(SCENARIO.replace("host: late", "host: late-off")));
+        Runs.result(run);
+        assertThat(events(run))
+                .containsSubsequence("hunter-1: is there", "hunter-1: motors are off until somebody switches them on");
+    }
+
+    @Test
+    void itsMotorsAreOnIfSomebodyHasSwitchedThemOnBefore() throws InterruptedException {
+        String slow = SCENARIO.replace("host: late", "host: late-off").replace("speed: max", "speed: 1");
+        try (LiveRun run = LiveRun.start(plan(slow))) {
+            run.operator().rearm().toCompletableFuture().join();
+            var on = new CountDownLatch(1);
+            try (var _ = run.onEvents(() -> events(run).stream()
+                    .filter(event -> event.equals("hunter-1: motors on, as those of the other robots"))
+                    .findFirst()
+                    .ifPresent(_ -> on.countDown()))) {
+                on.await();
+            }
+        }
+    }
+}
