@@ -850,13 +850,13 @@ export interface Commands {
   'add-robot': { takes: { robot: string; x: number; y: number; heading: number }; answers: Added };
   /** Adds a robot of a model, without agents, to the simulated world. */
   'new-robot': { takes: { model: string; x: number; y: number; heading: number }; answers: Added };
-  /** Takes a robot with its agents, or a thing, out of the simulated world. */
+  /** Removes a robot with its agents, or a thing, from the simulated world. */
   remove: { takes: { name: string }; answers: object };
   /** Starts an agent of a type that is installed. */
   'new-agent': { takes: { type: string; robot?: string; arguments?: Record<string, string> }; answers: Added };
   /** Starts an agent like another one. */
   'add-agent': { takes: { like: string; robot?: string }; answers: Added };
-  /** Starts an agent again that has ended or failed. */
+  /** Starts an agent that has ended or failed again. */
   'start-agent': { takes: { name: string }; answers: object };
   /** Ends an agent. */
   'stop-agent': { takes: { name: string }; answers: object };

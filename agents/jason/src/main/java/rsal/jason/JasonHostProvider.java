@@ -18,7 +18,7 @@ public final class JasonHostProvider implements AgentHostProvider {
 
     @Override
     public String description() {
-        return "Runs agents that are written in AgentSpeak, and Java agents beside them, inside the run, also in simulated time.";
+        return "Runs agents in AgentSpeak, together with Java agents, inside the run, also in simulated time.";
     }
 
     @Override

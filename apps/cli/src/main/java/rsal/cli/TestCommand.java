@@ -23,9 +23,8 @@ final class TestCommand extends Subcommand {
 
     @Option(
             names = "--mutation",
-            description =
-                    "Only do mutation testing: break code on purpose, one place at a time, and count the changes that"
-                            + " tests notice. This takes long.")
+            description = "Only do mutation testing: change the code at one place at a time, and count the changes"
+                    + " that tests notice. This takes a long time.")
     private boolean mutation;
 
     @Override

@@ -6,7 +6,7 @@ import rsal.data.Twist2d;
 /// What the layers of a pilot decided.
 ///
 /// @param twist velocity that the pilot commands [m/s, rad/s]
-/// @param inCharge the uppermost layer that changed what the layers under it wanted; empty without layers
+/// @param inCharge the uppermost layer that changed the velocity of the layers below it; empty without layers
 /// @param opinions of all layers, the lowest first
 public record Decision(Twist2d twist, String inCharge, List<Opinion> opinions) {
     public Decision {

@@ -3,8 +3,8 @@ package rsal.data;
 import java.util.List;
 import java.util.Optional;
 
-/// Patches of color in one image (Player `blobfinder`; ROS has no message for them). Columns count from the left,
-/// rows from the top; the columns of an image are equal angles apart, as Stage has it.
+/// Patches of color in one image (Player `blobfinder`; ROS has no message for them). Columns count from the
+/// left, rows from the top; neighboring columns of an image differ by the same angle, as in Stage.
 ///
 /// @param baseFromCamera where the camera is mounted, looking along its x axis
 /// @param width of the image [px]

@@ -2,7 +2,7 @@ package rsal.data;
 
 import java.util.List;
 
-/// What a robot's bumpers feel (Player `bumper`).
+/// The state of a robot's bumpers (Player `bumper`).
 ///
 /// @param baseFromBumpers the middle of each, its x axis pointing outwards
 /// @param pressed as many as bumpers

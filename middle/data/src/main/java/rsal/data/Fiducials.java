@@ -5,9 +5,9 @@ import java.util.OptionalInt;
 
 /// Markers that a robot sees at once (Player `fiducial`).
 ///
-/// @param baseFromFinder where what sees them is mounted, looking along its x axis
+/// @param baseFromFinder mount of the detector, which looks along its x axis
 /// @param fieldOfView [rad]
-/// @param rangeMax how far away it still sees that there is one [m]
+/// @param rangeMax maximum range at which it detects markers [m]
 /// @param fiducials the nearest first
 public record Fiducials(Pose2d baseFromFinder, double fieldOfView, double rangeMax, List<Fiducial> fiducials) {
     public Fiducials {

@@ -1,8 +1,8 @@
 package rsal.data;
 
 /// One sweep of a planar laser scanner, counter-clockwise (`sensor_msgs/LaserScan`). Beam `i` points to
-/// `angleMin + i · angleIncrement` [rad] in the laser's frame. Ranges [m] after REP 117 ([Rep117]): −∞ too close to
-/// measure, +∞ nothing there, NaN broken.
+/// `angleMin + i · angleIncrement` [rad] in the laser's frame. Ranges [m] after REP 117 ([Rep117]): −∞ too
+/// close to measure, +∞ no echo, NaN invalid.
 ///
 /// @param baseFromLaser pose of the scanner in the base frame
 /// @param angleMin direction of the first beam, in the laser's frame [rad]

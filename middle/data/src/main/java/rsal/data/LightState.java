@@ -4,8 +4,8 @@ import java.time.Duration;
 
 /// State of a light (Player `blinkenlight`).
 ///
-/// @param color of its light
-/// @param signal what it was told: on, off, or blink
+/// @param color color of its light
+/// @param signal the commanded signal: on, off, or blink
 /// @param lit whether it shines at the time of the reading
 public record LightState(Rgb color, Signal signal, boolean lit) {
     /// What a light may be told: to shine for a share of each period, from its begin.

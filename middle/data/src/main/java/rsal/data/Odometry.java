@@ -4,5 +4,5 @@ package rsal.data;
 ///
 /// @param odomFromBase pose in the odom frame, which is smooth but drifts
 /// @param velocity measured, in the base frame [m/s, rad/s]
-/// @param stalled whether the motors push and the robot does not move
+/// @param stalled whether the motors run, but the robot does not move
 public record Odometry(Pose2d odomFromBase, Twist2d velocity, boolean stalled) {}

@@ -7,7 +7,7 @@ import java.util.List;
 ///
 /// @param mapFromBase pose in the map frame, of the best hypothesis
 /// @param covariance of x, y and yaw, of the best hypothesis [m², m·rad, rad²]
-/// @param hypotheses all that are possible, the heaviest first; weights sum to at most 1
+/// @param hypotheses all possible ones, the highest weight first; the sum of weights is at most 1
 /// @param confidence probability that `mapFromBase` is right, as far as the localizer knows, 0–1
 /// @param quality the confidence in a word
 public record PoseEstimate(

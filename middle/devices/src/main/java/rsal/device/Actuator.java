@@ -2,9 +2,9 @@ package rsal.device;
 
 import rsal.data.ActuatorState;
 
-/// A joint that is moved by a motor: a lift, a turntable, a joint of an arm. It does one thing at a time; what
-/// it is told next ends the goal under way as cancelled. While the [motors of its robot][DriveBase#enable] are
-/// off it stands still and ignores speeds, and its goal waits. Frame of its readings: `<robot>/<name>`.
+/// A joint that is moved by a motor: a lift, a turntable, a joint of an arm. It executes one command at a time:
+/// a new command ends the present goal as cancelled. While the [motors of its robot][DriveBase#enable] are off,
+/// it stands still and ignores speeds, and its goal waits. Frame of its readings: `<robot>/<name>`.
 public interface Actuator extends Sensor<ActuatorState> {
     /// Moves to a position [m or rad] and holds it. Positions beyond the limits are cut to them.
     ///

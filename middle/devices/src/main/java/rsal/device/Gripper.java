@@ -4,9 +4,10 @@ import rsal.data.GripperState;
 
 /// Two paddles that close around things, and possibly a lift. Frame of its readings: `<robot>/<name>`.
 ///
-/// Paddles and lift do one thing at a time each: a new goal for the paddles ends the one that they had as
-/// cancelled, and so does one for the lift, but neither disturbs the other. A cancelled goal leaves them where
-/// they are. While the [motors of its robot][DriveBase#enable] are off it stands still, and its goals wait.
+/// The paddles and the lift each have one goal at a time: a new goal for the paddles ends their present goal as
+/// cancelled, and the same applies to the lift. Paddles and lift are independent of each other. After a
+/// cancelled goal, they stay at their positions. While the [motors of its robot][DriveBase#enable] are off, the
+/// gripper stands still, and its goals wait.
 public interface Gripper extends Sensor<GripperState> {
     /// Opens the paddles and releases what they hold.
     GoalHandle<GripperState, Result> open();

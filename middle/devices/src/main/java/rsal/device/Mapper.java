@@ -5,8 +5,8 @@ import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 
-/// Draws a map while its robot drives. Each reading is the whole map so far; robots that work together may have
-/// the same map. Their frame is `map`, or `<robot>/map` if the start pose of the robot is unknown.
+/// Draws a map while its robot drives. Each reading is the whole map so far. Robots that work together may
+/// share one map. Their frame is `map`, or `<robot>/map` if the start pose of the robot is unknown.
 public interface Mapper extends Sensor<OccupancyGrid> {
     /// Whether all places that its robot can reach are on the map, as far as is known now: a door may open
     /// later.

@@ -34,17 +34,17 @@ public interface Navigator extends Device, Locomotion {
     /// The planned path from here; empty without a goal.
     Path2d path();
 
-    /// The path of the next second or two, around the obstacles that it sees, as its controller predicted it
-    /// last. It is in the map frame, begins at the estimated pose, and has at most 16 points. Empty without a
-    /// goal, while it stands or turns in place, and of one that tells none.
+    /// The path of the next one or two seconds, around the obstacles that it sees: the last prediction of its
+    /// controller. It is in the map frame, begins at the estimated pose, and has at most 16 points. Empty
+    /// without a goal, while the robot stands or turns in place, and if the controller does not report one.
     default Path2d localPath() {
         return Path2d.EMPTY;
     }
 
-    /// What places of its map cost it, as `nav_msgs/OccupancyGrid` has costs: [OccupancyGrid#FREE] where
-    /// nothing is near, up to 99 where it is dearest, [OccupancyGrid#OCCUPIED] where its middle can't be, and
-    /// [OccupancyGrid#UNKNOWN] where the map knows nothing. Not to be written to. Empty of one that plans by no
-    /// map, or tells no costs.
+    /// The cost map, with values as in `nav_msgs/OccupancyGrid`: [OccupancyGrid#FREE] far from obstacles, up to
+    /// 99 at the highest cost, [OccupancyGrid#OCCUPIED] where the robot's center can't be, and
+    /// [OccupancyGrid#UNKNOWN] for unknown cells. Do not write to it. Empty if the navigator plans without a
+    /// map, or does not report costs.
     default Optional<OccupancyGrid> costMap() {
         return Optional.empty();
     }

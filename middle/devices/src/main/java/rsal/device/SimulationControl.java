@@ -21,30 +21,30 @@ public interface SimulationControl extends Device {
     /// Moves a thing to a pose, at which it stands still. Odometry does not notice.
     Placement place(String entity, Pose2d mapFromEntity);
 
-    /// As [#place], but also where something is in the way: for stand-ins of what really is elsewhere, as reality
-    /// does not ask for room. Who overlaps it can only drive out of it.
+    /// As [#place], but also at an occupied pose. It is for proxies of real robots, whose real poses may be
+    /// occupied in the simulated world. A robot that overlaps the proxy can only drive out of it.
     default Placement placeAnyway(String entity, Pose2d mapFromEntity) {
         return place(entity, mapFromEntity);
     }
 
-    /// As [#placeAnyway], above the floor: for what is carried where nobody of this world carries it.
+    /// As [#placeAnyway], at a height: for a thing that a real robot carries.
     ///
     /// @param height of its underside above the floor [m]
     default Placement placeAnyway(String thing, Pose2d mapFromThing, double height) {
         return placeAnyway(thing, mapFromThing);
     }
 
-    /// Puts a new thing into the world.
+    /// Adds a new thing to the world.
     default Placement add(Thing thing) {
         return new Placement.Refused("'%s' can't be added: this world takes no things.".formatted(thing.name()));
     }
 
-    /// As [#add], but also where something is in the way.
+    /// As [#add], but also at an occupied pose.
     default Placement addAnyway(Thing thing) {
         return add(thing);
     }
 
-    /// Takes a thing out of the world; a robot stays.
+    /// Removes a thing from the world; robots are not removed.
     ///
     /// @return whether there was such a thing
     default boolean remove(String thing) {
@@ -62,14 +62,14 @@ public interface SimulationControl extends Device {
         return Optional.empty();
     }
 
-    /// What of a robot actuators have carried away from where it is while they are at home.
+    /// The devices and pieces of a robot that actuators have moved from their home positions.
     default List<Carried> carried(String robot) {
         return List.of();
     }
 
-    /// The lengths of rays up to the first robot or thing that range sensors see [m], fan by fan, in the state
-    /// of the last measurement; +∞ for a ray that hits nothing. They pass through walls. For robots that are
-    /// elsewhere to see what is here.
+    /// The lengths of rays up to the first robot or thing that range sensors see [m], one fan after the other;
+    /// +∞ for a ray that hits nothing. They are those at the last measurement. They pass through walls. For
+    /// robots that are elsewhere to see what is here.
     ///
     /// @param mapFromBase of the one that looks
     /// @param height of the rays above the floor [m]
@@ -81,8 +81,8 @@ public interface SimulationControl extends Device {
         return ranges;
     }
 
-    /// Puts a robot into the world that has model, role, color and body of another, and devices of its own. The
-    /// robot system tells that it has appeared.
+    /// Adds a robot with the model, role, color and body of another robot, and with its own devices. The robot
+    /// system reports that it was added.
     ///
     /// @param id unique among the entities
     /// @param like id of a robot that is there or was

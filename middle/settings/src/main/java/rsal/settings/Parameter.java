@@ -302,8 +302,8 @@ public record Parameter<T>(
             case INTEGER -> "a whole number";
             case TEXT -> options.isEmpty() ? "a text" : "one of " + String.join(", ", options);
             case FLAG -> "true or false";
-            case PLUGIN -> "one of %s, or a file of your own".formatted(String.join(", ", options));
-            case PLUGINS -> "one or several of %s, or files of your own".formatted(String.join(", ", options));
+            case PLUGIN -> "one of %s, or your own file".formatted(String.join(", ", options));
+            case PLUGINS -> "one or several of %s, or your own files".formatted(String.join(", ", options));
             case PLACES, POINTS -> "places as x y; x y [m]";
             case TEXTS -> "texts by name as NAME=TEXT, NAME=TEXT";
             case ROBOTS -> "a role of robots or the id of one" + besides();

@@ -40,21 +40,23 @@ public final class OperatorCommands {
     private static final Parameter<String> MODEL = Parameter.text("model", "name of the robot model");
     private static final Parameter<String> NAME = Parameter.text("name", "id of the robot, or name of the thing");
     private static final Parameter<String> AGENT = Parameter.text("name", "name of the agent");
-    private static final Parameter<String> LIKE = Parameter.text("like", "name of the agent that the new one is like");
+    private static final Parameter<String> LIKE = Parameter.text("like", "name of the agent to copy");
     private static final Parameter<String> TYPE = Parameter.text("type", "key of the type of agents");
     private static final Parameter<Map<String, String>> ARGUMENTS =
-            Parameter.texts("arguments", "parameters of the agent, as typed; others have their defaults");
+            Parameter.texts("arguments", "parameters of the agent by name, as texts; others have their defaults");
     private static final Parameter<String> BEHAVIOR =
             Parameter.text("behavior", "", "name of the behavior; empty to give the robot back to its agents");
-    private static final Parameter<String> DRIVER = Parameter.text("driver", "who drives; 1 to 64 characters");
+    private static final Parameter<String> DRIVER =
+            Parameter.text("driver", "name of the person or program that" + " drives, 1 to 64 characters");
     private static final Parameter<Double> VX = velocity("vx", "m/s", "forward");
     private static final Parameter<Double> VY = velocity("vy", "m/s", "to the left");
     private static final Parameter<Double> OMEGA = velocity("omega", "rad/s", "counter-clockwise");
-    private static final Parameter<Boolean> ON = Parameter.flag("on", false, "whether the motors are to be on");
-    private static final Parameter<String> TO = Parameter.text("to", "", "name of an agent; empty for all who listen");
+    private static final Parameter<Boolean> ON = Parameter.flag("on", false, "true to switch the motors on");
+    private static final Parameter<String> TO =
+            Parameter.text("to", "", "name of an agent; empty for all" + " subscribers of the topic");
     private static final Parameter<String> TOPIC = Parameter.text("topic", "name of the topic");
     private static final Parameter<Map<String, String>> FIELDS =
-            Parameter.texts("fields", "of the message, as typed, by name");
+            Parameter.texts("fields", "fields of the message by name, as texts");
     private static final Parameter<String> FACTOR =
             Parameter.text("factor", "simulated over real time, from 0.1 to 1000, or max");
 
@@ -151,7 +153,7 @@ public final class OperatorCommands {
                     (run, given) -> run.operator().newRobot(given.get(MODEL), pose(given))),
             command(
                     "remove",
-                    "Takes a robot with its agents, or a thing, out of the simulated world.",
+                    "Removes a robot with its agents, or a thing, from the simulated world.",
                     List.of(NAME),
                     Answer.Done.class,
                     (run, given) -> run.operator().remove(given.get(NAME))),
@@ -170,7 +172,7 @@ public final class OperatorCommands {
                     (run, given) -> run.operator().addAgent(given.get(LIKE), given.get(FOR_ROBOT))),
             command(
                     "start-agent",
-                    "Starts an agent again that has ended or failed.",
+                    "Starts an agent that has ended or failed again.",
                     List.of(AGENT),
                     Answer.Done.class,
                     (run, given) -> run.operator().startAgent(given.get(AGENT))),

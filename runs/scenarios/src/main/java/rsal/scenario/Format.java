@@ -89,7 +89,7 @@ final class Format {
             0,
             1e6,
             "s",
-            "Mean time between two of them, which come at random; 0: all are there at the start.");
+            "Mean time between two of them, which are added at random times; 0: all are there at the start.");
     static final Parameter<Double> DEPOT_RADIUS =
             Parameter.number("radius", 1, 0.1, 100, "m", "How far from its middle a depot reaches.");
     static final Parameter<Double> PLACE_RADIUS =

@@ -144,7 +144,7 @@ public final class ScenarioSchema {
                 "things",
                 described(named(thing(partial)), "Objects in the simulated world, in addition to robots."),
                 "places",
-                described(named(place()), "Parts of the floor that conditions and metrics name."),
+                described(named(place()), "Areas that conditions and metrics name."),
                 "agents",
                 described(named(agent(partial)), "Agents, which decide for robots and teams."),
                 JoinReader.KEY,
@@ -166,7 +166,8 @@ public final class ScenarioSchema {
                 described(run(), "Seed, clock and stop conditions."),
                 MetricReader.KEY,
                 described(
-                        list(metricType()), "Types of metrics in files of your own, and parameters of installed ones."),
+                        list(metricType()),
+                        "Types of metrics in your own files, and parameters of installed" + " ones."),
                 "metrics",
                 described(list(metric()), "Metrics of each run."));
     }

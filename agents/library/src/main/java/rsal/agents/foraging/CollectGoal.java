@@ -7,8 +7,8 @@ import rsal.agent.message.MessageCheck;
 import rsal.data.Point2d;
 import rsal.data.Rgb;
 
-/// A thing lies at a place and is to be collected. The agent that knows the thing repeats this every few seconds;
-/// a thing of which nothing was heard for longer is forgotten.
+/// A thing lies at a place and is to be collected. The agent that knows the thing repeats this every few
+/// seconds; without this message for longer, agents forget the thing.
 ///
 /// @param color its color, as cameras see it
 /// @param mapFromThing where it lies, in the map frame [m]

@@ -5,7 +5,7 @@ import rsal.agent.Topic;
 import rsal.agent.message.MessageCheck;
 import rsal.data.Point2d;
 
-/// A robot brings things to this place. Things that lie here are not to be collected.
+/// A robot brings things to this place. Do not collect things that lie there.
 ///
 /// @param robot its id
 /// @param mapFromDepot middle of the depot, in the map frame [m]

@@ -20,7 +20,8 @@ public final class Forage extends AgentTypeBase {
     public Forage() {
         super(
                 "forage",
-                "Searches for things, brings them to its depot one by one, and recharges, without help.",
+                "Searches for things, brings them to its depot one by one, and recharges. It works without other"
+                        + " agents.",
                 List.of(
                         Explore.COLOR,
                         Explore.RANGE,

@@ -13,7 +13,7 @@ import rsal.agent.message.MessageCheck;
 import rsal.data.Pose2d;
 
 /// Where the robots of a formation should be. This is repeated as the formation moves, so that one lost message
-/// does no harm.
+/// has no effect.
 ///
 /// @param shape for people: `wedge`, `column`
 /// @param formed whether all robots have been at their places since these were last assigned

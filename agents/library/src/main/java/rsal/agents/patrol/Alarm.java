@@ -8,8 +8,8 @@ import rsal.data.Point2d;
 
 /// A robot sees an intruder. The robot repeats this as long as it sees the intruder.
 ///
-/// @param robot id of the robot that sees him
-/// @param mapFromIntruder where he is, in the map frame [m]
+/// @param robot id of the robot that sees the intruder
+/// @param mapFromIntruder position of the intruder, in the map frame [m]
 public record Alarm(String robot, Point2d mapFromIntruder) implements MessageContent {
     public static final Topic<Alarm> TOPIC = new Topic<>("alarm", Alarm.class);
 

@@ -32,7 +32,7 @@ public final class Patrol extends AgentTypeBase {
     public Patrol() {
         super(
                 "patrol",
-                "Has a team visit places again and again, so that no place is left alone for long.",
+                "Lets a team visit places again and again, so that no place is unvisited for long.",
                 List.of(PLACES, COUNT, PlaceQuest.CLEARANCE, STAY_TIME, STRATEGY, URGENCY, Alarms.RESPONDERS),
                 List.of());
     }

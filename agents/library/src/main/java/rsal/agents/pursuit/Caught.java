@@ -9,8 +9,8 @@ import rsal.agent.message.MessageCheck;
 /// A prey has given up. The prey says so once.
 ///
 /// @param prey id of its robot
-/// @param hunter id of the robot that came too near
-/// @param distance between the two, as the prey believes [m]
+/// @param hunter id of the robot that has caught the prey
+/// @param distance distance between the two, as the prey estimates it [m]
 public record Caught(String prey, String hunter, double distance) implements MessageContent {
     public static final Topic<Caught> TOPIC = new Topic<>("caught", Caught.class);
 

@@ -7,7 +7,7 @@ import rsal.agent.message.MessageCheck;
 import rsal.data.Point2d;
 
 /// A robot has seen a victim. It repeats this every few seconds until it hears that the victim was helped
-/// ([VictimHelped]), and when it knows the place better.
+/// ([VictimHelped]), and when it has measured the position more exactly.
 ///
 /// @param robot its id
 /// @param victim number of the victim's marker

@@ -9,8 +9,8 @@ import rsal.data.Pose2d;
 ///
 /// @param robot its id
 /// @param mapFromGoal the goal, in the map frame
-/// @param ending `reached`; `unsure` when the robot believes to be there, but is not localized; `cancelled`, `no
-/// path` or `stuck`; `silent` is said by another agent, of a robot that does not answer
+/// @param ending `reached`; `unsure` when the robot believes to be there, but is not localized; `cancelled`,
+/// `no path` or `stuck`; `silent` if the robot does not answer, as another agent reports
 /// @param why why the goal was not reached, for people; empty when it was reached or cancelled
 public record GoalReached(String robot, Pose2d mapFromGoal, String ending, String why) implements MessageContent {
     public static final Topic<GoalReached> TOPIC = new Topic<>("goal-reached", GoalReached.class);

@@ -7,7 +7,7 @@ import rsal.agent.Topic;
 /// Presence of an agent: at its start, at its end, and when another agent asks.
 ///
 /// @param robot id of the sender's robot; empty when it has none
-/// @param kind the kind of greeting
+/// @param kind whether the agent has started, asks who is there, answers, or ends
 /// @param to name of the agent that is asked or answered; empty for all
 public record Hello(String robot, Kind kind, String to) implements MessageContent {
     public static final Topic<Hello> TOPIC = new Topic<>("hello", Hello.class);

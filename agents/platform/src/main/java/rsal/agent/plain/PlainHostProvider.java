@@ -15,7 +15,7 @@ public final class PlainHostProvider implements AgentHostProvider {
 
     @Override
     public String description() {
-        return "Runs agents on the thread of the run, as fast as method calls, and in simulated time the same each time.";
+        return "Runs agents on the thread of the run. In simulated time, equal seeds give equal runs.";
     }
 
     @Override

@@ -31,9 +31,8 @@ import rsal.settings.Suggestion;
 /// `rsal bench`
 @Command(
         name = "bench",
-        description =
-                "Measure the speed of RSAL on this machine. Do not use the machine meanwhile. An area takes minutes,"
-                        + " some areas take hours.")
+        description = "Measure the speed of RSAL on this machine. Do not use the machine for other work during this"
+                + " time. An area takes minutes, some areas take hours.")
 public final class BenchCommand extends Subcommand {
     @Parameters(paramLabel = "AREA", arity = "0..1", description = "The area to measure. Default: list the areas.")
     private Optional<String> area = Optional.empty();

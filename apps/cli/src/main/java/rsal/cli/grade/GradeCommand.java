@@ -34,8 +34,8 @@ import rsal.scenario.text.CsvLine;
             "Grade the agents of students: run a scenario with the agent of each student, with several seeds. FOLDER"
                     + " has one folder for each student. Each run is a separate process with limits of time and"
                     + " memory.",
-            "DIR gets grades.csv with a row for each run, summary.csv with a row for each student, and a folder for"
-                    + " each student with the files and logs of the runs."
+            "DIR gets grades.csv with a row for each run, and summary.csv with a row for each student. It also"
+                    + " gets a folder for each student, with the files and logs of the runs."
         })
 public final class GradeCommand extends Subcommand {
     private static final String ROWS = "grades.csv";

@@ -17,11 +17,11 @@ import rsal.world.yaml.YamlFormat;
 /// `rsal convert`
 @Command(
         name = "convert",
-        description =
-                "Convert a world of Stage or Gazebo to YAML, with its floor plans as images beside it. Or convert any"
-                        + " world or scenario for Gazebo (OUT.sdf), with its robots, and a configuration for ros_gz_bridge beside"
-                        + " it. Or convert a robot description of ROS (URDF) to a robot model, with parts for its lasers beside"
-                        + " it. Or convert the log of a robot: a bag of ROS 2 to a log of CARMEN, and the reverse.")
+        description = "Convert a world of Stage or Gazebo to YAML, with images of its floor plans. Or convert any"
+                + " world or scenario for Gazebo (OUT.sdf), with its robots, and a configuration for"
+                + " ros_gz_bridge. Or convert a robot description of ROS (URDF) to a robot model, with"
+                + " parts for its lasers. Or convert the log of a robot: a bag of ROS 2 to a log of"
+                + " CARMEN, or the reverse.")
 public final class ConvertCommand extends Subcommand {
     @Parameters(
             index = "0",
@@ -36,9 +36,9 @@ public final class ConvertCommand extends Subcommand {
             arity = "0..1",
             converter = FileName.class,
             paramLabel = "OUT",
-            description = "The file to write: for a world OUT" + YamlFormat.SUFFIX + " or, for Gazebo, OUT.sdf; for a"
-                    + " robot OUT.yaml; for a log OUT.log (CARMEN), OUT.mcap or FOLDER/ (bag). Default: for worlds and"
-                    + " robots in YAML, beside the input file.")
+            description = "The file to write: for a world OUT" + YamlFormat.SUFFIX + " or, for Gazebo, OUT.sdf;"
+                    + " for a robot OUT.yaml; for a log OUT.log (CARMEN), OUT.mcap or FOLDER/ (bag). Default:"
+                    + " for worlds and robots in YAML, a file in the folder of the input file.")
     private @Nullable String out;
 
     @Option(names = "--force", description = "Overwrite existing files.")

@@ -73,7 +73,7 @@ public final class LocalizeCommand extends Subcommand {
     @Option(
             names = "--save-map",
             paramLabel = "MAP.yaml",
-            description = "Write the map of --map-from-half to this file, with its image beside it.")
+            description = "Write the map of --map-from-half to this file, and its image into the same folder.")
     private @Nullable String saveMap;
 
     @Option(names = "--force", description = "Overwrite existing files of --save-map.")

@@ -33,10 +33,10 @@ final class LogOptions {
 
     /// Which logs commands read, for their help.
     static final String LOGS =
-            "A log is a log of CARMEN (FLASER, ROBOTLASER1, RAWLASER1 with ODOM), plain or compressed by gzip, a bag"
-                    + " of ROS 2 in MCAP or sqlite3 (folder or file), or a file of your own format. PARAM"
-                    + " robot_frontlaser_offset (and _side_offset, _angular_offset) gives the mount of the laser of"
-                    + " RAWLASER1.";
+            "LOG is one of the following: a log of CARMEN (FLASER, ROBOTLASER1, RAWLASER1 with ODOM), plain or"
+                    + " compressed by gzip; a bag of ROS 2 in MCAP or sqlite3 (folder or file); a file of your"
+                    + " own format. PARAM robot_frontlaser_offset (and _side_offset, _angular_offset) gives the"
+                    + " mount of the laser of RAWLASER1.";
 
     @Spec(Spec.Target.MIXEE)
     @SuppressWarnings("NullAway.Init") // picocli fills it in
@@ -45,10 +45,10 @@ final class LogOptions {
     @Option(
             names = "--odometry-noise",
             paramLabel = "WAY,HEADING,TURN",
-            description = "Add noise to the odometry, with these standard deviations: distance [m per square root of"
-                    + " a meter], heading while driving [deg per square root of a meter], heading while turning [deg"
-                    + " per square root of a radian]. 0.05,2,3 is a typical robot. Default: the log's odometry,"
-                    + " unchanged.")
+            description = "Add noise to the odometry, with three standard deviations. WAY: distance [m per"
+                    + " square root of a meter]. HEADING: heading while driving [deg per square root of a"
+                    + " meter]. TURN: heading while turning [deg per square root of a radian]. 0.05,2,3 is a"
+                    + " typical robot. Default: the log's odometry, unchanged.")
     private @Nullable String odometryNoise;
 
     @Option(

@@ -42,9 +42,9 @@ import rsal.time.AllowedToReadWallClock;
         description = "Make a map from the log of a robot, or one map from the logs of several robots.",
         footer = {
             "",
-            LogOptions.LOGS + " The command writes map.yaml and map.pgm in the format of ROS, picture.png with paths"
-                    + " (blue) and loop closures (red), trajectory.txt in the format of TUM (time x y z qx qy qz"
-                    + " qw), and residuals.csv.",
+            LogOptions.LOGS + " The command writes: map.yaml and map.pgm in the format of ROS; picture.png with"
+                    + " paths (blue) and loop closures (red); trajectory.txt in the format of TUM (time x y z qx"
+                    + " qy qz qw); residuals.csv.",
             "Errors are relative to the poses in the log, or in that of --reference. In 'corrected' logs the odometry"
                     + " equals these poses, without any error: add noise by --odometry-noise.",
             "",

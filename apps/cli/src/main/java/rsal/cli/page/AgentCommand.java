@@ -22,8 +22,8 @@ public final class AgentCommand extends Subcommand {
     /// `rsal agent mind`
     @Command(
             name = "mind",
-            description = "Show the state, beliefs, goals and conversations of an agent, and the messages that it has"
-                    + " received lately.%nThis changes nothing in the run.")
+            description = "Show the state, beliefs, goals and conversations of an agent, and its newest received"
+                    + " messages.%nThis changes nothing in the run.")
     static final class Mind extends PageCommand {
         @Parameters(paramLabel = "NAME", description = "Name of the agent, as the page lists it.")
         private String name = "";

@@ -27,9 +27,9 @@ import rsal.server.RunServer;
 /// `rsal certificate`
 @Command(
         name = "certificate",
-        description =
-                "Make a certificate for 'rsal run --listen' and its private key: DIR/certificate.pem and DIR/key.pem."
-                        + " It is self-signed, so browsers warn of it once: compare its fingerprint then.")
+        description = "Make a certificate for 'rsal run --listen' and its private key: DIR/certificate.pem and"
+                + " DIR/key.pem. It is self-signed, so each browser warns once: compare its fingerprint"
+                + " then.")
 public final class CertificateCommand extends Subcommand {
     private static final String CERTIFICATE = "certificate.pem";
     private static final String KEY = "key.pem";

@@ -41,8 +41,8 @@ public final class PageChoices {
             names = "--record-ros2",
             paramLabel = "FOLDER",
             converter = FileName.class,
-            description = "Record what robots sense as a bag of ROS 2, for 'ros2 bag', RViz and Foxglove. Further runs"
-                    + " from the page go to FOLDER-2 and so on.")
+            description = "Record the readings of sensors as a bag of ROS 2, for 'ros2 bag', RViz and Foxglove."
+                    + " Further runs from the page go to FOLDER-2 and so on.")
     private @Nullable String recordRos2;
 
     @Option(

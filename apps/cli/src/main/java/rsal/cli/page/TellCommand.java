@@ -35,7 +35,8 @@ public final class TellCommand extends ControlCommands.Controlled {
     @Parameters(
             index = "1..*",
             paramLabel = "NAME=VALUE",
-            description = "A parameter of the command. Texts by name are written as arguments.speed=0.3.")
+            description = "A parameter of the command. For a parameter with several values, name each:"
+                    + " arguments.speed=0.3.")
     private List<String> values = List.of();
 
     @Override

@@ -43,9 +43,9 @@ import rsal.system.ExportedDevice;
         name = "bridge",
         description = {
             "Run a scenario or a world, and let programs of another system drive its robots.",
-            "'rsal bridge player WORLD' serves them to clients of Player, 'rsal bridge player FILE.cfg' what that"
-                    + " says. 'rsal bridge ros2 SCENARIO' publishes them to programs of ROS 2. The command continues"
-                    + " until the run ends, or until Ctrl-C."
+            "'rsal bridge player WORLD' serves them to clients of Player. 'rsal bridge player FILE.cfg' serves"
+                    + " the devices of this configuration. 'rsal bridge ros2 SCENARIO' publishes them to"
+                    + " programs of ROS 2. The command continues until the run ends, or until Ctrl-C."
         })
 public final class BridgeCommand extends Subcommand {
     @Parameters(
@@ -71,9 +71,10 @@ public final class BridgeCommand extends Subcommand {
             names = "--port",
             paramLabel = "P",
             converter = PageChoices.Port.class,
-            description = "Port of the first robot; the others follow. 0: any free ports. Left out: the usual port of"
-                    + " the protocol (player: 6665). The ports of a file are shifted in the same way. For ros2 the"
-                    + " port of its domain, 7400 + 250 times its number; left out: ROS_DOMAIN_ID.")
+            description = "Port of the first robot; the others follow. 0: any free ports. Default: the usual"
+                    + " port of the protocol (player: 6665). With a FILE.cfg, its ports are shifted by the same"
+                    + " number. For ros2, it is the port of a domain, 7400 + 250 times its number; default: that"
+                    + " of ROS_DOMAIN_ID.")
     private @Nullable Integer port;
 
     @Option(

@@ -86,7 +86,7 @@ public final class RunCommand extends Subcommand {
     @Option(
             names = "--clock",
             paramLabel = "simulated|wall",
-            description = "Simulated time, in which the same seed gives the same run, or real time, which some agent"
+            description = "simulated: the same seed gives the same run. wall: real time, which some agent"
                     + " platforms and all real robots need.")
     private @Nullable String clock;
 

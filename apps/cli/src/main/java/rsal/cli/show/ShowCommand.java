@@ -32,11 +32,10 @@ import rsal.settings.Suggestion;
 /// `rsal show`
 @Command(
         name = "show",
-        description =
-                "Show the content of a scenario, a world (with an image), a map, a robot model, a part, a recording,"
-                        + " or a file of an agent, a metric or a controller. Or show the parameters of an agent type, a device"
-                        + " driver (or of an algorithm that it may use, such as 'vfh'), a metric, a robot system or"
-                        + " an agent platform.")
+        description = "Show the content of a file: a scenario, a world (with an image), a map, a robot model, a part,"
+                + " a recording, an agent, a metric or a controller. Or show the parameters of what"
+                + " 'rsal list' names: an agent type, a device driver, an algorithm such as 'vfh', a"
+                + " metric, a robot system or an agent platform.")
 public final class ShowCommand extends Subcommand {
     private static final int PICTURE = 1600; // longest side [px]
 

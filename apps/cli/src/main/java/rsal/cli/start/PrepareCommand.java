@@ -10,10 +10,9 @@ import rsal.cli.terminal.Unreachable;
 /// `rsal prepare`
 @Command(
         name = "prepare",
-        description =
-                "Make the cache for fast starts of an unpacked release, and print its folder. The first start of a"
-                        + " release does so in the background. Use this command to set up images of containers, and"
-                        + " labs.")
+        description = "Make the cache for fast starts of an unpacked release, and print its folder. The first start of"
+                + " a release does so in the background. Use this command when you prepare container"
+                + " images, or the machines of a lab.")
 public final class PrepareCommand extends Subcommand {
     @Override
     protected int run() throws InterruptedException {

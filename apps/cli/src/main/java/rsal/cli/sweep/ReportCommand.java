@@ -23,9 +23,9 @@ import rsal.experiment.report.Report.Written;
 @Command(
         name = "report",
         description = {
-            "Write the results of a sweep to a page in one file: outcomes, metrics with confidence intervals, and the"
-                    + " effect of each change. Figures are written beside the page as SVG, PDF, PNG and CSV, tables"
-                    + " as CSV and LaTeX.",
+            "Write the results of a sweep to a page in one file: outcomes, metrics with confidence intervals,"
+                    + " and the effect of each change. The command also writes figures (SVG, PDF, PNG, CSV) and"
+                    + " tables (CSV, LaTeX).",
             "The sweep may still run."
         })
 public final class ReportCommand extends Subcommand {
@@ -54,7 +54,10 @@ public final class ReportCommand extends Subcommand {
                     + " 'monospace'. Default: 'sans-serif'.")
     private String font = Print.COLUMN.family();
 
-    @Option(names = "--font-size", paramLabel = "PT", description = "Height of that font in points. Default: 8.")
+    @Option(
+            names = "--font-size",
+            paramLabel = "PT",
+            description = "Font size of the figures for a paper, in" + " points. Default: 8.")
     private double fontSize = Print.COLUMN.points();
 
     @Override

@@ -4,14 +4,14 @@ import rsal.data.Erring;
 import rsal.data.Point2d;
 import rsal.data.Unit;
 
-/// Where a receiver says that it is: in the map, whose x axis points east, and on Earth, as
+/// The measured position of a receiver: in the map, whose x axis points east, and on Earth, as
 /// `sensor_msgs/NavSatFix` of ROS.
 ///
 /// @param x to the east [m]
 /// @param y to the north [m]
 /// @param latitude north, WGS 84 [deg]
 /// @param longitude east, WGS 84 [deg]
-/// @param deviation what the receiver takes for the standard deviation of x and y [m]
+/// @param deviation standard deviation of x and y, as the receiver estimates it [m]
 public record GnssFix(
         @Unit("m") double x,
         @Unit("m") double y,

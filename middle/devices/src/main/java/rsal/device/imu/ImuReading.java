@@ -4,10 +4,11 @@ import rsal.data.Angles;
 import rsal.data.Erring;
 import rsal.data.Unit;
 
-/// What an IMU measures in the plane, as `sensor_msgs/Imu` of ROS. Gravity is not in it, as robots stand level.
+/// A measurement of an IMU in the plane (`sensor_msgs/Imu` of ROS). It does not contain gravity, because robots
+/// stand level.
 ///
-/// @param orientation heading, counter-clockwise from east (REP 103) [rad]; of an IMU without a compass, turned
-///         since the start from the heading then, so that it drifts
+/// @param orientation heading, counter-clockwise from east (REP 103) [rad]; without a compass, the start
+/// heading plus the integrated rotation, so that it drifts
 /// @param angularVelocity around the vertical axis, counter-clockwise [rad/s]; mean since the last reading
 /// @param accelerationX ahead [m/s²]; mean since the last reading
 /// @param accelerationY to the left [m/s²]; mean since the last reading

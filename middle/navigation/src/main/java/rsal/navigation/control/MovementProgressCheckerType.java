@@ -16,8 +16,8 @@ public final class MovementProgressCheckerType implements ProgressCheckerType {
             10,
             "m",
             "the robot makes progress when it is this far from the place of its last progress");
-    private static final Parameter<Double> ANGLE =
-            Parameter.number("angle", 60, 1, 180, "deg", "or when it has turned by more than this");
+    private static final Parameter<Double> ANGLE = Parameter.number(
+            "angle", 60, 1, 180, "deg", "the robot also makes progress when it has rotated by" + " more than this");
 
     @Override
     public String key() {

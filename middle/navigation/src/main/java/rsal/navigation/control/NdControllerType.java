@@ -14,7 +14,7 @@ public final class NdControllerType implements ControllerType {
             0.05,
             3,
             "m",
-            "it turns away from obstacles nearer to its edge than this, and slows down");
+            "the robot turns away from obstacles nearer to its edge than this, and slows down");
     private static final Parameter<Double> SAFETY_DIST =
             Parameter.number("safetyDist", 0, 0, 1, "m", "margin around the robot that counts as part of it");
 

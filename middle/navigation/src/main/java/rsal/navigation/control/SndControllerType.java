@@ -10,11 +10,21 @@ import rsal.settings.Parameter;
 /// Makes controllers by [Snd].
 public final class SndControllerType implements ControllerType {
     private static final Parameter<Double> OBSTACLE_AVOID_DIST = Parameter.number(
-            "obstacleAvoidDist", 0.6, 0.05, 5, "m", "it turns away from obstacles nearer to its edge than this");
+            "obstacleAvoidDist",
+            0.6,
+            0.05,
+            5,
+            "m",
+            "the robot turns away from obstacles nearer to its edge than" + " this");
     private static final Parameter<Double> MIN_GAP_WIDTH =
             Parameter.number("minGapWidth", 0.5, 0.05, 3, "m", "minimum jump of neighboring ranges at a gap");
     private static final Parameter<Double> ROBOT_RADIUS = Parameter.number(
-            "robotRadius", 0, 0, 3, "m", "radius of the circle for which the robot counts; 0: the radius of the robot");
+            "robotRadius",
+            0,
+            0,
+            3,
+            "m",
+            "radius of the circle that represents the robot; 0: the radius of the" + " robot");
 
     @Override
     public String key() {

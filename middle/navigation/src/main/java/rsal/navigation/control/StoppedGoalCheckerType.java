@@ -22,7 +22,8 @@ public final class StoppedGoalCheckerType implements GoalCheckerType {
 
     @Override
     public String description() {
-        return "A goal is reached when the robot is within the distance and the angle that it is sent with, and stands still.";
+        return "A goal is reached when the robot is within the tolerance of the goal, a distance and an angle,"
+                + " and stands still.";
     }
 
     @Override

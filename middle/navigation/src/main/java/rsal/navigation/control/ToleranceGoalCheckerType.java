@@ -8,10 +8,15 @@ import rsal.device.Navigator.Tolerance;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
-/// A goal is reached within the tolerance that it is sent with.
+/// A goal is reached within its tolerance.
 public final class ToleranceGoalCheckerType implements GoalCheckerType {
     private static final Parameter<Double> LEAVING = Parameter.number(
-            "leaving", 1.3, 1, 10, "", "how many times the tolerance the robot may move away again while it turns");
+            "leaving",
+            1.3,
+            1,
+            10,
+            "",
+            "maximum distance from the goal while the robot turns there, as a" + " multiple of the tolerance");
 
     @Override
     public String key() {
@@ -20,7 +25,7 @@ public final class ToleranceGoalCheckerType implements GoalCheckerType {
 
     @Override
     public String description() {
-        return "A goal is reached when the robot is within the distance and the angle that it is sent with.";
+        return "A goal is reached when the robot is within the tolerance of the goal: a distance and an angle.";
     }
 
     @Override

@@ -36,7 +36,12 @@ final class VfhOptions {
     private static final Parameter<Double> MAX_TURN_RATE1MS =
             Parameter.number("maxTurnRate1ms", NO_TURN_LIMIT, 5, NO_TURN_LIMIT, "deg/s", "maximum turn rate at 1 m/s");
     private static final Parameter<Double> MIN_TURN_RADIUS_SAFETY_FACTOR = Parameter.number(
-            "minTurnRadiusSafetyFactor", 1, 0.1, 10, "", "factor by which it assumes curves to be wider");
+            "minTurnRadiusSafetyFactor",
+            1,
+            0.1,
+            10,
+            "",
+            "safety factor of the turn radius: it assumes wider" + " curves");
     private static final Parameter<Double> WEIGHT_DESIRED_DIR = Parameter.number(
             "weightDesiredDir",
             5,

@@ -18,7 +18,7 @@ import rsal.settings.PluginChoice;
 /// The global planners of robots of one size, shared by all that have the same size and settings.
 final class GlobalPlanners {
     private static final Parameter<Double> COMFORT_DISTANCE =
-            Parameter.number("comfortDistance", 0.5, 0, 5, "m", "clearance above which a path costs nothing extra");
+            Parameter.number("comfortDistance", 0.5, 0, 5, "m", "clearance from which on a path has no extra cost");
     private static final Parameter<Double> WALL_COST =
             Parameter.number("wallCost", 3, 0, 5, "", "how many times longer a path may be to keep away from walls");
 

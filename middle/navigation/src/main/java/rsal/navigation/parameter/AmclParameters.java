@@ -21,10 +21,10 @@ public final class AmclParameters {
             Parameter.number("sonarDeviation", 0.25, 0.01, 1, "m", "the same for sonars");
     public static final Parameter<Double> RANDOM_SHARE =
             Parameter.number("randomShare", 0.05, 0.001, 0.5, "", "share of readings that are independent of the map");
-    public static final Parameter<Double> INDEPENDENT_BEAMS = Parameter.number(
-            "independentBeams", 15, 1, 1000, "", "number of independent beams for which a scan counts");
+    public static final Parameter<Double> INDEPENDENT_BEAMS =
+            Parameter.number("independentBeams", 15, 1, 1000, "", "weight of a scan, as a number of independent beams");
     public static final Parameter<Double> INDEPENDENT_SONARS = Parameter.number(
-            "independentSonars", 3, 1, 1000, "", "number of independent sonars for which a round counts");
+            "independentSonars", 3, 1, 1000, "", "weight of a round of sonars, as a number of independent sonars");
     public static final Parameter<Integer> MIN_PARTICLES = Parameter.integer(
             "minParticles", 150, 20, 100_000, "", "number of particles when the pose is most certain");
     public static final Parameter<Integer> MAX_PARTICLES = Parameter.integer(

@@ -91,7 +91,7 @@ public final class Ros2Provider implements RobotSystemProvider {
             "Positions of that joint when the paddles are open and when they are closed, such as 0.025 -0.015. Default: the"
                     + " opening of the robot's model, and 0.");
     private static final Parameter<Double> GRIPPER_EFFORT = Parameter.number(
-            "gripperEffort", 0, 0, 10_000, "N", "The greatest effort of a gripper; 0 for the controller's own.");
+            "gripperEffort", 0, 0, 10_000, "N", "The maximum effort of a gripper; 0: the limit of its controller.");
     private static final Parameter<String> LIFT_ACTION = Parameter.text(
             "liftAction",
             GripperSettings.USUAL.liftAction(),
