@@ -12,7 +12,7 @@ describe.skipIf(!chromium)('a server that goes away', () => {
   const { openRun } = visits({ refusals: false });
 
   const layer = (page: Page, name: string) => page.getByRole('button', { name, exact: true });
-  const gone = (page: Page) => page.getByText('The server is gone.');
+  const gone = (page: Page) => page.getByText('Connection lost.');
 
   /** From now on: what is asked for, what of it fails or is refused, and what the page warns of. */
   function listen(page: Page) {
@@ -62,7 +62,7 @@ describe.skipIf(!chromium)('a server that goes away', () => {
       await eventually(() => Promise.resolve(asked.some((url) => url.includes('/api/links?'))), 'it goes on');
       await page.locator('tr[data-robot="guard-1"]').click();
       await page.locator('[data-reading]').first().waitFor();
-      await page.getByText('by no costs').waitFor({ state: 'attached' }); // another hint may have its place
+      await page.getByText('has no cost map').waitFor({ state: 'attached' }); // another hint may have its place
       await page.waitForTimeout(1000);
       expect(asked.filter((url) => /hunter|prey/.test(url))).toEqual([]);
       expect(faults).toEqual([]);

@@ -81,7 +81,7 @@ describe.skipIf(!chromium)('runs side by side', () => {
     const form = page.getByRole('dialog', { name: 'Restart' });
     await form.getByLabel('Configuration').selectOption('three');
     await picture(page, 'beside-restart');
-    await form.getByRole('button', { name: 'Start beside', exact: true }).click();
+    await form.getByRole('button', { name: 'Start side by side', exact: true }).click();
 
     await frame(page, 1).locator('tr[data-robot="guard-1"]').waitFor();
     await frame(page, 2).locator('tr[data-robot="guard-3"]').waitFor();
@@ -102,7 +102,7 @@ describe.skipIf(!chromium)('runs side by side', () => {
     await page.getByRole('button', { name: 'Arm all', exact: true }).click();
     await eventually(
       async () => !(await page.getByRole('button', { name: 'Arm all', exact: true }).isVisible()),
-      'they are armed',
+      'Press Arm to switch them on',
     );
 
     await page.getByRole('button', { name: 'Close run 2', exact: true }).click();
@@ -197,8 +197,8 @@ describe.skipIf(!chromium)('runs side by side', () => {
     await beside(page, { configuration: 'three' }, { configuration: 'rooms' });
     const bar = page.getByRole('group', { name: 'All runs' });
     await page.getByRole('button', { name: 'Add…', exact: true }).click();
-    const form = page.getByRole('dialog', { name: 'Another run beside' });
-    await form.getByLabel('Like').selectOption('2');
+    const form = page.getByRole('dialog', { name: 'Add a run' });
+    await form.getByLabel('Copy the settings of').selectOption('2');
     await eventually(
       async () => (await form.getByLabel('Configuration').inputValue()) === 'three',
       'what that one has is offered',
@@ -218,7 +218,7 @@ describe.skipIf(!chromium)('runs side by side', () => {
     );
 
     await bar.getByRole('button', { name: 'Pause all' }).click();
-    await bar.getByRole('button', { name: 'Go on' }).waitFor();
+    await bar.getByRole('button', { name: 'Resume all' }).waitFor();
     const times = () => Promise.all([1, 2, 3, 4].map((run) => time(page, run)));
     const before = await settled(times, 'time stands still in all');
     await bar.getByRole('button', { name: 'Step all' }).click();
@@ -226,7 +226,7 @@ describe.skipIf(!chromium)('runs side by side', () => {
       async () => (await times()).every((now, i) => Math.abs(now - before[i]! - 0.1) < 0.01),
       'each has gone on for a step',
     );
-    await bar.getByRole('button', { name: 'Go on' }).click();
+    await bar.getByRole('button', { name: 'Resume all' }).click();
     await bar.getByLabel('Speed of all').selectOption('5');
     await eventually(
       async () =>

@@ -24,7 +24,7 @@ describe.skipIf(!chromium)('the card of a robot', () => {
 
   async function open(robot: string) {
     await page.locator(`tr[data-robot="${robot}"][data-x]`).click();
-    await page.getByText('Place, copy, remove').click();
+    await page.getByText('Pose: send, place, copy, remove').click();
     await page.getByLabel('x [m]').waitFor();
   }
 

@@ -47,7 +47,7 @@ describe.skipIf(!chromium)('control, of several who have the token', () => {
 
   it('leaves the emergency stop to all', async () => {
     await bob.keyboard.press('F8');
-    await ann.getByText('no robot moves until they are armed').waitFor();
+    await ann.getByText('Press Arm to switch them on').waitFor();
     await ann
       .getByRole('button', { name: /^(Re-arm|Arm)/ })
       .first()

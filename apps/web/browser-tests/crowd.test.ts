@@ -88,7 +88,7 @@ describe.skipIf(!chromium)('a crowd of robots', () => {
   });
 
   longTest('has links of the one that is selected, as all would be too many', async () => {
-    const hint = page.getByText('So many robots');
+    const hint = page.getByText('Too many robots');
     await page.getByRole('button', { name: 'Links', exact: true }).click();
     await hint.waitFor();
     await page.keyboard.press('1');

@@ -155,10 +155,10 @@ describe.skipIf(!chromium)('robots of a world', () => {
     await page.keyboard.down('w');
     await moved('idle');
     await page.keyboard.press('F8');
-    await page.getByText('no robot moves until they are armed').waitFor();
+    await page.getByText('Press Arm to switch them on').waitFor();
     await stands('idle');
     await page.getByRole('button', { name: 'Arm', exact: true }).click();
-    await page.getByText('no robot moves until they are armed').waitFor({ state: 'hidden' });
+    await page.getByText('Press Arm to switch them on').waitFor({ state: 'hidden' });
     await stands('idle');
     await page.keyboard.up('w');
     await page.keyboard.down('w');
@@ -171,15 +171,15 @@ describe.skipIf(!chromium)('robots of a world', () => {
     await select('idle', other);
     await take('idle');
     await row('idle', other).getByText('keys', { exact: true }).waitFor();
-    await other.getByText('Another page drives it.').waitFor();
+    await other.getByText('Another person drives this robot.').waitFor();
     expect(await other.getByRole('button', { name: 'Drive by keys' }).isDisabled()).toBe(true);
-    await page.getByRole('button', { name: 'Let go' }).click();
-    await other.getByText('Another page drives it.').waitFor({ state: 'hidden' });
+    await page.getByRole('button', { name: 'Release' }).click();
+    await other.getByText('Another person drives this robot.').waitFor({ state: 'hidden' });
   });
 
   longTest('are driven by a finger on the pad, as fast as the slider says', async () => {
     await take('idle');
-    await page.getByLabel('Part of its full speed').fill('100');
+    await page.getByLabel('Share of its full speed').fill('100');
     await page.waitForTimeout(300); // the map's bar may still wrap
     const pad = (await page.getByTestId('pad').boundingBox())!;
     const middle = { x: pad.x + pad.width / 2, y: pad.y + pad.height / 2 };
@@ -205,7 +205,7 @@ describe.skipIf(!chromium)('robots of a world', () => {
     await select('roamer');
     await page.getByLabel('Behavior').selectOption('stand still');
     await stands('roamer');
-    await page.getByLabel('Behavior').selectOption('as its agent wants');
+    await page.getByLabel('Behavior').selectOption('controlled by its agent');
     await moved('roamer');
   });
 
@@ -229,8 +229,8 @@ describe.skipIf(!chromium)('robots of a world', () => {
 
   longTest('say what they cannot do', async () => {
     await select('blind');
-    await page.getByText("It can't be sent anywhere. It has no sensor that measures ranges").waitFor();
-    await page.getByText("It can't be given a behavior that moves it.").waitFor();
+    await page.getByText('It cannot drive to goals. It has no sensor that measures ranges').waitFor();
+    await page.getByText('It cannot run a behavior that moves it.').waitFor();
     expect(await page.getByRole('button', { name: 'Send…' }).isDisabled()).toBe(true);
     expect(await page.getByLabel('Behavior').locator('option').allInnerTexts()).toEqual([
       'none',

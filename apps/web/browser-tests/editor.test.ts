@@ -45,7 +45,7 @@ describe.skipIf(!chromium)('the editor of texts', () => {
     await page.getByRole('button', { name: 'Restart…' }).click();
     await page.getByRole('button', { name: 'Edit…', exact: true }).click();
     await text(page).waitFor();
-    await dialog(page).getByText('No mistakes.').waitFor();
+    await dialog(page).getByText('No errors.').waitFor();
   }
 
   it('is not loaded before it is opened', async () => {
@@ -70,7 +70,7 @@ describe.skipIf(!chromium)('the editor of texts', () => {
     await page.keyboard.press('c');
     await page.getByRole('button', { name: /^Edit: Hunters chase/ }).click();
     await dialog(page)
-      .getByText(/^It comes with the program/)
+      .getByText(/^This scenario comes with RSAL/)
       .waitFor(); // as a sentence of its own
     expect(await dialog(page).innerText()).not.toContain('Ctrl-S:');
     await picture(page, 'editor-built');
@@ -84,7 +84,7 @@ describe.skipIf(!chromium)('the editor of texts', () => {
     await text(page).press('Control+End');
     await page.keyboard.type('    colr: 3');
     await dialog(page).locator('.mistake', { hasText: 'colr' }).waitFor();
-    const list = dialog(page).getByRole('list', { name: 'Mistakes' });
+    const list = dialog(page).getByRole('list', { name: 'Errors' });
     expect(await list.innerText()).toMatch(/colr[^]*color/);
     await picture(page, 'editor-mistake-light');
     await expectAccessible(page, 'dialog[open]');
@@ -108,7 +108,7 @@ describe.skipIf(!chromium)('the editor of texts', () => {
     await page.keyboard.type('"#00aa00"');
     await page.keyboard.press('Enter');
     await page.keyboard.type('count: 2');
-    await dialog(page).getByText('No mistakes.').waitFor();
+    await dialog(page).getByText('No errors.').waitFor();
     expect(await text(page).innerText()).toContain('color: "#00aa00"');
     await page.keyboard.press('Control+Enter');
     await dialog(page).waitFor({ state: 'hidden' });
@@ -124,7 +124,7 @@ describe.skipIf(!chromium)('the editor of texts', () => {
     expect(await dialog(page).getByRole('button', { name: 'Save' }).isEnabled()).toBe(true);
     await text(page).press('Control+End');
     await page.keyboard.type('# p 0 space ');
-    await dialog(page).getByText('No mistakes.').waitFor();
+    await dialog(page).getByText('No errors.').waitFor();
     expect(await page.getByRole('button', { name: /Re-arm/ }).count()).toBe(0);
     await page.keyboard.press('F8');
     await page
@@ -138,7 +138,7 @@ describe.skipIf(!chromium)('the editor of texts', () => {
     const page = await opened('light', 480);
     await page.keyboard.press('c');
     await page.getByRole('button', { name: /^Edit: My own/ }).click();
-    await dialog(page).getByText('No mistakes.').waitFor();
+    await dialog(page).getByText('No errors.').waitFor();
     await text(page).press('Control+End');
     const checked = page.waitForResponse('**/api/scenarios/check');
     await page.keyboard.type('# more');

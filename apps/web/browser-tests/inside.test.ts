@@ -27,14 +27,14 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
   it('is shown of the agent of the robot that is selected', async () => {
     const page = await opened(1400, 900, 'light');
     await page.locator('tr[data-robot="prey"]').first().click();
-    const goals = agent(page, 'evade').getByRole('list', { name: 'What it wants' });
+    const goals = agent(page, 'evade').getByRole('list', { name: 'Goals' });
     await goals.waitFor();
     expect(await goals.locator('[data-goal]').count()).toBeGreaterThan(1);
     await eventually(
       async () => (await goals.locator('[data-state="PURSUED"]').count()) === 1,
-      'one goal has the robot',
+      'one goal is active',
     );
-    expect(await goals.locator('[data-state="PURSUED"]').innerText()).toContain('has the robot');
+    expect(await goals.locator('[data-state="PURSUED"]').innerText()).toContain('active');
     expect(await page.locator('[data-agent]:has([data-goal])').count(), 'of one agent').toBe(1);
     const panel = (await page.getByRole('region', { name: 'Agents' }).boundingBox())!;
     const first = (await goals.locator('[data-goal]').first().boundingBox())!;
@@ -49,7 +49,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
   it('tells conversations, the newest first', async () => {
     const page = await opened(1400, 900, 'dark');
     await look(page, 'spread');
-    const talks = agent(page, 'spread').getByRole('list', { name: 'What it talks about' });
+    const talks = agent(page, 'spread').getByRole('list', { name: 'Conversations' });
     await talks.getByText('request', { exact: true }).first().waitFor();
     expect(await talks.getByText(/→ nav-\d/).count()).toBeGreaterThan(0);
     expect(await talks.getByText(/go to/).count()).toBeGreaterThan(0);
@@ -67,8 +67,8 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     const page = await opened(1400, 900, 'light');
     await look(page, 'nav-1');
     const inside = agent(page, 'nav-1');
-    await inside.getByText('What reached it').click();
-    const mailbox = inside.getByRole('list', { name: 'What reached it' });
+    await inside.getByText('Received messages').click();
+    const mailbox = inside.getByRole('list', { name: 'Received messages' });
     await mailbox.getByText(/go to/).first().waitFor();
     expect(await mailbox.getByText('← spread').count()).toBeGreaterThan(0);
     expect(await mailbox.getByText('for all').count()).toBeGreaterThan(0);
@@ -81,8 +81,8 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     const page = await opened(1400, 900, 'light');
     await look(page, 'evade');
     const inside = agent(page, 'evade');
-    await inside.getByText('What changed in it').click();
-    const history = inside.getByRole('list', { name: 'What changed in it' });
+    await inside.getByText('History, newest first').click();
+    const history = inside.getByRole('list', { name: 'History, newest first' });
     await history.locator('[data-change="DOES"]').first().waitFor();
     await history.locator('[data-change="BELIEVES"]').first().waitFor();
     await history.scrollIntoViewIfNeeded();
@@ -125,9 +125,9 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
   it('takes words from the operator, and says so in the events', async () => {
     const page = await opened(1400, 900, 'light');
     await look(page, 'evade');
-    await agent(page, 'evade').getByRole('button', { name: 'Say…' }).click();
+    await agent(page, 'evade').getByRole('button', { name: 'Message…' }).click();
     const words = page.getByLabel('words', { exact: true });
-    await page.getByRole('button', { name: 'Say it' }).click();
+    await page.getByRole('button', { name: 'Send message' }).click();
     expect(await words.evaluate((field) => field.matches(':invalid'))).toBe(true); // an empty text is none
     await page.getByLabel('Topic', { exact: true }).selectOption('pose');
     await page.getByLabel('mapFromBase').fill('1 2');
@@ -138,12 +138,12 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     );
     await robot.fill('courier-1');
     await page.getByLabel('role', { exact: true }).fill('courier');
-    await page.getByRole('button', { name: 'Say it' }).click();
+    await page.getByRole('button', { name: 'Send message' }).click();
     await page.getByText("Field 'mapFromBase' takes x, y [m] and heading [°]").waitFor();
     await picture(page, 'say-light');
     await isAccessible(page);
     await page.getByLabel('mapFromBase').fill('1 2 90');
-    await page.getByRole('button', { name: 'Say it' }).click();
+    await page.getByRole('button', { name: 'Send message' }).click();
     await page.getByText('is told on pose: courier-1 is at (1.00, 2.00, 90°)').first().waitFor();
   });
 
@@ -157,7 +157,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     await page.getByRole('searchbox', { name: 'Filter events' }).fill('started'); // others come all the time
     await page.getByText('started again').first().waitFor();
     await look(page, 'nav-1');
-    await agent(page, 'nav-1').getByRole('button', { name: 'Another like it' }).click();
+    await agent(page, 'nav-1').getByRole('button', { name: 'Start a copy' }).click();
     await agent(page, 'nav-1').getByLabel('For robot').selectOption('prey');
     await picture(page, 'another-dark');
     await isAccessible(page);
@@ -173,7 +173,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     const form = page.getByRole('dialog', { name: 'A new agent' });
     await form.getByLabel('Type').selectOption('wander');
     await form.getByLabel('For robot').selectOption('prey');
-    await form.getByText(/^prey has evade.* already: each may want something else of it/).waitFor();
+    await form.getByText(/^prey already has evade.* may send conflicting commands/).waitFor();
     await form.getByRole('textbox', { name: 'period' }).fill('often');
     await form.getByRole('button', { name: 'Start' }).click();
     await form.getByText("'period' must be").waitFor();
@@ -221,14 +221,10 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     const page = await opened(1400, 900, 'light');
     await page.getByTestId('outcome').waitFor();
     await page.locator('tr[data-robot="prey"]').first().click();
-    await agent(page, 'evade').getByRole('list', { name: 'What it wants' }).waitFor();
+    await agent(page, 'evade').getByRole('list', { name: 'Goals' }).waitFor();
     await page.locator('[data-reading="laser"]').getByText('nearest').waitFor();
     await look(page, 'spread');
-    await agent(page, 'spread')
-      .getByRole('list', { name: 'What it talks about' })
-      .locator('li')
-      .first()
-      .waitFor();
+    await agent(page, 'spread').getByRole('list', { name: 'Conversations' }).locator('li').first().waitFor();
     await page.getByRole('button', { name: 'By topic' }).click();
     await page.locator('[data-topic="pose"]').waitFor();
     await picture(page, 'over');

@@ -44,10 +44,10 @@ describe.skipIf(!chromium)('who hears whom', () => {
     await eventually(async () => (await drawn(page)) > before + 1000, 'lines are drawn');
     await page.waitForTimeout(1500);
     await picture(page, 'links-light');
-    await page.getByRole('button', { name: /Look at an angle/ }).click();
+    await page.getByRole('button', { name: /Oblique view/ }).click();
     await eventually(async () => (await drawn(page)) > 1000, 'lines are drawn at an angle, too');
     await picture(page, 'links-oblique');
-    await page.getByRole('button', { name: /Look at an angle/ }).click();
+    await page.getByRole('button', { name: /Oblique view/ }).click();
     await layer(page).click();
     await eventually(async () => (await drawn(page)) < before + 1000, 'lines are gone');
     const sofar = asked.length;

@@ -149,11 +149,11 @@ describe.skipIf(!chromium)('the page', () => {
     const start = await pose('hunter-1');
     await page.keyboard.press('2');
     await page.keyboard.press('g');
-    await page.getByText('Click where hunter-1 shall go').waitFor();
+    await page.getByText('Click on the goal of hunter-1').waitFor();
     const target = { x: start.x > 0 ? -25 : 25, y: -1.6 };
     const { x, y } = await onScreen(page, target);
     await page.mouse.click(x, y);
-    await page.getByText('Click where hunter-1 shall go').waitFor({ state: 'hidden' });
+    await page.getByText('Click on the goal of hunter-1').waitFor({ state: 'hidden' });
     await page.getByRole('searchbox', { name: 'Filter events' }).fill('operator hunter-1');
     await page.locator('li', { hasText: 'operator' }).first().waitFor();
     await rsal.post('speed', { factor: '10' });
@@ -174,7 +174,7 @@ describe.skipIf(!chromium)('the page', () => {
   it.each(SIZES)('shows all digits of a place at %i × %i', async (width, height) => {
     page = await opened(rsal.url, { viewport: { width, height } });
     await page.keyboard.press('1');
-    await page.getByText('Place, copy, remove').click();
+    await page.getByText('Pose: send, place, copy, remove').click();
     for (const name of ['x [m]', 'y [m]', 'heading [°]']) {
       const field = page.getByLabel(name);
       await field.fill('-123.45');
@@ -185,7 +185,7 @@ describe.skipIf(!chromium)('the page', () => {
   longTest('places a robot by typed numbers', async () => {
     await pause();
     await page.keyboard.press('1');
-    await page.getByText('Place, copy, remove').click();
+    await page.getByText('Pose: send, place, copy, remove').click();
     await page.getByLabel('x [m]').fill('5');
     await page.getByLabel('y [m]').fill('-1.6');
     await page.getByLabel('heading [°]').fill('90');
@@ -199,14 +199,14 @@ describe.skipIf(!chromium)('the page', () => {
   it('stops all robots in an emergency, until they are armed', async () => {
     await eventually(async () => (await time()) > 1, 'the run goes on');
     await page.getByRole('button', { name: 'Emergency stop' }).click();
-    await page.getByText('no robot moves until they are armed').waitFor();
+    await page.getByText('Press Arm to switch them on').waitFor();
     await eventually(async () => {
       const speeds = await page.locator('tr[data-robot] td:nth-of-type(2)').allInnerTexts();
       return speeds.every((speed) => Math.abs(Number.parseFloat(speed)) < 0.01);
     }, 'all robots stand');
     const stopped = await pose('prey-1');
     await page.getByRole('button', { name: 'Arm', exact: true }).click();
-    await page.getByText('no robot moves until they are armed').waitFor({ state: 'hidden' });
+    await page.getByText('Press Arm to switch them on').waitFor({ state: 'hidden' });
     await eventually(async () => {
       const now = await pose('prey-1');
       return Math.hypot(now.x - stopped.x, now.y - stopped.y) > 0.2;
@@ -220,20 +220,20 @@ describe.skipIf(!chromium)('the page', () => {
     const places = async () => [await stop.boundingBox(), await emergencyStop.boundingBox()];
     const before = await places();
     await emergencyStop.dblclick();
-    await page.getByText('no robot moves until they are armed').waitFor();
+    await page.getByText('Press Arm to switch them on').waitFor();
     await page.getByRole('searchbox', { name: 'Filter events' }).fill('operator');
     await eventually(
       async () => (await page.locator('li', { hasText: 'emergency stop' }).count()) === 2,
       'both clicks have arrived',
     );
     expect(await page.locator('li', { hasText: 'motors on' }).count()).toBe(0);
-    expect(await page.getByText('no robot moves until they are armed').count()).toBe(1);
+    expect(await page.getByText('Press Arm to switch them on').count()).toBe(1);
     expect(await page.getByTestId('outcome').count()).toBe(0);
     expect(await places()).toEqual(before);
   });
 
   it('stops in an emergency by a key, whatever has the focus', async () => {
-    const stopped = page.getByText('no robot moves until they are armed');
+    const stopped = page.getByText('Press Arm to switch them on');
     await page.getByRole('searchbox', { name: 'Filter events' }).focus();
     await page.keyboard.press('F8');
     await stopped.waitFor();
@@ -242,11 +242,11 @@ describe.skipIf(!chromium)('the page', () => {
     await page.keyboard.press('r');
     await page.getByRole('dialog', { name: 'Restart' }).getByLabel('Seed').focus();
     await page.keyboard.press('F8');
-    await eventually(async () => (await stopped.count()) === 1, 'no robot moves until they are armed');
+    await eventually(async () => (await stopped.count()) === 1, 'Press Arm to switch them on');
   });
 
   it('stops by Space whatever was clicked before, and shows it', async () => {
-    const stopped = page.getByText('no robot moves until they are armed');
+    const stopped = page.getByText('Press Arm to switch them on');
     const stops = async (why: string) => {
       await page.keyboard.press('Space');
       await eventually(async () => (await stopped.count()) === 1, why);
@@ -286,7 +286,7 @@ describe.skipIf(!chromium)('the page', () => {
   });
 
   it('can be stopped by a click while a dialog covers the page', async () => {
-    const stopped = page.getByText('no robot moves until they are armed');
+    const stopped = page.getByText('Press Arm to switch them on');
     for (const key of ['r', 'c', 'x', '?']) {
       await page.keyboard.press(key);
       const dialog = page.locator('dialog[open]');
@@ -305,7 +305,7 @@ describe.skipIf(!chromium)('the page', () => {
 
   longTest('keeps what is selected when Esc empties and leaves a filter', async () => {
     await page.locator('tr[data-robot="prey-1"]').click();
-    const card = page.getByText('Place, copy, remove');
+    const card = page.getByText('Pose: send, place, copy, remove');
     await card.waitFor();
     const filter = page.getByPlaceholder('Filter');
     await filter.fill('hunter');
@@ -354,7 +354,7 @@ describe.skipIf(!chromium)('the page', () => {
       expect(await late.getByRole('button', { name, exact: true }).isDisabled(), name).toBe(true);
     }
     await late.keyboard.press('p');
-    await late.getByRole('alert').getByText('This tab may only watch.').waitFor();
+    await late.getByRole('alert').getByText('You can only watch.').waitFor();
     await late.keyboard.press('Space');
     await late.keyboard.press('r');
     expect(await late.getByRole('dialog').count()).toBe(0);
@@ -400,7 +400,7 @@ describe.skipIf(!chromium)('the page', () => {
     for (const name of ['Restart…', 'Stop']) {
       const button = page.getByRole('button', { name, exact: true });
       expect(await button.isDisabled(), name).toBe(true);
-      expect(await button.getAttribute('title'), name).toContain('Look at the present first');
+      expect(await button.getAttribute('title'), name).toContain('Return to the present');
     }
     const before = await time();
     await rsal.post('restart', { configuration: 'virtual', arguments: {}, seed: '8' });
@@ -494,7 +494,7 @@ describe.skipIf(!chromium)('the page', () => {
     await page.getByText('hunter-1 goes for prey-1').first().waitFor();
     await page.getByRole('button', { name: 'Chart', exact: true }).click();
     await page.locator('.arrow.all', { hasText: 'hunter-1 goes for prey-1' }).first().waitFor();
-    const topic = page.getByLabel('Of one topic');
+    const topic = page.getByLabel('Topic', { exact: true });
     await page.locator('.arrow.all', { hasText: 'prey-1 is at' }).first().waitFor({ state: 'detached' });
     await topic.selectOption('pose'); // which is too much at first
     await page.locator('.arrow.all', { hasText: 'prey-1 is at' }).nth(3).waitFor();
@@ -505,10 +505,10 @@ describe.skipIf(!chromium)('the page', () => {
   it('says how a run ended', async () => {
     await page.getByRole('button', { name: 'Stop', exact: true }).click();
     expect(await page.getByTestId('outcome').innerText()).toBe('Stopped');
-    expect(await page.getByTestId('rate').innerText()).toBe('over');
+    expect(await page.getByTestId('rate').innerText()).toBe('ended');
     expect(await page.getByRole('button', { name: 'Pause' }).isDisabled()).toBe(true);
     await page.keyboard.press('Space'); // nothing moves: there is nothing to refuse
-    await page.getByText('This run is over: its robots stand.').waitFor();
+    await page.getByText('This run has ended.').waitFor();
     await page.getByRole('region', { name: 'Stopped' }).getByRole('button', { name: 'Restart' }).click();
     await page.getByRole('dialog').getByRole('button', { name: 'Restart' }).click();
     await page.getByTestId('outcome').waitFor({ state: 'hidden' });
@@ -523,7 +523,7 @@ describe.skipIf(!chromium)('the page', () => {
     await fault.waitFor();
     expect(await fault.locator('.kind').innerText()).toBe('fault');
     const robot = (await fault.locator('.subject').innerText()).trim();
-    await page.locator(`tr[data-robot="${robot}"]`).getByText('ill').waitFor();
+    await page.locator(`tr[data-robot="${robot}"]`).getByText('faulty').waitFor();
   });
 
   it('moves, zooms and follows by keyboard', async () => {
@@ -581,7 +581,7 @@ describe.skipIf(!chromium)('the page', () => {
     await check('with mistakes in the form');
     await page.keyboard.press('Escape');
     await rsal.post('estop');
-    await page.getByText('no robot moves until they are armed').waitFor();
+    await page.getByText('Press Arm to switch them on').waitFor();
     await check('after an emergency stop');
     await rsal.post('stop');
     await page.getByTestId('outcome').waitFor();
@@ -600,15 +600,15 @@ describe.skipIf(!chromium)('the page', () => {
     });
     await page.goto(rsal.url);
     await page.locator('tr[data-robot="hunter-1"][data-x]').click();
-    await page.getByText('Place, copy, remove').waitFor();
+    await page.getByText('Pose: send, place, copy, remove').waitFor();
     lose();
-    await page.getByText('The server is gone.').waitFor();
-    await page.getByText('The server is gone.').waitFor({ state: 'hidden' });
+    await page.getByText('Connection lost.').waitFor();
+    await page.getByText('Connection lost.').waitFor({ state: 'hidden' });
     const before = await time();
     await eventually(async () => (await time()) > before, 'it goes on');
-    await page.getByText('Place, copy, remove').waitFor();
+    await page.getByText('Pose: send, place, copy, remove').waitFor();
     await rsal.post('restart', { configuration: 'virtual', arguments: {}, seed: SEED });
-    await page.getByText('Place, copy, remove').waitFor({ state: 'detached' }); // of another run
+    await page.getByText('Pose: send, place, copy, remove').waitFor({ state: 'detached' }); // of another run
   });
 
   longTest('has notices that are put away over a dialog, too', async () => {
@@ -632,13 +632,13 @@ describe.skipIf(!chromium)('the page', () => {
     page = await open(first.origin, { mayFail: true });
     await page.locator('tr[data-robot][data-x]').first().waitFor();
     await first.end();
-    await page.getByText('The server is gone.').waitFor();
+    await page.getByText('Connection lost.').waitFor();
     let maps = 0;
     page.on('request', (request) => {
       maps += request.url().includes('/api/map/1') ? 1 : 0;
     });
     await Rsal.run('find-and-collect', '--port', first.port, '--seed', '7');
-    await page.getByText('The server is gone.').waitFor({ state: 'hidden' });
+    await page.getByText('Connection lost.').waitFor({ state: 'hidden' });
     await page.locator('header').getByText('seed 7').waitFor();
     await page.locator('tr[data-robot][data-x]').first().waitFor();
     await eventually(() => Promise.resolve(maps > 0), 'its map is asked for, though it counts its runs anew');

@@ -38,7 +38,7 @@ describe.skipIf(!chromium)('plots', () => {
   const box = (key = SPEED) => plotOf(key).locator('.box svg');
   const ticks = (text: string | RegExp, key = SPEED) =>
     plotOf(key).locator('.ticks').getByText(text).first().waitFor();
-  const span = () => page.getByLabel('How much of the past plots show at most');
+  const span = () => page.getByLabel('Longest time that plots show');
   const pointAway = () => page.mouse.move(400, 300);
 
   async function wheel(plot: Locator, x: number, amount: number) {

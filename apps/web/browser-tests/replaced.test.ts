@@ -24,7 +24,7 @@ describe.skipIf(!chromium)('a run that is replaced', () => {
       await numbers.locator('option', { hasText: 'speed ahead' }).first().waitFor({ state: 'attached' });
       await numbers.selectOption('collector-2: base velocity.vx');
       await page.getByText('collector-2: base speed ahead').waitFor();
-      await page.locator('[data-agent="collect-2"]').getByText('What reached it').waitFor();
+      await page.locator('[data-agent="collect-2"]').getByText('Received messages').waitFor();
       await restart('1');
       await eventually(async () => (await robots.count()) === 2, 'there is one collector');
       asked.length = 0;

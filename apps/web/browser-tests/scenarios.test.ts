@@ -83,13 +83,13 @@ describe.skipIf(!chromium)('the choice of a scenario', () => {
       .getByRole('button', { name: /^Choose/ })
       .click();
     const form = page.getByRole('dialog', { name: /^Run: A team/ });
-    await form.getByLabel('Agents on').selectOption('jason');
+    await form.getByLabel('Agent platform').selectOption('jason');
     await form.getByRole('button', { name: 'Run', exact: true }).click();
     await page.locator('tr[data-robot="courier-1"]').waitFor();
     await form.waitFor({ state: 'hidden' });
     await page.keyboard.press('r');
     const again = page.getByRole('dialog', { name: 'Restart' });
-    expect(await again.getByLabel('Agents on').inputValue()).toBe('jason');
+    expect(await again.getByLabel('Agent platform').inputValue()).toBe('jason');
     await page.keyboard.press('Escape');
   });
 

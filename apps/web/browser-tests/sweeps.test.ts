@@ -87,7 +87,7 @@ describe.skipIf(!chromium)('a sweep', () => {
     expect(await row.innerText()).toMatch(/100 %[^]*±[^]*n = 30/);
     await row.getByRole('img', { name: /^way: quartiles/ }).waitFor();
     await picture(page, 'sweep-dark');
-    const table = page.getByRole('region', { name: 'What came of it so far' });
+    const table = page.getByRole('region', { name: 'Results so far' });
     expect(await table.evaluate((node) => node.scrollWidth - node.clientWidth), 'all columns are seen').toBe(
       0,
     );
@@ -138,7 +138,7 @@ describe.skipIf(!chromium)('a sweep', () => {
         .split('\n');
     expect(rows().map((row) => (JSON.parse(row) as { outcome: string }).outcome)).toHaveLength(stopped);
 
-    await page.getByRole('button', { name: 'Go on' }).click();
+    await page.getByRole('button', { name: 'Resume the sweep' }).click();
     await eventually(async () => (await ended(page)) > stopped, 'it goes on');
     await page.getByRole('dialog').getByRole('button', { name: 'Stop', exact: true }).click();
     await eventually(async () => (await status(page).innerText()) === 'Stopped', 'it stops again');
@@ -159,7 +159,7 @@ describe.skipIf(!chromium)('a sweep', () => {
     await earlier.getByText('40 of 48 runs').waitFor();
     await picture(page, 'sweeps-before');
     await expectAccessible(page, 'dialog[open]');
-    await earlier.getByRole('button', { name: 'Go on with wander-9' }).click();
+    await earlier.getByRole('button', { name: 'Resume wander-9' }).click();
     await eventually(async () => (await status(page).innerText()) === 'Ended', 'it ends');
     expect(await progress(page).innerText()).toBe('48 of 48 runs');
     const all = readFileSync(join(left, 'rows.jsonl'), 'utf8').trimEnd().split('\n');

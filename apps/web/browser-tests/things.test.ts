@@ -145,7 +145,7 @@ describe.skipIf(!chromium)('a world of things', () => {
     const late = await openRun(rsal.origin);
     await late.locator('tr[data-robot="cart-1"]').waitFor();
     await robot('a').getByRole('button').press('Enter');
-    await page.getByText('Place, copy, remove').click();
+    await page.getByText('Pose: send, place, copy, remove').click();
     await page.getByRole('button', { name: 'Remove' }).click();
     await robot('a').waitFor({ state: 'detached' });
     expect(await page.locator('tr[data-robot]').count()).toBe(2);

@@ -26,7 +26,7 @@ describe.skipIf(!chromium)('what people work with', () => {
   it('a chart shows who said what to whom, one after the other, and one conversation alone', async () => {
     const panel = page.locator('.panel', { hasText: 'Events' });
     await panel.getByRole('button', { name: 'Chart' }).click();
-    await panel.getByLabel('Of one topic').selectOption({ label: 'conversations' });
+    await panel.getByLabel('Topic', { exact: true }).selectOption({ label: 'conversations' });
     const arrows = panel.locator('.arrow');
     await arrows.nth(3).waitFor();
     const places = () =>
@@ -50,26 +50,26 @@ describe.skipIf(!chromium)('what people work with', () => {
     await eventually(async () => (await arrows.count()) < all, 'other conversations are left out');
     await panel.getByRole('button', { name: '✕' }).click();
     await eventually(async () => (await arrows.count()) >= all, 'they are back');
-    await panel.getByLabel('Of one protocol').selectOption({ index: 1 });
+    await panel.getByLabel('Protocol', { exact: true }).selectOption({ index: 1 });
     await eventually(async () => (await arrows.count()) > 0, 'there are some');
     expect(await panel.locator('.arrow[disabled]').count(), 'all of conversations').toBe(0);
     await picture(page, 'chart-protocol');
-    await panel.getByLabel('Of one topic').selectOption({ label: 'hello' });
-    await panel.getByText('Nothing of this was said yet; choose something else above.').waitFor();
-    await panel.getByLabel('Of one protocol').selectOption({ label: 'all protocols' });
+    await panel.getByLabel('Topic', { exact: true }).selectOption({ label: 'hello' });
+    await panel.getByText('No such messages yet. Change the selection above.').waitFor();
+    await panel.getByLabel('Protocol', { exact: true }).selectOption({ label: 'all protocols' });
     await arrows.first().waitFor();
-    await panel.getByLabel('Of one topic').selectOption({ label: 'all topics' });
+    await panel.getByLabel('Topic', { exact: true }).selectOption({ label: 'all topics' });
     await eventually(
       async () => (await panel.locator('.arrow.all').count()) > 0,
       'what is for all is there, too',
     );
-    await panel.getByLabel('Of one agent').selectOption({ label: 'evade' });
+    await panel.getByLabel('Agent', { exact: true }).selectOption({ label: 'evade' });
     await eventually(async () => (await panel.locator('.agents .agent').count()) === 1, 'it speaks to all');
     const widths = await panel
       .locator('.agents')
       .evaluate((node) => [node.clientWidth, node.parentElement!.clientWidth]);
     expect(widths[0], 'the header is as wide as the chart').toBe(widths[1]);
-    await panel.getByLabel('Of one agent').selectOption({ label: 'all agents' });
+    await panel.getByLabel('Agent', { exact: true }).selectOption({ label: 'all agents' });
     await panel.locator('[role=region] [tabindex="0"]').press('Escape');
     await eventually(async () => (await panel.boundingBox())!.width < 700, 'it is small again');
     await panel.getByRole('button', { name: 'Chart' }).click();
@@ -123,12 +123,12 @@ describe.skipIf(!chromium)('what people work with', () => {
       /^(?:0\.[25]|1\.0) s before now: courier-1: base turn -?[\d.]+ °\/s, prey/,
     );
     await expectAccessible(page);
-    await turn.getByRole('button', { name: 'Plot prey: base turn no more' }).click();
+    await turn.getByRole('button', { name: 'Remove the plot of prey: base turn' }).click();
     await eventually(async () => (await turn.locator('.box path').count()) === 1, 'it is plotted no more');
 
-    await plot.getByRole('button', { name: 'Plot courier-1: base speed ahead no more' }).click();
+    await plot.getByRole('button', { name: 'Remove the plot of courier-1: base speed ahead' }).click();
     expect(await plot.locator('.box path').count()).toBe(1);
-    await plot.getByRole('button', { name: 'Plot courier-1: laser distance, least no more' }).click();
+    await plot.getByRole('button', { name: 'Remove the plot of courier-1: laser distance, least' }).click();
     expect(await plot.count()).toBe(0);
   });
 
@@ -181,8 +181,8 @@ describe.skipIf(!chromium)('what people work with', () => {
     await picture(page, 'plots-past');
     await page.getByRole('button', { name: 'Live' }).click();
     await plot.getByText('now').waitFor();
-    await page.getByRole('button', { name: /^Plot prey: .* no more$/ }).click();
-    await page.getByRole('button', { name: /^Plot courier-2: .* no more$/ }).click();
+    await page.getByRole('button', { name: /^Remove the plot of prey: / }).click();
+    await page.getByRole('button', { name: /^Remove the plot of courier-2: / }).click();
     expect(await plot.count()).toBe(0);
     await page.locator('tr[data-robot="courier-1"]').click();
   });
@@ -190,13 +190,13 @@ describe.skipIf(!chromium)('what people work with', () => {
   it('distances are measured on the map', async () => {
     await page.keyboard.press('Escape');
     await page.keyboard.press('t');
-    await page.getByText('Drag from one place to another').waitFor();
+    await page.getByText('Drag on the map to measure').waitFor();
     const map = (await page.locator('#map').boundingBox())!;
     await page.mouse.move(map.x + 200, map.y + 100);
     await page.mouse.down();
     await page.mouse.move(map.x + 500, map.y + 60, { steps: 3 });
     await page.mouse.up();
-    await page.getByText('Drag from one place to another').waitFor({ state: 'detached' });
+    await page.getByText('Drag on the map to measure').waitFor({ state: 'detached' });
     await picture(page, 'measure');
     await page.keyboard.press('t');
   });
@@ -207,7 +207,7 @@ describe.skipIf(!chromium)('what people work with', () => {
     await told('Motors of courier-1 are off until they are switched on by its card.');
     expect(await page.locator('tr[data-robot]', { hasText: 'motors are off' }).count()).toBe(1);
     await page.keyboard.press(' ');
-    await told('courier-1 was switched off alone, and stays off.');
+    await told('courier-1 was switched off separately, and stays off.');
     const hides = async () => {
       const [said, map] = [page.locator('.banner'), page.locator('#map')];
       const [{ y, height }, { y: top }] = [(await said.boundingBox())!, (await map.boundingBox())!];
@@ -229,7 +229,7 @@ describe.skipIf(!chromium)('what people work with', () => {
     await eventually(async () => !(await page.locator('.banner').innerText()).includes('off'), 'all are on');
     const map = await page.locator('#map').boundingBox();
     await page.keyboard.press(' ');
-    await told('no robot moves until they are armed');
+    await told('Press Arm to switch them on');
     expect(await page.locator('#map').boundingBox(), 'nothing moves under the pointer').toEqual(map);
     await page.getByRole('button', { name: 'Motors on', exact: true }).click();
     await told('Motors of courier-2, prey are off.');
@@ -240,7 +240,7 @@ describe.skipIf(!chromium)('what people work with', () => {
 
   it('the map has the room of all panels when somebody wants it', async () => {
     const before = (await page.locator('#map').boundingBox())!;
-    await page.getByRole('button', { name: 'The map alone' }).click();
+    await page.getByRole('button', { name: 'Hide the panels' }).click();
     const panels = page.locator('.panels');
     await eventually(async () => !(await panels.isVisible()), 'panels are hidden');
     const map = (await page.locator('#map').boundingBox())!;
@@ -269,7 +269,7 @@ describe.skipIf(!chromium)('what people work with', () => {
     expect(await shown()).toHaveLength(1);
     await picture(page, 'one-hint');
     await page.keyboard.press('t');
-    const doing = page.getByText('Drag from one place to another');
+    const doing = page.getByText('Drag on the map to measure');
     await doing.waitFor();
     expect(await shown()).toHaveLength(0);
     const [map, box] = [(await page.locator('#map').boundingBox())!, (await doing.boundingBox())!];
@@ -366,7 +366,7 @@ describe.skipIf(!chromium)('what people work with', () => {
 
   longTest('the list of robots is as wide as its panel, also while motors are off', async () => {
     await page.getByRole('button', { name: 'Emergency stop', exact: true }).first().click();
-    await told('no robot moves until they are armed');
+    await told('Press Arm to switch them on');
     await page.locator('tr[data-robot] .off').first().waitFor();
     for (const [width, height] of [
       [820, 1180],

@@ -41,7 +41,7 @@ describe.skipIf(!chromium)('the view of the world', () => {
   it('is turned by keys and back, and all stays where it is drawn', async () => {
     await page.getByRole('button', { name: 'Grid' }).click();
     await page.getByRole('button', { name: 'Scans' }).click();
-    const back = page.getByRole('button', { name: 'Turn back' });
+    const back = page.getByRole('button', { name: 'Reset the rotation' });
     expect(await back.isDisabled()).toBe(true);
     for (let press = 0; press < 3; press++) {
       await page.keyboard.press('Shift+ArrowLeft');
@@ -145,7 +145,7 @@ describe.skipIf(!chromium)('the view of the world', () => {
       await page.getByRole('button', { name: layer }).click();
     }
     await rsal.post('pause');
-    const button = page.getByRole('button', { name: 'Look at an angle' });
+    const button = page.getByRole('button', { name: 'Oblique view' });
     const behind = { x: 0, y: 1 }; // the pillar, 1 m each way, hides it: its top is seen there
     expect(await colorAt(page, behind)).toEqual(WHITE);
     await page.keyboard.press('v');
@@ -217,7 +217,7 @@ describe.skipIf(!chromium)('the view of the world', () => {
     page = await opened(480, 900, 'dark');
     await page.keyboard.press('v');
     await picture(page, 'narrow');
-    for (const name of ['Look at an angle', 'Turn back', 'Show all']) {
+    for (const name of ['Oblique view', 'Reset the rotation', 'Show all']) {
       const box = (await page.getByRole('button', { name }).boundingBox())!;
       expect(box.x >= 0 && box.x + box.width <= 480, name).toBe(true);
     }

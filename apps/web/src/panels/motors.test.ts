@@ -3,12 +3,12 @@ import { motorsOff } from './motors';
 
 it.each([
   [false, [], [], null, null],
-  [true, ['a', 'b'], [], 'Motors are off: no robot moves until they are armed.', 'Arm'],
+  [true, ['a', 'b'], [], 'Motors are off. Press Arm to switch them on.', 'Arm'],
   [
     true,
     ['a', 'b'],
     ['b'],
-    'Motors are off: no robot moves until they are armed. b was switched off alone, and stays off.',
+    'Motors are off. Press Arm to switch them on. b was switched off separately, and stays off.',
     'Arm',
   ],
   [false, ['a', 'b'], [], 'Motors of a, b are off.', 'Arm all'],
@@ -16,7 +16,7 @@ it.each([
     false,
     ['a', 'b', 'c'],
     ['b', 'c'],
-    'Motors of a are off. b, c were switched off alone, and stay off.',
+    'Motors of a are off. b, c were switched off separately, and stay off.',
     'Arm the others',
   ],
   [false, ['b'], ['b'], 'Motors of b are off until they are switched on by its card.', null],
