@@ -4,6 +4,7 @@ export default defineConfig({
   test: {
     include: ['browser-tests/**/*.test.ts'],
     passWithNoTests: true,
+    isolate: false, // files one after the other share a process, its libraries and its browser
     maxWorkers: 2, // browsers at a time: most of the time each waits for its run
     testTimeout: 60_000,
     hookTimeout: 120_000,

@@ -1,7 +1,14 @@
 import { accessSync, constants } from 'node:fs';
 import { delimiter, join } from 'node:path';
 
-const NAMES = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable'];
+/** The first has no windows at all: it starts in a third of the time, and pages cost half of it. */
+const NAMES = [
+  'chromium-headless-shell',
+  'chromium',
+  'chromium-browser',
+  'google-chrome',
+  'google-chrome-stable',
+];
 const MAC = [
   '/Applications/Chromium.app/Contents/MacOS/Chromium',
   '/Applications/Google Chrome.app/Contents/MacOS/Google Chrome',
@@ -9,7 +16,7 @@ const MAC = [
 
 /** The browser on this machine, if there is one. */
 export const chromium = [
-  ...(process.env.PATH ?? '').split(delimiter).flatMap((folder) => NAMES.map((name) => join(folder, name))),
+  ...NAMES.flatMap((name) => (process.env.PATH ?? '').split(delimiter).map((folder) => join(folder, name))),
   ...MAC,
 ].find(isExecutable);
 
@@ -17,7 +24,7 @@ if (!chromium) {
   console.warn(`
 ==================================================================
 BROWSER TESTS SKIPPED: they need Chromium, and there is none. Install it:
-  Debian           sudo apt-get install chromium
+  Debian           sudo apt-get install chromium-headless-shell   (or chromium)
   macOS            brew install --cask chromium
 ==================================================================`);
 }

@@ -6,7 +6,7 @@ import {
   type BrowserContextOptions,
   type Page,
 } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, beforeEach, expect, it } from 'vitest';
+import { afterAll, afterEach, beforeEach, expect, it } from 'vitest';
 import { chromium, flags } from './chromium';
 import { Rsal } from './rsal';
 
@@ -52,27 +52,34 @@ export const looks = trials([
   ['dark', 1280, 720],
 ] as const);
 
+let launched: Promise<Browser> | undefined;
+
+/** The browser of all files that this process tests, as its start takes a second of a processor. It ends with the process. */
+function theBrowser(): Promise<Browser> {
+  launched ??= driver.launch({ executablePath: chromium!, args: flags }).then((browser) => {
+    browser.on('disconnected', () => (launched = undefined)); // one that has crashed fails the tests of one file
+    return browser;
+  });
+  return launched;
+}
+
 interface Visit extends BrowserContextOptions {
   /** Of a server that may be gone at times: what goes wrong then is no mistake of the page. */
   mayFail?: boolean;
 }
 
 /**
- * The pages of a file's tests, in a browser that is there for all of them. To be called where they are described,
- * before their own hooks. What is opened for one test is closed behind it; and no page may fail, break its security
- * policy, or call somebody else.
+ * The pages of a file's tests. To be called where they are described, before their own hooks. What is opened for one test
+ * is closed behind it, what is opened for all of them behind the last; and no page may fail, break its security policy, or
+ * call somebody else.
  *
  * @param refusals whether these tests ask for what can't be
  */
 export function visits({ refusals = true } = {}) {
-  let browser: Browser | undefined;
+  const forAll: BrowserContext[] = [];
   let opened: BrowserContext[] = [];
   let faults: string[] = [];
   let forOneTest = false;
-
-  beforeAll(async () => {
-    browser = await driver.launch({ executablePath: chromium!, args: flags });
-  });
 
   beforeEach(() => {
     forOneTest = true;
@@ -92,16 +99,15 @@ export function visits({ refusals = true } = {}) {
   });
 
   afterAll(async () => {
-    await browser?.close();
+    await Promise.all(forAll.map((context) => context.close()));
     await Rsal.endAll();
   });
 
   /** A page of somebody else each time. */
   async function open(url: string, { mayFail = false, ...options }: Visit = {}): Promise<Page> {
-    const context = await browser!.newContext({ viewport: { width: 1280, height: 800 }, ...options });
-    if (forOneTest) {
-      opened.push(context);
-    }
+    const browser = await theBrowser();
+    const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+    (forOneTest ? opened : forAll).push(context);
     await context.addInitScript(drawSeldom);
     const page = await context.newPage();
     if (!mayFail) {

@@ -88,7 +88,15 @@ class LauncherIT {
             cd "$(dirname "$0")"
             echo "$@" >> installing
             [ ! -e ../no-network ] || exit 100
-            [ "$1" = update ] || for name in chromium Xvfb; do ln -s unzip $name; done
+            case "$*" in
+                *headless-shell*) for name in chromium-headless-shell Xvfb; do ln -s unzip $name; done;;
+                install*) for name in chromium Xvfb; do ln -s unzip $name; done;;
+            esac
+            """;
+    /// Of the packages that a system has.
+    private static final String APT_CACHE = """
+            #!/bin/sh
+            [ "$*" = "show chromium-headless-shell" ] && [ -e "$(dirname "$0")/../headless-shell" ]
             """;
     /// Makes no cache of classes, which would take seconds in each test.
     private static final String UNTRAINED_JAVA = """
@@ -104,8 +112,8 @@ class LauncherIT {
             shift
             exec "$@"
             """;
-    private static final Set<String> WHAT_TESTS_NEED =
-            Set.of("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "Xvfb");
+    private static final Set<String> WHAT_TESTS_NEED = Set.of(
+            "chromium-headless-shell", "chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "Xvfb");
     private static final Duration PATIENCE = Duration.ofSeconds(10);
 
     @TempDir
@@ -124,6 +132,7 @@ class LauncherIT {
         writeExecutable(project.resolve("mvnw"), MAVEN);
         writeExecutable(Files.createDirectories(folder.resolve("bin")).resolve("unzip"), "#!/bin/sh\n");
         writeExecutable(folder.resolve("bin/apt-get"), APT_GET); // else a test would install
+        writeExecutable(folder.resolve("bin/apt-cache"), APT_CACHE);
         writeExecutable(folder.resolve("bin/sudo"), SUDO);
         environment.put("JAVA_HOME", layOutJdk().toString());
     }
@@ -397,6 +406,22 @@ class LauncherIT {
         assertThat(again.err()).doesNotContain("Installing", "SKIPPED");
         assertThat(folder.resolve("bin/installing"))
                 .hasContent("update\ninstall -y --no-install-recommends chromium xvfb libxi6 libxrender1 libxtst6\n");
+        assertThat(builds()).contains("run test:browser");
+    }
+
+    @Test
+    void installsABrowserWithoutWindowsWhereThereIsOne() throws Exception {
+        Files.writeString(project.resolve("report.xml"), "<testsuite name=\"rsal.A\" tests=\"2\"/>");
+        Files.createFile(folder.resolve("headless-shell"));
+        layOutPage("#!/bin/sh\n");
+
+        testOnABareMachine();
+        Ended again = testOnABareMachine();
+
+        assertThat(again.err()).doesNotContain("Installing", "SKIPPED");
+        assertThat(folder.resolve("bin/installing"))
+                .hasContent(
+                        "update\ninstall -y --no-install-recommends chromium-headless-shell xvfb libxi6 libxrender1 libxtst6\n");
         assertThat(builds()).contains("run test:browser");
     }
 

@@ -182,7 +182,12 @@ public final class DoctorCommand extends Subcommand {
     }
 
     private static Finding chromium() {
-        Optional<Path> browser = program("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
+        Optional<Path> browser = program(
+                        "chromium-headless-shell",
+                        "chromium",
+                        "chromium-browser",
+                        "google-chrome",
+                        "google-chrome-stable")
                 .or(() -> MAC_BROWSERS.stream().filter(Files::exists).findFirst());
         return new Finding(
                 "Chromium",

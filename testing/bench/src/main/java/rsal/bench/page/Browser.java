@@ -24,7 +24,7 @@ import tools.jackson.databind.JsonNode;
 @AllowedToReadWallClock("A browser that does not end is waited for no longer than seconds.")
 final class Browser implements AutoCloseable {
     private static final List<String> NAMES =
-            List.of("chromium", "chromium-browser", "google-chrome", "google-chrome-stable");
+            List.of("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chromium-headless-shell");
     /// A browser has its pipe at 3 (what it is asked) and 4 (what it says), where Java can't put one.
     private static final List<String> PIPED =
             List.of("/bin/sh", "-c", "exec \"$0\" \"$@\" 3<&0 4>&1 </dev/null >/dev/null 2>&1");
