@@ -33,6 +33,13 @@ record RosContext(
         return new Inbox<>(capacity, codec::read, scheduler, receiver);
     }
 
+    /// A client of an action.
+    ///
+    /// @param name with its namespace
+    ActionClient action(String name, String type) {
+        return new ActionClient(link, types, name, type, scheduler, random);
+    }
+
     /// The newest messages of a sensor.
     Subscribed newest(RosTopic topic, Consumer<RosMessage> receiver) {
         return link.subscribe(topic, Profile.SENSOR_DATA, inbox(topic.type(), 1, receiver));
