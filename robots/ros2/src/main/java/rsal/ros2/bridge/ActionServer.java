@@ -13,6 +13,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
 import rsal.ros2.cdr.CdrWriter;
 import rsal.ros2.cdr.RosMessage;
+import rsal.ros2.link.Inbox;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosPublisher.Publication;
@@ -111,6 +112,20 @@ final class ActionServer {
     /// @param type `nav2_msgs/action/NavigateToPose`
     /// @param services of its own, which it closes
     ActionServer(RosLink link, Services services, String name, String type, Scheduler scheduler, Handler handler) {
+        this(link, services, name, type, services.codec(type + "_SendGoal")::read, scheduler, handler);
+    }
+
+    /// As above, of a type whose goals differ between distributions.
+    ///
+    /// @param requests reads those that send goals
+    ActionServer(
+            RosLink link,
+            Services services,
+            String name,
+            String type,
+            Inbox.Decoder<RosMessage> requests,
+            Scheduler scheduler,
+            Handler handler) {
         this.scheduler = scheduler;
         this.handler = handler;
         feedback = link.advertise(new RosTopic(name + "/_action/feedback", type + "_FeedbackMessage"), Profile.DEFAULT);
@@ -118,7 +133,7 @@ final class ActionServer {
                 new RosTopic(name + "/_action/status", "action_msgs/msg/GoalStatusArray"), Profile.LATCHED);
         ends.add(feedback::close);
         ends.add(statuses::close);
-        services.serveLater(name + "/_action/send_goal", type + "_SendGoal", this::send);
+        services.serve(name + "/_action/send_goal", type + "_SendGoal", requests, (request, _) -> send(request));
         services.serveLater(name + "/_action/get_result", type + "_GetResult", this::result);
         services.serveLater(name + "/_action/cancel_goal", "action_msgs/srv/CancelGoal", this::cancel);
         ends.add(services::close);
@@ -131,6 +146,9 @@ final class ActionServer {
 
     private CompletionStage<byte[]> send(RosMessage request) {
         String id = id(request);
+        if (goals.size() >= MOST_GOALS) {
+            forgetOldest();
+        }
         boolean accepted = goals.size() < MOST_GOALS && !goals.containsKey(id);
         if (accepted) {
             var goal = new ServedGoal(HexFormat.of().parseHex(id));
@@ -192,6 +210,11 @@ final class ActionServer {
             RosMessages.write(writer.int8s(goal.id), goal.stamp).int8(goal.status.code);
         }
         statuses.publish(writer.toBytes());
+    }
+
+    /// Of those that have ended: clients ask for a result before there is one.
+    private void forgetOldest() {
+        goals.values().stream().filter(ServedGoal::ended).findFirst().ifPresent(goals.values()::remove);
     }
 
     private void forget() {

@@ -17,6 +17,7 @@ import rsal.ros2.cdr.CdrWriter;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.message.FrameTransform;
+import rsal.ros2.message.PlanningError;
 import rsal.ros2.message.RosMessages;
 import rsal.time.Scheduler;
 
@@ -24,8 +25,8 @@ import rsal.time.Scheduler;
 /// the place of the one before, which is aborted, as Nav2 does it.
 final class PublishedNavigator implements ActionServer.Handler {
     private static final Tolerance TOLERANCE = new Tolerance(0.25, 0.25); // m, rad; those that Nav2 has
-    private static final int NO_PATH = 208; // error codes of Nav2: no valid path
-    private static final int NO_PROGRESS = 105; // failed to make progress
+    private static final int NO_PATH = PlanningError.NO_VALID_PATH.code();
+    private static final int NO_PROGRESS = 105; // error code of Nav2: failed to make progress
     private static final String MAP = "map";
 
     private final Navigator navigator;
