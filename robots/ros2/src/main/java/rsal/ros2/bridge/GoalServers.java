@@ -20,6 +20,7 @@ final class GoalServers {
             new Kind<>(Navigator.class, GoalServers::serve),
             new Kind<>(Planner.class, GoalServers::serve));
     private static final String NAVIGATE = "navigate_to_pose";
+    private static final String THROUGH = "navigate_through_poses";
     private static final String PLAN = "compute_path_to_pose";
 
     private GoalServers() {}
@@ -113,8 +114,10 @@ final class GoalServers {
         ActiveNode node = context.nodes.apply("bt_navigator");
         var action = new PublishedNavigator(
                 navigator, node.link(), context.services.apply(node.link()), context.name(NAVIGATE), context.scheduler);
-        return List.of(new Served(navigator, NAVIGATE, () -> {
-            action.close();
+        var route = new PublishedRoute(
+                navigator, node.link(), context.services.apply(node.link()), context.name(THROUGH), context.scheduler);
+        return List.of(new Served(navigator, NAVIGATE, action::close), new Served(navigator, THROUGH, () -> {
+            route.close();
             node.close();
         }));
     }

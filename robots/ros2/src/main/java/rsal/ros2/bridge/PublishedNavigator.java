@@ -26,7 +26,6 @@ import rsal.time.Scheduler;
 final class PublishedNavigator implements ActionServer.Handler {
     private static final Tolerance TOLERANCE = new Tolerance(0.25, 0.25); // m, rad; those that Nav2 has
     private static final int NO_PATH = PlanningError.NO_VALID_PATH.code();
-    private static final int NO_PROGRESS = 105; // error code of Nav2: failed to make progress
     private static final String MAP = "map";
 
     private final Navigator navigator;
@@ -54,18 +53,9 @@ final class PublishedNavigator implements ActionServer.Handler {
         drive.onFeedback(told -> goal.tell(writer -> write(writer, told)));
         drive.result().thenAccept(ending -> {
             drives.remove(goal);
-            end(goal, ending);
+            NavigationEnding end = NavigationEnding.of(ending, goal.isCanceling());
+            goal.end(end.status(), result(end.code(), end.why()));
         });
-    }
-
-    private static void end(ServedGoal goal, Result ending) {
-        switch (ending) {
-            case Result.Reached _ -> goal.end(Status.SUCCEEDED, result(0, ""));
-            case Result.Cancelled(String why) when goal.isCanceling() -> goal.end(Status.CANCELED, result(0, why));
-            case Result.Cancelled(String why) -> goal.end(Status.ABORTED, result(0, why));
-            case Result.NoPath(String why) -> goal.end(Status.ABORTED, result(NO_PATH, why));
-            case Result.Stuck stuck -> goal.end(Status.ABORTED, result(NO_PROGRESS, stuck.why()));
-        }
     }
 
     /// `NavigateToPose_Result`

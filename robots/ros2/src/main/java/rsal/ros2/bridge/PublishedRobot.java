@@ -9,6 +9,7 @@ import rsal.data.Twist2d;
 import rsal.device.Device;
 import rsal.device.DriveBase;
 import rsal.device.Localizer;
+import rsal.device.Navigator;
 import rsal.robot.Robot;
 import rsal.ros2.cdr.CdrReader;
 import rsal.ros2.cdr.InvalidCdr;
@@ -95,8 +96,12 @@ final class PublishedRobot {
         for (Device device : robot.devices()) {
             if (device instanceof Localizer localizer) {
                 takePoses(localizer);
+                ParticlePublication.begin(localizer, outlet);
             } else {
                 GoalServers.serve(device, goals).forEach(this::add);
+            }
+            if (device instanceof Navigator navigator) {
+                CostPublication.begin(navigator, outlet);
             }
         }
     }

@@ -8,9 +8,11 @@ import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink.Subscribed;
 import rsal.ros2.link.RosTopic;
 
-/// Makes a localizer of `amcl_pose` or of the first topic of its type, or of TF alone.
+/// Makes a localizer of `amcl_pose` or of the first topic of its type, or of TF alone; with the particles of
+/// `particle_cloud`.
 final class LocalizerMaker implements RosParts.Maker {
     private static final String POSE = "geometry_msgs/msg/PoseWithCovarianceStamped";
+    private static final String CLOUD = "nav2_msgs/msg/ParticleCloud";
 
     @Override
     public boolean makes(Part part) {
@@ -31,13 +33,20 @@ final class LocalizerMaker implements RosParts.Maker {
                 .orElseGet(() -> new RosTopic(topics.namespace() + "/amcl_pose", POSE));
         var initial =
                 context.link().advertise(new RosTopic(topics.namespace() + "/initialpose", POSE), Profile.DEFAULT);
-        var localizer = new RosLocalizer(info, topic.name(), initial, context.frames(), context.clock());
+        var cloud = new RosTopic(topics.namespace() + "/particle_cloud", CLOUD);
+        var localizer = new RosLocalizer(
+                info,
+                topic.name(),
+                initial,
+                receiver -> context.newest(cloud, receiver),
+                context.frames(),
+                context.clock());
         context.base().onOdometry(localizer::take);
         Subscribed poses =
                 context.link().subscribe(topic, topics.reliable(topic), context.inbox(POSE, 1, localizer::take));
         return new RosDevice(localizer, now -> localizer.look(now, poses.publishers()), () -> {
             poses.close();
-            initial.close();
+            localizer.end();
         });
     }
 }

@@ -5,8 +5,9 @@ import rsal.device.Mapper;
 import rsal.robot.RobotModel.Part;
 import rsal.ros2.device.RosParts.Wanted;
 import rsal.ros2.link.RosTopic;
+import rsal.ros2.message.CellMeaning;
 
-/// Makes a map of the robot's topic `map`, or of that of all robots.
+/// Makes a map of the robot's topic `map`, or of that of all robots, with its updates.
 final class MapMaker implements RosParts.Maker {
     private static final String MAP = "nav_msgs/msg/OccupancyGrid";
 
@@ -25,8 +26,7 @@ final class MapMaker implements RosParts.Maker {
     public RosDevice make(DeviceInfo info, Wanted wanted, RosContext context) {
         RosTopic topic = context.topics().ownOrShared("map", MAP);
         var map = new PublicMap(info, topic.name(), context.clock());
-        return RosDevice.of(
-                map,
-                context.link().subscribe(topic, context.topics().reliable(topic), context.inbox(MAP, 1, map::take)));
+        var grid = new PublicGrid(topic, CellMeaning.OCCUPANCY, context, map::take);
+        return new RosDevice(map, now -> map.look(now, grid.publishers()), grid::close);
     }
 }

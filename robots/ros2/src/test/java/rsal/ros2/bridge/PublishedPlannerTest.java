@@ -230,7 +230,7 @@ class PublishedPlannerTest extends RobotBench {
     @CsvSource({"-5, 3, 1, 1, 203", "1, 1, -5, 3, 204", "0.01, 0.01, 1, 1, 205", "1, 1, 0.01, 0.01, 206"})
     void noPathHasAReason(double startX, double startY, double x, double y, int code) throws InvalidCdr {
         CompletableFuture<byte[]> answer =
-                var _ = send(goal(Distribution.JAZZY, new Pose2d(startX, startY, 0), new Pose2d(x, y, 0)));
+                send(goal(Distribution.JAZZY, new Pose2d(startX, startY, 0), new Pose2d(x, y, 0)));
         planner.answers.getLast().complete(new Planner.Result.NoPath("so it is"));
         RosMessage response = result(answer);
         assertThat(response.integer("status")).isEqualTo(ABORTED);
