@@ -10,6 +10,7 @@ import rsal.device.Navigator;
 import rsal.device.Planner;
 import rsal.robot.Robot;
 import rsal.robot.RobotModel.Part;
+import rsal.ros2.action.Services;
 import rsal.ros2.link.RosLink;
 import rsal.time.Scheduler;
 

@@ -1,7 +1,7 @@
 package rsal.ros2.bridge;
 
 import rsal.device.Navigator.Result;
-import rsal.ros2.bridge.ActionServer.Status;
+import rsal.ros2.action.ActionServer.Status;
 import rsal.ros2.message.PlanningError;
 
 /// How a drive of a navigator of ours ended, as Nav2 tells it.

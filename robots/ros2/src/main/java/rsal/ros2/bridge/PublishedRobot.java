@@ -11,6 +11,7 @@ import rsal.device.DriveBase;
 import rsal.device.Localizer;
 import rsal.device.Navigator;
 import rsal.robot.Robot;
+import rsal.ros2.action.Services;
 import rsal.ros2.cdr.CdrReader;
 import rsal.ros2.cdr.InvalidCdr;
 import rsal.ros2.cdr.MessageCodec;

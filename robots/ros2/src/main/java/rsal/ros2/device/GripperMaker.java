@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Optional;
 import rsal.device.DeviceInfo;
 import rsal.robot.RobotModel.Part;
+import rsal.ros2.action.ActionClient;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.device.RosParts.Wanted;
 import rsal.ros2.link.Profile;

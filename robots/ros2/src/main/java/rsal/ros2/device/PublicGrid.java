@@ -13,7 +13,8 @@ import rsal.ros2.message.MapMessage;
 import rsal.ros2.message.RosMessages;
 
 /// A map that somebody publishes as `nav_msgs/OccupancyGrid`, and whose changes come as `map_msgs/OccupancyGridUpdate`
-/// on a topic beside it (`map_updates`). Changes that do not fit the map change nothing; the first is told.
+/// on a topic beside it (`map_updates`). Changes that do not fit the map change nothing; the first is
+/// told, and at the end how many there were.
 final class PublicGrid {
     private static final Logger LOG = System.getLogger(PublicGrid.class.getName());
     private static final String GRID = "nav_msgs/msg/OccupancyGrid";
@@ -77,17 +78,15 @@ final class PublicGrid {
         return newest;
     }
 
-    /// How many updates did not fit.
-    long damaged() {
-        return damaged;
-    }
-
     /// How many publish whole maps.
     int publishers() {
         return whole.publishers();
     }
 
     void close() {
+        if (damaged > 0) {
+            LOG.log(Level.INFO, () -> "%d updates on '%s' did not fit the map.".formatted(damaged, updates.name()));
+        }
         whole.close();
         changes.close();
     }

@@ -2,6 +2,7 @@ package rsal.ros2.device;
 
 import java.util.function.Consumer;
 import java.util.random.RandomGenerator;
+import rsal.ros2.action.ActionClient;
 import rsal.ros2.cdr.MessageCodec;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.link.Inbox;

@@ -16,6 +16,7 @@ import rsal.device.GoalHandle;
 import rsal.device.GoalSource;
 import rsal.device.Health;
 import rsal.device.Navigator;
+import rsal.ros2.action.ActionClient;
 import rsal.ros2.cdr.CdrWriter;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.message.FrameTransform;

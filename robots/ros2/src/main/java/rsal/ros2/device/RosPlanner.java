@@ -16,6 +16,7 @@ import rsal.device.DeviceCore;
 import rsal.device.DeviceInfo;
 import rsal.device.Health;
 import rsal.device.Planner;
+import rsal.ros2.action.ActionClient;
 import rsal.ros2.cdr.MessageCodec;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.message.FrameTransform;

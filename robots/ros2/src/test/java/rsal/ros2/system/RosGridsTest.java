@@ -161,6 +161,8 @@ class RosGridsTest {
         assertThat(warnings)
                 .containsExactly(
                         "An update on '/r1/map_updates' does not fit the map of 3 × 2 cells. It is ignored, as others like it.");
+        system.close();
+        assertThat(warnings).last().isEqualTo("10 updates on '/r1/map_updates' did not fit the map.");
     }
 
     private boolean wantsCosts() {

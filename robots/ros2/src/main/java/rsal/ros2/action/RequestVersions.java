@@ -1,4 +1,4 @@
-package rsal.ros2.bridge;
+package rsal.ros2.action;
 
 import java.util.List;
 import java.util.stream.Stream;
@@ -12,7 +12,7 @@ import rsal.ros2.type.TypeLibrary;
 
 /// Reads requests that distributions define differently, with fields in the middle that others do not have. Clients do
 /// not tell which one they have: it is the one whose definition fits a request from the first to the last byte.
-final class RequestVersions implements Inbox.Decoder<RosMessage> {
+public final class RequestVersions implements Inbox.Decoder<RosMessage> {
     private static final int FILLING = 4; // bytes: some writers fill up to a multiple of it
 
     private final List<MessageCodec> codecs;
@@ -22,7 +22,7 @@ final class RequestVersions implements Inbox.Decoder<RosMessage> {
     }
 
     /// @param type of the service: `nav2_msgs/action/ComputePathToPose_SendGoal`
-    static RequestVersions of(String type) {
+    public static RequestVersions of(String type) {
         return new RequestVersions(Stream.of(Distribution.JAZZY, Distribution.KILTED, Distribution.LYRICAL)
                 .map(TypeLibrary::of)
                 .map(types -> MessageCodec.of(types.get(type + "_Request"), types))

@@ -1,4 +1,4 @@
-package rsal.ros2.bridge;
+package rsal.ros2.action;
 
 import java.time.Duration;
 import java.time.Instant;
@@ -23,9 +23,9 @@ import rsal.time.Scheduler;
 
 /// Offers an action of ROS 2: takes goals, tells how they get on and how they ended. All but the arrival of
 /// requests is on the run's thread.
-final class ActionServer {
+public final class ActionServer {
     /// States of `action_msgs/GoalStatus`.
-    enum Status {
+    public enum Status {
         UNKNOWN(0),
         EXECUTING(2),
         CANCELING(3),
@@ -52,7 +52,7 @@ final class ActionServer {
     private final Map<String, ServedGoal> goals = new LinkedHashMap<>(); // by id
 
     /// What is done about goals.
-    interface Handler {
+    public interface Handler {
         /// A goal has come, which was accepted.
         ///
         /// @param goal the goal's fields
@@ -66,7 +66,7 @@ final class ActionServer {
     }
 
     /// A goal of somebody else.
-    final class ServedGoal {
+    public final class ServedGoal {
         private final byte[] id;
         private final Instant stamp = scheduler.instant();
         private final CompletableFuture<byte[]> result = new CompletableFuture<>();
@@ -78,7 +78,7 @@ final class ActionServer {
         }
 
         /// Whether somebody wants it to be given up.
-        boolean isCanceling() {
+        public boolean isCanceling() {
             return status == Status.CANCELING;
         }
 
@@ -87,7 +87,7 @@ final class ActionServer {
         }
 
         /// @param fields writes the feedback's
-        void tell(Consumer<CdrWriter> fields) {
+        public void tell(Consumer<CdrWriter> fields) {
             CdrWriter writer = new CdrWriter().int8s(id);
             fields.accept(writer);
             feedback.publish(writer.toBytes());
@@ -96,7 +96,7 @@ final class ActionServer {
         /// The first ending counts.
         ///
         /// @param fields writes the result's
-        void end(Status ending, Consumer<CdrWriter> fields) {
+        public void end(Status ending, Consumer<CdrWriter> fields) {
             if (!ended()) {
                 status = ending;
                 forgotten = scheduler.instant().plus(KEPT);
@@ -111,14 +111,15 @@ final class ActionServer {
     /// @param name with its namespace: `/robot1/navigate_to_pose`
     /// @param type `nav2_msgs/action/NavigateToPose`
     /// @param services of its own, which it closes
-    ActionServer(RosLink link, Services services, String name, String type, Scheduler scheduler, Handler handler) {
+    public ActionServer(
+            RosLink link, Services services, String name, String type, Scheduler scheduler, Handler handler) {
         this(link, services, name, type, services.codec(type + "_SendGoal")::read, scheduler, handler);
     }
 
     /// As above, of a type whose goals differ between distributions.
     ///
     /// @param requests reads those that send goals
-    ActionServer(
+    public ActionServer(
             RosLink link,
             Services services,
             String name,
@@ -224,7 +225,7 @@ final class ActionServer {
         }
     }
 
-    void close() {
+    public void close() {
         goals.values().stream().filter(goal -> !goal.ended()).toList().forEach(goal -> {
             handler.cancel(goal);
             goal.end(Status.ABORTED, handler::writeNoResult);
