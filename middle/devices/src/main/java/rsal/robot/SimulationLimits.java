@@ -8,6 +8,7 @@ import rsal.device.Device;
 import rsal.device.Localizer;
 import rsal.device.Mapper;
 import rsal.device.Navigator;
+import rsal.device.Planner;
 import rsal.robot.RobotModel.Axis;
 import rsal.robot.RobotModel.Part;
 
@@ -21,6 +22,8 @@ public final class SimulationLimits {
             "Maybe {type: amcl}?",
             Navigator.class,
             "Maybe {type: navigator}?",
+            Planner.class,
+            "Maybe {type: wavefront}?",
             Mapper.class,
             "Maybe {type: explorer}?");
 

@@ -14,6 +14,7 @@ import rsal.device.Canvas;
 import rsal.device.Localizer;
 import rsal.device.Mapper;
 import rsal.device.Navigator;
+import rsal.device.Planner;
 import rsal.robot.DeviceKind;
 import rsal.robot.DeviceKinds;
 import rsal.robot.RobotModel.Part;
@@ -39,6 +40,7 @@ final class PartReader {
             "light",
             "localizer",
             "navigator",
+            "planner",
             "map",
             "canvas");
     private static final int MAX_SAMPLES = 10_000;
@@ -76,6 +78,7 @@ final class PartReader {
             case "light" -> Optional.of(reader.light());
             case "localizer" -> Optional.of(new Part.Own(name, Localizer.class));
             case "navigator" -> Optional.of(new Part.Own(name, Navigator.class));
+            case "planner" -> Optional.of(new Part.Own(name, Planner.class));
             case "map" -> Optional.of(new Part.Own(name, Mapper.class));
             case "canvas" -> Optional.of(new Part.Own(name, Canvas.class));
             default -> DeviceKinds.find(type).map(reader::registered);

@@ -99,6 +99,7 @@ public final class RobotModels {
                 "gnss-m8",
                 "own-localizer",
                 "own-navigator",
+                "own-planner",
                 "own-map",
                 "canvas");
     }

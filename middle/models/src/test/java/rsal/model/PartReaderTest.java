@@ -54,6 +54,7 @@ class PartReaderTest {
             Map.entry("beacon", "light"),
             Map.entry("own-localizer", "localizer"),
             Map.entry("own-navigator", "navigator"),
+            Map.entry("own-planner", "planner"),
             Map.entry("own-map", "map"),
             Map.entry("canvas", "canvas"));
 

@@ -12,6 +12,7 @@ import rsal.device.Canvas;
 import rsal.device.Device;
 import rsal.device.Localizer;
 import rsal.device.Mapper;
+import rsal.device.Planner;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotModel.RangeNoise;
 
@@ -119,6 +120,9 @@ final class PartWriter {
         }
         if (made.equals(Canvas.class)) {
             return "canvas";
+        }
+        if (made.equals(Planner.class)) {
+            return "planner";
         }
         return made.equals(Localizer.class) ? "localizer" : "navigator";
     }

@@ -15,9 +15,9 @@ public final class CdrReader {
     private final ByteBuffer bytes;
     private final int origin;
 
-    private CdrReader(ByteBuffer bytes) {
+    private CdrReader(ByteBuffer bytes, int origin) {
         this.bytes = bytes;
-        this.origin = bytes.position();
+        this.origin = origin;
     }
 
     /// @param payload with its encapsulation header, from its position to its limit; not copied
@@ -35,12 +35,17 @@ public final class CdrReader {
         }
         bytes.position(HEADER);
         return new CdrReader(
-                bytes.order(representation == LITTLE_ENDIAN ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN));
+                bytes.order(representation == LITTLE_ENDIAN ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN), HEADER);
     }
 
     /// @param payload with its encapsulation header; not copied
     public static CdrReader of(byte[] payload) throws InvalidCdr {
         return of(ByteBuffer.wrap(payload));
+    }
+
+    /// Another reader of the same message that begins where this one is.
+    public CdrReader copy() {
+        return new CdrReader(bytes.duplicate().order(bytes.order()), origin);
     }
 
     /// Whether no value of this alignment can follow: nothing is left, or what some writers fill up with to a

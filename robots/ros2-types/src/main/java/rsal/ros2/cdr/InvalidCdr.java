@@ -4,7 +4,7 @@ package rsal.ros2.cdr;
 public final class InvalidCdr extends Exception {
     private static final long serialVersionUID = 1;
 
-    InvalidCdr(String message) {
+    public InvalidCdr(String message) {
         super(message);
     }
 }

@@ -35,6 +35,18 @@ public record RosMessage(RosType type, Map<String, Object> fields) {
         return type.cast(Objects.requireNonNull(fields.get(field), () -> "There is no field '%s'.".formatted(field)));
     }
 
+    /// The same message with another value of one field.
+    ///
+    /// @throws IllegalArgumentException when the type has no such field
+    public RosMessage with(String field, Object value) {
+        if (!fields.containsKey(field)) {
+            throw new IllegalArgumentException("'%s' has no field '%s'.".formatted(type.name(), field));
+        }
+        var changed = new LinkedHashMap<>(fields);
+        changed.put(field, value);
+        return new RosMessage(type, changed);
+    }
+
     public RosMessage message(String field) {
         return get(field, RosMessage.class);
     }

@@ -26,6 +26,7 @@ public final class TypeLibrary {
             "geographic_msgs",
             "geometry_msgs",
             "lifecycle_msgs",
+            "map_msgs",
             "nav2_msgs",
             "nav_msgs",
             "rcl_interfaces",

@@ -2,6 +2,7 @@ package rsal.ros2.bridge;
 
 import java.util.List;
 import java.util.concurrent.Executor;
+import rsal.ros2.action.Services;
 import rsal.ros2.bridge.NodeParameters.Parameter;
 import rsal.ros2.cdr.CdrWriter;
 import rsal.ros2.link.Profile;

@@ -16,6 +16,7 @@ import rsal.device.SimulationControl;
 import rsal.device.SimulationControl.Placement;
 import rsal.device.SimulationControl.Standing;
 import rsal.robot.Robot;
+import rsal.ros2.action.Services;
 import rsal.ros2.cdr.CdrReader;
 import rsal.ros2.cdr.CdrWriter;
 import rsal.ros2.cdr.InvalidCdr;

@@ -2,27 +2,50 @@ package rsal.ros2.bridge;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Supplier;
+import java.util.function.Function;
+import rsal.data.OccupancyGrid;
 import rsal.device.Device;
 import rsal.device.Gripper;
+import rsal.device.Navigator;
+import rsal.device.Planner;
+import rsal.robot.Robot;
 import rsal.robot.RobotModel.Part;
+import rsal.ros2.action.Services;
 import rsal.ros2.link.RosLink;
 import rsal.time.Scheduler;
 
-/// Kinds of devices that take goals of others if a robot has them, beside those that [PublishedRobot] itself knows.
+/// Kinds of devices that take goals of others if a robot has them.
 final class GoalServers {
-    private static final List<Kind<?>> ALL = List.of(new Kind<>(Gripper.class, GoalServers::serve));
+    private static final List<Kind<?>> ALL = List.of(
+            new Kind<>(Gripper.class, GoalServers::serve),
+            new Kind<>(Navigator.class, GoalServers::serve),
+            new Kind<>(Planner.class, GoalServers::serve));
+    private static final String NAVIGATE = "navigate_to_pose";
+    private static final String THROUGH = "navigate_through_poses";
+    private static final String PLAN = "compute_path_to_pose";
 
     private GoalServers() {}
 
     /// Where goals come in.
     ///
     /// @param outlet of the robot
+    /// @param map of all robots
     /// @param link of its node
-    /// @param services makes new ones, which their user closes
-    record Context(RobotOutlet outlet, RosLink link, Supplier<Services> services, Scheduler scheduler) {
+    /// @param services makes new ones on a link, which their user closes
+    /// @param nodes makes active ones, by their names, which their user closes
+    record Context(
+            RobotOutlet outlet,
+            OccupancyGrid map,
+            RosLink link,
+            Function<RosLink, Services> services,
+            Function<String, ActiveNode> nodes,
+            Scheduler scheduler) {
         String name(String name) {
             return outlet.topic(name, "").name();
+        }
+
+        Robot robot() {
+            return outlet.robot();
         }
     }
 
@@ -51,7 +74,7 @@ final class GoalServers {
     /// Sizes are those of the model; without them positions mean nothing.
     private static List<Served> serve(Gripper gripper, Context context) {
         var served = new ArrayList<Served>();
-        if (context.outlet.robot().model().sensors().get(gripper.info().name()) instanceof Part.Gripper part) {
+        if (context.robot().model().sensors().get(gripper.info().name()) instanceof Part.Gripper part) {
             var names = GripperNames.of(gripper, context.outlet);
             var paddles = new PublishedGripper.Motion(
                     part.opening(), Gripper::close, Gripper::open, state -> GripperPublication.gap(part, state), true);
@@ -71,7 +94,51 @@ final class GoalServers {
 
     private static Served serve(Gripper gripper, PublishedGripper.Motion motion, String name, Context context) {
         var action = new PublishedGripper(
-                gripper, motion, context.link, context.services.get(), context.name(name), context.scheduler);
+                gripper,
+                motion,
+                context.link,
+                context.services.apply(context.link),
+                context.name(name),
+                context.scheduler);
         return new Served(gripper, name, action::close);
+    }
+
+    private static boolean isFirst(Device device, Class<? extends Device> kind, Context context) {
+        return context.robot().find(kind).filter(device::equals).isPresent();
+    }
+
+    /// The first one, in a node of the name that Nav2's has.
+    private static List<Served> serve(Navigator navigator, Context context) {
+        if (!isFirst(navigator, Navigator.class, context)) {
+            return List.of();
+        }
+        ActiveNode node = context.nodes.apply("bt_navigator");
+        var action = new PublishedNavigator(
+                navigator, node.link(), context.services.apply(node.link()), context.name(NAVIGATE), context.scheduler);
+        var route = new PublishedRoute(
+                navigator, node.link(), context.services.apply(node.link()), context.name(THROUGH), context.scheduler);
+        return List.of(new Served(navigator, NAVIGATE, action::close), new Served(navigator, THROUGH, () -> {
+            route.close();
+            node.close();
+        }));
+    }
+
+    /// All planners of a robot are served together.
+    private static List<Served> serve(Planner planner, Context context) {
+        if (!isFirst(planner, Planner.class, context)) {
+            return List.of();
+        }
+        ActiveNode node = context.nodes.apply("planner_server");
+        var action = new PublishedPlanner(
+                context.robot(),
+                context.map,
+                node.link(),
+                context.services.apply(node.link()),
+                context.name(PLAN),
+                context.scheduler);
+        return List.of(new Served(planner, PLAN, () -> {
+            action.close();
+            node.close();
+        }));
     }
 }

@@ -11,12 +11,15 @@ import rsal.device.Navigator;
 import rsal.device.Navigator.Progress;
 import rsal.device.Navigator.Result;
 import rsal.device.Navigator.Tolerance;
-import rsal.ros2.bridge.ActionServer.ServedGoal;
-import rsal.ros2.bridge.ActionServer.Status;
+import rsal.ros2.action.ActionServer;
+import rsal.ros2.action.ActionServer.ServedGoal;
+import rsal.ros2.action.ActionServer.Status;
+import rsal.ros2.action.Services;
 import rsal.ros2.cdr.CdrWriter;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.message.FrameTransform;
+import rsal.ros2.message.PlanningError;
 import rsal.ros2.message.RosMessages;
 import rsal.time.Scheduler;
 
@@ -24,8 +27,7 @@ import rsal.time.Scheduler;
 /// the place of the one before, which is aborted, as Nav2 does it.
 final class PublishedNavigator implements ActionServer.Handler {
     private static final Tolerance TOLERANCE = new Tolerance(0.25, 0.25); // m, rad; those that Nav2 has
-    private static final int NO_PATH = 208; // error codes of Nav2: no valid path
-    private static final int NO_PROGRESS = 105; // failed to make progress
+    private static final int NO_PATH = PlanningError.NO_VALID_PATH.code();
     private static final String MAP = "map";
 
     private final Navigator navigator;
@@ -53,18 +55,9 @@ final class PublishedNavigator implements ActionServer.Handler {
         drive.onFeedback(told -> goal.tell(writer -> write(writer, told)));
         drive.result().thenAccept(ending -> {
             drives.remove(goal);
-            end(goal, ending);
+            NavigationEnding end = NavigationEnding.of(ending, goal.isCanceling());
+            goal.end(end.status(), result(end.code(), end.why()));
         });
-    }
-
-    private static void end(ServedGoal goal, Result ending) {
-        switch (ending) {
-            case Result.Reached _ -> goal.end(Status.SUCCEEDED, result(0, ""));
-            case Result.Cancelled(String why) when goal.isCanceling() -> goal.end(Status.CANCELED, result(0, why));
-            case Result.Cancelled(String why) -> goal.end(Status.ABORTED, result(0, why));
-            case Result.NoPath(String why) -> goal.end(Status.ABORTED, result(NO_PATH, why));
-            case Result.Stuck stuck -> goal.end(Status.ABORTED, result(NO_PROGRESS, stuck.why()));
-        }
     }
 
     /// `NavigateToPose_Result`

@@ -11,6 +11,7 @@ import rsal.device.DriveBase;
 import rsal.device.Localizer;
 import rsal.device.Navigator;
 import rsal.robot.Robot;
+import rsal.ros2.action.Services;
 import rsal.ros2.cdr.CdrReader;
 import rsal.ros2.cdr.InvalidCdr;
 import rsal.ros2.cdr.MessageCodec;
@@ -91,12 +92,17 @@ final class PublishedRobot {
         ends.add(sensors::close);
         sensors.begin();
         robot.find(DriveBase.class).ifPresent(this::takeVelocities);
-        var goals = new GoalServers.Context(outlet, link, () -> new Services(link, TYPES, requests), scheduler);
+        var goals = new GoalServers.Context(
+                outlet, context.map(), link, node -> new Services(node, TYPES, requests), this::active, scheduler);
         for (Device device : robot.devices()) {
-            switch (device) {
-                case Localizer localizer -> takePoses(localizer);
-                case Navigator navigator -> serve(navigator);
-                default -> GoalServers.serve(device, goals).forEach(this::add);
+            if (device instanceof Localizer localizer) {
+                takePoses(localizer);
+                ParticlePublication.begin(localizer, outlet);
+            } else {
+                GoalServers.serve(device, goals).forEach(this::add);
+            }
+            if (device instanceof Navigator navigator) {
+                CostPublication.begin(navigator, outlet);
             }
         }
     }
@@ -162,15 +168,6 @@ final class PublishedRobot {
                         codec::read,
                         scheduler,
                         message -> RosMessages.estimate(message).ifPresent(localizer::relocalize)))::close);
-    }
-
-    private void serve(Navigator navigator) {
-        String name = namespace + "/navigate_to_pose";
-        offer(navigator, "navigate_to_pose");
-        ActiveNode node = active("bt_navigator");
-        ends.add(new PublishedNavigator(
-                navigator, node.link(), new Services(node.link(), TYPES, requests), name, scheduler)::close);
-        ends.add(node::close);
     }
 
     private void add(GoalServers.Served served) {

@@ -4,16 +4,19 @@ import java.util.List;
 import rsal.device.BlobFinder;
 import rsal.device.Device;
 import rsal.device.Gripper;
+import rsal.device.Navigator;
 import rsal.device.camera.Camera;
 import rsal.device.imu.Imu;
 
-/// Kinds of devices that publish readings if a robot has them, beside those that [RobotPublications] itself knows.
+/// Kinds of devices that publish readings, or what they show, if a robot has them, beside those that
+/// [RobotPublications] itself knows.
 final class SensorPublications {
     private static final List<Kind<?>> ALL = List.of(
             new Kind<>(Imu.class, ImuPublication::begin),
             new Kind<>(Gripper.class, GripperPublication::begin),
             new Kind<>(BlobFinder.class, BlobsPublication::begin),
-            new Kind<>(Camera.class, CameraPublication::begin));
+            new Kind<>(Camera.class, CameraPublication::begin),
+            new Kind<>(Navigator.class, PlanPublication::begin));
 
     private SensorPublications() {}
 

@@ -4,6 +4,8 @@ import java.util.Optional;
 import java.util.function.Function;
 import rsal.device.SimulationControl;
 import rsal.robot.Robot;
+import rsal.ros2.action.ActionServer;
+import rsal.ros2.action.Services;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeLibrary;

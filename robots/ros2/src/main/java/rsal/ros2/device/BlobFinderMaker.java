@@ -2,6 +2,7 @@ package rsal.ros2.device;
 
 import rsal.device.DeviceInfo;
 import rsal.robot.RobotModel.Part;
+import rsal.ros2.device.RosParts.Wanted;
 import rsal.ros2.link.RosTopic;
 
 /// Makes a blob detector of the topic `camera/detections`, of one with the device's name, or of the first one of its
@@ -16,14 +17,15 @@ final class BlobFinderMaker implements RosParts.Maker {
     }
 
     @Override
-    public boolean isThere(String name, Part part, RobotTopics topics, RosSettings settings) {
+    public boolean isThere(Wanted wanted, RobotTopics topics, RosSettings settings) {
         return !topics.published(DETECTIONS, USUAL).isEmpty();
     }
 
     @Override
-    public RosDevice make(DeviceInfo info, Part part, RosContext context) {
+    public RosDevice make(DeviceInfo info, Wanted wanted, RosContext context) {
         RosTopic topic = context.topics().named(DETECTIONS, info.name() + "/detections", USUAL);
-        var finder = new RosBlobFinder(info, topic.name(), (Part.BlobFinder) part, context.frames(), context.clock());
+        var finder = new RosBlobFinder(
+                info, topic.name(), (Part.BlobFinder) wanted.part(), context.frames(), context.clock());
         return RosDevice.of(finder, context.newest(topic, finder::take));
     }
 }

@@ -6,6 +6,7 @@ import rsal.device.DeviceInfo;
 import rsal.device.camera.Camera;
 import rsal.device.camera.CameraKind;
 import rsal.robot.RobotModel.Part;
+import rsal.ros2.device.RosParts.Wanted;
 import rsal.ros2.link.RosLink.Subscribed;
 import rsal.ros2.link.RosTopic;
 
@@ -22,14 +23,14 @@ final class CameraMaker implements RosParts.Maker {
     }
 
     @Override
-    public boolean isThere(String name, Part part, RobotTopics topics, RosSettings settings) {
-        return images(name, topics, false).isPresent();
+    public boolean isThere(Wanted wanted, RobotTopics topics, RosSettings settings) {
+        return images(wanted.name(), topics, false).isPresent();
     }
 
     @Override
-    public boolean isComplete(String name, Part part, RobotTopics topics, RosSettings settings) {
-        return isThere(name, part, topics, settings)
-                && images(name, topics, true).isPresent();
+    public boolean isComplete(Wanted wanted, RobotTopics topics, RosSettings settings) {
+        return isThere(wanted, topics, settings)
+                && images(wanted.name(), topics, true).isPresent();
     }
 
     /// @param name the device's
@@ -48,10 +49,10 @@ final class CameraMaker implements RosParts.Maker {
     }
 
     @Override
-    public RosDevice make(DeviceInfo info, Part part, RosContext context) {
+    public RosDevice make(DeviceInfo info, Wanted wanted, RosContext context) {
         RosTopic color = images(info.name(), context.topics(), false).orElseThrow();
         Optional<RosTopic> depth = images(info.name(), context.topics(), true);
-        double focal = CameraKind.focalLength(((Part.Registered) part).arguments());
+        double focal = CameraKind.focalLength(((Part.Registered) wanted.part()).arguments());
         var camera = new RosCamera(info, color.name(), focal, depth.isPresent(), context.frames(), context.clock());
         Subscribed images = context.newest(color, camera::takeColor);
         Optional<Subscribed> depths = depth.map(topic -> context.newest(topic, camera::takeDepth));

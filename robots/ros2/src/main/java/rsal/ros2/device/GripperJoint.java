@@ -10,6 +10,7 @@ import rsal.data.Stamped;
 import rsal.device.GoalHandle;
 import rsal.device.GoalSource;
 import rsal.device.Gripper.Result;
+import rsal.ros2.action.ActionClient;
 import rsal.ros2.cdr.RosMessage;
 
 /// Paddles or a lift behind an action of type `control_msgs/GripperCommand`, between two positions: 0 (open, down) and

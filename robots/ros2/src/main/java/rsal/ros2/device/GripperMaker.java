@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.Optional;
 import rsal.device.DeviceInfo;
 import rsal.robot.RobotModel.Part;
+import rsal.ros2.action.ActionClient;
 import rsal.ros2.cdr.RosMessage;
+import rsal.ros2.device.RosParts.Wanted;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink.Subscribed;
 import rsal.ros2.link.RosTopic;
@@ -13,7 +15,6 @@ import rsal.ros2.link.RosTopic;
 /// `joint_states`, beams and contacts.
 final class GripperMaker implements RosParts.Maker {
     private static final String ACTION = "control_msgs/action/GripperCommand";
-    private static final String FEEDBACK = ACTION + "_FeedbackMessage";
     private static final String JOINTS = "sensor_msgs/msg/JointState";
     private static final String FLAG = "std_msgs/msg/Bool";
     private static final int JOINTS_WAITING = 20; // as several nodes publish some of a robot's joints each
@@ -24,26 +25,20 @@ final class GripperMaker implements RosParts.Maker {
     }
 
     @Override
-    public boolean isThere(String name, Part part, RobotTopics topics, RosSettings settings) {
-        return isServed(settings.gripper().action(), topics);
+    public boolean isThere(Wanted wanted, RobotTopics topics, RosSettings settings) {
+        return topics.serves(settings.gripper().action(), ACTION);
     }
 
     @Override
-    public boolean isComplete(String name, Part part, RobotTopics topics, RosSettings settings) {
-        boolean hasLift = part instanceof Part.Gripper gripper && gripper.hasLift();
-        return isThere(name, part, topics, settings)
-                && (!hasLift || isServed(settings.gripper().liftAction(), topics));
-    }
-
-    private static boolean isServed(String action, RobotTopics topics) {
-        String feedback = action + "/_action/feedback";
-        return topics.published(FEEDBACK, feedback)
-                .contains(new RosTopic(topics.namespace() + "/" + feedback, FEEDBACK));
+    public boolean isComplete(Wanted wanted, RobotTopics topics, RosSettings settings) {
+        boolean hasLift = wanted.part() instanceof Part.Gripper gripper && gripper.hasLift();
+        return isThere(wanted, topics, settings)
+                && (!hasLift || topics.serves(settings.gripper().liftAction(), ACTION));
     }
 
     @Override
-    public RosDevice make(DeviceInfo info, Part made, RosContext context) {
-        var part = (Part.Gripper) made;
+    public RosDevice make(DeviceInfo info, Wanted wanted, RosContext context) {
+        var part = (Part.Gripper) wanted.part();
         GripperSettings settings = context.gripper();
         var paddles = new GripperJoint(
                 client(settings.action(), context),
@@ -51,7 +46,7 @@ final class GripperMaker implements RosParts.Maker {
                 settings.open().orElse(part.opening()),
                 settings.closed(),
                 settings.effort());
-        boolean hasLift = part.hasLift() && isServed(settings.liftAction(), context.topics());
+        boolean hasLift = part.hasLift() && context.topics().serves(settings.liftAction(), ACTION);
         Optional<GripperJoint> lift = hasLift
                 ? Optional.of(new GripperJoint(
                         client(settings.liftAction(), context), context, 0, part.height(), settings.effort()))
@@ -75,7 +70,7 @@ final class GripperMaker implements RosParts.Maker {
 
     private static ActionClient client(String action, RosContext context) {
         String name = context.topics().namespace() + "/" + action;
-        return new ActionClient(context.link(), context.types(), name, ACTION, context.scheduler(), context.random());
+        return context.action(name, ACTION);
     }
 
     private static Subscribed flag(String gripper, GripperFlag flag, RosGripper device, RosContext context) {

@@ -3,6 +3,7 @@ package rsal.ros2.device;
 import rsal.device.DeviceInfo;
 import rsal.device.imu.Imu;
 import rsal.robot.RobotModel.Part;
+import rsal.ros2.device.RosParts.Wanted;
 import rsal.ros2.link.RosTopic;
 
 /// Makes an IMU of the topic `imu`, of one with the device's name, or of the first one of its type.
@@ -15,15 +16,19 @@ final class ImuMaker implements RosParts.Maker {
     }
 
     @Override
-    public boolean isThere(String name, Part part, RobotTopics topics, RosSettings settings) {
+    public boolean isThere(Wanted wanted, RobotTopics topics, RosSettings settings) {
         return !topics.published(IMU, "imu").isEmpty();
     }
 
     @Override
-    public RosDevice make(DeviceInfo info, Part part, RosContext context) {
+    public RosDevice make(DeviceInfo info, Wanted wanted, RosContext context) {
         RosTopic topic = context.topics().named(IMU, info.name(), "imu");
         var imu = new RosImu(
-                info, topic.name(), ((Part.Registered) part).baseFromDevice(), context.frames(), context.clock());
+                info,
+                topic.name(),
+                ((Part.Registered) wanted.part()).baseFromDevice(),
+                context.frames(),
+                context.clock());
         return RosDevice.of(imu, context.newest(topic, imu::take));
     }
 }

@@ -4,12 +4,10 @@ import java.util.List;
 import rsal.data.OccupancyGrid;
 import rsal.device.DeviceInfo;
 import rsal.device.Mapper;
-import rsal.ros2.cdr.RosMessage;
-import rsal.ros2.message.MapMessage;
-import rsal.ros2.message.RosMessages;
 
-/// A map that somebody publishes as `nav_msgs/OccupancyGrid`: `map_server`, or slam_toolbox, which publishes it again
-/// and again. Where it ends is not known here, and it drives nothing.
+/// A map that somebody publishes: `map_server`, or slam_toolbox, which publishes it again and again. Where it ends is
+/// not
+/// known here, and it drives nothing.
 final class PublicMap extends RosSensor<OccupancyGrid> implements Mapper {
     private final RobotClock clock;
 
@@ -18,8 +16,9 @@ final class PublicMap extends RosSensor<OccupancyGrid> implements Mapper {
         this.clock = clock;
     }
 
-    void take(RosMessage message) {
-        MapMessage.of(message).ifPresent(map -> tell(clock.time(RosMessages.stamp(message.message("header"))), map));
+    /// @param stamp when it was drawn [ns]
+    void take(OccupancyGrid map, long stamp) {
+        tell(clock.time(stamp), map);
     }
 
     @Override

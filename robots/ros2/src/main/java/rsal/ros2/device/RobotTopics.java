@@ -71,6 +71,15 @@ public record RobotTopics(String namespace, List<RosEndpoint> all) {
         return isPublished(own) ? own : new RosTopic("/" + name, type);
     }
 
+    /// Whether a program offers an action: it publishes the feedback.
+    ///
+    /// @param name in the robot's namespace: `navigate_to_pose`
+    /// @param type `nav2_msgs/action/NavigateToPose`
+    boolean serves(String name, String type) {
+        return isPublished(
+                new RosTopic("%s/%s/_action/feedback".formatted(namespace, name), type + "_FeedbackMessage"));
+    }
+
     boolean isPublished(RosTopic topic) {
         return all.stream().anyMatch(each -> each.isPublisher() && each.topic().equals(topic));
     }

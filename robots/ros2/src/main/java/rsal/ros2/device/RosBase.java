@@ -34,6 +34,7 @@ final class RosBase extends RosSensor<Odometry> implements DriveBase {
     private final RobotClock clock;
     private final RosMessages messages = new RosMessages();
     private final List<Consumer<Boolean>> motorListeners = new ArrayList<>();
+    private final List<Consumer<OdometryMessage>> odometryListeners = new ArrayList<>();
     private boolean enabled;
     private Optional<Twist2d> wanted = Optional.empty();
     private Instant wantedAt = Instant.MIN;
@@ -70,6 +71,12 @@ final class RosBase extends RosSensor<Odometry> implements DriveBase {
         tell(
                 clock.time(message.stamp()),
                 new Odometry(odomFromTheirs.compose(reported), message.velocity(), isStalled(message.velocity())));
+        odometryListeners.forEach(listener -> listener.accept(message));
+    }
+
+    /// Tells others of the robot each odometry, after it was told as a reading.
+    void onOdometry(Consumer<OdometryMessage> listener) {
+        odometryListeners.add(listener);
     }
 
     /// ROS has no word for it: whether the robot has been told to move for a while, and stands.

@@ -2,6 +2,7 @@ package rsal.ros2.device;
 
 import java.util.function.Consumer;
 import java.util.random.RandomGenerator;
+import rsal.ros2.action.ActionClient;
 import rsal.ros2.cdr.MessageCodec;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.link.Inbox;
@@ -31,6 +32,13 @@ record RosContext(
     Inbox<RosMessage> inbox(String type, int capacity, Consumer<RosMessage> receiver) {
         MessageCodec codec = MessageCodec.of(types.get(type), types);
         return new Inbox<>(capacity, codec::read, scheduler, receiver);
+    }
+
+    /// A client of an action.
+    ///
+    /// @param name with its namespace
+    ActionClient action(String name, String type) {
+        return new ActionClient(link, types, name, type, scheduler, random);
     }
 
     /// The newest messages of a sensor.

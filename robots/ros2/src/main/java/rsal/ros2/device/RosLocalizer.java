@@ -9,16 +9,23 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import java.util.function.Consumer;
+import java.util.function.Function;
 import rsal.data.Covariance2d;
+import rsal.data.ParticleCloud;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.PoseEstimate.Hypothesis;
 import rsal.data.PoseEstimate.Quality;
+import rsal.data.Stamped;
 import rsal.device.DeviceInfo;
 import rsal.device.Health;
 import rsal.device.Localizer;
 import rsal.ros2.cdr.RosMessage;
+import rsal.ros2.link.RosLink.Subscribed;
 import rsal.ros2.link.RosPublisher.Publication;
+import rsal.ros2.message.CloudMessage;
+import rsal.ros2.message.FrameTree;
 import rsal.ros2.message.OdometryMessage;
 import rsal.ros2.message.RosMessages;
 
@@ -27,18 +34,22 @@ import rsal.ros2.message.RosMessages;
 /// begins on the map (TF from `map` to `odom`). In between, estimates go with the odometry, as long as the localizer is
 /// there: TF that stops coming is stale, and where only poses come, somebody must publish them.
 final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
+    private static final String MAP = "map";
     private static final int REMEMBERED = 100; // odometry, to know where the robot was when it was localized
     private static final double SURE = 0.5; // m, rad: with deviations of less a robot is localized
     private static final Duration PATIENCE = Duration.ofMillis(500); // amcl tells with each scan
     private static final Covariance2d UNKNOWN = Covariance2d.ofDeviations(0.1, 0.1, 0.05); // where only TF tells
 
     private final Publication initialPose;
+    private final Function<Consumer<RosMessage>, Subscribed> cloudTopic;
     private final Frames frames;
     private final RobotClock clock;
     private final Deque<Driven> driven = new ArrayDeque<>();
     private final RosMessages messages = new RosMessages();
     private Optional<Pose> newest = Optional.empty();
     private Optional<Pose2d> mapFromOdom = Optional.empty(); // by poses, where TF does not tell
+    private Optional<Subscribed> clouds = Optional.empty(); // since somebody asked for particles
+    private Optional<Stamped<ParticleCloud>> particles = Optional.empty();
     private boolean isThere = true;
 
     /// Where odometry had the robot.
@@ -47,8 +58,16 @@ final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
     /// Where the localizer had it.
     private record Pose(long stamp, PoseEstimate estimate) {}
 
-    RosLocalizer(DeviceInfo info, String topic, Publication initialPose, Frames frames, RobotClock clock) {
-        super(info, "map", "'%s', nor TF from 'map'".formatted(topic));
+    /// @param cloudTopic subscribes to its particles
+    RosLocalizer(
+            DeviceInfo info,
+            String topic,
+            Publication initialPose,
+            Function<Consumer<RosMessage>, Subscribed> cloudTopic,
+            Frames frames,
+            RobotClock clock) {
+        super(info, MAP, "'%s', nor TF from 'map'".formatted(topic));
+        this.cloudTopic = cloudTopic;
         this.initialPose = initialPose;
         this.frames = frames;
         this.clock = clock;
@@ -114,10 +133,35 @@ final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
         }
     }
 
+    /// The first call subscribes to them, since clouds are large.
+    @Override
+    public Optional<Stamped<ParticleCloud>> particles() {
+        if (clouds.isEmpty()) {
+            clouds = Optional.of(cloudTopic.apply(this::takeCloud));
+        }
+        return clouds.filter(cloud -> cloud.publishers() > 0).flatMap(_ -> particles);
+    }
+
+    /// @param message `nav2_msgs/ParticleCloud`
+    private void takeCloud(RosMessage message) {
+        RosMessage header = message.message("header");
+        if (FrameTree.named(header.text("frame_id")).equals(MAP)) {
+            CloudMessage.of(message)
+                    .ifPresent(cloud ->
+                            particles = Optional.of(new Stamped<>(clock.time(RosMessages.stamp(header)), MAP, cloud)));
+        }
+    }
+
+    /// For good.
+    void end() {
+        clouds.ifPresent(Subscribed::close);
+        initialPose.close();
+    }
+
     /// Publishes it as `initialpose`, as RViz does.
     @Override
     public CompletionStage<Void> relocalize(PoseEstimate belief) {
-        initialPose.publish(messages.pose(Instant.ofEpochSecond(0, clock.stamp()), belief, "map"));
+        initialPose.publish(messages.pose(Instant.ofEpochSecond(0, clock.stamp()), belief, MAP));
         return CompletableFuture.completedFuture(null);
     }
 }

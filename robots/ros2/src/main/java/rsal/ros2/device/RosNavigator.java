@@ -4,7 +4,9 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import rsal.data.OccupancyGrid;
 import rsal.data.Path2d;
 import rsal.data.Pose2d;
 import rsal.data.Stamped;
@@ -14,6 +16,7 @@ import rsal.device.GoalHandle;
 import rsal.device.GoalSource;
 import rsal.device.Health;
 import rsal.device.Navigator;
+import rsal.ros2.action.ActionClient;
 import rsal.ros2.cdr.CdrWriter;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.message.FrameTransform;
@@ -33,6 +36,8 @@ final class RosNavigator extends DeviceCore implements Navigator {
     private final RosBase base;
     private final Frames frames;
     private final String name;
+    private final Supplier<PublicGrid> costTopics;
+    private @Nullable PublicGrid costs; // since somebody asked for them
     private @Nullable Drive drive;
     private boolean paused;
     private Instant served = Instant.MIN; // when somebody served the action last
@@ -107,8 +112,16 @@ final class RosNavigator extends DeviceCore implements Navigator {
     }
 
     /// @param name of the action, for people
-    RosNavigator(DeviceInfo info, ActionClient action, String name, RosBase base, Frames frames) {
+    /// @param costTopics subscribes to the robot's costs
+    RosNavigator(
+            DeviceInfo info,
+            ActionClient action,
+            String name,
+            RosBase base,
+            Frames frames,
+            Supplier<PublicGrid> costTopics) {
         super(info);
+        this.costTopics = costTopics;
         this.action = action;
         this.name = name;
         this.base = base;
@@ -252,8 +265,20 @@ final class RosNavigator extends DeviceCore implements Navigator {
                 : new Path2d(List.of(drive.mapFromBase.position(), drive.mapFromGoal.position()));
     }
 
+    /// The first call subscribes to them, since costmaps are large.
+    @Override
+    public Optional<OccupancyGrid> costMap() {
+        if (costs == null) {
+            costs = costTopics.get();
+        }
+        return costs.publishers() > 0 ? costs.newest() : Optional.empty();
+    }
+
     /// Stops what it drives, for good.
     void end() {
+        if (costs != null) {
+            costs.close();
+        }
         hold();
         if (drive != null) {
             end(drive, new Result.Cancelled("The connection to the robot is closed."));

@@ -1,14 +1,28 @@
 package rsal.ros2.device;
 
+import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import rsal.device.DeviceInfo;
+import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Part;
 
-/// Parts of models that become devices by topics, beside those that [RosRobot] itself knows.
+/// Parts of models that become devices by topics and actions.
 final class RosParts {
-    private static final List<Maker> ALL =
-            List.of(new ImuMaker(), new GripperMaker(), new BlobFinderMaker(), new CameraMaker());
+    private static final List<Maker> ALL = List.of(
+            new LaserMaker(),
+            new SonarMaker(),
+            new BatteryMaker(),
+            new ImuMaker(),
+            new GripperMaker(),
+            new BlobFinderMaker(),
+            new CameraMaker(),
+            new LocalizerMaker(),
+            new NavigatorMaker(),
+            new PlannerMaker(),
+            new MapMaker());
 
     private RosParts() {}
 
@@ -17,20 +31,44 @@ final class RosParts {
         boolean makes(Part part);
 
         /// Whether a robot has the topics that the part needs.
-        ///
-        /// @param name the device's
-        boolean isThere(String name, Part part, RobotTopics topics, RosSettings settings);
+        boolean isThere(Wanted wanted, RobotTopics topics, RosSettings settings);
 
         /// Whether it has all topics by which the part can do more.
-        default boolean isComplete(String name, Part part, RobotTopics topics, RosSettings settings) {
-            return isThere(name, part, topics, settings);
+        default boolean isComplete(Wanted wanted, RobotTopics topics, RosSettings settings) {
+            return isThere(wanted, topics, settings);
         }
 
-        /// @param part one that is there
-        RosDevice make(DeviceInfo info, Part part, RosContext context);
+        /// @param wanted one that is there
+        RosDevice make(DeviceInfo info, Wanted wanted, RosContext context);
     }
 
-    /// Who makes a device of a part.
+    /// A part of a robot's model, and what makes its device.
+    ///
+    /// @param name the device's
+    /// @param number how many parts of its kind come before it
+    record Wanted(String name, Part part, int number, Maker maker) {
+        boolean isThere(RobotTopics topics, RosSettings settings) {
+            return maker.isThere(this, topics, settings);
+        }
+
+        boolean isComplete(RobotTopics topics, RosSettings settings) {
+            return maker.isComplete(this, topics, settings);
+        }
+    }
+
+    /// All parts of a model of which devices can be made, in its order.
+    static List<Wanted> wanted(RobotModel model) {
+        var all = new ArrayList<Wanted>();
+        var counts = new HashMap<Maker, Integer>();
+        for (Map.Entry<String, Part> sensor : model.sensors().entrySet()) {
+            maker(sensor.getValue())
+                    .ifPresent(maker -> all.add(new Wanted(
+                            sensor.getKey(), sensor.getValue(), counts.merge(maker, 1, Integer::sum) - 1, maker)));
+        }
+        return all;
+    }
+
+    /// What makes a device of a part.
     static Optional<Maker> maker(Part part) {
         return ALL.stream().filter(maker -> maker.makes(part)).findFirst();
     }

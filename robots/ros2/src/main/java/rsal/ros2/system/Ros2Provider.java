@@ -151,7 +151,7 @@ public final class Ros2Provider implements RobotSystemProvider {
                     problems.add(new Problem(
                             robot.id(),
                             "model",
-                            "Robots of ROS 2 can't have '%s'. They can have lasers, sonars, IMUs, batteries, cameras, blob detectors, grippers, maps, localizers, navigators."
+                            "Robots of ROS 2 can't have '%s'. They can have lasers, sonars, IMUs, batteries, cameras, blob detectors, grippers, maps, localizers, navigators, planners."
                                     .formatted(part.name())));
                 }
             }

@@ -192,9 +192,10 @@ final class Ros2System implements RobotSystem {
         if (!RosRobot.isComplete(spec, its, settings) && !now.isAfter(first.plus(SETTLING))) {
             return;
         }
-        List<String> without = RosRobot.without(spec, its, settings);
-        found.put(spec, robot(spec, its, network));
+        RosRobot robot = robot(spec, its, network);
+        found.put(spec, robot);
         topics.remove(spec);
+        List<String> without = robot.without();
         if (!without.isEmpty()) {
             LOG.log(
                     Level.INFO,

@@ -19,10 +19,12 @@ import rsal.testkit.contract.LaserScannerContract;
 import rsal.testkit.contract.LocalizerContract;
 import rsal.testkit.contract.NavigatorContract;
 import rsal.testkit.contract.OmnidirectionalDriveContract;
+import rsal.testkit.contract.PlannerContract;
 import rsal.testkit.contract.RobotSystemContract;
 import rsal.testkit.contract.SonarArrayContract;
 import rsal.testkit.fake.FakeLocalizer;
 import rsal.testkit.fake.FakeNavigator;
+import rsal.testkit.fake.FakePlanner;
 import rsal.testkit.fake.FakeProvider;
 
 /// Robots of ROS 2 are robots like any other.
@@ -124,6 +126,19 @@ class Ros2ContractTest {
         @Override
         protected Map<String, String> parts() {
             return Map.of("navigator", "own-navigator");
+        }
+    }
+
+    @Nested
+    class OwnPlanner extends PlannerContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverRos(new FakeProvider(), List.of(new FakePlanner.Driver()));
+        }
+
+        @Override
+        protected Map<String, String> parts() {
+            return Map.of("planner", "own-planner");
         }
     }
 

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import rsal.data.Covariance2d;
 import rsal.data.Odometry;
+import rsal.data.ParticleCloud;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.PoseEstimate.Quality;
@@ -22,6 +23,7 @@ import rsal.device.Localizer;
 import rsal.model.RobotModels;
 import rsal.robot.RobotSpec;
 import rsal.ros2.MemoryNetwork;
+import rsal.ros2.cdr.CdrWriter;
 import rsal.ros2.device.GripperSettings;
 import rsal.ros2.device.RosSettings;
 import rsal.ros2.device.Safety;
@@ -29,6 +31,7 @@ import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.link.RosTopic;
+import rsal.ros2.message.CloudMessage;
 import rsal.ros2.message.FrameTransform;
 import rsal.ros2.message.RosMessages;
 import rsal.ros2.message.RosMessages.Transform;
@@ -190,5 +193,37 @@ class RosLocalizerTest {
         advance(1);
         assertThat(localizer.latest().orElseThrow().value().mapFromBase().isFinite())
                 .isTrue();
+    }
+
+    private byte[] cloud(String frame, float x) {
+        return CloudMessage.write(
+                        new CdrWriter(), stamp(), frame, new ParticleCloud(new float[] {x, 2, 0, 3, 4, 1}, new float[] {
+                            1, 3
+                        }))
+                .toBytes();
+    }
+
+    @Test
+    void particlesComeFromTheFirstQuestionOn() {
+        Publication clouds =
+                there.advertise(new RosTopic("/r1/particle_cloud", "nav2_msgs/msg/ParticleCloud"), Profile.SENSOR_DATA);
+        poses();
+        find();
+        assertThat(there.endpoints()).noneMatch(each -> each.topic().name().equals("/r1/particle_cloud"));
+        assertThat(localizer.particles()).isEmpty();
+        clouds.publish(cloud("odom", 1));
+        clouds.publish(cloud("map", Float.NaN));
+        clouds.publish(new byte[] {0, 1, 0, 0, 1, 1});
+        advance(0.1);
+        assertThat(localizer.particles()).isEmpty();
+        clouds.publish(cloud("map", 1));
+        advance(0.1);
+        assertThat(localizer.particles()).hasValueSatisfying(told -> {
+            assertThat(told.frame()).isEqualTo("map");
+            assertThat(told.value().weights()).containsExactly(0.25f, 0.75f);
+            assertThat(told.value().poses()[0]).isEqualTo(1);
+        });
+        clouds.close();
+        assertThat(localizer.particles()).isEmpty();
     }
 }

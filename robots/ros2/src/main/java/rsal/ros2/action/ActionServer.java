@@ -1,4 +1,4 @@
-package rsal.ros2.bridge;
+package rsal.ros2.action;
 
 import java.time.Duration;
 import java.time.Instant;
@@ -13,6 +13,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
 import rsal.ros2.cdr.CdrWriter;
 import rsal.ros2.cdr.RosMessage;
+import rsal.ros2.link.Inbox;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosPublisher.Publication;
@@ -22,9 +23,9 @@ import rsal.time.Scheduler;
 
 /// Offers an action of ROS 2: takes goals, tells how they get on and how they ended. All but the arrival of
 /// requests is on the run's thread.
-final class ActionServer {
+public final class ActionServer {
     /// States of `action_msgs/GoalStatus`.
-    enum Status {
+    public enum Status {
         UNKNOWN(0),
         EXECUTING(2),
         CANCELING(3),
@@ -51,7 +52,7 @@ final class ActionServer {
     private final Map<String, ServedGoal> goals = new LinkedHashMap<>(); // by id
 
     /// What is done about goals.
-    interface Handler {
+    public interface Handler {
         /// A goal has come, which was accepted.
         ///
         /// @param goal the goal's fields
@@ -65,7 +66,7 @@ final class ActionServer {
     }
 
     /// A goal of somebody else.
-    final class ServedGoal {
+    public final class ServedGoal {
         private final byte[] id;
         private final Instant stamp = scheduler.instant();
         private final CompletableFuture<byte[]> result = new CompletableFuture<>();
@@ -77,7 +78,7 @@ final class ActionServer {
         }
 
         /// Whether somebody wants it to be given up.
-        boolean isCanceling() {
+        public boolean isCanceling() {
             return status == Status.CANCELING;
         }
 
@@ -86,7 +87,7 @@ final class ActionServer {
         }
 
         /// @param fields writes the feedback's
-        void tell(Consumer<CdrWriter> fields) {
+        public void tell(Consumer<CdrWriter> fields) {
             CdrWriter writer = new CdrWriter().int8s(id);
             fields.accept(writer);
             feedback.publish(writer.toBytes());
@@ -95,7 +96,7 @@ final class ActionServer {
         /// The first ending counts.
         ///
         /// @param fields writes the result's
-        void end(Status ending, Consumer<CdrWriter> fields) {
+        public void end(Status ending, Consumer<CdrWriter> fields) {
             if (!ended()) {
                 status = ending;
                 forgotten = scheduler.instant().plus(KEPT);
@@ -110,7 +111,22 @@ final class ActionServer {
     /// @param name with its namespace: `/robot1/navigate_to_pose`
     /// @param type `nav2_msgs/action/NavigateToPose`
     /// @param services of its own, which it closes
-    ActionServer(RosLink link, Services services, String name, String type, Scheduler scheduler, Handler handler) {
+    public ActionServer(
+            RosLink link, Services services, String name, String type, Scheduler scheduler, Handler handler) {
+        this(link, services, name, type, services.codec(type + "_SendGoal")::read, scheduler, handler);
+    }
+
+    /// As above, of a type whose goals differ between distributions.
+    ///
+    /// @param requests reads those that send goals
+    public ActionServer(
+            RosLink link,
+            Services services,
+            String name,
+            String type,
+            Inbox.Decoder<RosMessage> requests,
+            Scheduler scheduler,
+            Handler handler) {
         this.scheduler = scheduler;
         this.handler = handler;
         feedback = link.advertise(new RosTopic(name + "/_action/feedback", type + "_FeedbackMessage"), Profile.DEFAULT);
@@ -118,7 +134,7 @@ final class ActionServer {
                 new RosTopic(name + "/_action/status", "action_msgs/msg/GoalStatusArray"), Profile.LATCHED);
         ends.add(feedback::close);
         ends.add(statuses::close);
-        services.serveLater(name + "/_action/send_goal", type + "_SendGoal", this::send);
+        services.serve(name + "/_action/send_goal", type + "_SendGoal", requests, (request, _) -> send(request));
         services.serveLater(name + "/_action/get_result", type + "_GetResult", this::result);
         services.serveLater(name + "/_action/cancel_goal", "action_msgs/srv/CancelGoal", this::cancel);
         ends.add(services::close);
@@ -131,6 +147,9 @@ final class ActionServer {
 
     private CompletionStage<byte[]> send(RosMessage request) {
         String id = id(request);
+        if (goals.size() >= MOST_GOALS) {
+            forgetOldest();
+        }
         boolean accepted = goals.size() < MOST_GOALS && !goals.containsKey(id);
         if (accepted) {
             var goal = new ServedGoal(HexFormat.of().parseHex(id));
@@ -194,6 +213,11 @@ final class ActionServer {
         statuses.publish(writer.toBytes());
     }
 
+    /// Of those that have ended: clients ask for a result before there is one.
+    private void forgetOldest() {
+        goals.values().stream().filter(ServedGoal::ended).findFirst().ifPresent(goals.values()::remove);
+    }
+
     private void forget() {
         Instant now = scheduler.instant();
         if (goals.values().removeIf(goal -> goal.forgotten.isBefore(now))) {
@@ -201,7 +225,7 @@ final class ActionServer {
         }
     }
 
-    void close() {
+    public void close() {
         goals.values().stream().filter(goal -> !goal.ended()).toList().forEach(goal -> {
             handler.cancel(goal);
             goal.end(Status.ABORTED, handler::writeNoResult);

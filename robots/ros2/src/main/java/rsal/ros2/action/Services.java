@@ -1,4 +1,4 @@
-package rsal.ros2.bridge;
+package rsal.ros2.action;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
@@ -22,7 +22,7 @@ import rsal.ros2.type.TypeLibrary;
 /// Services that this program offers: requests are read where they come, and answered on the run's thread.
 /// Malformed requests get no answer, as no service of ROS 2 gives one; nor do those that come while too many
 /// wait.
-final class Services {
+public final class Services {
     private static final Logger LOG = System.getLogger(Services.class.getName());
     private static final int MOST_WAITING = 1_000; // requests; as many as parameters' services keep in rcl
 
@@ -33,13 +33,13 @@ final class Services {
     private final List<RosLink.Served> served = new ArrayList<>();
 
     /// Answers a request.
-    interface Handler<R> {
+    public interface Handler<R> {
         /// @param responseHash as [RosLink.Server#answer(byte[], Supplier)] has it
         CompletionStage<byte[]> answer(R request, Supplier<Optional<String>> responseHash);
     }
 
     /// @param run its thread
-    Services(RosLink link, TypeLibrary types, Executor run) {
+    public Services(RosLink link, TypeLibrary types, Executor run) {
         this.link = link;
         this.types = types;
         this.run = run;
@@ -49,20 +49,20 @@ final class Services {
     ///
     /// @param name with its namespace
     /// @param type `std_srvs/srv/SetBool`
-    void serve(String name, String type, Function<RosMessage, byte[]> answer) {
+    public void serve(String name, String type, Function<RosMessage, byte[]> answer) {
         serveLater(name, type, request -> CompletableFuture.completedStage(answer.apply(request)));
     }
 
-    void serveLater(String name, String type, Function<RosMessage, CompletionStage<byte[]>> answer) {
+    public void serveLater(String name, String type, Function<RosMessage, CompletionStage<byte[]>> answer) {
         serve(name, type, codec(type)::read, (request, _) -> answer.apply(request));
     }
 
     /// How requests of a type are read.
-    MessageCodec codec(String type) {
+    public MessageCodec codec(String type) {
         return MessageCodec.of(types.get(type + "_Request"), types);
     }
 
-    <R> void serve(String name, String type, Decoder<R> decoder, Handler<R> handler) {
+    public <R> void serve(String name, String type, Decoder<R> decoder, Handler<R> handler) {
         served.add(link.serve(name, type, new RosLink.Server() {
             @Override
             public CompletionStage<byte[]> answer(byte[] request) {
@@ -100,7 +100,7 @@ final class Services {
                 });
     }
 
-    void close() {
+    public void close() {
         served.forEach(RosLink.Served::close);
     }
 }

@@ -1,4 +1,4 @@
-package rsal.ros2.device;
+package rsal.ros2.action;
 
 import java.time.Duration;
 import java.time.Instant;
@@ -25,10 +25,10 @@ import rsal.ros2.type.TypeLibrary;
 import rsal.time.Scheduler;
 
 /// Has somebody pursue goals: a client of an action of ROS 2. All on the scheduler's thread.
-final class ActionClient {
-    static final int SUCCEEDED = 4; // states of action_msgs/GoalStatus
-    static final int CANCELED = 5;
-    static final int ABORTED = 6;
+public final class ActionClient {
+    public static final int SUCCEEDED = 4; // states of action_msgs/GoalStatus
+    public static final int CANCELED = 5;
+    public static final int ABORTED = 6;
 
     private static final int FEEDBACK_WAITING = 10;
     private static final int ID = 16; // bytes
@@ -70,7 +70,7 @@ final class ActionClient {
     }
 
     /// What comes of a goal. Its ending comes once: that it is refused, its result, or that it failed.
-    interface Listener {
+    public interface Listener {
         /// @param message the feedback of the action's type
         void onFeedback(RosMessage message);
 
@@ -87,7 +87,7 @@ final class ActionClient {
     /// A goal under way.
     ///
     /// @param id unique
-    record Goal(String id) {
+    public record Goal(String id) {
         byte[] bytes() {
             return HexFormat.of().parseHex(id);
         }
@@ -96,7 +96,7 @@ final class ActionClient {
     /// @param name with its namespace: `/robot1/navigate_to_pose`
     /// @param type `nav2_msgs/action/NavigateToPose`
     /// @param random for ids of goals, which nobody else may have
-    ActionClient(
+    public ActionClient(
             RosLink link, TypeLibrary types, String name, String type, Scheduler scheduler, RandomGenerator random) {
         this.scheduler = scheduler;
         this.random = random;
@@ -116,12 +116,12 @@ final class ActionClient {
     }
 
     /// Whether somebody serves the action.
-    boolean isAvailable() {
+    public boolean isAvailable() {
         return sending.isAvailable() && results.isAvailable();
     }
 
     /// @param goal writes the fields of the goal
-    Goal send(Consumer<CdrWriter> goal, Listener listener) {
+    public Goal send(Consumer<CdrWriter> goal, Listener listener) {
         var id = new byte[ID];
         random.nextBytes(id);
         var sent = new Goal(HexFormat.of().formatHex(id));
@@ -156,7 +156,7 @@ final class ActionClient {
     }
 
     /// Ends goals of which nothing is heard any more.
-    void look(Instant now) {
+    public void look(Instant now) {
         Map.copyOf(pursuits)
                 .forEach((id, pursuit) ->
                         pursuit.loss(now).ifPresent(why -> finish(new Goal(id), lost -> lost.onFailure(why))));
@@ -193,13 +193,13 @@ final class ActionClient {
     }
 
     /// Asks to give it up. Nothing more is heard of it.
-    void cancel(Goal goal) {
+    public void cancel(Goal goal) {
         pursuits.remove(goal.id);
         var _ = canceling.call(
                 new CdrWriter().int8s(goal.bytes()).int32(0).int32(0).toBytes());
     }
 
-    void close() {
+    public void close() {
         pursuits.clear();
         sending.close();
         results.close();

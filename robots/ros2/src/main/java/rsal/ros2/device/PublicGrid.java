@@ -1,0 +1,93 @@
+package rsal.ros2.device;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.Optional;
+import java.util.function.ObjLongConsumer;
+import rsal.data.OccupancyGrid;
+import rsal.ros2.cdr.RosMessage;
+import rsal.ros2.link.RosLink.Subscribed;
+import rsal.ros2.link.RosTopic;
+import rsal.ros2.message.CellMeaning;
+import rsal.ros2.message.MapMessage;
+import rsal.ros2.message.RosMessages;
+
+/// A map that somebody publishes as `nav_msgs/OccupancyGrid`, and whose changes come as `map_msgs/OccupancyGridUpdate`
+/// on a topic beside it (`map_updates`). Changes that do not fit the map change nothing; the first is
+/// told, and at the end how many there were.
+final class PublicGrid {
+    private static final Logger LOG = System.getLogger(PublicGrid.class.getName());
+    private static final String GRID = "nav_msgs/msg/OccupancyGrid";
+    private static final String UPDATE = "map_msgs/msg/OccupancyGridUpdate";
+    private static final int UPDATES_WAITING = 100;
+
+    private final RosTopic updates;
+    private final CellMeaning meaning;
+    private final ObjLongConsumer<OccupancyGrid> listener;
+    private final Subscribed whole;
+    private final Subscribed changes;
+    private Optional<OccupancyGrid> newest = Optional.empty();
+    private long stamp; // of the newest whole one [ns]
+    private long damaged; // updates
+
+    /// @param topic of whole maps
+    /// @param listener gets each map with its stamp [ns]
+    PublicGrid(RosTopic topic, CellMeaning meaning, RosContext context, ObjLongConsumer<OccupancyGrid> listener) {
+        this.meaning = meaning;
+        this.listener = listener;
+        updates = new RosTopic(topic.name() + "_updates", UPDATE);
+        RobotTopics topics = context.topics();
+        whole = context.link().subscribe(topic, context.reliable(topic), context.inbox(GRID, 1, this::take));
+        changes = context.link()
+                .subscribe(updates, topics.reliable(updates), context.inbox(UPDATE, UPDATES_WAITING, this::takeUpdate));
+    }
+
+    private void take(RosMessage message) {
+        MapMessage.of(message, meaning).ifPresent(map -> {
+            stamp = RosMessages.stamp(message.message("header"));
+            tell(map, stamp);
+        });
+    }
+
+    private void tell(OccupancyGrid map, long when) {
+        newest = Optional.of(map);
+        listener.accept(map, when);
+    }
+
+    /// Those that are older than the map are in it already.
+    private void takeUpdate(RosMessage update) {
+        long when = RosMessages.stamp(update.message("header"));
+        if (newest.isEmpty() || when < stamp) {
+            return;
+        }
+        Optional<OccupancyGrid> changed = MapMessage.updated(newest.get(), update, meaning);
+        changed.ifPresent(map -> tell(map, when));
+        if (changed.isEmpty() && damaged++ == 0) {
+            LOG.log(
+                    Level.WARNING,
+                    () -> "An update on '%s' does not fit the map of %d × %d cells. It is ignored, as others like it."
+                            .formatted(
+                                    updates.name(),
+                                    newest.get().width(),
+                                    newest.get().height()));
+        }
+    }
+
+    /// The newest map; empty before the first one.
+    Optional<OccupancyGrid> newest() {
+        return newest;
+    }
+
+    /// How many publish whole maps.
+    int publishers() {
+        return whole.publishers();
+    }
+
+    void close() {
+        if (damaged > 0) {
+            LOG.log(Level.INFO, () -> "%d updates on '%s' did not fit the map.".formatted(damaged, updates.name()));
+        }
+        whole.close();
+        changes.close();
+    }
+}
