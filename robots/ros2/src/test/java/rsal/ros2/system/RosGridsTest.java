@@ -37,6 +37,7 @@ import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.RosMessages;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
+import rsal.system.RealRobots.Waiting;
 import rsal.testkit.contract.RobotBench;
 import rsal.time.LockstepScheduler;
 
@@ -92,6 +93,7 @@ class RosGridsTest {
                 network::join,
                 Optional.empty(),
                 new RosSettings(new Safety(Duration.ofMillis(500), true, "", ""), GripperSettings.USUAL),
+                Waiting.USUAL,
                 run,
                 new SplittableRandom(1));
         var found = system.discover().toCompletableFuture();

@@ -46,6 +46,7 @@ import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeLibrary;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
+import rsal.system.RealRobots.Waiting;
 import rsal.testkit.contract.RobotBench;
 import rsal.time.LockstepScheduler;
 
@@ -99,6 +100,7 @@ class RosPlannerTest {
                 network::join,
                 Optional.of(distribution),
                 new RosSettings(new Safety(Duration.ofMillis(500), true, "", ""), GripperSettings.USUAL),
+                Waiting.USUAL,
                 run,
                 new SplittableRandom(1));
         var found = system.discover().toCompletableFuture();
