@@ -102,7 +102,7 @@ describe.skipIf(!chromium)('runs side by side', () => {
     await page.getByRole('button', { name: 'Arm all', exact: true }).click();
     await eventually(
       async () => !(await page.getByRole('button', { name: 'Arm all', exact: true }).isVisible()),
-      'Press Arm to switch them on',
+      'they are armed',
     );
 
     await page.getByRole('button', { name: 'Close run 2', exact: true }).click();

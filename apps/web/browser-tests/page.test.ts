@@ -242,7 +242,7 @@ describe.skipIf(!chromium)('the page', () => {
     await page.keyboard.press('r');
     await page.getByRole('dialog', { name: 'Restart' }).getByLabel('Seed').focus();
     await page.keyboard.press('F8');
-    await eventually(async () => (await stopped.count()) === 1, 'Press Arm to switch them on');
+    await eventually(async () => (await stopped.count()) === 1, 'no robot moves until they are armed');
   });
 
   it('stops by Space whatever was clicked before, and shows it', async () => {

@@ -56,10 +56,16 @@ let launched: Promise<Browser> | undefined;
 
 /** The browser of all files that this process tests, as its start takes a second of a processor. It ends with the process. */
 function theBrowser(): Promise<Browser> {
-  launched ??= driver.launch({ executablePath: chromium!, args: flags }).then((browser) => {
-    browser.on('disconnected', () => (launched = undefined)); // one that has crashed fails the tests of one file
-    return browser;
-  });
+  launched ??= driver.launch({ executablePath: chromium!, args: flags }).then(
+    (browser) => {
+      browser.on('disconnected', () => (launched = undefined)); // one that has crashed fails the tests of one file
+      return browser;
+    },
+    (error: unknown) => {
+      launched = undefined; // so does one that does not start
+      throw error;
+    },
+  );
   return launched;
 }
 

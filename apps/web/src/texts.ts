@@ -670,7 +670,7 @@ export const texts = {
     ] as [string, string][],
   },
   refused: {
-    stopFirst: 'The emergency stop came first. This command may still be executed.',
+    stopFirst: 'The emergency stop was sent first. It is not known whether this command was executed.',
     noAnswer: 'The server does not answer.',
     needsToken:
       'This server needs a token. Its owner has it; it is also at the end of the address that was printed when the server started: #token=…',

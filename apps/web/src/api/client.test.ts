@@ -40,7 +40,7 @@ it('gives up what hangs for an emergency stop, but for driving, which goes on wh
   void api.tell('drive', { robot: 'ann', driver: 'me', ...velocity });
   void api.emergencyStop();
   await expect(place).rejects.toThrow(RefusedError);
-  await expect(place).rejects.toThrow('emergency stop came first');
+  await expect(place).rejects.toThrow('emergency stop was sent first');
   await expect(look).resolves.toBeNull();
   expect(asked.get('api/run/drive')!.aborted).toBe(false);
   expect(asked.get('/api/run/estop')!.aborted).toBe(false);
@@ -60,7 +60,7 @@ it('gives up an answer that has begun, too', async () => {
   const place = api.tell('place', { robot: 'ann', x: 0, y: 0, heading: 0 });
   await Promise.resolve(); // its head is there
   void api.emergencyStop();
-  await expect(place).rejects.toThrow('emergency stop came first');
+  await expect(place).rejects.toThrow('emergency stop was sent first');
 });
 
 it('gives way to the emergency stop of another page, and has others give way to its own', async () => {
@@ -70,7 +70,7 @@ it('gives way to the emergency stop of another page, and has others give way to 
     const look = api.readings('ann');
     void api.tell('drive', { robot: 'ann', driver: 'me', ...velocity });
     other.postMessage('emergency stop');
-    await expect(place).rejects.toThrow('emergency stop came first');
+    await expect(place).rejects.toThrow('emergency stop was sent first');
     await expect(look).resolves.toBeNull();
     expect(asked.get('api/run/drive')!.aborted).toBe(false);
     expect(asked.has('/api/run/estop')).toBe(false); // the other has said that itself

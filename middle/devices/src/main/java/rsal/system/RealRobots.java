@@ -11,12 +11,7 @@ public final class RealRobots {
     public static final Parameter<Boolean> ARMED = Parameter.flag(
             "armed", false, "Whether motors are on from the beginning. If not, robots stand until somebody arms them.");
     public static final Parameter<Double> WAIT = Parameter.number(
-            "wait",
-            8,
-            3,
-            3600,
-            "s",
-            "How long a run waits for the next robot before it reports those that are missing.");
+            "wait", 8, 3, 3600, "s", "How long a run waits for its robots before it reports those that are missing.");
     public static final Parameter<Boolean> LATE = Parameter.flag(
             "late",
             false,
@@ -24,7 +19,7 @@ public final class RealRobots {
 
     /// How long a run waits for its robots.
     ///
-    /// @param patience from the start, and from each robot that was found, to the next one
+    /// @param patience how long it waits; a system may begin again with each robot that it finds
     /// @param late whether robots that are not found by then may join later
     public record Waiting(Duration patience, boolean late) {
         /// Eight seconds, and no robot joins later.

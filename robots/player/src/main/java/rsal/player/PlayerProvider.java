@@ -110,6 +110,12 @@ public final class PlayerProvider implements RobotSystemProvider {
         Optional<Map<RobotSpec, ServerAddress>> berths =
                 read(() -> berths(settings, config.robots()), config, problems);
         Optional<Optional<Overseer>> overseer = read(() -> overseer(settings, config.robots()), config, problems);
+        if (settings.get(RealRobots.LATE) && overseer.flatMap(known -> known).isPresent()) {
+            problems.add(new Problem(
+                    config.robots().getFirst().id(),
+                    "mrs",
+                    "'late' can't be used with 'simulation', which must know all robots at the start."));
+        }
         if (!problems.isEmpty()) {
             throw new InvalidRobots(problems);
         }

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
@@ -31,6 +32,7 @@ import rsal.time.Task;
 
 /// Robots of Player servers. One whose server is lost is gone, and appears again when that is back.
 final class PlayerSystem implements RobotSystem {
+    private static final Duration RETRY = Duration.ofSeconds(2); // after a robot could not join
     private static final Duration SETUP = Duration.ofSeconds(12); // of a robot's devices, once its servers are there
 
     private final Map<RobotSpec, ServerAddress> berths;
@@ -101,18 +103,39 @@ final class PlayerSystem implements RobotSystem {
             var early = new ArrayList<Robot>();
             List<RobotSpec> specs = List.copyOf(berths.keySet());
             for (int i = 0; i < found.size(); i++) {
-                String id = specs.get(i).id();
                 CompletableFuture<Robot> search = found.get(i);
                 if (search.isDone() && !search.isCompletedExceptionally()) {
                     early.add(search.join());
+                } else if (search.isDone()) { // its servers are there, but something is wrong
+                    search.join();
                 } else {
-                    var _ = search.handle((robot, error) -> {
-                        changes.tell(error == null ? new Change.Appeared(robot) : new Change.Gone(id, why(error)));
-                        return id;
-                    });
+                    awaitLate(specs.get(i), search, "");
                 }
             }
             return List.copyOf(early);
+        });
+    }
+
+    /// A robot whose servers fail while it joins is tried again, and what is wrong is reported once.
+    private void awaitLate(RobotSpec spec, CompletionStage<Robot> search, String reported) {
+        var _ = search.handle((robot, error) -> {
+            if (closed) {
+                return false;
+            }
+            if (error == null) {
+                changes.tell(new Change.Appeared(robot));
+                return true;
+            }
+            String why = "It can't join: " + why(error);
+            if (!why.equals(reported)) {
+                changes.tell(new Change.Gone(spec.id(), why));
+            }
+            scheduler.after(RETRY, () -> {
+                if (!closed) {
+                    awaitLate(spec, find(spec, Objects.requireNonNull(berths.get(spec))), why);
+                }
+            });
+            return false;
         });
     }
 
@@ -166,7 +189,11 @@ final class PlayerSystem implements RobotSystem {
                         return CompletableFuture.failedStage(e);
                     }
                     robots.add(robot);
-                    return robot.robot();
+                    return robot.robot().whenComplete((_, error) -> {
+                        if (error != null && robots.remove(robot)) {
+                            robot.end();
+                        }
+                    });
                 })
                 .thenApply(robot -> {
                     its.forEach(server -> server.onChange(lost -> changed(robot, its, lost)));

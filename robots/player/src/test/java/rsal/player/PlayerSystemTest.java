@@ -522,6 +522,9 @@ class PlayerSystemTest {
                 .isThrownBy(() -> create(Map.of("simulation", "own", "names", "a, b"), spec()))
                 .withMessageContaining("As many 'names' as robots are needed: 1, not 2.");
         assertThatExceptionOfType(InvalidRobots.class)
+                .isThrownBy(() -> create(Map.of("simulation", "own", "late", true), spec()))
+                .withMessageContaining("'late' can't be used with 'simulation'");
+        assertThatExceptionOfType(InvalidRobots.class)
                 .isThrownBy(() -> create(Map.of(), spec("r1", "pioneer2dx", Map.of("light", "beacon"))))
                 .withMessageContaining("'beacon'");
     }

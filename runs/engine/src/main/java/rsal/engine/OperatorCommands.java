@@ -47,7 +47,7 @@ public final class OperatorCommands {
     private static final Parameter<String> BEHAVIOR =
             Parameter.text("behavior", "", "name of the behavior; empty to give the robot back to its agents");
     private static final Parameter<String> DRIVER =
-            Parameter.text("driver", "name of the person or program that" + " drives, 1 to 64 characters");
+            Parameter.text("driver", "name of the person or program that drives, 1 to 64 characters");
     private static final Parameter<Double> VX = velocity("vx", "m/s", "forward");
     private static final Parameter<Double> VY = velocity("vy", "m/s", "to the left");
     private static final Parameter<Double> OMEGA = velocity("omega", "rad/s", "counter-clockwise");
@@ -172,7 +172,7 @@ public final class OperatorCommands {
                     (run, given) -> run.operator().addAgent(given.get(LIKE), given.get(FOR_ROBOT))),
             command(
                     "start-agent",
-                    "Starts an agent that has ended or failed again.",
+                    "Restarts an agent that has ended or failed.",
                     List.of(AGENT),
                     Answer.Done.class,
                     (run, given) -> run.operator().startAgent(given.get(AGENT))),

@@ -137,9 +137,10 @@ final class RunAssembly implements AutoCloseable {
             found.stream()
                     .filter(robot -> robot.id().equals(id))
                     .findFirst()
-                    .ifPresentOrElse(
-                            robot -> equip(robot, planned),
-                            () -> eventLog.event("run", id, "is not there yet; it joins when it is found"));
+                    .ifPresentOrElse(robot -> equip(robot, planned), () -> {
+                        breaker.await(id);
+                        eventLog.event("run", id, "is not there yet; it joins when it is found");
+                    });
         }
         world.begin();
         recorder.ifPresent(
@@ -148,16 +149,14 @@ final class RunAssembly implements AutoCloseable {
         agents.gather(systems.simulation());
         systems.simulation().ifPresent(new ThingArrivals(plan, scheduler, eventLog)::begin);
         faults.begin();
-        plan.agents().stream()
+        List<PlannedAgent> first = plan.agents().stream()
                 .filter(agent -> agent.robot().map(team::has).orElse(true)) // others start with their robots
-                .forEach(agents::start);
+                .toList();
+        first.forEach(agents::start);
         eventLog.event(
                 "run",
                 "",
-                "%s, %s"
-                        .formatted(
-                                Counted.of(team.robots().size(), "robot"),
-                                Counted.of(plan.agents().size(), "agent")));
+                "%s, %s".formatted(Counted.of(team.robots().size(), "robot"), Counted.of(first.size(), "agent")));
         assembled = true;
         early.forEach(this::changed);
         early.clear();
@@ -210,6 +209,7 @@ final class RunAssembly implements AutoCloseable {
         String id = robot.id();
         PlannedRobot planned = dynamicRobots.planned(id).orElseGet(() -> dynamicRobots.plan(robot, world.truth(id)));
         observer.joined(id, robot.role());
+        breaker.joined(id);
         equip(robot, planned);
         bridges.forEach(bridge -> offer(bridge, id));
         robotCommands.joined(id);

@@ -40,7 +40,7 @@ class LateRobotTest {
         assertThat(events(run))
                 .containsSubsequence(
                         "hunter-1: is not there yet; it joins when it is found",
-                        ": 1 robot, 2 agents",
+                        ": 1 robot, 1 agent",
                         "hunter-1: is there",
                         "chase-1: has started")
                 .doesNotContain("hunter-1: motors are off until somebody switches them on");
@@ -53,6 +53,7 @@ class LateRobotTest {
         Runs.result(run);
         assertThat(events(run))
                 .containsSubsequence("hunter-1: is there", "hunter-1: motors are off until somebody switches them on");
+        assertThat(run.snapshot().robots().getLast().stopped()).isTrue();
     }
 
     @Test
@@ -67,6 +68,25 @@ class LateRobotTest {
                     .ifPresent(_ -> on.countDown()))) {
                 on.await();
             }
+            assertThat(run.snapshot().robots()).noneMatch(robot -> robot.stopped());
+        }
+    }
+
+    @Test
+    void itStandsStillWhileAnEmergencyStopHolds() throws InterruptedException {
+        String slow = SCENARIO.replace("speed: max", "speed: 1");
+        try (LiveRun run = LiveRun.start(plan(slow))) {
+            run.operator().rearm().toCompletableFuture().join();
+            run.operator().estop().toCompletableFuture().join();
+            var there = new CountDownLatch(1);
+            try (var _ = run.onSnapshot(() -> {
+                if (run.snapshot().robots().size() == 2) {
+                    there.countDown();
+                }
+            })) {
+                there.await();
+            }
+            assertThat(run.snapshot().robots()).allMatch(robot -> robot.stopped());
         }
     }
 }

@@ -102,6 +102,7 @@ final class PublishedPlanner implements ActionServer.Handler {
     private Optional<Pose2d> here() {
         return robot.find(Localizer.class)
                 .flatMap(Localizer::latest)
+                .filter(reading -> reading.frame().equals(MAP))
                 .map(reading -> reading.value().mapFromBase());
     }
 

@@ -19,7 +19,7 @@ final class PublicGrid {
     private static final Logger LOG = System.getLogger(PublicGrid.class.getName());
     private static final String GRID = "nav_msgs/msg/OccupancyGrid";
     private static final String UPDATE = "map_msgs/msg/OccupancyGridUpdate";
-    private static final int UPDATES_WAITING = 100;
+    private static final int UPDATES_WAITING = 20; // each may be as large as the map
 
     private final RosTopic updates;
     private final CellMeaning meaning;
@@ -54,14 +54,15 @@ final class PublicGrid {
         listener.accept(map, when);
     }
 
-    /// Those that are older than the map are in it already.
+    /// Those that are older than the map are in it already. Updates of Nav2's costmaps in Humble and Jazzy have no time
+    /// (stamp 0), and come after the map.
     private void takeUpdate(RosMessage update) {
         long when = RosMessages.stamp(update.message("header"));
-        if (newest.isEmpty() || when < stamp) {
+        if (newest.isEmpty() || (when != 0 && when < stamp)) {
             return;
         }
         Optional<OccupancyGrid> changed = MapMessage.updated(newest.get(), update, meaning);
-        changed.ifPresent(map -> tell(map, when));
+        changed.ifPresent(map -> tell(map, when == 0 ? stamp : when));
         if (changed.isEmpty() && damaged++ == 0) {
             LOG.log(
                     Level.WARNING,

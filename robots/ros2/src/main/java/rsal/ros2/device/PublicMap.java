@@ -5,9 +5,8 @@ import rsal.data.OccupancyGrid;
 import rsal.device.DeviceInfo;
 import rsal.device.Mapper;
 
-/// A map that somebody publishes: `map_server`, or slam_toolbox, which publishes it again and again. Where it ends is
-/// not
-/// known here, and it drives nothing.
+/// A map that somebody publishes: `map_server`, or slam_toolbox, which publishes it again and again. Its borders
+/// are not known here, and it drives nothing.
 final class PublicMap extends RosSensor<OccupancyGrid> implements Mapper {
     private final RobotClock clock;
 

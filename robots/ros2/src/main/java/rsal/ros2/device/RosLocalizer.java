@@ -29,9 +29,9 @@ import rsal.ros2.message.FrameTree;
 import rsal.ros2.message.OdometryMessage;
 import rsal.ros2.message.RosMessages;
 
-/// A robot's own localizer, such as Nav2's `amcl` or slam_toolbox: a pose now and then (`amcl_pose`), and where
-/// odometry
-/// begins on the map (TF from `map` to `odom`). In between, estimates go with the odometry, as long as the localizer is
+/// A robot's own localizer, such as Nav2's `amcl` or slam_toolbox: a pose now and then (`amcl_pose`), and where the
+/// odometry begins on the map (TF from `map` to `odom`). In between, estimates go with the odometry, as long as the
+/// localizer is
 /// there: TF that stops coming is stale, and where only poses come, somebody must publish them.
 final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
     private static final String MAP = "map";

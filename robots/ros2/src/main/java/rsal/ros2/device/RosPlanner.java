@@ -35,6 +35,7 @@ final class RosPlanner extends DeviceCore implements Planner {
     private static final Duration ANSWER = Duration.ofSeconds(10); // for a path
     private static final int MOST_WAITING = 1_000; // requests
     private static final int TRIES = 3; // of a request that another program's goal ended
+    private static final int MOST_UNANSWERED = 3; // requests in a row, before all that wait end
     private static final double ON_GOAL = 0.1; // m; a path on a grid ends in the middle of a cell
     private static final String MAP = "map";
 
@@ -45,6 +46,7 @@ final class RosPlanner extends DeviceCore implements Planner {
     private final Deque<Request> waiting = new ArrayDeque<>();
     private @Nullable Request pending; // the one that the robot works on
     private @Nullable Stamped<Asked> latest;
+    private int unanswered; // requests in a row
     private Instant served = Instant.MIN; // when somebody served the action last
 
     /// Somebody who waits for a path.
@@ -84,11 +86,13 @@ final class RosPlanner extends DeviceCore implements Planner {
 
         @Override
         public void onRefused() {
+            unanswered = 0;
             end(this, new Result.NoPath("The robot's planner refused the request. Is it active?"));
         }
 
         @Override
         public void onResult(RosMessage response) {
+            unanswered = 0;
             RosMessage result = response.message("result");
             boolean isReplaced = response.integer("status") == ActionClient.ABORTED
                     && result.fields().containsKey("error_code")
@@ -219,12 +223,19 @@ final class RosPlanner extends DeviceCore implements Planner {
         return Optional.ofNullable(latest);
     }
 
-    /// Looks whether there is still somebody who serves the action, and answers.
+    /// Looks whether there is still somebody who serves the action, and answers. After three requests in a row without
+    /// an
+    /// answer, those that wait get none either: each of them would wait as long.
     void look(Instant now) {
         action.look(now);
         Request late = pending;
         if (late != null && late.begun.plus(ANSWER).isBefore(now)) {
-            giveUp(late, "The robot's planner found no path within %d s.".formatted(ANSWER.toSeconds()));
+            String why = "The robot's planner found no path within %d s.".formatted(ANSWER.toSeconds());
+            if (++unanswered < MOST_UNANSWERED) {
+                giveUp(late, why);
+            } else {
+                giveUpAll(why);
+            }
         }
         if (action.isAvailable()) {
             served = now;

@@ -35,6 +35,7 @@ public final class RosRobot {
     private final Frames frames;
     private final RobotClock clock;
     private final RosBase base;
+    private final MotorSwitch motors;
     private final Subscribed driven;
     private final List<Device> devices = new ArrayList<>();
     private final List<RosDevice> parts = new ArrayList<>(); // all but its base
@@ -94,8 +95,7 @@ public final class RosRobot {
                 frames,
                 clock);
         var context = new RosContext(topics, link, types, scheduler, frames, clock, base, settings.gripper(), random);
-        var motors = new MotorSwitch(spec.id(), link, topics.namespace(), safety);
-        motors.tell(base.enabled());
+        motors = new MotorSwitch(spec.id(), link, topics.namespace(), safety);
         base.onMotors(motors::tell);
         ends.add(motors::close);
         driven = link.subscribe(odometry, Profile.SENSOR_DATA, odometryInbox());
@@ -136,6 +136,11 @@ public final class RosRobot {
     /// Sensors of its model that it does not publish, by name: it is used without them.
     public List<String> without() {
         return List.copyOf(without);
+    }
+
+    /// It is part of the run from now on. Its emergency stop, if it has one, gets the state of its motors.
+    public void join() {
+        motors.tell(base.enabled());
     }
 
     /// Whether it has told where it is by its wheels, so that agents can begin.

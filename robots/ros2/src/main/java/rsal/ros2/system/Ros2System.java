@@ -135,12 +135,15 @@ final class Ros2System implements RobotSystem {
     private void compare(RosRobot robot, boolean isThere) {
         boolean wasThere = present.getOrDefault(robot, false);
         if (isThere != wasThere && (present.containsKey(robot) || robot.isReady())) {
-            present.put(robot, isThere);
+            boolean hasJoined = present.put(robot, isThere) != null;
             Robot its = robot.robot();
             changes.tell(
                     isThere
                             ? new Change.Appeared(its)
                             : new Change.Gone(its.id(), "Nobody publishes its odometry any more."));
+            if (!hasJoined) {
+                robot.join();
+            }
         }
     }
 
@@ -179,7 +182,10 @@ final class Ros2System implements RobotSystem {
         }
         boolean isTooLate = now.isAfter(patienceEnds);
         if (ready.size() == namespaces.size() || (isTooLate && waiting.late())) {
-            ready.forEach(robot -> present.put(robot, true));
+            ready.forEach(robot -> {
+                present.put(robot, true);
+                robot.join();
+            });
             discovered.complete(ready.stream().map(RosRobot::robot).toList());
         } else if (isTooLate) {
             discovered.completeExceptionally(new IOException(missing(endpoints)));

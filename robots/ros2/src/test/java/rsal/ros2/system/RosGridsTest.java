@@ -187,6 +187,9 @@ class RosGridsTest {
         assertThat(navigator.costMap().orElseThrow().cells()).containsExactly(0, 50, 100, -1);
         update(changes, run.instant(), 0, 0, 2, (byte) 12, (byte) 0);
         assertThat(navigator.costMap().orElseThrow().cells()).containsExactly(12, 0, 100, -1);
+        advance(0.1);
+        update(changes, Instant.EPOCH, 1, 1, 1, (byte) 7); // as Nav2's costmaps: without a time
+        assertThat(navigator.costMap().orElseThrow().cells()).containsExactly(12, 0, 100, 7);
         grids.close();
         assertThat(navigator.costMap()).isEmpty();
         system.close();

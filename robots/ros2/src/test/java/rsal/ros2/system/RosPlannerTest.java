@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -272,6 +273,19 @@ class RosPlannerTest {
         assertThat(canceled).containsExactly(id(sent.getFirst()));
         end(SUCCEEDED, 0, "", "map", START, GOAL);
         assertThat(next).singleElement().isInstanceOf(Result.Found.class);
+    }
+
+    @Test
+    void aPlannerThatNeverAnswersHoldsNobodyForever() {
+        Planner planner = begin();
+        List<List<Result>> answers =
+                Stream.generate(() -> ask(planner, GOAL)).limit(20).toList();
+        advance(31);
+        assertThat(answers).allSatisfy(each -> assertThat(each).singleElement().isInstanceOf(Result.NoPath.class));
+        assertThat(sent).hasSize(3);
+        List<Result> later = ask(planner, GOAL);
+        end(SUCCEEDED, 0, "", "map", START, GOAL);
+        assertThat(later).singleElement().isInstanceOf(Result.Found.class);
     }
 
     @Test
