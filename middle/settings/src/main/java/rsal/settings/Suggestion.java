@@ -35,7 +35,8 @@ public final class Suggestion {
     /// The known word that replaces a former name; or that takes the fewest changes, if that is at most a third of its
     /// letters; else the only one that begins so, which somebody may call it for short.
     public static Optional<String> closest(String read, Collection<String> known) {
-        return FormerNames.replacement(read, known).or(() -> similar(read, known).stream().findFirst());
+        return FormerNames.replacement(read, known)
+                .or(() -> similar(read, known).stream().findFirst());
     }
 
     /// Those that are equally near, in their order.
