@@ -110,9 +110,8 @@ public final class LogsCommand extends Subcommand {
     private void tellNothing() {
         filters().forEach((key, wanted) -> {
             SortedSet<String> names = known.getOrDefault(key, new TreeSet<>());
-            boolean isThere = key.equals("run")
-                    ? names.stream().anyMatch(name -> name.contains(wanted))
-                    : names.contains(wanted);
+            boolean isThere =
+                    key.equals("run") ? names.stream().anyMatch(name -> name.contains(wanted)) : names.contains(wanted);
             if (!isThere) {
                 throw new InvalidSettings(
                         Location.of(file),

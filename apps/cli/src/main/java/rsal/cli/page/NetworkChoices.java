@@ -128,7 +128,9 @@ final class NetworkChoices {
         }
         Map<String, Role> read = read(file);
         if (SecretFile.isReadByOthers(file)) {
-            line.getErr().println("rsal: Others on this machine can read the tokens in '%1$s': chmod 600 %1$s".formatted(file));
+            line.getErr()
+                    .println("rsal: Others on this machine can read the tokens in '%1$s': chmod 600 %1$s"
+                            .formatted(file));
         }
         return read;
     }
@@ -140,8 +142,7 @@ final class NetworkChoices {
         try {
             lines = Files.readAllLines(file);
         } catch (NoSuchFileException _) {
-            throw new InvalidSettings(
-                    Location.of(file.toString()), "There is no file '%s'.".formatted(file), "");
+            throw new InvalidSettings(Location.of(file.toString()), "There is no file '%s'.".formatted(file), "");
         } catch (IOException e) {
             throw new InvalidSettings(Location.of(file.toString()), "This file can't be read: %s.".formatted(e), "");
         }

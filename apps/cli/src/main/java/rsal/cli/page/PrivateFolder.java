@@ -79,8 +79,7 @@ final class PrivateFolder {
     }
 
     static boolean isOwn(Path folder) throws IOException {
-        PosixFileAttributes found =
-                Files.readAttributes(folder, PosixFileAttributes.class, LinkOption.NOFOLLOW_LINKS);
+        PosixFileAttributes found = Files.readAttributes(folder, PosixFileAttributes.class, LinkOption.NOFOLLOW_LINKS);
         return found.isDirectory()
                 && found.permissions().equals(OWNERS)
                 && folder.endsWith("rsal-" + Files.getAttribute(folder, "unix:uid", LinkOption.NOFOLLOW_LINKS));

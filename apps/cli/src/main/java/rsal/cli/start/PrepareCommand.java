@@ -17,8 +17,7 @@ import rsal.cli.terminal.Unreachable;
 public final class PrepareCommand extends Subcommand {
     @Override
     protected int run() throws InterruptedException {
-        StartCache cache = StartCache.ofThisProcess()
-                .orElseThrow(() -> new Unreachable(whyNone()));
+        StartCache cache = StartCache.ofThisProcess().orElseThrow(() -> new Unreachable(whyNone()));
         try {
             if (!cache.make()) {
                 throw new Unreachable("The cache '%s' was not made: another process makes it, or Java can't."

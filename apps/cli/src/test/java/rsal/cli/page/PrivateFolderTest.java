@@ -44,7 +44,8 @@ class PrivateFolderTest {
     void aFolderOfAnotherUserIsRefused() throws Exception {
         Path made = PrivateFolder.make(parent);
         Path other = Files.move(made, parent.resolve("rsal-4242")); // as if user 4242 had made it
-        assertThat(PrivateFolder.isOwn(made.resolveSibling(other.getFileName()))).isFalse();
+        assertThat(PrivateFolder.isOwn(made.resolveSibling(other.getFileName())))
+                .isFalse();
     }
 
     private void assertRefused() {
