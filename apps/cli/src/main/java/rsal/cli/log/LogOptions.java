@@ -76,7 +76,8 @@ final class LogOptions {
     @Option(
             names = "--scan-topic",
             paramLabel = "NAME",
-            description = "The topic of the laser's scans, for bags with several. Default: the one with the most scans.")
+            description =
+                    "The topic of the laser's scans, for bags with several. Default: the one with the most scans.")
     private @Nullable String scanTopic;
 
     boolean hasNoise() {
@@ -132,7 +133,8 @@ final class LogOptions {
                         upsideDown,
                         Optional.ofNullable(scanTopic)));
         if (scanTopic != null && log.topic().isEmpty()) {
-            throw new InvalidSettings(Location.of(file), "This log has no topics, so --scan-topic selects nothing.", "");
+            throw new InvalidSettings(
+                    Location.of(file), "This log has no topics, so --scan-topic selects nothing.", "");
         }
         return log;
     }
@@ -231,7 +233,8 @@ final class LogOptions {
                                         topic.others().size() > MOST_TOPICS ? ", …" : "")));
     }
 
-    /// Tells people whose scans of a log were read and what was not used, and makes sure that they see when it is much.
+    /// Tells people whose scans of a log were read and what was not used, and makes sure that they see when it
+    /// is much.
     static void tellSkipped(PrintWriter err, String file, RobotLog log) {
         tellTopic(err, file, log);
         if (log.skipped().total() == 0) {

@@ -11,8 +11,9 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Optional;
 import java.util.Set;
 
-/// A folder for temporary files of one user, whom nobody else can impersonate: all may write beside it, so one that is
-/// a link, has another owner or is open to others is refused. There is none on Windows, where each user has a home.
+/// A folder for temporary files of one user, which nobody else can make in this user's place: all may write beside
+/// it, so one that is a link, has another owner or is open to others is refused. There is none on Windows, where
+/// each user has a home.
 final class PrivateFolder {
     private static final Set<PosixFilePermission> OWNERS = PosixFilePermissions.fromString("rwx------");
 

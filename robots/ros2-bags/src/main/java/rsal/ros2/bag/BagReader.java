@@ -36,7 +36,8 @@ import rsal.ros2.type.TypeLibrary;
 
 /// Reads the files of one bag: first where frames are on the robot, as what is said once may stand anywhere, then
 /// scans and odometry. Topics are found by their types; of several with scans, the one that was asked for, or the
-/// one with the most messages, is taken, and odometry and static frames are those of the same robot, by their namespaces. Times are those of the messages'
+/// one with the most messages, is taken, and odometry and static frames are those of the same robot, by their
+/// namespaces. Times are those of the messages'
 /// headers, not of their arrival.
 final class BagReader {
     private static final int MOST_TYPES = 8; // named in an error
@@ -127,9 +128,7 @@ final class BagReader {
 
     private static String some(List<String> topics) {
         String first = topics.stream().limit(MOST_TOPICS).collect(Collectors.joining(", "));
-        return topics.size() > MOST_TOPICS
-                ? "%s and %d more".formatted(first, topics.size() - MOST_TOPICS)
-                : first;
+        return topics.size() > MOST_TOPICS ? "%s and %d more".formatted(first, topics.size() - MOST_TOPICS) : first;
     }
 
     /// For people: what is in it instead of scans.
@@ -180,8 +179,7 @@ final class BagReader {
     /// That of the robot whose scans are read, as far as names tell.
     private Optional<String> odometry() {
         return topics(ODOMETRY)
-                .max(Comparator.<String>comparingInt(
-                                topic -> sharedLevels(topic, scans().orElse("")))
+                .max(Comparator.<String>comparingInt(topic -> sharedLevels(topic, scans().orElse("")))
                         .thenComparing(byMessages));
     }
 
