@@ -13,6 +13,9 @@ const inFolder = (folder) =>
     .sort((a, b) => Number(b === 'README.md') - Number(a === 'README.md') || a.localeCompare(b))
     .map((name) => `${folder}/${name}`);
 
+/** What GitHub shows of the folder `docs`; the site has its home instead. */
+export const START = 'docs/README.md';
+
 /** The parts with the paths of their pages. */
 export const resolved = parts.map((part) => ({
   ...part,
@@ -50,6 +53,7 @@ export function title(path) {
 export function forgotten() {
   return readdirSync(join(top, 'docs'), { recursive: true })
     .map((name) => `docs/${name.replaceAll('\\', '/')}`)
+    .filter((path) => path !== START)
     .filter((path) => path.endsWith('.md') && !leftOut.some((folder) => path.startsWith(`${folder}/`)))
     .filter((path) => !pages.has(path));
 }

@@ -5,7 +5,7 @@
  */
 import { cpSync, existsSync, mkdirSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, extname, join } from 'node:path';
-import { exists, forgotten, isFolder, pages, read, target, top } from './content.mjs';
+import { START, exists, forgotten, isFolder, pages, read, target, top } from './content.mjs';
 
 const out = join(top, 'docs/site/target/pages');
 const CODE = /(^```.*?^```$|`[^`\n]*`)/ms;
@@ -37,7 +37,7 @@ function linked(page, link) {
   const path = target(page, link);
   if (path === undefined) return link;
   const heading = link.includes('#') ? `#${link.split('#', 2)[1]}` : '';
-  if (path === 'README.md') return '/';
+  if (path === 'README.md' || path === START) return '/';
   if (pages.has(path)) return `/${pages.get(path)}${heading}`;
   if (!exists(path)) {
     dead.push(`${page}: ${link}`);

@@ -42,7 +42,18 @@ export default defineConfig({
   themeConfig: {
     logo: '/icon.svg',
     outline: [2, 3],
-    search: { provider: 'local' },
+    search: {
+      provider: 'local',
+      options: {
+        miniSearch: {
+          searchOptions: {
+            // Who searches for "ROS" wants the page about it, before headings elsewhere that have few other words.
+            boostDocument: (id, _term, stored) =>
+              /\/(how-to|tutorials)\//.test(id) && stored?.titles?.length === 0 ? 2 : 1,
+          },
+        },
+      },
+    },
     nav: [
       ...resolved.map((part) => ({
         text: part.title,

@@ -10,6 +10,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -60,7 +62,7 @@ import rsal.settings.Suggestion;
         name = "rsal",
         versionProvider = Build.class,
         mixinStandardHelpOptions = true,
-        description = "Runs teams of robots that agents decide for.",
+        description = "Runs teams of robots whose decisions agents make.",
         synopsisSubcommandLabel = "COMMAND",
         commandListHeading = "%nCommands:%n",
         footer = {
@@ -105,6 +107,10 @@ public final class Main implements Runnable {
             DocsCommand.class,
             DistCommand.class,
             HelpCommand.class);
+
+    private static final Pattern ONE_OF = Pattern.compile(
+            "Invalid value for option '([^']+)'.*: expected one of \\[(.*)] \\(case-(?:in)?sensitive\\) but was '(.*)'",
+            Pattern.DOTALL);
 
     @Spec
     @SuppressWarnings("NullAway.Init") // picocli fills it in
@@ -208,10 +214,18 @@ public final class Main implements Runnable {
         CommandLine command = mistake.getCommandLine();
         String message = mistake instanceof UnmatchedArgumentException unmatched
                 ? aboutUnmatched(command, unmatched.getUnmatched().getFirst())
-                : String.valueOf(mistake.getMessage());
+                : inOurWords(String.valueOf(mistake.getMessage()));
         command.getErr().println("rsal: " + message);
         command.getErr().println("Try '" + command.getCommandSpec().qualifiedName() + " --help'.");
         return Exit.USAGE;
+    }
+
+    /// What picocli says of an option that takes one of some words.
+    private static String inOurWords(String message) {
+        Matcher found = ONE_OF.matcher(message);
+        return found.matches()
+                ? "%s must be one of %s, not '%s'.".formatted(found.group(1), found.group(2), found.group(3))
+                : message;
     }
 
     private static String aboutUnmatched(CommandLine command, String word) {

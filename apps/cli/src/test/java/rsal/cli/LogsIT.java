@@ -54,8 +54,18 @@ class LogsIT {
         assertThat(rsal.run("logs", "run.log", "--robot", "hunter-1").out())
                 .contains("follow-1: ")
                 .doesNotContain("escape-1: ");
-        assertThat(rsal.run("logs", "run.log", "--level", "error").out()).isEmpty();
-        assertThat(rsal.run("logs", "run.log", "--run", "patrol").out()).isEmpty();
+        Ended errors = rsal.run("logs", "run.log", "--level", "error");
+        assertThat(errors.out()).isEmpty();
+        assertThat(errors.code()).isZero();
+        assertThat(errors.err()).contains("'run.log' has no entry of level 'error' or a more important one.");
+        assertThat(rsal.run("logs", "run.log", "--level", "warm").err())
+                .contains("--level must be one of debug, info, warn, error, not 'warm'.");
+        Ended other = rsal.run("logs", "run.log", "--run", "patrol");
+        assertThat(other.out()).isEmpty();
+        assertThat(other.code()).isEqualTo(3);
+        Ended mistyped = rsal.run("logs", "run.log", "--robot", "hunter-9");
+        assertThat(mistyped.code()).isEqualTo(3);
+        assertThat(mistyped.err()).contains("No entry has the robot 'hunter-9'.", "Maybe 'hunter-1' or 'hunter-2'");
     }
 
     @Test

@@ -32,6 +32,24 @@ public final class InvalidSettings extends RuntimeException {
         this(List.of(new Problem(location, message, remedy)));
     }
 
+    /// The same mistakes in files beside another one, with paths as a person knows that one: `lab/Hunter.java`.
+    ///
+    /// @param named where the files are named, by their paths from the folder of that file
+    public InvalidSettings beside(Location named) {
+        String folder = named.file()
+                .substring(
+                        0, Math.max(named.file().lastIndexOf('/'), named.file().lastIndexOf('\\')) + 1);
+        return folder.isEmpty()
+                ? this
+                : new InvalidSettings(
+                        problems.stream()
+                                .map(problem -> problem.in(folder, named))
+                                .toList(),
+                        warnings.stream()
+                                .map(problem -> problem.in(folder, named))
+                                .toList());
+    }
+
     /// The mistakes, file by file, each from top to bottom.
     public List<Problem> problems() {
         return problems;

@@ -30,6 +30,15 @@ public final class OwnCode {
         return culprit(failure).isPresent();
     }
 
+    /// A place in a program, for people: `Hunter.java:110 in Hunt.hunt`.
+    public static String place(StackTraceElement frame) {
+        String type = frame.getClassName().replaceFirst(".*[.$]", "");
+        String method = "%s.%s".formatted(type, frame.getMethodName());
+        return frame.getFileName() == null || frame.getLineNumber() < 0
+                ? method
+                : "%s:%d in %s".formatted(frame.getFileName(), frame.getLineNumber(), method);
+    }
+
     /// The deepest cause on whose way there is code of users.
     private static Optional<Throwable> culprit(Throwable failure) {
         return Stream.iterate(failure, Objects::nonNull, Throwable::getCause)

@@ -24,6 +24,14 @@ public record Problem(Location location, String message, String remedy) {
                 .toList();
     }
 
+    /// In a file of a folder, unless it is in the one that names it, or its path is whole.
+    Problem in(String folder, Location named) {
+        String file = location.file();
+        return file.equals(named.file()) || file.startsWith("/") || file.startsWith(folder)
+                ? this
+                : new Problem(new Location(folder + file, location.line(), location.column()), message, remedy);
+    }
+
     /// For people: what a file has of control characters is written out, as terminals would obey it.
     @Override
     public String toString() {

@@ -33,4 +33,12 @@ class OwnCodeTest {
         assertThat(OwnCode.words(thrown(new NullPointerException()))).isEqualTo("NullPointerException");
         assertThat(OwnCode.hasFailed(failure)).isFalse();
     }
+
+    @Test
+    void aPlaceHasTheFileFirst() {
+        assertThat(OwnCode.place(new StackTraceElement("Hunter$Hunt", "hunt", "Hunter.java", 110)))
+                .isEqualTo("Hunter.java:110 in Hunt.hunt");
+        assertThat(OwnCode.place(new StackTraceElement("lab.Hunter", "hunt", null, -1)))
+                .isEqualTo("Hunter.hunt");
+    }
 }

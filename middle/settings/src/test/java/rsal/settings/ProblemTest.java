@@ -31,4 +31,17 @@ class ProblemTest {
                 Warning: a.yaml:2:9: a
                 Warning: a.yaml:7:3: c""");
     }
+
+    @Test
+    void filesBesideAnotherHaveItsFolder() {
+        var mistakes = new InvalidSettings(List.of(
+                new Problem(new Location("Hunter.java", 5, 1), "It is wrong.", ""),
+                new Problem(new Location("lab/lab.yaml", 3, 1), "It is wrong.", ""),
+                new Problem(Location.of("/rsal/Hunter.java"), "It is wrong.", "")));
+
+        assertThat(mistakes.beside(new Location("lab/lab.yaml", 3, 9)).problems())
+                .extracting(problem -> problem.location().toString())
+                .containsExactly("lab/Hunter.java:5:1", "lab/lab.yaml:3:1", "/rsal/Hunter.java");
+        assertThat(mistakes.beside(Location.of("lab.yaml"))).isSameAs(mistakes);
+    }
 }

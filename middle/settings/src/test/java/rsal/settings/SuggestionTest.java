@@ -45,4 +45,10 @@ class SuggestionTest {
                 .startsWith("Known are: robot-000, robot-001")
                 .endsWith("robot-039, and 960 more.");
     }
+
+    @Test
+    void allThatAreEquallyNearAreNamed() {
+        assertThat(Suggestion.among("--sed", List.of("--seed", "--set", "--speed")))
+                .isEqualTo("Maybe '--seed' or '--set' was meant?");
+    }
 }

@@ -10,6 +10,7 @@ import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
 import rsal.agent.platform.AgentTurns;
 import rsal.engine.report.RunBroken;
+import rsal.settings.OwnCode;
 
 /// Looks once a second, on a thread of its own, whether the agents of a run return.
 final class AgentWatch {
@@ -55,7 +56,7 @@ final class AgentWatch {
 
     private RunBroken broken(String agent) {
         return new RunBroken(
-                "Agent '%s' has not returned for %d s; it is in %s. Nothing in an agent may block: maybe use its scheduler, or a CompletionStage."
+                "Agent '%s' has not returned for %d s; it is at %s. Nothing in an agent may block: maybe use its scheduler, or a CompletionStage."
                         .formatted(agent, patience, place(turns.thread(agent))));
     }
 
@@ -70,7 +71,7 @@ final class AgentWatch {
                 .flatMap(Arrays::stream)
                 .filter(frame -> !frame.getClassName().matches("(java|javax|jdk|sun)\\..*"))
                 .findFirst()
-                .map(StackTraceElement::toString)
+                .map(OwnCode::place)
                 .orElse("nothing");
     }
 }

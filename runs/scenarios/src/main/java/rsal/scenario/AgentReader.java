@@ -189,7 +189,7 @@ final class AgentReader {
         try {
             return Optional.of(language.get().read(file, files, at));
         } catch (InvalidSettings e) {
-            problems.addAll(e);
+            problems.addAll(e.beside(at));
             return Optional.empty();
         }
     }

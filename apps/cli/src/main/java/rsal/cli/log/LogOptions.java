@@ -29,6 +29,7 @@ import rsal.settings.Location;
 /// What commands that follow recorded logs have in common.
 final class LogOptions {
     private static final double MANY = 0.1; // share of scans skipped that nobody should miss
+    private static final int MOST_TOPICS = 8; // named
     private static final double TOO_MANY = 0.5; // the same, that leaves too little to go by
 
     /// Which logs commands read, for their help.
@@ -71,6 +72,13 @@ final class LogOptions {
             names = "--upside-down",
             description = "The laser was mounted upside down, or its readings are clockwise for another reason.")
     private boolean upsideDown;
+
+    @Option(
+            names = "--scan-topic",
+            paramLabel = "NAME",
+            description =
+                    "The topic of the laser's scans, for bags with several. Default: the one with the most scans.")
+    private @Nullable String scanTopic;
 
     boolean hasNoise() {
         return odometryNoise != null;
@@ -117,7 +125,18 @@ final class LogOptions {
 
     /// @throws InvalidSettings when it can't be read, or most of its scans can't be used
     RobotLog read(String file) {
-        return read(file, new LaserHints(Math.toRadians(fieldOfView), LaserHints.DEFAULT.rangeMax(), upsideDown));
+        RobotLog log = read(
+                file,
+                new LaserHints(
+                        Math.toRadians(fieldOfView),
+                        LaserHints.DEFAULT.rangeMax(),
+                        upsideDown,
+                        Optional.ofNullable(scanTopic)));
+        if (scanTopic != null && log.topic().isEmpty()) {
+            throw new InvalidSettings(
+                    Location.of(file), "This log has no topics, so --scan-topic selects nothing.", "");
+        }
+        return log;
     }
 
     /// @throws InvalidSettings as above
@@ -196,8 +215,28 @@ final class LogOptions {
         }
     }
 
-    /// Tells people what of a log was not used, and makes sure that they see when it is much.
+    /// Tells people whose scans of a bag were read.
+    private static void tellTopic(PrintWriter err, String file, RobotLog log) {
+        log.topic()
+                .filter(topic -> !topic.others().isEmpty())
+                .ifPresent(topic -> err.println(
+                        "Scans of '%s' are those of '%s'. %d other topics have scans: %s%s. 'rsal map' and 'rsal localize' select one by --scan-topic."
+                                .formatted(
+                                        file,
+                                        topic.name(),
+                                        topic.others().size(),
+                                        String.join(
+                                                ", ",
+                                                topic.others().stream()
+                                                        .limit(MOST_TOPICS)
+                                                        .toList()),
+                                        topic.others().size() > MOST_TOPICS ? ", …" : "")));
+    }
+
+    /// Tells people whose scans of a log were read and what was not used, and makes sure that they see when it
+    /// is much.
     static void tellSkipped(PrintWriter err, String file, RobotLog log) {
+        tellTopic(err, file, log);
         if (log.skipped().total() == 0) {
             return;
         }

@@ -32,13 +32,13 @@ record ChosenPage(int port, Optional<String> note) {
         String ports = ours.stream().map(String::valueOf).collect(Collectors.joining(", "));
         if (!ours.contains(PageRuns.DEFAULT_PORT)) {
             throw new IllegalArgumentException(
-                    "You have several runs with a page, at the ports %s. Say which: --port %d."
+                    "There are several runs with a page on this machine, at the ports %s. Say which: --port %d."
                             .formatted(ports, ours.getFirst()));
         }
         return new ChosenPage(
                 PageRuns.DEFAULT_PORT,
                 Optional.of(
-                        "You have several runs with a page, at the ports %s. This is for the run at %d; --port chooses."
+                        "There are several runs with a page on this machine, at the ports %s. This is for the run at %d; --port chooses."
                                 .formatted(ports, PageRuns.DEFAULT_PORT)));
     }
 

@@ -10,7 +10,11 @@ import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.time.format.DateTimeParseException;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Optional;
+import java.util.SortedSet;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -23,6 +27,7 @@ import rsal.cli.terminal.LogLevels;
 import rsal.cli.terminal.Subcommand;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
+import rsal.settings.Suggestion;
 import rsal.time.AllowedToReadWallClock;
 import tools.jackson.core.JacksonException;
 import tools.jackson.databind.JsonNode;
@@ -39,6 +44,7 @@ public final class LogsCommand extends Subcommand {
     private static final DateTimeFormatter TIME =
             DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm:ss.SSS").withZone(ZoneId.systemDefault());
     private static final long PERIOD_MILLIS = 200;
+    private static final int MOST_NAMES = 10_000; // that are kept to suggest one
 
     @Parameters(paramLabel = "FILE", description = "The log.")
     private String file = "";
@@ -72,6 +78,9 @@ public final class LogsCommand extends Subcommand {
     @Option(names = "--agent", paramLabel = "NAME", description = "Only entries about this agent.")
     private @Nullable String agent;
 
+    private final Map<String, SortedSet<String>> known = new LinkedHashMap<>(); // names in the log, by filter
+    private boolean hasFound;
+
     @Override
     protected int run() throws IOException, InterruptedException {
         Path path = Destination.path(file);
@@ -89,7 +98,47 @@ public final class LogsCommand extends Subcommand {
                 Thread.sleep(PERIOD_MILLIS);
             }
         } while (follow);
+        if (!hasFound) {
+            tellNothing();
+        }
         return Exit.SUCCESS;
+    }
+
+    /// An empty answer looks like a run without events: a name may be mistyped.
+    ///
+    /// @throws InvalidSettings when the log has nothing of a name that was asked for
+    private void tellNothing() {
+        filters().forEach((key, wanted) -> {
+            SortedSet<String> names = known.getOrDefault(key, new TreeSet<>());
+            boolean isThere =
+                    key.equals("run") ? names.stream().anyMatch(name -> name.contains(wanted)) : names.contains(wanted);
+            if (!isThere) {
+                throw new InvalidSettings(
+                        Location.of(file),
+                        "No entry has the %s '%s'.".formatted(key, wanted),
+                        names.isEmpty() ? "No entry names a %s.".formatted(key) : Suggestion.among(wanted, names));
+            }
+        });
+        err().println((level == LogLevels.Level.debug
+                        ? "'%s' has no entry%s."
+                        : "'%s' has no entry%s of level '%s' or a more important one.")
+                .formatted(file, filters().isEmpty() ? "" : " that passes these filters", level));
+    }
+
+    /// What was asked for, by key of entries.
+    private Map<String, String> filters() {
+        var filters = new LinkedHashMap<String, String>();
+        put(filters, "part", part);
+        put(filters, "run", run);
+        put(filters, "robot", robot);
+        put(filters, "agent", agent);
+        return filters;
+    }
+
+    private static void put(Map<String, String> filters, String key, @Nullable String wanted) {
+        if (wanted != null) {
+            filters.put(key, wanted);
+        }
     }
 
     /// Tells what is behind a place, up to the last whole line.
@@ -125,8 +174,19 @@ public final class LogsCommand extends Subcommand {
         } catch (JacksonException e) {
             return; // not of ours, or cut where the machine lost power
         }
+        if (!hasFound) {
+            filters().keySet().forEach(key -> learn(key, word(entry, key)));
+        }
         if (isWanted(entry)) {
+            hasFound = true;
             out().println(json ? line : text(entry));
+        }
+    }
+
+    private void learn(String key, String name) {
+        SortedSet<String> names = known.computeIfAbsent(key, _ -> new TreeSet<>());
+        if (!name.isEmpty() && names.size() < MOST_NAMES) {
+            names.add(name);
         }
     }
 
@@ -143,7 +203,7 @@ public final class LogsCommand extends Subcommand {
                 && (agent == null || word(entry, "agent").equals(agent));
     }
 
-    /// `2026-11-29 15:10:00.123  WARN   patrol:virtual#42    12.3 s  courier-1: ran into wall`.
+    /// `2026-11-29 15:10:00.123  WARN   patrol:virtual#42    12.3 s  guard-1: ran into wall`.
     private static String text(JsonNode entry) {
         String about = Stream.of("agent", "robot")
                 .map(key -> word(entry, key))

@@ -5,6 +5,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -78,7 +79,7 @@ final class NetworkChoices {
                     line, "--listen needs --certificate FILE.pem and --key FILE.pem. 'rsal certificate' makes them.");
         }
         return Optional.of(
-                new Listening(address(line, listen), PemFiles.identity(certificate, key), tokens(), origins(line)));
+                new Listening(address(line, listen), PemFiles.identity(certificate, key), tokens(line), origins(line)));
     }
 
     private static InetSocketAddress address(CommandLine line, String typed) {
@@ -115,14 +116,23 @@ final class NetworkChoices {
         return origins;
     }
 
-    private Map<String, Role> tokens() {
+    private Map<String, Role> tokens(CommandLine line) {
         Path file = tokens != null
                 ? tokens
                 : Optional.ofNullable(System.getenv("RSAL_TOKEN_FILE"))
                         .filter(name -> !name.isEmpty())
                         .map(Destination::path)
                         .orElse(null);
-        return file == null ? Map.of() : read(file);
+        if (file == null) {
+            return Map.of();
+        }
+        Map<String, Role> read = read(file);
+        if (SecretFile.isReadByOthers(file)) {
+            line.getErr()
+                    .println("rsal: Others on this machine can read the tokens in '%1$s': chmod 600 %1$s"
+                            .formatted(file));
+        }
+        return read;
     }
 
     /// Lines of a role and a token. Empty ones, and those that begin with `#`, say nothing.
@@ -131,6 +141,8 @@ final class NetworkChoices {
         List<String> lines;
         try {
             lines = Files.readAllLines(file);
+        } catch (NoSuchFileException _) {
+            throw new InvalidSettings(Location.of(file.toString()), "There is no file '%s'.".formatted(file), "");
         } catch (IOException e) {
             throw new InvalidSettings(Location.of(file.toString()), "This file can't be read: %s.".formatted(e), "");
         }

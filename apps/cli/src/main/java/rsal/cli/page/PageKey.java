@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -25,22 +26,49 @@ record PageKey(int port, String token) {
                 .orElseGet(() -> Path.of(System.getProperty("user.home"), ".cache", "rsal"));
     }
 
-    private static Path file(int port) {
-        return folder().resolve("page-%d.token".formatted(port));
+    /// Those that are there: users of services and containers may have no home, and then a private temporary folder.
+    private static Stream<Path> folders() {
+        return Stream.<Supplier<Optional<Path>>>of(() -> Optional.of(folder()), PrivateFolder::existing)
+                .flatMap(folder -> folder.get().stream());
+    }
+
+    private static String name(int port) {
+        return "page-%d.token".formatted(port);
     }
 
     /// Keeps it until this program ends, however it does but by `kill -9`.
+    ///
+    /// @throws IOException if there is no folder that can be written
     void keep() throws IOException {
-        Path file = file(port);
-        Files.createDirectories(file.getParent());
+        try {
+            keep(Files.createDirectories(folder()));
+        } catch (IOException e) {
+            try {
+                keep(PrivateFolder.make());
+            } catch (IOException second) {
+                second.addSuppressed(e);
+                throw second;
+            }
+        }
+    }
+
+    private void keep(Path folder) throws IOException {
+        Path file = folder.resolve(name(port));
         SecretFile.write(file, token.getBytes(StandardCharsets.UTF_8));
         file.toFile().deleteOnExit();
     }
 
     /// That of a page; empty when there is none of this person's.
     static Optional<PageKey> of(int port) {
+        return folders()
+                .flatMap(folder -> token(folder.resolve(name(port))).stream())
+                .findFirst()
+                .map(token -> new PageKey(port, token));
+    }
+
+    private static Optional<String> token(Path file) {
         try {
-            return Optional.of(new PageKey(port, Files.readString(file(port)).strip()));
+            return Optional.of(Files.readString(file).strip());
         } catch (IOException e) {
             return Optional.empty(); // nobody is there, or somebody else
         }
@@ -48,17 +76,22 @@ record PageKey(int port, String token) {
 
     /// Ports of this person's pages, the least first.
     static List<Integer> ports() {
-        if (!Files.isDirectory(folder())) {
-            return List.of();
+        return folders().flatMap(PageKey::ports).distinct().sorted().toList();
+    }
+
+    private static Stream<Integer> ports(Path folder) {
+        if (!Files.isDirectory(folder)) {
+            return Stream.of();
         }
-        try (Stream<Path> files = Files.list(folder())) {
-            return files.map(file -> NAME.matcher(file.getFileName().toString()))
+        try (Stream<Path> files = Files.list(folder)) {
+            return files
+                    .map(file -> NAME.matcher(file.getFileName().toString()))
                     .filter(Matcher::matches)
                     .map(name -> Integer.parseInt(name.group(1)))
-                    .sorted()
-                    .toList();
+                    .toList()
+                    .stream();
         } catch (IOException | UncheckedIOException e) {
-            return List.of();
+            return Stream.of();
         }
     }
 }

@@ -165,7 +165,9 @@ public final class PageRuns {
         try {
             new PageKey(server.url().getPort(), server.token()).keep();
         } catch (IOException e) {
-            err.println("Commands like 'rsal estop' can't reach this run: " + e);
+            err.println(
+                    "Commands like 'rsal estop' can't reach this run: neither '%s' nor a temporary folder can be written (%s). Maybe set XDG_RUNTIME_DIR to a private folder."
+                            .formatted(PageKey.folder(), e.getMessage()));
         }
     }
 

@@ -4,6 +4,7 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.security.GeneralSecurityException;
 import java.security.KeyFactory;
@@ -104,6 +105,11 @@ final class PemFiles {
     private static String text(Path file) {
         try {
             return Files.readString(file, StandardCharsets.ISO_8859_1);
+        } catch (NoSuchFileException _) {
+            throw new InvalidSettings(
+                    Location.of(file.toString()),
+                    "There is no file '%s'.".formatted(file),
+                    "'rsal certificate' makes a certificate and its key.");
         } catch (IOException e) {
             throw new InvalidSettings(Location.of(file.toString()), "This file can't be read: %s.".formatted(e), "");
         }

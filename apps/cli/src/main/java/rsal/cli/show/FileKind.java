@@ -1,5 +1,8 @@
 package rsal.cli.show;
 
+import java.io.File;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -24,11 +27,15 @@ enum FileKind {
     AGENT("an agent's program", "'rsal show %1$s' shows what is in it. In a scenario: agents: {NAME: {type: %2$s}}."),
     PLUGIN("a metric or a plugin", "'rsal show %1$s' shows what it is, and how a scenario names it."),
     RECORDING("a recording", "'rsal replay %1$s' plays it, 'rsal show %1$s' shows what is in it."),
-    LOG("a log of a robot", "'rsal map %1$s' draws a map of it, 'rsal localize %1$s' localizes the robot."),
+    LOG("a log of a robot", Remedies.OF_LOGS),
+    BAG("a bag of ROS 2", Remedies.OF_LOGS),
     IMAGE(
             "an image",
             "A map is a YAML file that names an image, its resolution and its origin, as ROS's map_server has it.");
 
+    private static final String METADATA = "metadata.yaml";
+    private static final String OF_BAGS = "rosbag2_bagfile_information";
+    private static final int MOST_METADATA = 1_000_000; // bytes
     private static final Set<String> IMAGES =
             Set.of(".png", ".pgm", ".ppm", ".pbm", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff");
     private static final List<String> OF_SCENARIOS = List.of("scenario", "agents", "configurations", "run", "metrics");
@@ -50,6 +57,12 @@ enum FileKind {
         return words;
     }
 
+    /// What constants can't refer to in their own class.
+    private static final class Remedies {
+        static final String OF_LOGS =
+                "'rsal map %1$s --out DIR' makes a map of it, 'rsal localize %1$s --map MAP.yaml' localizes the robot, 'rsal convert %1$s OUT' converts it.";
+    }
+
     /// @param name as typed
     /// @return empty for scenarios and worlds, and for what can't be told
     static Optional<FileKind> of(String name) {
@@ -65,10 +78,27 @@ enum FileKind {
         if (RobotModels.builtInParts().contains(name)) {
             return Optional.of(PART);
         }
+        if (isBag(name)) {
+            return Optional.of(BAG);
+        }
         if (OwnPlugin.is(name)) {
             return Optional.of(PLUGIN);
         }
         return name.endsWith(".yaml") || name.endsWith(".yml") ? written(name) : named(name.toLowerCase(Locale.ROOT));
+    }
+
+    private static boolean isBag(String name) {
+        if (name.endsWith(".db3")) {
+            return true;
+        }
+        try {
+            return new File(name, METADATA).isFile()
+                    && FileSource.folder(Path.of(name))
+                            .text(METADATA, MOST_METADATA, Location.of(name))
+                            .contains(OF_BAGS);
+        } catch (InvalidSettings | InvalidPathException _) {
+            return false; // too large for one, or not readable
+        }
     }
 
     private static Optional<FileKind> named(String name) {

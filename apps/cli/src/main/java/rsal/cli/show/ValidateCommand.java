@@ -112,7 +112,7 @@ public final class ValidateCommand extends Subcommand {
             case AGENT -> ShownAgent.of(file);
             case PLUGIN -> what = OwnPlugin.of(file).map(InstalledKind::title).orElse(what);
             case RECORDING -> RecordingFile.open(file, true).close();
-            case LOG, IMAGE, WORLD -> throw kind.refusal(file);
+            case LOG, BAG, IMAGE, WORLD -> throw kind.refusal(file);
         }
         tell("%s: valid, %s".formatted(file, what));
         warnings.forEach(warning -> tell(Mistake.note(warning)));

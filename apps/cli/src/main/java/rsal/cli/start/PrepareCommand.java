@@ -1,6 +1,7 @@
 package rsal.cli.start;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.Map;
 import picocli.CommandLine.Command;
 import rsal.cli.terminal.Exit;
@@ -16,11 +17,7 @@ import rsal.cli.terminal.Unreachable;
 public final class PrepareCommand extends Subcommand {
     @Override
     protected int run() throws InterruptedException {
-        StartCache cache = StartCache.ofThisProcess()
-                .orElseThrow(
-                        () -> new Unreachable(
-                                "There is no folder for the cache: neither 'cache' beside 'rsal' nor your"
-                                        + " cache folder can be written, or this is no unpacked release. RSAL_CACHE=FOLDER names another one."));
+        StartCache cache = StartCache.ofThisProcess().orElseThrow(() -> new Unreachable(whyNone()));
         try {
             if (!cache.make()) {
                 throw new Unreachable("The cache '%s' was not made: another process makes it, or Java can't."
@@ -36,5 +33,19 @@ public final class PrepareCommand extends Subcommand {
             out().flush();
         }
         return Exit.SUCCESS;
+    }
+
+    /// Why the script of a release has named no cache.
+    private static String whyNone() {
+        String docs = System.getProperty("rsal.docs"); // only the script of a release names them
+        if (docs == null) {
+            return "This is no unpacked release: a clone makes its cache when it builds.";
+        }
+        String chosen = System.getenv("RSAL_CACHE");
+        if ("off".equals(chosen)) {
+            return "There is no cache, since RSAL_CACHE is 'off'.";
+        }
+        return "Neither '%s' nor your cache folder can be written. RSAL_CACHE=FOLDER names another folder."
+                .formatted(chosen == null || chosen.isEmpty() ? Path.of(docs).resolveSibling("cache") : chosen);
     }
 }

@@ -6,11 +6,14 @@ import ch.qos.logback.classic.encoder.PatternLayoutEncoder;
 import ch.qos.logback.classic.filter.ThresholdFilter;
 import ch.qos.logback.classic.spi.Configurator;
 import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.classic.spi.ThrowableProxy;
 import ch.qos.logback.core.ConsoleAppender;
+import ch.qos.logback.core.filter.Filter;
 import ch.qos.logback.core.rolling.FixedWindowRollingPolicy;
 import ch.qos.logback.core.rolling.RollingFileAppender;
 import ch.qos.logback.core.rolling.SizeBasedTriggeringPolicy;
 import ch.qos.logback.core.spi.ContextAwareBase;
+import ch.qos.logback.core.spi.FilterReply;
 import ch.qos.logback.core.util.FileSize;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -18,6 +21,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import rsal.settings.OwnCode;
 
 /// Sends logs to stderr, warnings and worse. In Java rather than XML, which would take longer to read than the rest
 /// of a start.
@@ -31,6 +35,18 @@ public final class Logging extends ContextAwareBase implements Configurator {
     /// What of a log goes to stderr.
     private static final ThresholdFilter FOR_PEOPLE = new ThresholdFilter();
 
+    /// Leaves out that code of users failed, with a stack: an event of the run and its result say it in a line.
+    private static final Filter<ILoggingEvent> WITHOUT_OWN_CODE = new Filter<>() {
+        @Override
+        public FilterReply decide(ILoggingEvent event) {
+            return isStarted()
+                            && event.getThrowableProxy() instanceof ThrowableProxy proxy
+                            && OwnCode.hasFailed(proxy.getThrowable())
+                    ? FilterReply.DENY
+                    : FilterReply.NEUTRAL;
+        }
+    };
+
     @Override
     public ExecutionStatus configure(LoggerContext context) {
         var encoder = new PatternLayoutEncoder();
@@ -43,6 +59,8 @@ public final class Logging extends ContextAwareBase implements Configurator {
         STDERR.addFilter(FOR_PEOPLE);
         FOR_PEOPLE.setLevel(Level.WARN.toString());
         FOR_PEOPLE.start();
+        STDERR.addFilter(WITHOUT_OWN_CODE);
+        WITHOUT_OWN_CODE.start();
         STDERR.start();
         var root = context.getLogger(Logger.ROOT_LOGGER_NAME);
         root.setLevel(Level.WARN);
@@ -58,6 +76,7 @@ public final class Logging extends ContextAwareBase implements Configurator {
     /// Tells everything our own code has to say from now on.
     static void tellMore() {
         FOR_PEOPLE.setLevel(Level.DEBUG.toString());
+        WITHOUT_OWN_CODE.stop();
         context().getLogger(OURS).setLevel(Level.DEBUG);
     }
 

@@ -93,7 +93,12 @@ public final class Progress {
         if (now.paused()) {
             return String.format(Locale.ROOT, "%8.1f s  paused", seconds(now.time()));
         }
-        return String.format(Locale.ROOT, "%8.1f s  %.3g × real time", seconds(now.time()), now.rate());
+        return String.format(Locale.ROOT, "%8.1f s  running at %s × real time", seconds(now.time()), rate(now.rate()));
+    }
+
+    /// In two or three digits: `0.94`, `33.8`, `1,250`.
+    private static String rate(double rate) {
+        return String.format(Locale.ROOT, rate < 1 ? "%.2g" : rate < 100 ? "%.3g" : "%,.0f", rate);
     }
 
     /// Whether people want to know without a page.

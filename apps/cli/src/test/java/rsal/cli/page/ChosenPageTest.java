@@ -24,6 +24,7 @@ class ChosenPageTest {
     @Test
     void ofSeveralAtOtherPortsOneMustBeChosen() {
         assertThatThrownBy(() -> ChosenPage.among(List.of(40000, 40321)))
-                .hasMessage("You have several runs with a page, at the ports 40000, 40321. Say which: --port 40000.");
+                .hasMessage(
+                        "There are several runs with a page on this machine, at the ports 40000, 40321. Say which: --port 40000.");
     }
 }

@@ -62,6 +62,8 @@ class FileKindTest {
         write("hall.yaml", "{rsal: 1, title: Hall, walls: [{radius: 0.4, center: [3, 2]}]}");
         write("guard.asl", "!guard.\n+!guard <- .print(here).\n");
         write("plan.png", "");
+        Files.createDirectory(folder.resolve("office_bag"));
+        write("office_bag/metadata.yaml", "rosbag2_bagfile_information:\n  version: 9\n");
         write("drive.log.gz", "");
     }
 
@@ -84,7 +86,8 @@ class FileKindTest {
             guard.asl    | This is an agent's program, not a scenario. | {type: guard.asl}
             run.mcap     | This is a recording, not a scenario. | plays it
             plan.png     | This is an image, not a scenario. | A map is a YAML file
-            drive.log.gz | This is a log of a robot, not a scenario. | draws a map of it
+            drive.log.gz | This is a log of a robot, not a scenario. | makes a map of it
+            office_bag   | This is a bag of ROS 2, not a scenario. | --map MAP.yaml' localizes the robot
             """)
     void whereAScenarioIsAskedForOtherFilesAreCalledWhatTheyAre(String name, String message, String remedy) {
         String file = file(name);

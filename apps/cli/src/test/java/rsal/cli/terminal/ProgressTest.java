@@ -32,7 +32,7 @@ class ProgressTest {
     @Test
     void aRunThatStandsStillIsCalledPaused() {
         assertThat(Progress.line(at(true))).isEqualTo("    12.3 s  paused");
-        assertThat(Progress.line(at(false))).isEqualTo("    12.3 s  1.50 × real time");
+        assertThat(Progress.line(at(false))).isEqualTo("    12.3 s  running at 1.50 × real time");
     }
 
     private static Snapshot at(boolean paused) {

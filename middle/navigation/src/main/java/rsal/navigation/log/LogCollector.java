@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import rsal.navigation.log.LogEntry.Motion;
 import rsal.navigation.log.LogEntry.Scan;
@@ -24,6 +25,7 @@ public final class LogCollector {
     private int otherKinds;
     private long ranges;
     private OptionalDouble degrees = OptionalDouble.empty();
+    private Optional<RobotLog.ScanTopic> topic = Optional.empty();
 
     /// @param file its name, for messages
     /// @param hints whether the laser is upside down, and from where on ranges hit nothing
@@ -94,6 +96,13 @@ public final class LogCollector {
         degrees = OptionalDouble.of(most);
     }
 
+    /// Says which topic the scans are of, in a log that has topics.
+    ///
+    /// @param others topics of scans that are not read
+    public void scansAreOf(String topic, List<String> others) {
+        this.topic = Optional.of(new RobotLog.ScanTopic(topic, others));
+    }
+
     /// What was collected.
     public RobotLog log() {
         return RobotLog.of(
@@ -102,6 +111,7 @@ public final class LogCollector {
                 parameters,
                 new Skipped(skipped, skippedScans, firstSkipped, otherKinds),
                 hints.rangeMax(),
-                degrees);
+                degrees,
+                topic);
     }
 }

@@ -22,6 +22,7 @@ import rsal.navigation.log.LogEntry.Scan;
 /// were taken for poses of the robot that somebody has corrected, and the laser for mounted in its middle
 /// @param degrees the largest heading of odometry when headings are degrees, by how they change; they were read as
 /// radians, as CARMEN writes them
+/// @param topic that the scans are of; empty for logs without topics
 public record RobotLog(
         List<Scan> scans,
         List<Motion> motions,
@@ -29,7 +30,8 @@ public record RobotLog(
         Skipped skipped,
         double rangeMax,
         Optional<Wandering> wandering,
-        OptionalDouble degrees) {
+        OptionalDouble degrees,
+        Optional<ScanTopic> topic) {
     /// 400 MB of ranges; the longest public logs have a tenth of this.
     public static final int MOST_READINGS = 100_000_000;
 
@@ -48,6 +50,15 @@ public record RobotLog(
     /// @param radians the same
     public record Wandering(double meters, double radians) {}
 
+    /// Where the scans of a log with topics come from.
+    ///
+    /// @param others topics with scans that were not read, in the order of their names
+    public record ScanTopic(String name, List<String> others) {
+        public ScanTopic {
+            others = List.copyOf(others);
+        }
+    }
+
     public RobotLog {
         scans = List.copyOf(scans);
         motions = List.copyOf(motions);
@@ -62,14 +73,15 @@ public record RobotLog(
             List<LogEntry.Parameter> parameters,
             Skipped skipped,
             double rangeMax,
-            OptionalDouble degrees) {
+            OptionalDouble degrees,
+            Optional<ScanTopic> topic) {
         double longest = Math.min(rangeMax, longest(read));
         Optional<Wandering> wandering = wandering(read);
         List<Scan> scans = read.stream()
                 .map(scan -> longest < rangeMax ? limited(scan, longest) : scan)
                 .map(scan -> wandering.isPresent() ? inTheMiddle(scan) : scan)
                 .toList();
-        return new RobotLog(scans, motions, parameters, skipped, longest, wandering, degrees);
+        return new RobotLog(scans, motions, parameters, skipped, longest, wandering, degrees, topic);
     }
 
     /// The time of all of its scans, when it is one and the same of many, so that it tells nothing.

@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -65,7 +66,7 @@ class CarmenReaderTest {
                 FLASER 4 1 2 3 4 0 0 0 0 0 0 1 h 0
                 ROBOTLASER1 0 -0.5 2 1 20 0.01 0 3 1 2 3 0 0 0 0 0 0 0 0 0 0.3 0.3 0.5 2 h 0
                 """;
-        read(bytes(log), new LaserHints(Math.PI, 50, true));
+        read(bytes(log), new LaserHints(Math.PI, 50, true, Optional.empty()));
 
         var plain = scans().getFirst().scan();
         assertThat(plain.ranges()).containsExactly(4, 3, 2, 1);

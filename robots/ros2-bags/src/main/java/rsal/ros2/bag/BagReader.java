@@ -35,11 +35,13 @@ import rsal.ros2.type.RosType;
 import rsal.ros2.type.TypeLibrary;
 
 /// Reads the files of one bag: first where frames are on the robot, as what is said once may stand anywhere, then
-/// scans and odometry. Topics are found by their types; of several with scans, the one with the most messages is taken,
-/// and odometry and static frames are those of the same robot, by their namespaces. Times are those of the messages'
+/// scans and odometry. Topics are found by their types; of several with scans, the one that was asked for, or the
+/// one with the most messages, is taken, and odometry and static frames are those of the same robot, by their
+/// namespaces. Times are those of the messages'
 /// headers, not of their arrival.
 final class BagReader {
     private static final int MOST_TYPES = 8; // named in an error
+    private static final int MOST_TOPICS = 20; // the same
     private static final String SCAN = "sensor_msgs/msg/LaserScan";
     private static final String ODOMETRY = "nav_msgs/msg/Odometry";
     private static final String TRANSFORMS = "tf2_msgs/msg/TFMessage";
@@ -92,9 +94,7 @@ final class BagReader {
     ///
     /// @throws BrokenLog when there are no scans
     void readScans(BagFile bag) throws IOException {
-        String scans = most(SCAN)
-                .orElseThrow(() -> new BrokenLog(
-                        name, 0, "There are no scans in it, of the type '%s'. %s".formatted(SCAN, words())));
+        String scans = scans().orElseThrow(() -> new BrokenLog(name, 0, withoutScans()));
         Optional<String> odometry = odometry();
         bag.read(
                 topic -> topic.name().equals(scans)
@@ -118,6 +118,19 @@ final class BagReader {
         bag.damage().forEach(damage -> log.skip(number, "damaged", damage, false));
     }
 
+    private String withoutScans() {
+        List<String> topics = topics(SCAN).sorted().toList();
+        return topics.isEmpty()
+                ? "There are no scans in it, of the type '%s'. %s".formatted(SCAN, words())
+                : "It has no scans of topic '%s'. Topics of scans are: %s."
+                        .formatted(hints.topic().orElse(""), some(topics));
+    }
+
+    private static String some(List<String> topics) {
+        String first = topics.stream().limit(MOST_TOPICS).collect(Collectors.joining(", "));
+        return topics.size() > MOST_TOPICS ? "%s and %d more".formatted(first, topics.size() - MOST_TOPICS) : first;
+    }
+
     /// For people: what is in it instead of scans.
     private String words() {
         if (types.values().stream().anyMatch(type -> type.startsWith("rsal."))) {
@@ -130,7 +143,10 @@ final class BagReader {
 
     /// Says which topics were read.
     void end() throws BrokenLog {
-        tell(SCAN, most(SCAN));
+        tell(SCAN, scans());
+        scans().ifPresent(chosen -> log.scansAreOf(
+                chosen,
+                topics(SCAN).filter(topic -> !topic.equals(chosen)).sorted().toList()));
         tell(ODOMETRY, odometry());
     }
 
@@ -150,11 +166,20 @@ final class BagReader {
         return topics(type).max(byMessages);
     }
 
+    /// The topic of scans that is read: the one that was asked for, else the one with the most messages.
+    private Optional<String> scans() {
+        return hints.topic().isEmpty()
+                ? most(SCAN)
+                : topics(SCAN)
+                        .filter(topic -> topic.equals(hints.topic().get())
+                                || topic.equals("/" + hints.topic().get()))
+                        .findFirst();
+    }
+
     /// That of the robot whose scans are read, as far as names tell.
     private Optional<String> odometry() {
         return topics(ODOMETRY)
-                .max(Comparator.<String>comparingInt(
-                                topic -> sharedLevels(topic, most(SCAN).orElse("")))
+                .max(Comparator.<String>comparingInt(topic -> sharedLevels(topic, scans().orElse("")))
                         .thenComparing(byMessages));
     }
 
@@ -180,7 +205,7 @@ final class BagReader {
     }
 
     private boolean isAbove(String topic) {
-        return most(SCAN).orElse("").startsWith(topic.substring(0, topic.lastIndexOf('/') + 1));
+        return scans().orElse("").startsWith(topic.substring(0, topic.lastIndexOf('/') + 1));
     }
 
     /// Skips what can't be read.

@@ -1,17 +1,20 @@
 package rsal.ros2.bag;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.data.LaserScan;
 import rsal.data.Odometry;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
+import rsal.navigation.log.BrokenLog;
 import rsal.navigation.log.LaserHints;
 import rsal.navigation.log.LogFormats;
 import rsal.navigation.log.RobotLog;
@@ -62,5 +65,30 @@ class BagReaderTest {
                 .hasSize(20)
                 .allSatisfy(motion -> assertThat(motion.odomFromBase().x()).isEqualTo(0.25));
         assertThat(log.parameters()).extracting(each -> each.value()).containsExactly("/one/front/scan", "/one/odom");
+    }
+
+    @Test
+    void anotherRobotIsReadByItsTopic() throws Exception {
+        Path file = folder.resolve("two.mcap");
+        try (BagWriter bag = BagWriter.file(file, false, "a test", () -> 0)) {
+            write(bag, "/one", 20, 1, 0.25);
+            write(bag, "/two", 10, 2, 0.75);
+        }
+        RobotLog log = LogFormats.read(file, of("two/front/scan"));
+        assertThat(log.topic()).contains(new RobotLog.ScanTopic("/two/front/scan", List.of("/one/front/scan")));
+        assertThat(log.scans())
+                .hasSize(10)
+                .allSatisfy(scan -> assertThat(scan.scan().baseFromLaser().x()).isEqualTo(0.75));
+        assertThat(log.motions())
+                .hasSize(20)
+                .allSatisfy(motion -> assertThat(motion.odomFromBase().x()).isEqualTo(0.75));
+        assertThatThrownBy(() -> LogFormats.read(file, of("/three/scan")))
+                .isInstanceOf(BrokenLog.class)
+                .hasMessageContaining(
+                        "It has no scans of topic '/three/scan'. Topics of scans are: /one/front/scan, /two/front/scan.");
+    }
+
+    private static LaserHints of(String topic) {
+        return new LaserHints(Math.PI, 50, false, Optional.of(topic));
     }
 }

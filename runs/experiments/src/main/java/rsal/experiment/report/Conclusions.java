@@ -234,7 +234,7 @@ public final class Conclusions {
         if (measurements.horizon().isPresent()) {
             String left = used < runs ? " %d runs broke and are not counted.".formatted(runs - used) : "";
             return Optional.of(
-                    "%s: in %d of %d runs it did not happen. They count as long as they went on, up to %s%s, and every seed is counted.%s"
+                    "%s: in %d of %d runs it did not happen. Such a run counts with the time until its end, at most %s%s. So no seed is left out.%s"
                             .formatted(
                                     name,
                                     without - (runs - used),
@@ -244,7 +244,7 @@ public final class Conclusions {
                                     left));
         }
         return Optional.of(
-                "%s: %d of %d runs have no value and are not counted. If they have none because they failed, the others look too good: compare first how runs ended."
+                "%s: %d of %d runs have no value and are not counted. If they have none because they failed, the mean is too good. So first compare how the runs ended."
                         .formatted(name, without, runs));
     }
 }

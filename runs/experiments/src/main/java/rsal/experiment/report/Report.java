@@ -206,7 +206,7 @@ public final class Report {
         if (known > 0) {
             note(
                     "Runs with the same seed are compared with each other. A difference is clear when p < 0.05, corrected for"
-                            + " all comparisons of its table (Holm). Say before you look which metric matters.");
+                            + " all comparisons of its table (Holm). Decide which metric matters before you look at results.");
         }
         html.append("</section>\n");
     }

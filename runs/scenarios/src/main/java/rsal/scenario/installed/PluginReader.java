@@ -5,6 +5,7 @@ import java.lang.reflect.Proxy;
 import java.util.List;
 import java.util.Optional;
 import rsal.settings.FileSource;
+import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.settings.Plugin;
 import rsal.settings.PluginFiles;
@@ -33,7 +34,11 @@ public final class PluginReader implements PluginFiles {
             files.read(name, Yaml.MAX_CHARACTERS, askedAt); // it must be there
             return standIn(kind, name);
         }
-        return language.read(kind.type(), kind.word(), name, files, askedAt);
+        try {
+            return language.read(kind.type(), kind.word(), name, files, askedAt);
+        } catch (InvalidSettings e) {
+            throw e.beside(askedAt);
+        }
     }
 
     private static Plugin standIn(PluginKind kind, String file) {

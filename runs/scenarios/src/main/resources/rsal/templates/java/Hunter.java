@@ -65,7 +65,7 @@ public final class Hunter implements AgentType {
         private final Duration interval;
         private final Set<String> caught = new HashSet<>();
         private Optional<PoseReport> seen = Optional.empty();
-        private Runnable stop = () -> {}; // ends the way that it is on
+        private Runnable stop = () -> {}; // cancels the current goal
 
         Hunt(AgentContext self, Robot robot, Arguments arguments) {
             this.self = self;
