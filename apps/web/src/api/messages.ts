@@ -856,7 +856,7 @@ export interface Commands {
   'new-agent': { takes: { type: string; robot?: string; arguments?: Record<string, string> }; answers: Added };
   /** Starts an agent like another one. */
   'add-agent': { takes: { like: string; robot?: string }; answers: Added };
-  /** Starts an agent that has ended or failed again. */
+  /** Restarts an agent that has ended or failed. */
   'start-agent': { takes: { name: string }; answers: object };
   /** Ends an agent. */
   'stop-agent': { takes: { name: string }; answers: object };
