@@ -3,6 +3,7 @@ package rsal.ros2.bridge;
 import java.time.Duration;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Consumer;
 import rsal.data.Pose2d;
 import rsal.data.Stamped;
@@ -21,6 +22,7 @@ import rsal.ros2.link.RosLink;
 import rsal.ros2.message.FrameTransform;
 import rsal.ros2.message.PlanningError;
 import rsal.ros2.message.RosMessages;
+import rsal.ros2.message.StampedPose;
 import rsal.time.Scheduler;
 
 /// A navigator of ours as Nav2's action `navigate_to_pose`, as it is in Jazzy and Kilted. A new goal takes
@@ -42,15 +44,12 @@ final class PublishedNavigator implements ActionServer.Handler {
 
     @Override
     public void begin(ServedGoal goal, RosMessage fields) {
-        RosMessage stamped = fields.message("pose");
-        String frame = stamped.message("header").text("frame_id");
-        Pose2d mapFromGoal = FrameTransform.of(stamped.message("pose"), "position", "orientation")
-                .planar();
-        if (!mapFromGoal.isFinite() || !(frame.isEmpty() || frame.equals(MAP))) {
+        Optional<Pose2d> mapFromGoal = StampedPose.onMap(fields.message("pose"));
+        if (mapFromGoal.isEmpty()) {
             goal.end(Status.ABORTED, result(NO_PATH, "A goal must be finite, and in the frame 'map'."));
             return;
         }
-        GoalHandle<Progress, Result> drive = navigator.goTo(mapFromGoal, TOLERANCE);
+        GoalHandle<Progress, Result> drive = navigator.goTo(mapFromGoal.get(), TOLERANCE);
         drives.put(goal, drive);
         drive.onFeedback(told -> goal.tell(writer -> write(writer, told)));
         drive.result().thenAccept(ending -> {

@@ -24,10 +24,9 @@ import rsal.ros2.action.Services;
 import rsal.ros2.cdr.CdrWriter;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.link.RosLink;
-import rsal.ros2.message.FrameTransform;
-import rsal.ros2.message.FrameTree;
 import rsal.ros2.message.PathMessage;
 import rsal.ros2.message.PlanningError;
+import rsal.ros2.message.StampedPose;
 import rsal.time.Scheduler;
 
 /// Planners of a robot of ours as Nav2's action `compute_path_to_pose`, as all distributions have it. `planner_id`
@@ -79,18 +78,22 @@ final class PublishedPlanner implements ActionServer.Handler {
                 .findFirst();
         List<RosMessage> places = places(fields);
         boolean hasStart = fields.get("use_start", Boolean.class);
-        Optional<Pose2d> start = hasStart ? Optional.of(pose(places.getFirst())) : here();
+        List<Pose2d> onMap = places.stream()
+                .map(StampedPose::onMap)
+                .flatMap(Optional::stream)
+                .toList();
+        Optional<Pose2d> start = hasStart ? onMap.stream().findFirst() : here();
         if (planner.isEmpty()) {
             fail(goal, PlanningError.INVALID_PLANNER, "The robot has no planner '%s'.".formatted(id));
         } else if (places.size() > MOST_STOPS) {
             fail(goal, PlanningError.UNKNOWN, "A path can have at most %d stops.".formatted(MOST_STOPS));
-        } else if (!places.stream().allMatch(PublishedPlanner::isOnMap)) {
+        } else if (onMap.size() < places.size()) {
             fail(goal, PlanningError.TF_ERROR, "Poses must be finite, and in the frame 'map'.");
         } else if (start.isEmpty()) {
             fail(goal, PlanningError.TF_ERROR, "The robot does not know where it is on the map.");
         } else {
             var stops = new ArrayList<Pose2d>(List.of(start.get()));
-            places.stream().skip(hasStart ? 1 : 0).map(PublishedPlanner::pose).forEach(stops::add);
+            onMap.stream().skip(hasStart ? 1 : 0).forEach(stops::add);
             answer(goal, new Question(planner.get(), stops, scheduler.instant()));
         }
     }
@@ -117,16 +120,6 @@ final class PublishedPlanner implements ActionServer.Handler {
         }
         places.add(fields.message("goal"));
         return places;
-    }
-
-    private static Pose2d pose(RosMessage stamped) {
-        return FrameTransform.of(stamped.message("pose"), "position", "orientation")
-                .planar();
-    }
-
-    private static boolean isOnMap(RosMessage stamped) {
-        String frame = FrameTree.named(stamped.message("header").text("frame_id"));
-        return (frame.isEmpty() || frame.equals(MAP)) && pose(stamped).isFinite();
     }
 
     private void answer(ServedGoal goal, Question question) {

@@ -23,8 +23,8 @@ import rsal.ros2.cdr.CdrWriter;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.message.FrameTransform;
-import rsal.ros2.message.FrameTree;
 import rsal.ros2.message.RosMessages;
+import rsal.ros2.message.StampedPose;
 import rsal.time.Scheduler;
 
 /// A navigator of ours as Nav2's action `navigate_through_poses`, one pose after another; near a pose that is not the
@@ -71,27 +71,20 @@ final class PublishedRoute implements ActionServer.Handler {
         List<RosMessage> places = fields.fields().get("poses") instanceof RosMessage goals // since Kilted
                 ? goals.messages("goals")
                 : fields.messages("poses");
+        List<Pose2d> onMap = places.stream()
+                .map(StampedPose::onMap)
+                .flatMap(Optional::stream)
+                .toList();
         if (places.isEmpty() || places.size() > MOST_POSES) {
             String why = "A route must have 1 to %d poses, not %d.".formatted(MOST_POSES, places.size());
             goal.end(Status.ABORTED, result(UNKNOWN, why));
-        } else if (!places.stream().allMatch(PublishedRoute::isOnMap)) {
+        } else if (onMap.size() < places.size()) {
             goal.end(Status.ABORTED, result(TF_ERROR, "Poses must be finite, and in the frame 'map'."));
         } else {
-            var route =
-                    new Route(goal, places.stream().map(PublishedRoute::pose).toList());
+            var route = new Route(goal, onMap);
             routes.put(goal, route);
             route.drive();
         }
-    }
-
-    private static Pose2d pose(RosMessage stamped) {
-        return FrameTransform.of(stamped.message("pose"), "position", "orientation")
-                .planar();
-    }
-
-    private static boolean isOnMap(RosMessage stamped) {
-        String frame = FrameTree.named(stamped.message("header").text("frame_id"));
-        return (frame.isEmpty() || frame.equals(MAP)) && pose(stamped).isFinite();
     }
 
     /// A goal under way.

@@ -19,10 +19,10 @@ import rsal.device.Planner;
 import rsal.ros2.action.ActionClient;
 import rsal.ros2.cdr.MessageCodec;
 import rsal.ros2.cdr.RosMessage;
-import rsal.ros2.message.FrameTransform;
 import rsal.ros2.message.FrameTree;
 import rsal.ros2.message.PathMessage;
 import rsal.ros2.message.PlanningError;
+import rsal.ros2.message.StampedPose;
 
 /// A robot's own planner, such as Nav2's planner server: the action `compute_path_to_pose`.
 ///
@@ -74,8 +74,8 @@ final class RosPlanner extends DeviceCore implements Planner {
         /// distribution. A time of 0 is the newest.
         private RosMessage goal() {
             RosMessage zero = codec.zero();
-            return zero.with("goal", stamped(zero.message("goal"), mapFromGoal))
-                    .with("start", stamped(zero.message("start"), mapFromStart))
+            return zero.with("goal", StampedPose.of(zero.message("goal"), MAP, mapFromGoal))
+                    .with("start", StampedPose.of(zero.message("start"), MAP, mapFromStart))
                     .with("use_start", true);
         }
 
@@ -147,25 +147,6 @@ final class RosPlanner extends DeviceCore implements Planner {
         this.context = context;
         action = context.action(name, ACTION);
         codec = MessageCodec.of(context.types().get(ACTION + "_Goal"), context.types());
-    }
-
-    /// `geometry_msgs/PoseStamped`
-    private static RosMessage stamped(RosMessage zero, Pose2d pose) {
-        FrameTransform place = FrameTransform.of(pose);
-        RosMessage at = zero.message("pose");
-        return zero.with("header", zero.message("header").with("frame_id", MAP))
-                .with(
-                        "pose",
-                        at.with(
-                                        "position",
-                                        at.message("position")
-                                                .with("x", place.x())
-                                                .with("y", place.y()))
-                                .with(
-                                        "orientation",
-                                        at.message("orientation")
-                                                .with("z", place.rotation().z())
-                                                .with("w", place.rotation().w())));
     }
 
     @Override

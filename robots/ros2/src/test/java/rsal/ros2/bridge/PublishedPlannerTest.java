@@ -29,6 +29,7 @@ import rsal.ros2.cdr.MessageCodec;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.message.FrameTransform;
+import rsal.ros2.message.StampedPose;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeLibrary;
 import rsal.sim.SimProvider;
@@ -96,29 +97,11 @@ class PublishedPlannerTest extends RobotBench {
         bridge.close();
     }
 
-    private static RosMessage stamped(RosMessage zero, String frame, Pose2d pose) {
-        FrameTransform place = FrameTransform.of(pose);
-        RosMessage at = zero.message("pose");
-        return zero.with("header", zero.message("header").with("frame_id", frame))
-                .with(
-                        "pose",
-                        at.with(
-                                        "position",
-                                        at.message("position")
-                                                .with("x", place.x())
-                                                .with("y", place.y()))
-                                .with(
-                                        "orientation",
-                                        at.message("orientation")
-                                                .with("z", place.rotation().z())
-                                                .with("w", place.rotation().w())));
-    }
-
     private static RosMessage goal(Distribution distribution, Pose2d start, Pose2d goal) {
         TypeLibrary types = TypeLibrary.of(distribution);
         RosMessage zero = MessageCodec.of(types.get(TYPE + "_Goal"), types).zero();
-        return zero.with("start", stamped(zero.message("start"), "map", start))
-                .with("goal", stamped(zero.message("goal"), "map", goal))
+        return zero.with("start", StampedPose.of(zero.message("start"), "map", start))
+                .with("goal", StampedPose.of(zero.message("goal"), "map", goal))
                 .with("use_start", true);
     }
 
@@ -194,7 +177,8 @@ class PublishedPlannerTest extends RobotBench {
         RosMessage goal = goal(Distribution.LYRICAL, START, GOAL);
         var between = new Pose2d(4, 4, 0);
         CompletableFuture<byte[]> answer = send(
-                Distribution.LYRICAL, goal.with("viapoints", List.of(stamped(goal.message("start"), "map", between))));
+                Distribution.LYRICAL,
+                goal.with("viapoints", List.of(StampedPose.of(goal.message("start"), "map", between))));
         planner.answer();
         run.runPending();
         assertThat(planner.ends).hasSize(2);
@@ -220,9 +204,9 @@ class PublishedPlannerTest extends RobotBench {
     void goalsThatCantBePlannedAreAbortedWithTheErrorsOfNav2() throws InvalidCdr {
         RosMessage goal = goal(Distribution.JAZZY, START, GOAL);
         assertFails(goal.with("planner_id", "Smac"), 201);
-        assertFails(goal.with("goal", stamped(goal.message("goal"), "odom", GOAL)), 202);
+        assertFails(goal.with("goal", StampedPose.of(goal.message("goal"), "odom", GOAL)), 202);
         assertFails(goal.with("use_start", false), 202); // it has no localizer
-        assertFails(goal.with("goal", stamped(goal.message("goal"), "map", new Pose2d(Double.NaN, 0, 0))), 202);
+        assertFails(goal.with("goal", StampedPose.of(goal.message("goal"), "map", new Pose2d(Double.NaN, 0, 0))), 202);
     }
 
     /// Ours tell why in words; the map tells which error of Nav2 it is.

@@ -7,8 +7,6 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
-import java.util.SplittableRandom;
 import java.util.logging.Handler;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
@@ -21,29 +19,19 @@ import rsal.data.Pose2d;
 import rsal.data.Twist2d;
 import rsal.device.Mapper;
 import rsal.device.Navigator;
-import rsal.model.RobotModels;
 import rsal.robot.Robot;
-import rsal.robot.RobotSpec;
 import rsal.ros2.MemoryNetwork;
 import rsal.ros2.cdr.CdrWriter;
-import rsal.ros2.device.GripperSettings;
-import rsal.ros2.device.RosSettings;
-import rsal.ros2.device.Safety;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosEndpoint;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.RosMessages;
-import rsal.settings.FileSource;
-import rsal.settings.Location;
-import rsal.system.RealRobots.Waiting;
-import rsal.testkit.contract.RobotBench;
 import rsal.time.LockstepScheduler;
 
 /// A robot with a map and a costmap, whose updates come in parts.
 class RosGridsTest {
-    private static final Location HERE = Location.of("test");
     private static final String COSTS = "/r1/global_costmap/costmap";
     private static final String GRID = "nav_msgs/msg/OccupancyGrid";
     private static final String UPDATE = "map_msgs/msg/OccupancyGridUpdate";
@@ -79,23 +67,7 @@ class RosGridsTest {
         there.subscribe(new RosTopic("/r1/cmd_vel", "geometry_msgs/msg/Twist"), Profile.DEFAULT, _ -> {});
         maps = there.advertise(new RosTopic("/r1/map", GRID), Profile.LATCHED);
         updates = there.advertise(new RosTopic("/r1/map_updates", UPDATE), Profile.DEFAULT);
-        var model = new RobotModels(FileSource.resources(RobotBench.class, "/"))
-                .read(
-                        "pioneer2dx",
-                        HERE,
-                        Map.of(
-                                "map",
-                                new RobotModels.Choice("own-map", HERE),
-                                "navigator",
-                                new RobotModels.Choice("own-navigator", HERE)));
-        system = new Ros2System(
-                Map.of(new RobotSpec("r1", "tested", model, Optional.empty(), "#3366cc"), "/r1"),
-                network::join,
-                Optional.empty(),
-                new RosSettings(new Safety(Duration.ofMillis(500), true, "", ""), GripperSettings.USUAL),
-                Waiting.USUAL,
-                run,
-                new SplittableRandom(1));
+        system = new OneRobot(network, run).system(Map.of("map", "own-map", "navigator", "own-navigator"));
         var found = system.discover().toCompletableFuture();
         advance(3);
         robot = found.join().getFirst();

@@ -12,7 +12,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -29,13 +28,9 @@ import rsal.device.GoalHandle;
 import rsal.device.Gripper;
 import rsal.device.Gripper.Result;
 import rsal.device.Health;
-import rsal.model.RobotModels;
-import rsal.robot.RobotSpec;
 import rsal.ros2.MemoryNetwork;
 import rsal.ros2.cdr.CdrWriter;
 import rsal.ros2.device.GripperSettings;
-import rsal.ros2.device.RosSettings;
-import rsal.ros2.device.Safety;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosPublisher.Publication;
@@ -43,9 +38,6 @@ import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.RosMessages;
 import rsal.scene.Scene;
 import rsal.settings.Arguments;
-import rsal.settings.FileSource;
-import rsal.settings.Location;
-import rsal.system.RealRobots.Waiting;
 import rsal.system.RobotSystemProvider;
 import rsal.system.RobotSystemProvider.InvalidRobots;
 import rsal.testkit.contract.RobotBench;
@@ -53,7 +45,6 @@ import rsal.time.LockstepScheduler;
 
 /// A gripper of `ros2_control` as those of real robots are: one action, without beams, lift and our names.
 class RosGripperTest {
-    private static final Location HERE = Location.of("test");
     private static final Duration STEP = Duration.ofMillis(50);
     private static final String ACTION = "/r1/hand/gripper_cmd/_action/";
     private static final double OPEN = 0.019; // m, as of a small arm's gripper
@@ -97,23 +88,10 @@ class RosGripperTest {
             return CompletableFuture.completedStage(
                     new CdrWriter().int8((byte) 0).int32(0).toBytes());
         });
-        system = new Ros2System(
-                Map.of(spec(), "/r1"),
-                network::join,
-                Optional.empty(),
-                new RosSettings(new Safety(Duration.ofMillis(500), true, "", ""), SETTINGS),
-                Waiting.USUAL,
-                run,
-                new SplittableRandom(1));
+        system = new OneRobot(network, run, Optional.empty(), SETTINGS).system(Map.of("gripper", "pioneer-gripper"));
         var found = system.discover().toCompletableFuture();
         advance(3);
         gripper = found.join().getFirst().require(Gripper.class);
-    }
-
-    private static RobotSpec spec() {
-        var model = new RobotModels(FileSource.resources(RobotBench.class, "/"))
-                .read("pioneer2dx", HERE, Map.of("gripper", new RobotModels.Choice("pioneer-gripper", HERE)));
-        return new RobotSpec("r1", "tested", model, Optional.empty(), "#3366cc");
     }
 
     @AfterEach
@@ -256,7 +234,7 @@ class RosGripperTest {
         var config = new RobotSystemProvider.Config(
                 Arguments.of(provider.parameters(), Map.of("gripperPositions", positions)),
                 Scene.of(RobotBench.WORLD.grid()),
-                List.of(spec()),
+                List.of(OneRobot.spec(Map.of("gripper", "pioneer-gripper"))),
                 1);
         assertThatThrownBy(() -> provider.create(config, run))
                 .isInstanceOfSatisfying(

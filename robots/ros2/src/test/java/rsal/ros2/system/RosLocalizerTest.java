@@ -6,8 +6,6 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
-import java.util.SplittableRandom;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -20,13 +18,8 @@ import rsal.data.PoseEstimate.Quality;
 import rsal.data.Twist2d;
 import rsal.device.Health;
 import rsal.device.Localizer;
-import rsal.model.RobotModels;
-import rsal.robot.RobotSpec;
 import rsal.ros2.MemoryNetwork;
 import rsal.ros2.cdr.CdrWriter;
-import rsal.ros2.device.GripperSettings;
-import rsal.ros2.device.RosSettings;
-import rsal.ros2.device.Safety;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosPublisher.Publication;
@@ -35,15 +28,10 @@ import rsal.ros2.message.CloudMessage;
 import rsal.ros2.message.FrameTransform;
 import rsal.ros2.message.RosMessages;
 import rsal.ros2.message.RosMessages.Transform;
-import rsal.settings.FileSource;
-import rsal.settings.Location;
-import rsal.system.RealRobots.Waiting;
-import rsal.testkit.contract.RobotBench;
 import rsal.time.LockstepScheduler;
 
 /// A robot that drives 0.5 m/s to the right of its odometry, and whose localizer is the test.
 class RosLocalizerTest {
-    private static final Location HERE = Location.of("test");
     private static final Instant ROBOT_BEGAN = Instant.ofEpochSecond(1_700_000_000);
     private static final Covariance2d SPREAD = Covariance2d.ofDeviations(0.1, 0.1, 0.1);
 
@@ -63,17 +51,7 @@ class RosLocalizerTest {
         odometry = there.advertise(new RosTopic("/r1/odom", "nav_msgs/msg/Odometry"), Profile.DEFAULT);
         transforms = there.advertise(new RosTopic("/r1/tf", "tf2_msgs/msg/TFMessage"), Profile.DEFAULT);
         there.subscribe(new RosTopic("/r1/cmd_vel", "geometry_msgs/msg/Twist"), Profile.DEFAULT, _ -> {});
-        var model = new RobotModels(FileSource.resources(RobotBench.class, "/"))
-                .read("pioneer2dx", HERE, Map.of("localizer", new RobotModels.Choice("own-localizer", HERE)));
-        var spec = new RobotSpec("r1", "tested", model, Optional.empty(), "#3366cc");
-        system = new Ros2System(
-                Map.of(spec, "/r1"),
-                network::join,
-                Optional.empty(),
-                new RosSettings(new Safety(Duration.ofMillis(500), true, "", ""), GripperSettings.USUAL),
-                Waiting.USUAL,
-                run,
-                new SplittableRandom(1));
+        system = new OneRobot(network, run).system(Map.of("localizer", "own-localizer"));
     }
 
     @AfterEach

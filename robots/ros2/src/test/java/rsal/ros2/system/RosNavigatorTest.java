@@ -9,7 +9,6 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -25,27 +24,17 @@ import rsal.device.Health;
 import rsal.device.Navigator;
 import rsal.device.Navigator.Progress;
 import rsal.device.Navigator.Result;
-import rsal.model.RobotModels;
-import rsal.robot.RobotSpec;
 import rsal.ros2.MemoryNetwork;
 import rsal.ros2.cdr.CdrWriter;
-import rsal.ros2.device.GripperSettings;
-import rsal.ros2.device.RosSettings;
-import rsal.ros2.device.Safety;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.RosMessages;
-import rsal.settings.FileSource;
-import rsal.settings.Location;
-import rsal.system.RealRobots.Waiting;
-import rsal.testkit.contract.RobotBench;
 import rsal.time.LockstepScheduler;
 
 /// A robot whose Nav2 is the test.
 class RosNavigatorTest {
-    private static final Location HERE = Location.of("test");
     private static final String ACTION = "/r1/navigate_to_pose/_action/";
     private static final Pose2d GOAL = new Pose2d(3, 1, 0.5);
     private static final Duration STEP = Duration.ofMillis(50);
@@ -89,17 +78,7 @@ class RosNavigatorTest {
             return CompletableFuture.completedStage(
                     new CdrWriter().int8((byte) 0).int32(0).toBytes());
         });
-        var model = new RobotModels(FileSource.resources(RobotBench.class, "/"))
-                .read("pioneer2dx", HERE, Map.of("navigator", new RobotModels.Choice("own-navigator", HERE)));
-        var spec = new RobotSpec("r1", "tested", model, Optional.empty(), "#3366cc");
-        system = new Ros2System(
-                Map.of(spec, "/r1"),
-                network::join,
-                Optional.empty(),
-                new RosSettings(new Safety(Duration.ofMillis(500), true, "", ""), GripperSettings.USUAL),
-                Waiting.USUAL,
-                run,
-                new SplittableRandom(1));
+        system = new OneRobot(network, run).system(Map.of("navigator", "own-navigator"));
         var found = system.discover().toCompletableFuture();
         advance(3);
         var robot = found.join().getFirst();

@@ -10,7 +10,6 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
@@ -25,9 +24,7 @@ import rsal.data.Twist2d;
 import rsal.device.Health;
 import rsal.device.Planner;
 import rsal.device.Planner.Result;
-import rsal.model.RobotModels;
 import rsal.robot.Robot;
-import rsal.robot.RobotSpec;
 import rsal.ros2.MemoryNetwork;
 import rsal.ros2.cdr.CdrReader;
 import rsal.ros2.cdr.CdrWriter;
@@ -35,8 +32,6 @@ import rsal.ros2.cdr.InvalidCdr;
 import rsal.ros2.cdr.MessageCodec;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.device.GripperSettings;
-import rsal.ros2.device.RosSettings;
-import rsal.ros2.device.Safety;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosPublisher.Publication;
@@ -45,15 +40,10 @@ import rsal.ros2.message.PathMessage;
 import rsal.ros2.message.RosMessages;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeLibrary;
-import rsal.settings.FileSource;
-import rsal.settings.Location;
-import rsal.system.RealRobots.Waiting;
-import rsal.testkit.contract.RobotBench;
 import rsal.time.LockstepScheduler;
 
 /// A robot whose planner server of Nav2 is the test.
 class RosPlannerTest {
-    private static final Location HERE = Location.of("test");
     private static final String TYPE = "nav2_msgs/action/ComputePathToPose";
     private static final String ACTION = "/r1/compute_path_to_pose/_action/";
     private static final Pose2d START = new Pose2d(1, 2, 0);
@@ -94,16 +84,8 @@ class RosPlannerTest {
             return CompletableFuture.completedStage(
                     new CdrWriter().int8((byte) 0).int32(0).toBytes());
         });
-        var model = new RobotModels(FileSource.resources(RobotBench.class, "/"))
-                .read("pioneer2dx", HERE, Map.of("planner", new RobotModels.Choice("own-planner", HERE)));
-        system = new Ros2System(
-                Map.of(new RobotSpec("r1", "tested", model, Optional.empty(), "#3366cc"), "/r1"),
-                network::join,
-                Optional.of(distribution),
-                new RosSettings(new Safety(Duration.ofMillis(500), true, "", ""), GripperSettings.USUAL),
-                Waiting.USUAL,
-                run,
-                new SplittableRandom(1));
+        system = new OneRobot(network, run, Optional.of(distribution), GripperSettings.USUAL)
+                .system(Map.of("planner", "own-planner"));
         var found = system.discover().toCompletableFuture();
         advance(3);
         robot = found.join().getFirst();

@@ -8,8 +8,6 @@ import java.nio.ByteOrder;
 import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -28,14 +26,9 @@ import rsal.device.camera.Camera;
 import rsal.device.camera.CameraImage;
 import rsal.device.imu.Imu;
 import rsal.device.imu.ImuReading;
-import rsal.model.RobotModels;
 import rsal.robot.Robot;
-import rsal.robot.RobotSpec;
 import rsal.ros2.MemoryNetwork;
 import rsal.ros2.cdr.CdrWriter;
-import rsal.ros2.device.GripperSettings;
-import rsal.ros2.device.RosSettings;
-import rsal.ros2.device.Safety;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosPublisher.Publication;
@@ -44,15 +37,10 @@ import rsal.ros2.message.FrameTransform;
 import rsal.ros2.message.FrameTransform.Quaternion;
 import rsal.ros2.message.RosMessages;
 import rsal.ros2.message.RosMessages.Transform;
-import rsal.settings.FileSource;
-import rsal.settings.Location;
-import rsal.system.RealRobots.Waiting;
-import rsal.testkit.contract.RobotBench;
 import rsal.time.LockstepScheduler;
 
 /// Sensors of robots that are not ours: mounted in any orientation, with what drivers leave out, in all encodings.
 class RosSensorsTest {
-    private static final Location HERE = Location.of("test");
     private static final Duration STEP = Duration.ofMillis(50);
     private static final long DAMAGED = Boolean.getBoolean("rsal.test.all") ? 1_000_000 : 5_000;
 
@@ -90,20 +78,11 @@ class RosSensorsTest {
     }
 
     private Robot robot() {
-        var parts = new LinkedHashMap<String, RobotModels.Choice>();
-        parts.put("imu", new RobotModels.Choice("imu-bmi088", HERE));
-        parts.put("camera", new RobotModels.Choice("blob-camera", HERE));
-        parts.put("eyes", new RobotModels.Choice("depth-camera", HERE));
-        var model = new RobotModels(FileSource.resources(RobotBench.class, "/")).read("pioneer2dx", HERE, parts);
-        var spec = new RobotSpec("r1", "tested", model, Optional.empty(), "#3366cc");
-        system = new Ros2System(
-                Map.of(spec, "/r1"),
-                network::join,
-                Optional.empty(),
-                new RosSettings(new Safety(Duration.ofMillis(500), true, "", ""), GripperSettings.USUAL),
-                Waiting.USUAL,
-                run,
-                new SplittableRandom(1));
+        var parts = new LinkedHashMap<String, String>();
+        parts.put("imu", "imu-bmi088");
+        parts.put("camera", "blob-camera");
+        parts.put("eyes", "depth-camera");
+        system = new OneRobot(network, run).system(parts);
         var found = system.discover().toCompletableFuture();
         for (int i = 0; i < 60; i++) {
             advance();
