@@ -72,8 +72,8 @@ describe.skipIf(!chromium)('a sweep', () => {
     const page = await opened(rsal.url, 'dark');
     await choose(page);
     await form(page).getByLabel('guards').fill('1,2');
-    await form(page).getByLabel('Seeds').fill('30');
-    await form(page).getByText('60 runs: 2 combinations × 30 seeds').waitFor();
+    await form(page).getByLabel('Seeds').fill('15');
+    await form(page).getByText('30 runs: 2 combinations × 15 seeds').waitFor();
     await picture(page, 'sweep-form-dark');
     await form(page).getByRole('button', { name: 'Begin' }).click();
     const seen = new Set<number>();
@@ -82,9 +82,9 @@ describe.skipIf(!chromium)('a sweep', () => {
       return (await status(page).innerText()) === 'Ended';
     }, 'it ends');
     expect(seen.size).toBeGreaterThan(1);
-    expect(await progress(page).innerText()).toBe('60 of 60 runs');
+    expect(await progress(page).innerText()).toBe('30 of 30 runs');
     const row = page.locator('[data-combination="guards=2"]');
-    expect(await row.innerText()).toMatch(/100 %[^]*±[^]*n = 30/);
+    expect(await row.innerText()).toMatch(/100 %[^]*±[^]*n = 15/);
     await row.getByRole('img', { name: /^way: quartiles/ }).waitFor();
     await picture(page, 'sweep-dark');
     const table = page.getByRole('region', { name: 'Results so far' });
@@ -111,7 +111,7 @@ describe.skipIf(!chromium)('a sweep', () => {
       page.getByRole('link', { name: 'Open the report' }).click(),
     ]);
     await report.getByRole('heading', { name: 'Robots that wander' }).waitFor();
-    expect(await report.getByText('60 runs of 2 combinations with 30 seeds').count()).toBe(1);
+    expect(await report.getByText('30 runs of 2 combinations with 15 seeds').count()).toBe(1);
     expect(await report.locator('h1').evaluate((h) => getComputedStyle(h).lineHeight)).toBe('35px'); // its style counts
     await picture(report, 'sweep-report');
   });
@@ -179,7 +179,7 @@ describe.skipIf(!chromium)('a sweep', () => {
     const dialog = page.getByRole('dialog', { name: 'Sweep: Robots that wander' });
     await dialog.getByRole('link', { name: 'Open the report', exact: true }).waitFor();
     const earlier = dialog.locator('[data-sweep="wander-1"]');
-    expect(await earlier.innerText()).toContain('60 of 60 runs');
+    expect(await earlier.innerText()).toContain('30 of 30 runs');
     await earlier.getByText('The same in a terminal').click();
     expect(await earlier.locator('pre').innerText()).toMatch(/^rsal sweep .*wander-1$/);
     await expectAccessible(page, 'dialog[open]');
@@ -189,7 +189,7 @@ describe.skipIf(!chromium)('a sweep', () => {
       page.context().waitForEvent('page'),
       earlier.getByRole('link', { name: 'Open the report of wander-1' }).click(),
     ]);
-    await report.getByText('60 runs of 2 combinations with 30 seeds').waitFor();
+    await report.getByText('30 runs of 2 combinations with 15 seeds').waitFor();
     await report.close();
     await dialog.getByRole('button', { name: 'Runs of guards=1', exact: true }).click();
     await dialog.locator('[data-run]').first().waitFor();

@@ -316,7 +316,7 @@ class ScenarioTest {
                         "'agents.watch.parameters.robot'",
                         "the id of one or all, not 'huntr'",
                         "Maybe 'hunter' was"),
-                mistakenRobots("hunter-3", "Maybe 'hunter-1' was meant?"),
+                mistakenRobots("hunter-3", "Maybe 'hunter-1' or 'hunter-2' was meant?"),
                 mistakenRobots("me", "Known are: prey, hunter."),
                 mistakenRobots("\"\"", "not ''"),
                 mistakenRobots("$way", "not 'slow'"),
