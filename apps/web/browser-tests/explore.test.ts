@@ -27,7 +27,7 @@ describe.skipIf(!chromium)('robots that explore', () => {
     });
 
     await eventually(() => Promise.resolve(free.length > 2 && free.at(-1)! > free[0]!), 'the map grows');
-    const chip = page.getByRole('button', { name: 'Robot map', exact: true });
+    const chip = page.getByRole('button', { name: 'SLAM', exact: true });
     const floor = page.locator('canvas').first();
     await rsal.post('pause');
     const seen = async () => (await floor.screenshot()).toString('base64');

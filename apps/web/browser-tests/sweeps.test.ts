@@ -94,7 +94,7 @@ describe.skipIf(!chromium)('a sweep', () => {
     await expectAccessible(page, 'dialog[open]');
 
     await page.getByRole('button', { name: 'Runs of guards=2', exact: true }).click();
-    await page.locator('[data-run]').nth(29).waitFor();
+    await page.locator('[data-run]').nth(14).waitFor();
     await picture(page, 'sweep-runs');
     await expectAccessible(page, 'dialog[open]');
     const fifth = page.locator('[data-run]').nth(4);

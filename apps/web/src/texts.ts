@@ -165,9 +165,9 @@ export const texts = {
     more: (count: number) => `${count} more are not listed; click them on the map.`,
   },
   layers: {
-    floor: 'World map',
+    floor: 'Map',
     grid: 'Grid',
-    map: 'Robot map',
+    map: 'SLAM',
     costs: 'Costs',
     scans: 'Scans',
     cones: 'Sonar',
