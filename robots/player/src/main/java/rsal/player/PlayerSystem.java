@@ -10,7 +10,6 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CompletionException;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
@@ -90,24 +89,25 @@ final class PlayerSystem implements RobotSystem {
                 .map(berth -> find(berth.getKey(), berth.getValue()).toCompletableFuture())
                 .toList();
         CompletionStage<Void> seen = overseer.map(this::oversee).orElse(CompletableFuture.completedStage(null));
-        CompletionStage<Void> complete = seen.thenCompose(_ -> all(found));
-        return waiting.late()
-                ? seen.thenCompose(_ -> early(found))
-                : complete.thenApply(
-                        _ -> found.stream().map(CompletableFuture::join).toList());
+        return seen.thenCompose(_ -> waiting.late() ? early(found) : complete(found));
     }
 
-    /// Those that are found in time. The others appear when they are found.
+    private static CompletionStage<List<Robot>> complete(List<CompletableFuture<Robot>> found) {
+        return all(found)
+                .thenApply(_ -> found.stream().map(CompletableFuture::join).toList());
+    }
+
+    /// Those that are found in time. The others appear when they are found. A robot whose servers are there and that
+    /// can't
+    /// be made ends the discovery.
     private CompletionStage<List<Robot>> early(List<CompletableFuture<Robot>> found) {
         return scheduler.within(waiting.patience(), all(found)).handle((_, _) -> {
             var early = new ArrayList<Robot>();
             List<RobotSpec> specs = List.copyOf(berths.keySet());
             for (int i = 0; i < found.size(); i++) {
                 CompletableFuture<Robot> search = found.get(i);
-                if (search.isDone() && !search.isCompletedExceptionally()) {
+                if (search.isDone()) {
                     early.add(search.join());
-                } else if (search.isDone()) { // its servers are there, but something is wrong
-                    search.join();
                 } else {
                     awaitLate(specs.get(i), search, "");
                 }
@@ -126,7 +126,7 @@ final class PlayerSystem implements RobotSystem {
                 changes.tell(new Change.Appeared(robot));
                 return true;
             }
-            String why = "It can't join: " + why(error);
+            String why = "It can't join: " + RemoteServer.words(error);
             if (!why.equals(reported)) {
                 changes.tell(new Change.Gone(spec.id(), why));
             }
@@ -137,11 +137,6 @@ final class PlayerSystem implements RobotSystem {
             });
             return false;
         });
-    }
-
-    private static String why(Throwable error) {
-        Throwable cause = error instanceof CompletionException && error.getCause() != null ? error.getCause() : error;
-        return String.valueOf(cause.getMessage());
     }
 
     @Override

@@ -53,7 +53,7 @@ public final class OperatorCommands {
     private static final Parameter<Double> OMEGA = velocity("omega", "rad/s", "counter-clockwise");
     private static final Parameter<Boolean> ON = Parameter.flag("on", false, "true to switch the motors on");
     private static final Parameter<String> TO =
-            Parameter.text("to", "", "name of an agent; empty for all" + " subscribers of the topic");
+            Parameter.text("to", "", "name of an agent; empty for all subscribers of the topic");
     private static final Parameter<String> TOPIC = Parameter.text("topic", "name of the topic");
     private static final Parameter<Map<String, String>> FIELDS =
             Parameter.texts("fields", "fields of the message by name, as texts");

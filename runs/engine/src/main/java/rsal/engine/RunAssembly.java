@@ -213,9 +213,7 @@ final class RunAssembly implements AutoCloseable {
         equip(robot, planned);
         bridges.forEach(bridge -> offer(bridge, id));
         robotCommands.joined(id);
-        if (agents.isGathered()) {
-            dynamicRobots.agents(id).forEach(agents::start);
-        }
+        dynamicRobots.agents(id).forEach(agents::start);
     }
 
     /// Whether a program that robots are offered to has yet to look at what there is.

@@ -174,7 +174,7 @@ public final class RemoteServer implements AutoCloseable {
     }
 
     /// What went wrong, for people.
-    static String words(Throwable error) {
+    public static String words(Throwable error) {
         Throwable cause = error instanceof CompletionException && error.getCause() != null ? error.getCause() : error;
         return String.valueOf(cause.getMessage());
     }

@@ -57,7 +57,7 @@ final class Ros2System implements RobotSystem {
     private Optional<Task> looking = Optional.empty();
     private @Nullable RosLink link;
     private List<RosEndpoint> endpoints = List.of(); // of the network, when it was last looked at
-    private Instant patienceEnds = Instant.MAX; // unless another robot is found, or tells where it is
+    private Instant progressAt = Instant.MIN; // when it was last made
     private int progress; // of finding them
     private boolean hasReported; // since the last progress
     private boolean closed;
@@ -97,7 +97,7 @@ final class Ros2System implements RobotSystem {
             return CompletableFuture.failedStage(
                     new IOException("The network of ROS 2 can't be joined: %s".formatted(e.getMessage()), e));
         }
-        patienceEnds = scheduler.instant().plus(waiting.patience());
+        progressAt = scheduler.instant();
         looking = Optional.of(scheduler.every(RosRobot.LOOK, this::look));
         return discovered;
     }
@@ -119,16 +119,17 @@ final class Ros2System implements RobotSystem {
         }
         Instant now = scheduler.instant();
         if (found.size() < namespaces.size()) {
-            search(link);
+            search(link, now);
         }
-        Map<RosRobot, Boolean> there = new LinkedHashMap<>();
-        found.values().forEach(robot -> there.put(robot, robot.look(now)));
         if (!discovered.isDone()) {
             await(now);
         }
-        if (discovered.isDone()) {
-            there.forEach(this::compare);
-        }
+        found.values().forEach(robot -> {
+            boolean isThere = robot.look(now);
+            if (discovered.isDone()) {
+                compare(robot, isThere);
+            }
+        });
     }
 
     /// Reports what has changed since the last look. A robot that has joined late is ready when it appears.
@@ -147,8 +148,7 @@ final class Ros2System implements RobotSystem {
         }
     }
 
-    private void search(RosLink network) {
-        Instant now = scheduler.instant();
+    private void search(RosLink network, Instant now) {
         List<RosEndpoint> all = network.endpoints();
         if (!all.equals(endpoints)) {
             endpoints = all;
@@ -173,14 +173,14 @@ final class Ros2System implements RobotSystem {
                 .toList();
         if (ready.size() + found.size() > progress) {
             progress = ready.size() + found.size();
-            patienceEnds = now.plus(waiting.patience());
+            progressAt = now;
             hasReported = false;
         }
-        if (!hasReported && now.isAfter(patienceEnds.minus(waiting.patience()).plus(QUIET))) {
+        if (!hasReported && now.isAfter(progressAt.plus(QUIET))) {
             hasReported = true;
             LOG.log(Level.WARNING, () -> "Still waiting for robots. " + missing(endpoints));
         }
-        boolean isTooLate = now.isAfter(patienceEnds);
+        boolean isTooLate = now.isAfter(progressAt.plus(waiting.patience()));
         if (ready.size() == namespaces.size() || (isTooLate && waiting.late())) {
             ready.forEach(robot -> {
                 present.put(robot, true);
