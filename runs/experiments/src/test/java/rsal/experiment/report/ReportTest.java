@@ -221,7 +221,8 @@ class ReportTest {
                 .doesNotContain("<script", "src=", "href=", "url(", "@import", "http://", "https://");
         assertThat(html)
                 .contains("<b>hunters 2 → 4</b>", "): better", "12 seeds (1 to 12)")
-                .contains("captureTime: in 2 of 48 runs it did not happen", "at most 120 s", "1 runs broke".substring(2))
+                .contains(
+                        "captureTime: in 2 of 48 runs it did not happen", "at most 120 s", "1 runs broke".substring(2))
                 .contains("error: 1 of 48 runs have no value".substring(7), "11 of 12 seeds")
                 .contains("Agent 'x' has not returned", "Agent 'hunter-1' failed: a wheel came off")
                 .contains("rsal run &#39;my hunt".replace("&#39;", "'"), "--set prey=1 --set hunters=2", "--seed 4")
