@@ -25,6 +25,7 @@ public record EntityId(int octets) {
 
     private static final int WRITER_WITHOUT_KEY = 0x03;
     private static final int READER_WITHOUT_KEY = 0x04;
+    private static final int GOLDEN = 0x9e3779b9; // 2^32 over the golden ratio: Fibonacci hashing (Knuth, TAOCP 3, 6.4)
 
     /// Of a topic without a key, as all topics of ROS are.
     public static EntityId writer(int number) {
@@ -52,6 +53,14 @@ public record EntityId(int octets) {
     public boolean isReader() {
         int kind = octets & 0x0f;
         return kind == 0x04 || kind == 0x07;
+    }
+
+    /// Spreads ids that differ in their number only, which is above the last octet: hash tables look at the lowest
+    /// bits.
+    @Override
+    public int hashCode() {
+        int mixed = octets * GOLDEN;
+        return mixed ^ mixed >>> 15; // hash tables themselves add 16
     }
 
     @Override

@@ -7,6 +7,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.TreeSet;
@@ -22,6 +23,20 @@ class ValuesTest {
 
     private static ByteBuffer buffer(ByteOrder order) {
         return ByteBuffer.allocate(100).order(order);
+    }
+
+    /// A table takes the lowest bits of a hash, after adding the highest ones to them.
+    @Test
+    void idsOfOneParticipantAreSpreadInHashTables() {
+        int buckets = 4096;
+        int[] load = new int[buckets];
+        for (int number = 1; number <= buckets / 2; number++) {
+            for (EntityId id : List.of(EntityId.writer(number), EntityId.reader(number))) {
+                int hash = new Guid(new GuidPrefix(0x0152_0000_1234_5678L, 9), id).hashCode();
+                load[(hash ^ hash >>> 16) & buckets - 1]++;
+            }
+        }
+        assertThat(Arrays.stream(load).max().orElseThrow()).isLessThan(9); // random hashes: 7 on average
     }
 
     @Test
