@@ -18,6 +18,7 @@ import rsal.engine.communication.RobotBreaker;
 import rsal.engine.communication.Traffic;
 import rsal.engine.event.ChattyTopics;
 import rsal.engine.event.EventLog;
+import rsal.engine.event.RunClock;
 import rsal.engine.metric.MetricsObserver;
 import rsal.engine.operator.RobotCommands;
 import rsal.engine.operator.SentGoals;
@@ -59,6 +60,7 @@ import rsal.time.Scheduler;
 final class RunAssembly implements AutoCloseable {
     private final RunPlan plan;
     private final Scheduler scheduler;
+    private final RunClock clock;
     private final EventLog eventLog;
     private final MetricsObserver observer;
     private final RobotSystems systems;
@@ -89,6 +91,7 @@ final class RunAssembly implements AutoCloseable {
     RunAssembly(
             RunPlan plan,
             Scheduler scheduler,
+            RunClock clock,
             EventLog eventLog,
             MetricsObserver observer,
             Traffic traffic,
@@ -96,6 +99,7 @@ final class RunAssembly implements AutoCloseable {
             SentGoals goals) {
         this.plan = plan;
         this.scheduler = scheduler;
+        this.clock = clock;
         this.eventLog = eventLog;
         this.observer = observer;
         this.dynamicRobots = new DynamicRobots(plan);
@@ -108,7 +112,7 @@ final class RunAssembly implements AutoCloseable {
         this.world = new SimulatedWorld(plan, systems, scheduler, eventLog, observer, dynamicRobots, team, faults);
         this.proxies = new Proxies(systems, team, where, scheduler, eventLog);
         this.deviceFactory = new DeviceFactory(plan, scheduler, eventLog, breaker, world, team, this::overlay);
-        this.agents = new Agents(plan, scheduler, eventLog, observer, faults, team, where, traffic, turns);
+        this.agents = new Agents(plan, scheduler, clock, eventLog, observer, faults, team, where, traffic, turns);
         this.drawnPlans = new DrawnPlans(team, scheduler);
         this.robotCommands = new RobotCommands(plan.map(), eventLog, faults, world, team, agents, goals);
         this.robotViews = new RobotViews(team, world, faults, proxies, scheduler);
@@ -132,13 +136,14 @@ final class RunAssembly implements AutoCloseable {
     }
 
     private void assemble(List<Robot> found) {
+        clock.start();
         for (PlannedRobot planned : plan.robots()) {
             String id = planned.spec().id();
             found.stream()
                     .filter(robot -> robot.id().equals(id))
                     .findFirst()
                     .ifPresentOrElse(robot -> equip(robot, planned), () -> {
-                        breaker.await(id);
+                        faults.await(id);
                         eventLog.event("run", id, "is not there yet; it joins when it is found");
                     });
         }
@@ -209,8 +214,8 @@ final class RunAssembly implements AutoCloseable {
         String id = robot.id();
         PlannedRobot planned = dynamicRobots.planned(id).orElseGet(() -> dynamicRobots.plan(robot, world.truth(id)));
         observer.joined(id, robot.role());
-        breaker.joined(id);
         equip(robot, planned);
+        faults.joined(id);
         bridges.forEach(bridge -> offer(bridge, id));
         robotCommands.joined(id);
         dynamicRobots.agents(id).forEach(agents::start);

@@ -30,6 +30,7 @@ import org.jspecify.annotations.Nullable;
 import rsal.agent.platform.AgentTurns;
 import rsal.engine.communication.Traffic;
 import rsal.engine.event.EventLog;
+import rsal.engine.event.RunClock;
 import rsal.engine.event.Viewers;
 import rsal.engine.metric.MetricsObserver;
 import rsal.engine.operator.SentGoals;
@@ -75,7 +76,7 @@ final class RunLoop {
     private final PhaseTimes phaseTimes = new PhaseTimes(System::nanoTime, RunLoop::processorTime);
     private final StepTimes stepTimes = new StepTimes();
     private final Scheduler scheduler;
-    private final Instant began;
+    private final RunClock clock;
     private final long beganNanos = System.nanoTime();
     private final LongSupplier operatorClock;
     private final EventLog eventLog;
@@ -108,9 +109,9 @@ final class RunLoop {
             case SIMULATED -> new LockstepScheduler(Instant.EPOCH, this.helpers, phaseTimes);
             case WALL -> new WallScheduler(name, this.helpers, this::breaksOnItsThread, phaseTimes);
         };
-        this.began = scheduler.instant();
-        this.eventLog = new EventLog(this::elapsed, eventViewers::tell, monitors.observer());
-        this.metrics = new MetricsObserver(plan, eventLog, scheduler);
+        this.clock = new RunClock(scheduler);
+        this.eventLog = new EventLog(clock::elapsed, eventViewers::tell, monitors.observer());
+        this.metrics = new MetricsObserver(plan, eventLog, clock);
         this.traffic = new Traffic(eventLog, metrics, plan.communication().isPresent());
         this.pacer = new Pacer(System::nanoTime, plan.clock() == RunPlan.Clock.WALL ? 1 : plan.speed());
         this.pausing = new Pausing(
@@ -162,9 +163,9 @@ final class RunLoop {
         return operatorClock.getAsLong();
     }
 
-    /// Since the run's start. Any thread may ask.
+    /// Since the run's start, when its robots were there. Any thread may ask.
     Duration elapsed() {
-        return Duration.between(began, scheduler.instant());
+        return clock.elapsed();
     }
 
     /// Any thread may ask.
@@ -305,7 +306,7 @@ final class RunLoop {
 
     private void begin() {
         thread = Thread.currentThread();
-        var everything = new RunAssembly(plan, scheduler, eventLog, metrics, traffic, turns, goals);
+        var everything = new RunAssembly(plan, scheduler, clock, eventLog, metrics, traffic, turns, goals);
         assembly = everything;
         observer.ifPresent(_ -> everything.noteLinks(operatorTime()));
         recorder.ifPresent(everything::recordBy);

@@ -48,6 +48,37 @@ class LateRobotTest {
     }
 
     @Test
+    void theTimeOfARunBeginsWhenItsRobotsAreThere() {
+        LiveRun run = LiveRun.start(plan(SCENARIO.replace("host: late", "host: slow")));
+        LiveRun same = LiveRun.start(plan(SCENARIO.replace("host: late", "host: at-once")));
+        assertThat(Runs.result(run).simulatedSeconds())
+                .isEqualTo(Runs.result(same).simulatedSeconds());
+        assertThat(times(run)).isEqualTo(times(same));
+    }
+
+    private static List<String> times(LiveRun run) {
+        return run.events(0).stream()
+                .map(event -> event.time() + " " + event.subject() + ": " + event.text())
+                .toList();
+    }
+
+    @Test
+    void itsFaultsBeginWhenItJoinsUnlessTheyAreOver() {
+        String scenario = SCENARIO.replace("    pose: {free: true}\n", """
+                    pose: {free: true}
+                    devices: {localizer: {type: truthful}}
+                """) + """
+                faults:
+                  - {kind: frozen, robots: hunter-1, devices: localizer, at: 0, for: 2}
+                  - {kind: frozen, robots: hunter-1, devices: localizer, at: 1, for: 6}
+                """;
+        LiveRun run = LiveRun.start(plan(scenario));
+        Runs.result(run);
+        assertThat(times(run).stream().filter(line -> line.contains("frozen")))
+                .containsExactly("PT3S hunter-1/localizer: frozen", "PT7S hunter-1/localizer: no longer frozen");
+    }
+
+    @Test
     void itsMotorsStayOffUntilSomebodySwitchesThemOn() {
         LiveRun run = LiveRun.start(plan(SCENARIO.replace("host: late", "host: late-off")));
         Runs.result(run);

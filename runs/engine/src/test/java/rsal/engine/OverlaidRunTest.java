@@ -14,6 +14,7 @@ import rsal.agent.platform.AgentTurns;
 import rsal.data.Pose2d;
 import rsal.engine.communication.Traffic;
 import rsal.engine.event.EventLog;
+import rsal.engine.event.RunClock;
 import rsal.engine.metric.MetricsObserver;
 import rsal.engine.operator.SentGoals;
 import rsal.engine.report.Answer;
@@ -52,11 +53,13 @@ class OverlaidRunTest {
 
     private RunAssembly stage(String scenario) {
         RunPlan plan = Runs.plan(folder, scenario, RunOptions.NONE);
-        var eventLog = new EventLog(() -> Duration.between(Instant.EPOCH, time.instant()), () -> {});
-        var observer = new MetricsObserver(plan, eventLog, time);
+        var clock = new RunClock(time);
+        var eventLog = new EventLog(clock::elapsed, () -> {});
+        var observer = new MetricsObserver(plan, eventLog, clock);
         var stage = new RunAssembly(
                 plan,
                 time,
+                clock,
                 eventLog,
                 observer,
                 new Traffic(eventLog, observer, false),

@@ -1,7 +1,6 @@
 package rsal.engine.agent;
 
 import java.time.Duration;
-import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -38,6 +37,7 @@ import rsal.engine.communication.Traffic;
 import rsal.engine.event.ConversationLog;
 import rsal.engine.event.Conversations;
 import rsal.engine.event.EventLog;
+import rsal.engine.event.RunClock;
 import rsal.engine.metric.MetricsObserver;
 import rsal.engine.report.AgentInspection;
 import rsal.engine.report.AgentView;
@@ -61,7 +61,7 @@ public final class Agents implements AutoCloseable {
 
     private final RunPlan plan;
     private final Scheduler scheduler;
-    private final Instant begun;
+    private final RunClock clock;
     private final EventLog eventLog;
     private final MetricsObserver observer;
     private final Faults faults;
@@ -71,7 +71,7 @@ public final class Agents implements AutoCloseable {
     private final AgentTurns turns;
     private final Map<String, PlannedAgent> started = new HashMap<>(); // by name
     private final Map<String, Deque<String>> lastMessages = new HashMap<>(); // in words
-    private final Map<String, Instant> lastSaid = new HashMap<>(); // when
+    private final Map<String, Duration> lastSaid = new HashMap<>(); // since the start
     private final Map<String, String> lastWords = new HashMap<>();
     private final UnhandledGoals unhandledGoals;
     private final SentRobots sent;
@@ -88,6 +88,7 @@ public final class Agents implements AutoCloseable {
     public Agents(
             RunPlan plan,
             Scheduler scheduler,
+            RunClock clock,
             EventLog eventLog,
             MetricsObserver observer,
             Faults faults,
@@ -103,10 +104,10 @@ public final class Agents implements AutoCloseable {
         this.team = team;
         this.where = where;
         this.traffic = traffic;
-        this.begun = scheduler.instant();
-        this.talks = new ConversationLog(scheduler.instant());
-        this.mailboxes = new Mailboxes(scheduler.instant());
-        this.beliefHistory = new BeliefHistory(scheduler);
+        this.clock = clock;
+        this.talks = new ConversationLog(clock);
+        this.mailboxes = new Mailboxes(clock);
+        this.beliefHistory = new BeliefHistory(clock);
         this.links = new Links(scheduler, this::robotOf);
         this.turns = turns;
         this.sent = new SentRobots(eventLog);
@@ -276,7 +277,7 @@ public final class Agents implements AutoCloseable {
         String words = Words.of(message); // if it can't be made, the one who says it is told, and nothing was said
         traffic.said(message);
         eventLog.said(message, words);
-        lastSaid.put(message.sender(), scheduler.instant());
+        lastSaid.put(message.sender(), clock.elapsed());
         var last = lastMessages.computeIfAbsent(message.sender(), _ -> new ArrayDeque<>());
         last.addLast(message.topic().name() + ": " + words);
         if (last.size() > LAST_MESSAGES) {
@@ -488,7 +489,7 @@ public final class Agents implements AutoCloseable {
         return new AgentView(
                 view,
                 List.copyOf(lastMessages.getOrDefault(name, new ArrayDeque<>())),
-                Optional.ofNullable(lastSaid.get(name)).map(when -> Duration.between(begun, when)));
+                Optional.ofNullable(lastSaid.get(name)));
     }
 
     /// Stops them all; what they still say is not journaled.

@@ -1,13 +1,11 @@
 package rsal.engine.agent;
 
-import java.time.Duration;
-import java.time.Instant;
-import java.time.InstantSource;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import rsal.engine.event.NewestByName;
+import rsal.engine.event.RunClock;
 import rsal.engine.report.MindChange;
 import rsal.engine.report.MindChange.Kind;
 import rsal.engine.report.MindWords;
@@ -31,23 +29,20 @@ final class BeliefHistory {
 
     private static final int MOST_AGENTS = 4_000;
 
-    private final InstantSource clock;
-    private final Instant began;
+    private final RunClock clock;
     private final Map<String, NewestByName<MindChange>> byAgent = NewestByName.touchedLast(MOST_AGENTS);
     private final Map<String, Look> looks = NewestByName.touchedLast(MOST_LOOKED_INTO); // by agent
 
     /// @param at when somebody asked last, in real time [ns]
     private record Look(MindWords last, long at) {}
 
-    /// @param clock the run's, which begins now
-    BeliefHistory(InstantSource clock) {
+    BeliefHistory(RunClock clock) {
         this.clock = clock;
-        this.began = clock.instant();
     }
 
     /// An agent does something else.
     void does(String agent, String words) {
-        note(agent, new MindChange(time(), Kind.DOES, "", Words.clipped(words)));
+        note(agent, new MindChange(clock.elapsed(), Kind.DOES, "", Words.clipped(words)));
     }
 
     /// Somebody looks into an agent.
@@ -65,14 +60,10 @@ final class BeliefHistory {
     void step(Function<String, Optional<MindWords>> held) {
         looks.replaceAll((agent, look) -> held.apply(agent)
                 .map(now -> {
-                    look.last().changesTo(now, time()).forEach(change -> note(agent, change));
+                    look.last().changesTo(now, clock.elapsed()).forEach(change -> note(agent, change));
                     return new Look(now, look.at());
                 })
                 .orElse(look));
-    }
-
-    private Duration time() {
-        return Duration.between(began, clock.instant());
     }
 
     private void note(String agent, MindChange change) {

@@ -38,6 +38,7 @@ public final class Faults {
     private final Map<String, Runnable> ending = new HashMap<>(); // absences, by robots that have no room yet
     private final Set<String> left = new HashSet<>(); // robots that were taken out of the world
     private final Map<String, Set<String>> agentsOf = new HashMap<>(); // by robots
+    private final Map<String, List<DelayedFault>> awaited = new HashMap<>(); // by robots that join late
 
     /// Breaks robots and their devices.
     interface Breaker {
@@ -78,6 +79,16 @@ public final class Faults {
     /// A robot is there again, or for the first time.
     public void appeared(String robot) {
         Optional.ofNullable(ending.remove(robot)).ifPresent(Runnable::run);
+    }
+
+    /// A robot is not there yet: its faults begin when it joins, unless they are over by then.
+    public void await(String robot) {
+        awaited.put(robot, new ArrayList<>());
+    }
+
+    /// A robot that was not there yet has its devices now.
+    public void joined(String robot) {
+        Optional.ofNullable(awaited.remove(robot)).ifPresent(faults -> faults.forEach(DelayedFault::begin));
     }
 
     /// A robot was taken out of the world: it does not come back.
@@ -173,7 +184,42 @@ public final class Faults {
         }
     }
 
+    /// A fault whose robot is not there yet.
+    private final class DelayedFault implements Subscription {
+        private final OfRobot target;
+        private final RandomGenerator random;
+        private Optional<Subscription> begun = Optional.empty();
+        private boolean over;
+
+        DelayedFault(OfRobot target, RandomGenerator random) {
+            this.target = target;
+            this.random = random;
+        }
+
+        /// Nobody reads for how long: it ends when it would have ended with the robot there.
+        void begin() {
+            if (!over) {
+                begun = Optional.of(Faults.this.begin(target, Optional.empty(), random));
+            }
+        }
+
+        @Override
+        public void cancel() {
+            over = true;
+            begun.ifPresent(Subscription::cancel);
+        }
+    }
+
+    private Subscription delayed(OfRobot target, RandomGenerator random) {
+        var delayed = new DelayedFault(target, random);
+        awaited.computeIfAbsent(target.robot(), _ -> new ArrayList<>()).add(delayed);
+        return delayed;
+    }
+
     private Subscription begin(Target target, Optional<Duration> length, RandomGenerator random) {
+        if (target instanceof OfRobot late && awaited.containsKey(late.robot())) {
+            return delayed(late, random);
+        }
         Optional<String> refusal = target instanceof OfRobot broken ? breaker.refusal(broken) : Optional.empty();
         if (refusal.isPresent()) {
             eventLog.event("fault", target.name(), "not %s: %s".formatted(target.words(), refusal.get()));

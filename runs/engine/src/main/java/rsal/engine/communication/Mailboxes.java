@@ -1,11 +1,10 @@
 package rsal.engine.communication;
 
-import java.time.Duration;
-import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import rsal.agent.Message;
 import rsal.engine.event.NewestByName;
+import rsal.engine.event.RunClock;
 import rsal.engine.report.ReceivedMessage;
 import rsal.engine.report.Words;
 
@@ -21,12 +20,11 @@ public final class Mailboxes {
     /// How many agents' are kept: of those that heard something last.
     private static final int MOST_AGENTS = 20_000;
 
-    private final Instant began;
+    private final RunClock clock;
     private final Map<String, NewestByName<Message<?>>> byAgent = NewestByName.touchedLast(MOST_AGENTS);
 
-    /// @param began when the run did
-    public Mailboxes(Instant began) {
-        this.began = began;
+    public Mailboxes(RunClock clock) {
+        this.clock = clock;
     }
 
     void heard(Message<?> message, String listener) {
@@ -44,7 +42,7 @@ public final class Mailboxes {
 
     private ReceivedMessage mail(Message<?> message) {
         return new ReceivedMessage(
-                Duration.between(began, message.time()),
+                clock.at(message.time()),
                 message.sender(),
                 message.isForAll(),
                 message.topic().name(),

@@ -24,7 +24,6 @@ public final class RobotBreaker implements Faults.Breaker {
     private final Set<String> breaking; // all that faults can strike, by name
     private final Map<String, FaultyLocalizer> localizers = new HashMap<>(); // by the device's id
     private final Set<String> left = new HashSet<>(); // robots
-    private final Set<String> awaited = new HashSet<>(); // robots that join late
 
     public RobotBreaker(RobotSystem system, List<PlannedFault> faults) {
         this.system = system;
@@ -45,16 +44,6 @@ public final class RobotBreaker implements Faults.Breaker {
         return device;
     }
 
-    /// A robot is not there yet.
-    public void await(String robot) {
-        awaited.add(robot);
-    }
-
-    /// It is there now.
-    public void joined(String robot) {
-        awaited.remove(robot);
-    }
-
     /// A robot was taken out of the world, with all of its devices.
     public void leave(String robot) {
         localizers.values().removeIf(localizer -> localizer.info().robot().equals(robot));
@@ -65,9 +54,6 @@ public final class RobotBreaker implements Faults.Breaker {
     public Optional<String> refusal(OfRobot broken) {
         if (left.contains(broken.robot())) {
             return Optional.of("There is no robot '%s'.".formatted(broken.robot()));
-        }
-        if (awaited.contains(broken.robot())) {
-            return Optional.of("Robot '%s' is not there yet.".formatted(broken.robot()));
         }
         return localizers.containsKey(broken.name())
                 ? Optional.empty()

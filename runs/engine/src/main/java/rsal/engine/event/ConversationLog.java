@@ -1,7 +1,5 @@
 package rsal.engine.event;
 
-import java.time.Duration;
-import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Iterator;
@@ -21,7 +19,7 @@ public final class ConversationLog {
     /// How many agents' words are kept: acts may be for names that nobody has.
     private static final int MOST_AGENTS = 4_000;
 
-    private final Instant began;
+    private final RunClock clock;
     private final Map<String, Deque<Line>> byAgent = new LinkedHashMap<>(16, 0.75f, true) { // by who spoke last
                 @Override
                 protected boolean removeEldestEntry(Map.Entry<String, Deque<Line>> eldest) {
@@ -46,9 +44,8 @@ public final class ConversationLog {
         }
     }
 
-    /// @param began when the run did
-    public ConversationLog(Instant began) {
-        this.began = began;
+    public ConversationLog(RunClock clock) {
+        this.clock = clock;
     }
 
     /// Something is said for the first time.
@@ -91,7 +88,7 @@ public final class ConversationLog {
     private SpeechAct spoken(Line line) {
         Message<?> message = line.message;
         return new SpeechAct(
-                Duration.between(began, message.time()),
+                clock.at(message.time()),
                 message.sender(),
                 message.to(),
                 line.act.conversation(),

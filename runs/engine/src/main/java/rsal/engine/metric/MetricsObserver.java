@@ -1,8 +1,6 @@
 package rsal.engine.metric;
 
 import java.time.Duration;
-import java.time.Instant;
-import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -32,6 +30,7 @@ import rsal.device.Mapper;
 import rsal.device.SimulationControl;
 import rsal.device.SimulationControl.Contact;
 import rsal.engine.event.EventLog;
+import rsal.engine.event.RunClock;
 import rsal.engine.report.RunBroken;
 import rsal.engine.robot.RobotPoses;
 import rsal.metric.NameKind;
@@ -53,8 +52,7 @@ import rsal.scenario.condition.RunQuantities;
 public final class MetricsObserver implements Facts {
     private final RunPlan plan;
     private final EventLog eventLog;
-    private final InstantSource clock;
-    private final Instant start;
+    private final RunClock clock;
     private final Map<String, RobotRecord> records = new LinkedHashMap<>();
     private final Map<MetricDefinition, OptionalDouble> firstTimes = new HashMap<>();
     private final Map<String, Pose2d> sentTo = new HashMap<>(); // by robot, or ALL
@@ -89,11 +87,10 @@ public final class MetricsObserver implements Facts {
     private final Map<String, Boolean> exploring = new LinkedHashMap<>(); // by robot that draws a map
     private final Set<String> started = new LinkedHashSet<>(); // of these
 
-    public MetricsObserver(RunPlan plan, EventLog eventLog, InstantSource clock) {
+    public MetricsObserver(RunPlan plan, EventLog eventLog, RunClock clock) {
         this.plan = plan;
         this.eventLog = eventLog;
         this.clock = clock;
-        this.start = clock.instant();
         for (PlannedRobot robot : plan.robots()) {
             records.put(robot.spec().id(), new RobotRecord(robot.spec().role()));
             if (robot.drivers().stream()
@@ -425,7 +422,7 @@ public final class MetricsObserver implements Facts {
 
     /// Time since the run's start.
     Duration elapsed() {
-        return Duration.between(start, clock.instant());
+        return clock.elapsed();
     }
 
     /// Since the start of the run [s].

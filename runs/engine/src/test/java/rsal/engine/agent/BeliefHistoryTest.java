@@ -12,6 +12,7 @@ import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import rsal.agent.bdi.Mind.GoalState;
 import rsal.agent.bdi.Mind.GoalView;
+import rsal.engine.event.RunClock;
 import rsal.engine.report.MindChange;
 import rsal.engine.report.MindChange.Kind;
 import rsal.engine.report.MindWords;
@@ -20,7 +21,7 @@ class BeliefHistoryTest {
     private static final long SECOND = 1_000_000_000L;
 
     private Instant now = Instant.EPOCH.plusSeconds(100);
-    private final BeliefHistory beliefHistory = new BeliefHistory(() -> now);
+    private final BeliefHistory beliefHistory = new BeliefHistory(RunClock.started(() -> now));
     private final Map<String, Map<String, String>> beliefs = new HashMap<>();
     private List<GoalView> goals = List.of();
 

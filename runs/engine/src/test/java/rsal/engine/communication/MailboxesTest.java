@@ -7,12 +7,13 @@ import java.time.Instant;
 import org.junit.jupiter.api.Test;
 import rsal.agent.Message;
 import rsal.agent.Topic;
+import rsal.engine.event.RunClock;
 import rsal.engine.report.ReceivedMessage;
 
 class MailboxesTest {
     private static final Instant BEGAN = Instant.EPOCH.plusSeconds(100);
 
-    private final Mailboxes mailboxes = new Mailboxes(BEGAN);
+    private final Mailboxes mailboxes = new Mailboxes(RunClock.started(() -> BEGAN));
 
     private void hear(String listener, String topic, String to, int millis, String words) {
         mailboxes.heard(

@@ -16,7 +16,7 @@ import rsal.engine.report.SpeechAct;
 class ConversationLogTest {
     private static final Topic<Act> DOORS = new Topic<>("doors", Act.class);
 
-    private final ConversationLog talks = new ConversationLog(Instant.EPOCH);
+    private final ConversationLog talks = new ConversationLog(RunClock.started(() -> Instant.EPOCH));
 
     private static Message<Act> message(String from, String to, int number, Object content) {
         var act = new Act(

@@ -25,6 +25,7 @@ import rsal.time.Scheduler;
 /// has it, and fakes look at each wall with each beam.
 public class Reality implements RobotSystemProvider {
     private static final Parameter<String> HOST = Parameter.text("host", "localhost", "Where they are.");
+    private static final Duration LOOKING = Duration.ofSeconds(3); // for robots
     private static final Parameter<Integer> PORT = Parameter.integer("port", 6665, 1, 65535, "", "Where they listen.");
 
     @Override
@@ -64,9 +65,9 @@ public class Reality implements RobotSystemProvider {
         return new OccupancyGrid(64, 64, 1, -32, -32, cells);
     }
 
-    /// @param host `away` can't be reached, `empty` has no robots, `silent` is never done with looking for them,
-    /// `stuck` can't let go of them, `watched` knows where they are, and of `late` the last one joins after 3 s, of
-    /// `late-off` with its motors off; all others are fine
+    /// @param host `away` can't be reached, `empty` has no robots, `silent` is never done with looking for them, `slow`
+    /// is after 3 s, `stuck` can't let go of them, `watched` knows where they are, and of `late` the last one joins
+    /// after 3 s, of `late-off` with its motors off; all others are fine
     private record Robots(FakeSystem fakes, String host, Scheduler scheduler) implements RobotSystem {
         @Override
         public CompletionStage<List<Robot>> discover() {
@@ -74,15 +75,22 @@ public class Reality implements RobotSystemProvider {
                 case "away" -> CompletableFuture.failedFuture(new IllegalStateException("Nobody answers."));
                 case "empty" -> fakes.discover().thenApply(_ -> List.of());
                 case "silent" -> new CompletableFuture<>();
+                case "slow" -> slowly();
                 case "late", "late-off" -> fakes.discover().thenApply(this::withoutTheLast);
                 default -> fakes.discover();
             };
         }
 
+        private CompletionStage<List<Robot>> slowly() {
+            var found = new CompletableFuture<List<Robot>>();
+            scheduler.after(LOOKING, () -> fakes.discover().thenAccept(found::complete));
+            return found;
+        }
+
         private List<Robot> withoutTheLast(List<Robot> all) {
             Robot last = all.getLast();
             last.require(DriveBase.class).enable(host.equals("late"));
-            scheduler.after(Duration.ofSeconds(3), () -> fakes.tell(new Change.Appeared(last)));
+            scheduler.after(LOOKING, () -> fakes.tell(new Change.Appeared(last)));
             return all.subList(0, all.size() - 1);
         }
 
