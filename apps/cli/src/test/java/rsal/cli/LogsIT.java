@@ -114,6 +114,25 @@ class LogsIT {
     }
 
     @Test
+    void aLogInAFileRepeatsNoEventOnStderr() throws Exception {
+        Path fails = Files.writeString(folder.resolve("fails.yaml"), """
+                rsal: 1
+                scenario: fails
+                world: {map: office}
+                robots:
+                  guard: {model: pioneer2dx, pose: [-12, -1, 180]}
+                faults: [{kind: frozen, robots: guard, devices: base, at: 1}]
+                run: {stop: [{when: time > 2, outcome: success}]}
+                """);
+        Ended ended = new Rsal(folder).run("run", fails.toString(), "--headless", "--speed", "max", "--log", "run.log");
+        assertThat(ended.code()).as(ended.err()).isZero();
+        assertThat(Files.readString(folder.resolve("run.log"))).contains("guard/base", "frozen");
+        assertThat(ended.err().lines().filter(line -> line.contains("frozen")))
+                .as(ended.err())
+                .hasSize(1);
+    }
+
+    @Test
     void mistakesAreTold() throws Exception {
         assertThat(new Rsal(folder).run("logs", "none.log").err()).contains("There is no such file.");
         Files.createDirectory(folder.resolve("folder"));

@@ -11,6 +11,7 @@ import java.time.format.DateTimeFormatter;
 import java.time.format.DateTimeParseException;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SortedSet;
@@ -205,14 +206,15 @@ public final class LogsCommand extends Subcommand {
 
     /// `2026-11-29 15:10:00.123  WARN   patrol:virtual#42    12.3 s  guard-1: ran into wall`.
     private static String text(JsonNode entry) {
-        String about = Stream.of("agent", "robot")
-                .map(key -> word(entry, key))
-                .filter(word -> !word.isEmpty())
+        String device = word(entry, "device");
+        String about = Stream.of(word(entry, "agent"), word(entry, "robot") + (device.isEmpty() ? "" : "/" + device))
+                .filter(name -> !name.isEmpty())
                 .findFirst()
                 .map(name -> name + ": ")
                 .orElse("");
         String time = entry.path("simulatedSeconds").isNumber()
-                ? String.format("%8.1f s  ", entry.path("simulatedSeconds").asDouble())
+                ? String.format(
+                        Locale.ROOT, "%8.1f s  ", entry.path("simulatedSeconds").asDouble())
                 : "";
         String source =
                 Optional.of(word(entry, "run")).filter(name -> !name.isEmpty()).orElseGet(() -> word(entry, "part"));

@@ -7,6 +7,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.slf4j.event.Level;
 import org.slf4j.spi.LoggingEventBuilder;
+import rsal.cli.terminal.Logging;
 import rsal.engine.LiveRun;
 import rsal.engine.report.RunEvent;
 import rsal.scenario.RunPlan.PlannedAgent;
@@ -14,7 +15,7 @@ import rsal.scenario.RunPlan.PlannedAgent;
 /// Tells the log what happens in a run: its events, each with the run, the simulated time and the robot or agent that
 /// it is about. Warnings are what an operator should look at. Messages of agents are logged by level `debug` only.
 final class RunLog {
-    private static final Logger LOG = LoggerFactory.getLogger("rsal.run");
+    private static final Logger LOG = LoggerFactory.getLogger(Logging.EVENTS);
     private static final Set<String> WARNINGS =
             Set.of("collision", "fault", "health", "uncaught", "unhandled", "unreached");
     private static final String MESSAGE = "message";
@@ -62,8 +63,12 @@ final class RunLog {
                 .addKeyValue("simulatedSeconds", event.time().toNanos() / 1e9)
                 .addKeyValue("kind", event.kind());
         String subject = event.subject();
+        int slash = subject.indexOf('/');
         if (robots.contains(subject)) {
             entry = entry.addKeyValue("robot", subject);
+        } else if (slash >= 0 && robots.contains(subject.substring(0, slash))) {
+            entry = entry.addKeyValue("robot", subject.substring(0, slash))
+                    .addKeyValue("device", subject.substring(slash + 1));
         } else if (!subject.isEmpty()) {
             entry = entry.addKeyValue("agent", subject);
             if (robotsOfAgents.containsKey(subject)) {

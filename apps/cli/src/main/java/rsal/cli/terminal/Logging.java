@@ -26,6 +26,9 @@ import rsal.settings.OwnCode;
 /// Sends logs to stderr, warnings and worse. In Java rather than XML, which would take longer to read than the rest
 /// of a start.
 public final class Logging extends ContextAwareBase implements Configurator {
+    /// The logger of what happens in runs.
+    public static final String EVENTS = "rsal.run";
+
     private static final String OURS = "rsal";
     private static final int MOST_OLD_FILES = 5;
     private static final long MOST_BYTES = 10_000_000;
@@ -47,6 +50,14 @@ public final class Logging extends ContextAwareBase implements Configurator {
         }
     };
 
+    /// Leaves out events of runs, which people read as lines of the progress.
+    private static final Filter<ILoggingEvent> WITHOUT_EVENTS = new Filter<>() {
+        @Override
+        public FilterReply decide(ILoggingEvent event) {
+            return event.getLoggerName().equals(EVENTS) ? FilterReply.DENY : FilterReply.NEUTRAL;
+        }
+    };
+
     @Override
     public ExecutionStatus configure(LoggerContext context) {
         var encoder = new PatternLayoutEncoder();
@@ -61,6 +72,8 @@ public final class Logging extends ContextAwareBase implements Configurator {
         FOR_PEOPLE.start();
         STDERR.addFilter(WITHOUT_OWN_CODE);
         WITHOUT_OWN_CODE.start();
+        STDERR.addFilter(WITHOUT_EVENTS);
+        WITHOUT_EVENTS.start();
         STDERR.start();
         var root = context.getLogger(Logger.ROOT_LOGGER_NAME);
         root.setLevel(Level.WARN);

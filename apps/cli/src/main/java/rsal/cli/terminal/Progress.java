@@ -21,14 +21,16 @@ import rsal.time.AllowedToReadWallClock;
 public final class Progress {
     private static final long PERIOD_MILLIS = 250;
     private static final String PRINT = "print"; // of agents
+    private static final String HEALTH = "health"; // of devices
     private static final Set<String> KINDS = Set.of(
-            "bridge", "caught", "collision", "fault", "health", "mapped", "operator", PRINT, "uncaught", "unreached");
+            "bridge", "caught", "collision", "fault", HEALTH, "mapped", "operator", PRINT, "uncaught", "unreached");
     private static final String CLEAR_LINE = "\r\033[K";
 
     private final PrintWriter err;
     private final boolean quiet;
     private final boolean terminal = Terminal.showsProgress();
     private final LifeSigns signs = new LifeSigns();
+    private final HealthLines health = new HealthLines();
     private long began;
     private long lastEvent;
 
@@ -61,6 +63,7 @@ public final class Progress {
             try {
                 RunResult ended = result.get(PERIOD_MILLIS, TimeUnit.MILLISECONDS);
                 show(run);
+                health.rest().forEach(this::print);
                 clear();
                 return ended;
             } catch (TimeoutException _) {
@@ -75,21 +78,39 @@ public final class Progress {
     private void show(LiveRun run) {
         for (RunEvent event : run.events(lastEvent)) {
             lastEvent = event.sequence();
-            if (tells(event) && !(quiet && event.kind().equals(PRINT))) {
-                clear();
-                err.println(line(event));
+            if (tells(event) && !isHeld(event)) {
+                print(event);
             }
         }
         Snapshot now = run.snapshot(); // asks for the next, too: so this one is of the last time
+        health.due(now.time()).forEach(this::print);
+        boolean isReal = run.plan().clock() == RunPlan.Clock.WALL;
         if (terminal) {
-            err.print(CLEAR_LINE + line(now));
+            err.print(CLEAR_LINE + line(now, isReal));
             err.flush();
         } else if (signs.isDue(System.nanoTime() - began, now.paused())) {
-            err.println(line(now));
+            err.println(line(now, isReal));
         }
     }
 
-    static String line(Snapshot now) {
+    private boolean isHeld(RunEvent event) {
+        return switch (event.kind()) {
+            case PRINT -> quiet;
+            case HEALTH -> !health.tells(event);
+            default -> false;
+        };
+    }
+
+    private void print(RunEvent event) {
+        clear();
+        err.println(line(event));
+    }
+
+    /// @param isReal whether the robots of the run must be found first, while its time stands at 0
+    static String line(Snapshot now, boolean isReal) {
+        if (isReal && now.time().isZero()) {
+            return "           waiting for robots";
+        }
         if (now.paused()) {
             return String.format(Locale.ROOT, "%8.1f s  paused", seconds(now.time()));
         }

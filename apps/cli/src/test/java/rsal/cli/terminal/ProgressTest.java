@@ -31,14 +31,23 @@ class ProgressTest {
 
     @Test
     void aRunThatStandsStillIsCalledPaused() {
-        assertThat(Progress.line(at(true))).isEqualTo("    12.3 s  paused");
-        assertThat(Progress.line(at(false))).isEqualTo("    12.3 s  running at 1.50 × real time");
+        assertThat(Progress.line(at(true), false)).isEqualTo("    12.3 s  paused");
+        assertThat(Progress.line(at(false), true)).isEqualTo("    12.3 s  running at 1.50 × real time");
+    }
+
+    @Test
+    void aRunThatHasNotFoundItsRobotsSaysSo() {
+        assertThat(Progress.line(at(Duration.ZERO, false), true)).isEqualTo("           waiting for robots");
     }
 
     private static Snapshot at(boolean paused) {
+        return at(Duration.ofMillis(12_340), paused);
+    }
+
+    private static Snapshot at(Duration time, boolean paused) {
         return new Snapshot(
                 1,
-                Duration.ofMillis(12_340),
+                time,
                 paused,
                 false,
                 1,
