@@ -14,6 +14,7 @@ public final class SampleReader {
     private final Consumer<Arrival> receiver;
     private final AssemblyBudget budget;
     private final Map<Guid, WriterProxy> writers = new HashMap<>();
+    private volatile int matched; // how many there are, for threads without the participant's lock
 
     SampleReader(EndpointData data, AssemblyBudget budget, Consumer<Arrival> receiver) {
         this.data = data;
@@ -26,9 +27,9 @@ public final class SampleReader {
         return data;
     }
 
-    /// How many writers it reads from.
+    /// How many writers it reads from. Any thread may ask.
     public int matched() {
-        return writers.size();
+        return matched;
     }
 
     Map<Guid, WriterProxy> writers() {
@@ -46,10 +47,12 @@ public final class SampleReader {
                         budget,
                         receiver,
                         now));
+        matched = writers.size();
     }
 
     void unmatch(Guid writer) {
         WriterProxy proxy = writers.remove(writer);
+        matched = writers.size();
         if (proxy != null) {
             proxy.close();
         }

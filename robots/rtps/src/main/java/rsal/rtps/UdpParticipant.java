@@ -200,12 +200,6 @@ public final class UdpParticipant implements AutoCloseable {
         }
     }
 
-    public int matched(SampleReader reader) {
-        synchronized (participant) {
-            return reader.matched();
-        }
-    }
-
     public List<ParticipantData> participants() {
         synchronized (participant) {
             return List.copyOf(participant.participants());

@@ -54,7 +54,7 @@ final class RtpsClient {
     }
 
     boolean isAvailable() {
-        return !participant.readers(requests).isEmpty() && participant.matched(reader()) > 0;
+        return !participant.readers(requests).isEmpty() && reader().matched() > 0;
     }
 
     CompletionStage<byte[]> call(byte[] request) {

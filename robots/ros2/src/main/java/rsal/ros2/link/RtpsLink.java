@@ -195,7 +195,7 @@ public final class RtpsLink implements RosLink {
         return new Subscribed() {
             @Override
             public int publishers() {
-                return participant.matched(reader);
+                return reader.matched();
             }
 
             @Override

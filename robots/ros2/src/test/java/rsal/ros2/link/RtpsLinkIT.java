@@ -257,7 +257,7 @@ class RtpsLinkIT {
             });
             ServiceClient client = here.client("/lights", "std_srvs/srv/SetBool");
             await(client::isAvailable);
-            await(() -> there.matched(replies) == 1);
+            await(() -> replies.matched() == 1);
             answersAreTheirOwn(client);
             assertThat(asked).containsExactly(true, false, true);
         }
