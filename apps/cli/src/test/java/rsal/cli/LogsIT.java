@@ -126,7 +126,8 @@ class LogsIT {
                 """);
         Ended ended = new Rsal(folder).run("run", fails.toString(), "--headless", "--speed", "max", "--log", "run.log");
         assertThat(ended.code()).as(ended.err()).isZero();
-        assertThat(Files.readString(folder.resolve("run.log"))).contains("guard/base", "frozen");
+        assertThat(Files.readString(folder.resolve("run.log")))
+                .contains("\"robot\":\"guard\",\"device\":\"base\",\"message\":\"frozen\"");
         assertThat(ended.err().lines().filter(line -> line.contains("frozen")))
                 .as(ended.err())
                 .hasSize(1);

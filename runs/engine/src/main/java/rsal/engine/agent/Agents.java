@@ -1,9 +1,6 @@
 package rsal.engine.agent;
 
-import java.time.Duration;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Deque;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -55,7 +52,6 @@ import rsal.time.Scheduler;
 /// The agents of a run: starts them, asks them for people, and journals what they say and what becomes of them. All
 /// calls on the run's thread.
 public final class Agents implements AutoCloseable {
-    private static final int LAST_MESSAGES = 5;
     private static final String OPERATOR = "operator"; // who speaks for people
     public static final int MOST_BY_HAND = 500; // starts that people ask for, of a run
 
@@ -70,8 +66,7 @@ public final class Agents implements AutoCloseable {
     private final Traffic traffic;
     private final AgentTurns turns;
     private final Map<String, PlannedAgent> started = new HashMap<>(); // by name
-    private final Map<String, Deque<String>> lastMessages = new HashMap<>(); // in words
-    private final Map<String, Duration> lastSaid = new HashMap<>(); // since the start
+    private final NewestMessages newestMessages = new NewestMessages();
     private final Map<String, String> lastWords = new HashMap<>();
     private final UnhandledGoals unhandledGoals;
     private final SentRobots sent;
@@ -277,12 +272,7 @@ public final class Agents implements AutoCloseable {
         String words = Words.of(message); // if it can't be made, the one who says it is told, and nothing was said
         traffic.said(message);
         eventLog.said(message, words);
-        lastSaid.put(message.sender(), clock.elapsed());
-        var last = lastMessages.computeIfAbsent(message.sender(), _ -> new ArrayDeque<>());
-        last.addLast(message.topic().name() + ": " + words);
-        if (last.size() > LAST_MESSAGES) {
-            last.removeFirst();
-        }
+        newestMessages.sent(message.sender(), message.topic().name() + ": " + words, clock.elapsed());
         switch (message.content()) {
             case Act act
             when !isNew(message, act) ->
@@ -486,10 +476,7 @@ public final class Agents implements AutoCloseable {
 
     private AgentView view(AgentPlatform.View view) {
         String name = view.agent().name();
-        return new AgentView(
-                view,
-                List.copyOf(lastMessages.getOrDefault(name, new ArrayDeque<>())),
-                Optional.ofNullable(lastSaid.get(name)));
+        return new AgentView(view, newestMessages.of(name), newestMessages.newest(name));
     }
 
     /// Stops them all; what they still say is not journaled.
