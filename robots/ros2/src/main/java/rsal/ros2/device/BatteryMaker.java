@@ -16,6 +16,11 @@ final class BatteryMaker implements RosParts.Maker {
     }
 
     @Override
+    public ReportNames reportNames() {
+        return ReportNames.of("battery", "bms");
+    }
+
+    @Override
     public boolean isThere(Wanted wanted, RobotTopics topics, RosSettings settings) {
         return !topics.published(BATTERY, USUAL).isEmpty();
     }

@@ -17,6 +17,11 @@ final class BlobFinderMaker implements RosParts.Maker {
     }
 
     @Override
+    public ReportNames reportNames() {
+        return ReportNames.of("detector", "detections");
+    }
+
+    @Override
     public boolean isThere(Wanted wanted, RobotTopics topics, RosSettings settings) {
         return !topics.published(DETECTIONS, USUAL).isEmpty();
     }

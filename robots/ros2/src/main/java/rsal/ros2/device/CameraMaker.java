@@ -26,6 +26,11 @@ final class CameraMaker implements RosParts.Maker {
     }
 
     @Override
+    public ReportNames reportNames() {
+        return ReportNames.of("camera");
+    }
+
+    @Override
     public boolean isThere(Wanted wanted, RobotTopics topics, RosSettings settings) {
         return colors(wanted.name(), topics).isPresent();
     }

@@ -25,6 +25,11 @@ final class GripperMaker implements RosParts.Maker {
     }
 
     @Override
+    public ReportNames reportNames() {
+        return ReportNames.of("gripper");
+    }
+
+    @Override
     public boolean isThere(Wanted wanted, RobotTopics topics, RosSettings settings) {
         return topics.serves(settings.gripper().action(), ACTION);
     }

@@ -16,6 +16,11 @@ final class ImuMaker implements RosParts.Maker {
     }
 
     @Override
+    public ReportNames reportNames() {
+        return ReportNames.of("imu", "gyro");
+    }
+
+    @Override
     public boolean isThere(Wanted wanted, RobotTopics topics, RosSettings settings) {
         return !topics.published(IMU, "imu").isEmpty();
     }

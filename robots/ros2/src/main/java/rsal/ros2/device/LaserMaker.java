@@ -18,6 +18,11 @@ final class LaserMaker implements RosParts.Maker {
     }
 
     @Override
+    public ReportNames reportNames() {
+        return ReportNames.of("laser", "lidar", "scan", "scanner");
+    }
+
+    @Override
     public boolean isThere(Wanted wanted, RobotTopics topics, RosSettings settings) {
         return topics.published(SCAN, "scan").size() > wanted.number();
     }

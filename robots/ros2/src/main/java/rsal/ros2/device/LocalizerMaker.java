@@ -19,6 +19,11 @@ final class LocalizerMaker implements RosParts.Maker {
         return part instanceof Part.Own own && own.makes().equals(Localizer.class);
     }
 
+    @Override
+    public ReportNames reportNames() {
+        return ReportNames.of("amcl", "localization").needing("amcl", "slam_toolbox");
+    }
+
     /// Its topics may come later, and TF is of all robots.
     @Override
     public boolean isThere(Wanted wanted, RobotTopics topics, RosSettings settings) {

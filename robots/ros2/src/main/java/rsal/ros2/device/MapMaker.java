@@ -16,6 +16,11 @@ final class MapMaker implements RosParts.Maker {
         return part instanceof Part.Own own && own.makes().equals(Mapper.class);
     }
 
+    @Override
+    public ReportNames reportNames() {
+        return ReportNames.of("mapping").needing("map_server", "slam_toolbox");
+    }
+
     /// It may be published later.
     @Override
     public boolean isThere(Wanted wanted, RobotTopics topics, RosSettings settings) {

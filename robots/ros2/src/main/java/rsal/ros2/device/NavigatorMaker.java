@@ -17,6 +17,14 @@ final class NavigatorMaker implements RosParts.Maker {
         return part instanceof Part.Own own && own.makes().equals(Navigator.class);
     }
 
+    @Override
+    public ReportNames reportNames() {
+        return ReportNames.of("navigation")
+                .needing("bt_navigator")
+                .needing("planner_server")
+                .needing("controller_server");
+    }
+
     /// It may be served later.
     @Override
     public boolean isThere(Wanted wanted, RobotTopics topics, RosSettings settings) {

@@ -15,6 +15,11 @@ final class PlannerMaker implements RosParts.Maker {
     }
 
     @Override
+    public ReportNames reportNames() {
+        return ReportNames.of("planning").needing("planner_server");
+    }
+
+    @Override
     public boolean isThere(Wanted wanted, RobotTopics topics, RosSettings settings) {
         return topics.serves(NAME, RosPlanner.ACTION);
     }

@@ -30,6 +30,9 @@ final class RosParts {
     interface Maker {
         boolean makes(Part part);
 
+        /// By which names the robot's programs speak of its devices.
+        ReportNames reportNames();
+
         /// Whether a robot has the topics that the part needs.
         boolean isThere(Wanted wanted, RobotTopics topics, RosSettings settings);
 

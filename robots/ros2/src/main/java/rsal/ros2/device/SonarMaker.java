@@ -17,6 +17,11 @@ final class SonarMaker implements RosParts.Maker {
         return part instanceof Part.Sonars;
     }
 
+    @Override
+    public ReportNames reportNames() {
+        return ReportNames.of("sonar", "sonars", "ultrasonic");
+    }
+
     private static int count(Wanted wanted) {
         return ((Part.Sonars) wanted.part()).baseFromSensors().size();
     }

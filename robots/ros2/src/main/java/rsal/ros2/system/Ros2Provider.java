@@ -68,6 +68,10 @@ public final class Ros2Provider implements RobotSystemProvider {
                     .toList(),
             "The distribution of ROS 2 that the robots run. announced: the one that each robot announces.");
 
+    private static final Parameter<Boolean> DIAGNOSTICS = Parameter.flag(
+            "diagnostics",
+            true,
+            "Whether errors in the robots' diagnostics (diagnostic_msgs/DiagnosticArray) are errors of their devices.");
     private static final Parameter<String> STOP_TOPIC = Parameter.text(
             "stopTopic",
             "",
@@ -126,6 +130,7 @@ public final class Ros2Provider implements RobotSystemProvider {
                 RealRobots.ARMED,
                 RealRobots.WAIT,
                 RealRobots.LATE,
+                DIAGNOSTICS,
                 STOP_TOPIC,
                 STOP_SERVICE,
                 GRIPPER_ACTION,
@@ -174,7 +179,8 @@ public final class Ros2Provider implements RobotSystemProvider {
                                         settings.get(RealRobots.ARMED),
                                         settings.get(STOP_TOPIC),
                                         settings.get(STOP_SERVICE)),
-                                gripper),
+                                gripper,
+                                settings.get(DIAGNOSTICS)),
                         RealRobots.Waiting.of(settings),
                         scheduler,
                         new SecureRandom());

@@ -41,7 +41,7 @@ record OneRobot(MemoryNetwork network, Scheduler run, Optional<Distribution> dis
                 Map.of(spec(parts), "/r1"),
                 network::join,
                 distribution,
-                new RosSettings(new Safety(Duration.ofMillis(500), true, "", ""), gripper),
+                new RosSettings(new Safety(Duration.ofMillis(500), true, "", ""), gripper, true),
                 Waiting.USUAL,
                 run,
                 new SplittableRandom(1));

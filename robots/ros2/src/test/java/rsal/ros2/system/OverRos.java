@@ -110,7 +110,7 @@ final class OverRos implements RobotSystemProvider {
                     namespaces,
                     network::join,
                     Optional.empty(),
-                    new RosSettings(new Safety(WATCHDOG, true, "", ""), GripperSettings.USUAL),
+                    new RosSettings(new Safety(WATCHDOG, true, "", ""), GripperSettings.USUAL, true),
                     Waiting.USUAL,
                     scheduler,
                     new SplittableRandom(1));

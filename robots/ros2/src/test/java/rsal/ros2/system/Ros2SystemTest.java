@@ -108,7 +108,7 @@ class Ros2SystemTest {
                 network::join,
                 Optional.empty(),
                 new RosSettings(
-                        new Safety(Duration.ofMillis(500), true, "e_stop", "set_e_stop"), GripperSettings.USUAL),
+                        new Safety(Duration.ofMillis(500), true, "e_stop", "set_e_stop"), GripperSettings.USUAL, true),
                 waiting,
                 run,
                 new SplittableRandom(1));
