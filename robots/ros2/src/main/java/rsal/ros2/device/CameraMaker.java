@@ -8,8 +8,10 @@ import rsal.device.camera.Camera;
 import rsal.device.camera.CameraKind;
 import rsal.robot.RobotModel.Part;
 import rsal.ros2.device.RosParts.Wanted;
+import rsal.ros2.health.ReportNames;
 import rsal.ros2.link.RosLink.Subscribed;
 import rsal.ros2.link.RosTopic;
+import rsal.ros2.setting.RosSettings;
 
 /// Makes a camera of its images: `camera/image_raw`, those below the device's name, or the first ones; with depth if
 /// there is a topic with `depth` in its name. Where colors are compressed only, it is made of `…/compressed`.

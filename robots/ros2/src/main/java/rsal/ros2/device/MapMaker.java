@@ -4,8 +4,10 @@ import rsal.device.DeviceInfo;
 import rsal.device.Mapper;
 import rsal.robot.RobotModel.Part;
 import rsal.ros2.device.RosParts.Wanted;
+import rsal.ros2.health.ReportNames;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.CellMeaning;
+import rsal.ros2.setting.RosSettings;
 
 /// Makes a map of the robot's topic `map`, or of that of all robots, with its updates.
 final class MapMaker implements RosParts.Maker {

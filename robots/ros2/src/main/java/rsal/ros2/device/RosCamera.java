@@ -12,6 +12,8 @@ import rsal.device.DeviceInfo;
 import rsal.device.camera.Camera;
 import rsal.device.camera.CameraImage;
 import rsal.ros2.cdr.RosMessage;
+import rsal.ros2.image.CompressedImage;
+import rsal.ros2.image.ImageMessage;
 import rsal.ros2.message.RosMessages;
 
 /// A camera that publishes `sensor_msgs/Image` or `sensor_msgs/CompressedImage`, in color and, if it can, as depth. An

@@ -11,12 +11,17 @@ import rsal.device.DeviceInfo;
 import rsal.robot.Robot;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
+import rsal.ros2.health.ReportNames;
+import rsal.ros2.health.ReportedHealth;
+import rsal.ros2.health.RobotDiagnostics;
 import rsal.ros2.link.Inbox;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosLink.Subscribed;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.OdometryMessage;
+import rsal.ros2.setting.RosSettings;
+import rsal.ros2.setting.Safety;
 import rsal.ros2.type.TypeLibrary;
 import rsal.time.Scheduler;
 
@@ -99,7 +104,7 @@ public final class RosRobot {
                 safety,
                 frames,
                 clock);
-        var context = new RosContext(topics, link, types, scheduler, frames, clock, base, settings.gripper(), random);
+        var context = new RosContext(topics, link, types, scheduler, frames, clock, base, settings, random);
         motors = new MotorSwitch(spec.id(), link, topics.namespace(), safety);
         base.onMotors(motors::tell);
         ends.add(motors::close);

@@ -1,4 +1,4 @@
-package rsal.ros2.device;
+package rsal.ros2.health;
 
 import java.time.Duration;
 import java.time.Instant;

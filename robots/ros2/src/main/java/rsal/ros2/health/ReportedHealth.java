@@ -1,4 +1,4 @@
-package rsal.ros2.device;
+package rsal.ros2.health;
 
 import java.time.Instant;
 import java.util.ArrayList;
@@ -13,7 +13,7 @@ import rsal.time.Scheduler;
 
 /// How a robot's own programs say that its devices are: by its diagnostics, and by the states of the nodes of Nav2 that
 /// a device needs. A device whose nodes are not active is lost.
-final class ReportedHealth {
+public final class ReportedHealth {
     private final String namespace;
     private final RosLink link;
     private final Scheduler scheduler;
@@ -26,14 +26,14 @@ final class ReportedHealth {
 
     /// @param namespace of the robot; empty for none
     /// @param diagnostics empty where they do not matter
-    ReportedHealth(String namespace, RosLink link, Scheduler scheduler, Optional<RobotReports> diagnostics) {
+    public ReportedHealth(String namespace, RosLink link, Scheduler scheduler, Optional<RobotReports> diagnostics) {
         this.namespace = namespace;
         this.link = link;
         this.scheduler = scheduler;
         this.diagnostics = diagnostics;
     }
 
-    void add(DeviceCore device, ReportNames names) {
+    public void add(DeviceCore device, ReportNames names) {
         diagnostics.ifPresent(reports -> reports.add(device.info().name(), names.words()));
         List<List<LifecycleNode>> needs = names.nodes().stream()
                 .map(either -> either.stream().map(this::node).toList())
@@ -45,7 +45,7 @@ final class ReportedHealth {
         return nodes.computeIfAbsent(name, _ -> new LifecycleNode(namespace + "/" + name, link, scheduler));
     }
 
-    void look(Instant now) {
+    public void look(Instant now) {
         nodes.values().forEach(node -> node.look(now));
         devices.forEach(each -> each.device.report(trouble(each.needs)
                 .<Health>map(Health.Lost::new)
@@ -62,7 +62,7 @@ final class ReportedHealth {
                 .findFirst();
     }
 
-    void close() {
+    public void close() {
         nodes.values().forEach(LifecycleNode::close);
         diagnostics.ifPresent(RobotReports::close);
     }

@@ -1,4 +1,4 @@
-package rsal.ros2.device;
+package rsal.ros2.health;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -49,7 +49,7 @@ public final class RobotDiagnostics {
     /// Begins with a robot.
     ///
     /// @param namespace empty for none
-    RobotReports robot(String namespace) {
+    public RobotReports robot(String namespace) {
         var reports = new RobotReports(namespace, scheduler);
         robots.put(namespace, reports);
         if (!namespace.isEmpty()) {

@@ -1,4 +1,4 @@
-package rsal.ros2.device;
+package rsal.ros2.health;
 
 import java.time.Duration;
 import java.time.Instant;
@@ -24,7 +24,7 @@ import rsal.ros2.link.RosNetwork;
 /// device all of whose name's words it has; of several the one with the most words. Where it names none, it concerns
 /// the
 /// device that is the only one of which it has a usual word, such as `lidar`. All others concern no device.
-final class RobotReports {
+public final class RobotReports {
     private static final Duration VALID = Duration.ofSeconds(5); // programs publish once a second
     private static final int ERROR = 2; // diagnostic_msgs/DiagnosticStatus
     private static final int STALE = 3;

@@ -1,4 +1,4 @@
-package rsal.ros2.device;
+package rsal.ros2.image;
 
 import java.awt.image.BufferedImage;
 import java.awt.image.ComponentColorModel;
@@ -14,9 +14,9 @@ import javax.imageio.stream.MemoryCacheImageInputStream;
 
 /// Decodes what `sensor_msgs/CompressedImage` has: JPEG or PNG, told apart by their first bytes, as drivers call them
 /// in many ways.
-final class CompressedImage {
+public final class CompressedImage {
     /// Of an image: somewhat more than 3840 × 2160.
-    static final int MOST_PIXELS = 1 << 23;
+    public static final int MOST_PIXELS = 1 << 23;
 
     private static final byte[] JPEG = {(byte) 0xff, (byte) 0xd8, (byte) 0xff};
     private static final byte[] PNG = {(byte) 0x89, 'P', 'N', 'G'};
@@ -25,7 +25,7 @@ final class CompressedImage {
     private CompressedImage() {}
 
     /// An image that can't be decoded. Its message says why.
-    static final class Unreadable extends Exception {
+    public static final class Unreadable extends Exception {
         private static final long serialVersionUID = 1;
 
         Unreadable(String why) {
@@ -34,7 +34,7 @@ final class CompressedImage {
     }
 
     /// @return the image in `rgb8`; gray ones have three equal colors, transparency is ignored
-    static ImageMessage read(byte[] data) throws Unreadable {
+    public static ImageMessage read(byte[] data) throws Unreadable {
         ImageReader reader = ImageIO.getImageReadersByFormatName(format(data)).next(); // which the JDK has
         try (var in = new MemoryCacheImageInputStream(new ByteArrayInputStream(data))) {
             reader.setInput(in, true, true);

@@ -13,12 +13,12 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
-import rsal.ros2.device.GripperSettings;
 import rsal.ros2.device.RosRobot;
-import rsal.ros2.device.RosSettings;
-import rsal.ros2.device.Safety;
 import rsal.ros2.link.RosEnvironment;
 import rsal.ros2.link.RosNetwork;
+import rsal.ros2.setting.GripperSettings;
+import rsal.ros2.setting.RosSettings;
+import rsal.ros2.setting.Safety;
 import rsal.ros2.type.Distribution;
 import rsal.rtps.UdpParticipant;
 import rsal.settings.Arguments;
@@ -103,6 +103,12 @@ public final class Ros2Provider implements RobotSystemProvider {
     private static final Parameter<String> LIFT_JOINT = Parameter.text(
             "liftJoint", GripperSettings.USUAL.liftJoint(), "The joint of the lift, as joint_states names it.");
 
+    private static final Parameter<String> BUMPER_TOPICS = Parameter.text(
+            "bumperTopics",
+            "",
+            "Topics (std_msgs/Bool) of bumpers in each robot's namespace, in the order of its model, separated by commas:"
+                    + " bump_left, bump_right. Default: bumper_0, bumper_1, ... by the name of the device.");
+
     @Override
     public String key() {
         return "ros2";
@@ -138,7 +144,8 @@ public final class Ros2Provider implements RobotSystemProvider {
                 GRIPPER_POSITIONS,
                 GRIPPER_EFFORT,
                 LIFT_ACTION,
-                LIFT_JOINT);
+                LIFT_JOINT,
+                BUMPER_TOPICS);
     }
 
     @Override
@@ -156,7 +163,7 @@ public final class Ros2Provider implements RobotSystemProvider {
                     problems.add(new Problem(
                             robot.id(),
                             "model",
-                            "Robots of ROS 2 can't have '%s'. They can have lasers, sonars, IMUs, batteries, cameras, blob detectors, grippers, maps, localizers, navigators, planners."
+                            "Robots of ROS 2 can't have '%s'. They can have lasers, sonars, bumpers, IMUs, batteries, cameras, blob detectors, grippers, maps, localizers, navigators, planners, docking."
                                     .formatted(part.name())));
                 }
             }
@@ -180,6 +187,7 @@ public final class Ros2Provider implements RobotSystemProvider {
                                         settings.get(STOP_TOPIC),
                                         settings.get(STOP_SERVICE)),
                                 gripper,
+                                list(settings.get(BUMPER_TOPICS)),
                                 settings.get(DIAGNOSTICS)),
                         RealRobots.Waiting.of(settings),
                         scheduler,

@@ -1,4 +1,4 @@
-package rsal.ros2.device;
+package rsal.ros2.image;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -13,7 +13,7 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import rsal.ros2.device.CompressedImage.Unreadable;
+import rsal.ros2.image.CompressedImage.Unreadable;
 import rsal.testkit.Rounds;
 
 class CompressedImageTest {
