@@ -2,6 +2,7 @@
 /// scenarios or
 /// navigation.
 module rsal.ros2 {
+    requires java.desktop; // ImageIO decodes compressed images
     requires rsal.devices;
     requires rsal.ros2.bags;
     requires rsal.ros2.messages;

@@ -2,6 +2,7 @@ package rsal.device;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.util.Optional;
 import java.util.function.Consumer;
 
 /// What every device needs and drivers need not write again: who it is and how it is.
@@ -10,7 +11,9 @@ public abstract class DeviceCore implements Device {
 
     private final DeviceInfo info;
     private final Listeners<Health> healthListeners;
-    private Health health = Health.ok();
+    private Health health = Health.ok(); // as listeners know it
+    private Health seen = Health.ok(); // by the driver
+    private Optional<Health> reported = Optional.empty(); // by others
 
     protected DeviceCore(DeviceInfo info) {
         this.info = info;
@@ -32,8 +35,23 @@ public abstract class DeviceCore implements Device {
         return healthListeners.add(listener);
     }
 
-    /// For drivers: how the device is from now on.
+    /// For drivers: how the device is from now on, as far as the driver sees it.
     protected final void health(Health now) {
+        seen = now;
+        settle();
+    }
+
+    /// For robot systems: how others report the device to be, such as the robot's own diagnostics. What they report
+    /// goes before what the driver sees, as it says why.
+    ///
+    /// @param now empty when they report nothing
+    public final void report(Optional<Health> now) {
+        reported = now;
+        settle();
+    }
+
+    private void settle() {
+        Health now = reported.orElse(seen);
         if (!now.equals(health)) {
             health = now;
             healthListeners.tell(now);

@@ -11,6 +11,7 @@ import rsal.data.Interval;
 import rsal.data.LightState.Signal;
 import rsal.data.Pose2d;
 import rsal.device.Canvas;
+import rsal.device.Docking;
 import rsal.device.Localizer;
 import rsal.device.Mapper;
 import rsal.device.Navigator;
@@ -79,6 +80,7 @@ final class PartReader {
             case "localizer" -> Optional.of(new Part.Own(name, Localizer.class));
             case "navigator" -> Optional.of(new Part.Own(name, Navigator.class));
             case "planner" -> Optional.of(new Part.Own(name, Planner.class));
+            case "docking" -> Optional.of(new Part.Own(name, Docking.class));
             case "map" -> Optional.of(new Part.Own(name, Mapper.class));
             case "canvas" -> Optional.of(new Part.Own(name, Canvas.class));
             default -> DeviceKinds.find(type).map(reader::registered);

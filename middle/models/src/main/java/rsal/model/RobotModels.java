@@ -100,6 +100,7 @@ public final class RobotModels {
                 "own-localizer",
                 "own-navigator",
                 "own-planner",
+                "own-docking",
                 "own-map",
                 "canvas");
     }

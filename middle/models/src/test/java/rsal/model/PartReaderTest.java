@@ -55,6 +55,7 @@ class PartReaderTest {
             Map.entry("own-localizer", "localizer"),
             Map.entry("own-navigator", "navigator"),
             Map.entry("own-planner", "planner"),
+            Map.entry("own-docking", "dock"),
             Map.entry("own-map", "map"),
             Map.entry("canvas", "canvas"));
 

@@ -518,6 +518,12 @@ class PlayerSystemTest {
         assertThatExceptionOfType(InvalidRobots.class)
                 .isThrownBy(() -> create(Map.of("simulation", "a:1, b:1"), spec()))
                 .withMessageContaining("'simulation' must be 'own' or HOST:PORT, not 'a:1, b:1'.");
+        for (String part : List.of("own-planner", "own-docking")) {
+            assertThatExceptionOfType(InvalidRobots.class)
+                    .isThrownBy(
+                            () -> create(Map.of("servers", "a:1"), spec("r1", "pioneer2dx", Map.of("device", part))))
+                    .withMessageContaining("Player has nothing like its '%s'.".formatted(part));
+        }
         assertThatExceptionOfType(InvalidRobots.class)
                 .isThrownBy(() -> create(Map.of("simulation", "own", "names", "a, b"), spec()))
                 .withMessageContaining("As many 'names' as robots are needed: 1, not 2.");

@@ -99,7 +99,9 @@ public final class DoctorCommand extends Subcommand {
     private void print(List<Finding> findings) {
         var table = new TextTable("");
         for (Finding finding : findings) {
-            table.row(finding.ok() ? "ok" : "warn", finding.what(), finding.found());
+            List<String> lines = finding.found().lines().toList();
+            table.row(finding.ok() ? "ok" : "warn", finding.what(), lines.isEmpty() ? "" : lines.getFirst());
+            lines.stream().skip(1).forEach(line -> table.row("", "", line));
             if (!finding.remedy().isEmpty()) {
                 table.row("", "", "→ " + finding.remedy());
             }

@@ -10,6 +10,7 @@ import rsal.data.ActuatorState.Joint;
 import rsal.data.Pose2d;
 import rsal.device.Canvas;
 import rsal.device.Device;
+import rsal.device.Docking;
 import rsal.device.Localizer;
 import rsal.device.Mapper;
 import rsal.device.Planner;
@@ -123,6 +124,9 @@ final class PartWriter {
         }
         if (made.equals(Planner.class)) {
             return "planner";
+        }
+        if (made.equals(Docking.class)) {
+            return "docking";
         }
         return made.equals(Localizer.class) ? "localizer" : "navigator";
     }

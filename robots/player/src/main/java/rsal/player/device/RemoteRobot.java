@@ -146,7 +146,11 @@ public final class RemoteRobot {
 
     /// Whether Player has something like a part.
     public static boolean has(Part part) {
-        return !(part instanceof Part.Light || part instanceof Part.Registered);
+        return switch (part) {
+            case Part.Light _, Part.Registered _ -> false;
+            case Part.Own own -> Kind.OWN.containsKey(own.makes());
+            default -> true;
+        };
     }
 
     private void add(String name, Part part) throws IOException {

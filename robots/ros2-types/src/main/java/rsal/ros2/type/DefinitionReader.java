@@ -28,25 +28,47 @@ public final class DefinitionReader {
     /// @param text of a `.msg` file
     /// @throws InvalidDefinition when it can't be read
     public static RosType message(String name, String text) {
+        return message(name, text, new Source(name, 1));
+    }
+
+    /// Where a text is from, for people.
+    ///
+    /// @param file its name, or that of its type
+    /// @param firstLine the number of its first line there
+    private record Source(String file, int firstLine) {}
+
+    private static RosType message(String name, String text, Source source) {
         checkName(name);
         if (text.length() > MOST_CHARACTERS) {
-            throw new InvalidDefinition(
-                    "%s has %d characters. At most %d are allowed.".formatted(name, text.length(), MOST_CHARACTERS));
+            throw new InvalidDefinition("%s has %d characters. At most %d are allowed."
+                    .formatted(source.file, text.length(), MOST_CHARACTERS));
         }
         var fields = new ArrayList<Field>();
-        int number = 0;
+        int number = source.firstLine - 1;
         for (String line : text.lines().toList()) {
             number++;
             String content = withoutComment(line).strip();
             if (!content.isEmpty() && !CONSTANT.matcher(content).matches()) {
-                fields.add(field(name, number, content));
+                fields.add(field(name, "%s:%d".formatted(source.file, number), content));
             }
         }
         if (fields.size() > MOST_FIELDS) {
             throw new InvalidDefinition(
-                    "%s has %d fields. At most %d are allowed.".formatted(name, fields.size(), MOST_FIELDS));
+                    "%s has %d fields. At most %d are allowed.".formatted(source.file, fields.size(), MOST_FIELDS));
         }
         return new RosType(name, fields);
+    }
+
+    /// The types of a file of a package: one for a `.msg` file, several for a `.srv` or an `.action` file.
+    ///
+    /// @param name in full, `my_msgs/msg/Gas`; its second word says which kind of file it is
+    /// @param file for people
+    static List<RosType> file(String name, String text, String file) {
+        return switch (name.split("/", -1)[1]) {
+            case "srv" -> service(name, text, file);
+            case "action" -> action(name, text, file);
+            default -> List.of(message(name, text, new Source(file, 1)));
+        };
     }
 
     /// The messages of a service.
@@ -54,8 +76,12 @@ public final class DefinitionReader {
     /// @param name `std_srvs/srv/SetBool`
     /// @param text of a `.srv` file
     public static List<RosType> service(String name, String text) {
-        String[] parts = parts(name, text, 2);
-        return List.of(message(name + "_Request", parts[0]), message(name + "_Response", parts[1]));
+        return service(name, text, name);
+    }
+
+    private static List<RosType> service(String name, String text, String file) {
+        List<Part> parts = parts(text, file, 2);
+        return List.of(parts.get(0).message(name + "_Request"), parts.get(1).message(name + "_Response"));
     }
 
     /// The messages of an action, with those of its services and topics.
@@ -63,11 +89,15 @@ public final class DefinitionReader {
     /// @param name `nav2_msgs/action/Spin`
     /// @param text of an `.action` file
     public static List<RosType> action(String name, String text) {
-        String[] parts = parts(name, text, 3);
+        return action(name, text, name);
+    }
+
+    private static List<RosType> action(String name, String text, String file) {
+        List<Part> parts = parts(text, file, 3);
         return List.of(
-                message(name + "_Goal", parts[0]),
-                message(name + "_Result", parts[1]),
-                message(name + "_Feedback", parts[2]),
+                parts.get(0).message(name + "_Goal"),
+                parts.get(1).message(name + "_Result"),
+                parts.get(2).message(name + "_Feedback"),
                 message(name + "_SendGoal_Request", GOAL_ID + name + "_Goal goal\n"),
                 message(name + "_SendGoal_Response", "bool accepted\n" + STAMP),
                 message(name + "_GetResult_Request", GOAL_ID),
@@ -104,28 +134,42 @@ public final class DefinitionReader {
         return message(full(name, ""), block.substring(first.length()));
     }
 
-    private static String[] parts(String name, String text, int count) {
-        String[] parts = PARTS.split(text, -1);
-        if (parts.length != count) {
+    /// A part of a file, between two lines of `---`.
+    private record Part(String text, Source source) {
+        RosType message(String name) {
+            return DefinitionReader.message(name, text, source);
+        }
+    }
+
+    private static List<Part> parts(String text, String file, int count) {
+        String[] texts = PARTS.split(text, -1);
+        if (texts.length != count) {
             throw new InvalidDefinition(
-                    "%s has %d parts, separated by '---', instead of %d.".formatted(name, parts.length, count));
+                    "%s has %d parts, separated by '---', instead of %d.".formatted(file, texts.length, count));
+        }
+        var parts = new ArrayList<Part>();
+        int line = 1;
+        for (String part : texts) {
+            parts.add(new Part(part, new Source(file, line)));
+            line += (int) part.chars().filter(c -> c == '\n').count();
         }
         return parts;
     }
 
-    private static Field field(String type, int line, String content) {
+    /// @param place of the line, for people
+    private static Field field(String type, String place, String content) {
         Matcher field = FIELD.matcher(content);
         if (!field.matches()) {
-            throw new InvalidDefinition("%s:%d: '%s' is no field. Write a type and a name, as 'float32 range_min'."
-                    .formatted(type, line, content));
+            throw new InvalidDefinition(
+                    "%s: '%s' is no field. Write a type and a name, as 'float32 range_min'.".formatted(place, content));
         }
         int most = field.group("most") == null ? 0 : Integer.parseInt(field.group("most"));
         Element element = element(type, field.group("element"), most);
         String fallback = field.group("fallback") == null ? "" : field.group("fallback");
-        return new Field(field.group("name"), repeated(type, line, field, element), fallback);
+        return new Field(field.group("name"), repeated(place, field, element), fallback);
     }
 
-    private static FieldType repeated(String type, int line, Matcher field, Element element) {
+    private static FieldType repeated(String place, Matcher field, Element element) {
         String count = field.group("count");
         if (count == null) {
             return new FieldType(element, FieldType.Repeat.ONE, 0);
@@ -136,7 +180,7 @@ public final class DefinitionReader {
         }
         if (count.isEmpty() || Integer.parseInt(count) == 0) {
             throw new InvalidDefinition(
-                    "%s:%d: '%s' needs a number above 0 in its brackets.".formatted(type, line, field.group("name")));
+                    "%s: '%s' needs a number above 0 in its brackets.".formatted(place, field.group("name")));
         }
         return new FieldType(
                 element, isBounded ? FieldType.Repeat.BOUNDED : FieldType.Repeat.ARRAY, Integer.parseInt(count));

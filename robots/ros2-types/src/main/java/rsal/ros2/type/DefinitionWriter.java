@@ -31,7 +31,8 @@ public final class DefinitionWriter {
         }
     }
 
-    private static String fields(RosType type) {
+    /// The fields of a type, one in each line, without those within them.
+    public static String fields(RosType type) {
         var text = new StringBuilder();
         for (Field field : type.fields()) {
             if (!field.equals(RosType.NOTHING)) {

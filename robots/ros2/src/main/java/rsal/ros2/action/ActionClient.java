@@ -35,6 +35,7 @@ public final class ActionClient {
     private static final Duration ANSWER = Duration.ofSeconds(5); // to a goal: yes or no
     private static final Duration SILENCE = Duration.ofSeconds(10); // of one that tells how goals get on
 
+    private final String name;
     private final ServiceClient sending;
     private final ServiceClient results;
     private final ServiceClient canceling;
@@ -63,7 +64,7 @@ public final class ActionClient {
             if (!isAccepted && silence.compareTo(ANSWER) > 0) {
                 return Optional.of("The robot did not answer within %d s.".formatted(ANSWER.toSeconds()));
             }
-            return hasFeedback && silence.compareTo(SILENCE) > 0
+            return hasFeedback && listener.tellsSteadily() && silence.compareTo(SILENCE) > 0
                     ? Optional.of("The robot has told nothing of the goal for %d s.".formatted(SILENCE.toSeconds()))
                     : Optional.empty();
         }
@@ -73,6 +74,11 @@ public final class ActionClient {
     public interface Listener {
         /// @param message the feedback of the action's type
         void onFeedback(RosMessage message);
+
+        /// Whether feedback comes steadily while the goal is pursued, so that silence means that it is lost.
+        default boolean tellsSteadily() {
+            return true;
+        }
 
         /// Nobody pursues it.
         void onRefused();
@@ -98,6 +104,7 @@ public final class ActionClient {
     /// @param random for ids of goals, which nobody else may have
     public ActionClient(
             RosLink link, TypeLibrary types, String name, String type, Scheduler scheduler, RandomGenerator random) {
+        this.name = name;
         this.scheduler = scheduler;
         this.random = random;
         sending = link.client(name + "/_action/send_goal", type + "_SendGoal");
@@ -113,6 +120,11 @@ public final class ActionClient {
 
     private static MessageCodec codec(TypeLibrary types, String type) {
         return MessageCodec.of(types.get(type), types);
+    }
+
+    /// With its namespace.
+    public String name() {
+        return name;
     }
 
     /// Whether somebody serves the action.

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.Function;
 import rsal.data.OccupancyGrid;
 import rsal.device.Device;
+import rsal.device.Docking;
 import rsal.device.Gripper;
 import rsal.device.Navigator;
 import rsal.device.Planner;
@@ -19,10 +20,13 @@ final class GoalServers {
     private static final List<Kind<?>> ALL = List.of(
             new Kind<>(Gripper.class, GoalServers::serve),
             new Kind<>(Navigator.class, GoalServers::serve),
-            new Kind<>(Planner.class, GoalServers::serve));
+            new Kind<>(Planner.class, GoalServers::serve),
+            new Kind<>(Docking.class, GoalServers::serve));
     private static final String NAVIGATE = "navigate_to_pose";
     private static final String THROUGH = "navigate_through_poses";
     private static final String PLAN = "compute_path_to_pose";
+    private static final String DOCK = "dock_robot";
+    private static final String UNDOCK = "undock_robot";
 
     private GoalServers() {}
 
@@ -140,5 +144,21 @@ final class GoalServers {
             action.close();
             node.close();
         }));
+    }
+
+    /// The first one, in a node of the name that Nav2's has.
+    private static List<Served> serve(Docking docking, Context context) {
+        if (!isFirst(docking, Docking.class, context)) {
+            return List.of();
+        }
+        ActiveNode node = context.nodes.apply("docking_server");
+        var actions = new PublishedDocking(
+                docking,
+                node.link(),
+                () -> context.services.apply(node.link()),
+                context.name(DOCK),
+                context.name(UNDOCK),
+                context.scheduler);
+        return List.of(new Served(docking, DOCK, actions::close), new Served(docking, UNDOCK, node::close));
     }
 }

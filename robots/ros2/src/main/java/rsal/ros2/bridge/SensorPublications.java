@@ -2,6 +2,7 @@ package rsal.ros2.bridge;
 
 import java.util.List;
 import rsal.device.BlobFinder;
+import rsal.device.Bumper;
 import rsal.device.Device;
 import rsal.device.Gripper;
 import rsal.device.Navigator;
@@ -15,6 +16,7 @@ final class SensorPublications {
             new Kind<>(Imu.class, ImuPublication::begin),
             new Kind<>(Gripper.class, GripperPublication::begin),
             new Kind<>(BlobFinder.class, BlobsPublication::begin),
+            new Kind<>(Bumper.class, BumperPublication::begin),
             new Kind<>(Camera.class, CameraPublication::begin),
             new Kind<>(Navigator.class, PlanPublication::begin));
 

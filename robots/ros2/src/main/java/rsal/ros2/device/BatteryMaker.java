@@ -3,7 +3,9 @@ package rsal.ros2.device;
 import rsal.device.DeviceInfo;
 import rsal.robot.RobotModel.Part;
 import rsal.ros2.device.RosParts.Wanted;
+import rsal.ros2.health.ReportNames;
 import rsal.ros2.link.RosTopic;
+import rsal.ros2.setting.RosSettings;
 
 /// Makes a battery of `battery_state`, or of the first topic of its type.
 final class BatteryMaker implements RosParts.Maker {
@@ -13,6 +15,11 @@ final class BatteryMaker implements RosParts.Maker {
     @Override
     public boolean makes(Part part) {
         return part instanceof Part.Battery;
+    }
+
+    @Override
+    public ReportNames reportNames() {
+        return ReportNames.of("battery", "bms");
     }
 
     @Override

@@ -3,7 +3,9 @@ package rsal.ros2.device;
 import rsal.device.DeviceInfo;
 import rsal.robot.RobotModel.Part;
 import rsal.ros2.device.RosParts.Wanted;
+import rsal.ros2.health.ReportNames;
 import rsal.ros2.link.RosTopic;
+import rsal.ros2.setting.RosSettings;
 
 /// Makes a blob detector of the topic `camera/detections`, of one with the device's name, or of the first one of its
 /// type.
@@ -14,6 +16,11 @@ final class BlobFinderMaker implements RosParts.Maker {
     @Override
     public boolean makes(Part part) {
         return part instanceof Part.BlobFinder;
+    }
+
+    @Override
+    public ReportNames reportNames() {
+        return ReportNames.of("detector", "detections");
     }
 
     @Override

@@ -7,9 +7,12 @@ import rsal.robot.RobotModel.Part;
 import rsal.ros2.action.ActionClient;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.device.RosParts.Wanted;
+import rsal.ros2.health.ReportNames;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink.Subscribed;
 import rsal.ros2.link.RosTopic;
+import rsal.ros2.setting.GripperSettings;
+import rsal.ros2.setting.RosSettings;
 
 /// Makes a gripper of an action of type `control_msgs/GripperCommand`, and of what else is known of it: its lift,
 /// `joint_states`, beams and contacts.
@@ -22,6 +25,11 @@ final class GripperMaker implements RosParts.Maker {
     @Override
     public boolean makes(Part part) {
         return part instanceof Part.Gripper;
+    }
+
+    @Override
+    public ReportNames reportNames() {
+        return ReportNames.of("gripper");
     }
 
     @Override
@@ -39,7 +47,7 @@ final class GripperMaker implements RosParts.Maker {
     @Override
     public RosDevice make(DeviceInfo info, Wanted wanted, RosContext context) {
         var part = (Part.Gripper) wanted.part();
-        GripperSettings settings = context.gripper();
+        GripperSettings settings = context.settings().gripper();
         var paddles = new GripperJoint(
                 client(settings.action(), context),
                 context,

@@ -4,7 +4,9 @@ import rsal.device.DeviceInfo;
 import rsal.device.imu.Imu;
 import rsal.robot.RobotModel.Part;
 import rsal.ros2.device.RosParts.Wanted;
+import rsal.ros2.health.ReportNames;
 import rsal.ros2.link.RosTopic;
+import rsal.ros2.setting.RosSettings;
 
 /// Makes an IMU of the topic `imu`, of one with the device's name, or of the first one of its type.
 final class ImuMaker implements RosParts.Maker {
@@ -13,6 +15,11 @@ final class ImuMaker implements RosParts.Maker {
     @Override
     public boolean makes(Part part) {
         return part instanceof Part.Registered registered && registered.makes().equals(Imu.class);
+    }
+
+    @Override
+    public ReportNames reportNames() {
+        return ReportNames.of("imu", "gyro");
     }
 
     @Override

@@ -3,10 +3,12 @@ package rsal.ros2.device;
 import rsal.device.DeviceInfo;
 import rsal.robot.RobotModel.Part;
 import rsal.ros2.device.RosParts.Wanted;
+import rsal.ros2.health.ReportNames;
 import rsal.ros2.link.Inbox;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.ScanMessage;
+import rsal.ros2.setting.RosSettings;
 
 /// Makes lasers: the first one of `scan`, the others of the other topics of its type, by their names.
 final class LaserMaker implements RosParts.Maker {
@@ -15,6 +17,11 @@ final class LaserMaker implements RosParts.Maker {
     @Override
     public boolean makes(Part part) {
         return part instanceof Part.Laser;
+    }
+
+    @Override
+    public ReportNames reportNames() {
+        return ReportNames.of("laser", "lidar", "scan", "scanner");
     }
 
     @Override

@@ -4,9 +4,11 @@ import rsal.device.DeviceInfo;
 import rsal.device.Localizer;
 import rsal.robot.RobotModel.Part;
 import rsal.ros2.device.RosParts.Wanted;
+import rsal.ros2.health.ReportNames;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink.Subscribed;
 import rsal.ros2.link.RosTopic;
+import rsal.ros2.setting.RosSettings;
 
 /// Makes a localizer of `amcl_pose` or of the first topic of its type, or of TF alone; with the particles of
 /// `particle_cloud`.
@@ -17,6 +19,11 @@ final class LocalizerMaker implements RosParts.Maker {
     @Override
     public boolean makes(Part part) {
         return part instanceof Part.Own own && own.makes().equals(Localizer.class);
+    }
+
+    @Override
+    public ReportNames reportNames() {
+        return ReportNames.of("amcl", "localization").needing("amcl", "slam_toolbox");
     }
 
     /// Its topics may come later, and TF is of all robots.

@@ -4,8 +4,10 @@ import rsal.device.DeviceInfo;
 import rsal.device.Mapper;
 import rsal.robot.RobotModel.Part;
 import rsal.ros2.device.RosParts.Wanted;
+import rsal.ros2.health.ReportNames;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.CellMeaning;
+import rsal.ros2.setting.RosSettings;
 
 /// Makes a map of the robot's topic `map`, or of that of all robots, with its updates.
 final class MapMaker implements RosParts.Maker {
@@ -14,6 +16,11 @@ final class MapMaker implements RosParts.Maker {
     @Override
     public boolean makes(Part part) {
         return part instanceof Part.Own own && own.makes().equals(Mapper.class);
+    }
+
+    @Override
+    public ReportNames reportNames() {
+        return ReportNames.of("mapping").needing("map_server", "slam_toolbox");
     }
 
     /// It may be published later.

@@ -10,6 +10,7 @@ import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosLink.ServiceClient;
 import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.link.RosTopic;
+import rsal.ros2.setting.Safety;
 
 /// Tells a robot itself that its motors are to be off, as after an emergency stop, so that it stands still whatever
 /// others command: by a topic, by a service, or both.

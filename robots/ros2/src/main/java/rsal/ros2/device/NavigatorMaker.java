@@ -4,8 +4,10 @@ import rsal.device.DeviceInfo;
 import rsal.device.Navigator;
 import rsal.robot.RobotModel.Part;
 import rsal.ros2.device.RosParts.Wanted;
+import rsal.ros2.health.ReportNames;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.CellMeaning;
+import rsal.ros2.setting.RosSettings;
 
 /// Makes a navigator of the action `navigate_to_pose`, with the costs of `global_costmap/costmap`.
 final class NavigatorMaker implements RosParts.Maker {
@@ -15,6 +17,14 @@ final class NavigatorMaker implements RosParts.Maker {
     @Override
     public boolean makes(Part part) {
         return part instanceof Part.Own own && own.makes().equals(Navigator.class);
+    }
+
+    @Override
+    public ReportNames reportNames() {
+        return ReportNames.of("navigation")
+                .needing("bt_navigator")
+                .needing("planner_server")
+                .needing("controller_server");
     }
 
     /// It may be served later.

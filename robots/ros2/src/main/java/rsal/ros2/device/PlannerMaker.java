@@ -4,6 +4,8 @@ import rsal.device.DeviceInfo;
 import rsal.device.Planner;
 import rsal.robot.RobotModel.Part;
 import rsal.ros2.device.RosParts.Wanted;
+import rsal.ros2.health.ReportNames;
+import rsal.ros2.setting.RosSettings;
 
 /// Makes a planner of the action `compute_path_to_pose`.
 final class PlannerMaker implements RosParts.Maker {
@@ -12,6 +14,11 @@ final class PlannerMaker implements RosParts.Maker {
     @Override
     public boolean makes(Part part) {
         return part instanceof Part.Own own && own.makes().equals(Planner.class);
+    }
+
+    @Override
+    public ReportNames reportNames() {
+        return ReportNames.of("planning").needing("planner_server");
     }
 
     @Override

@@ -15,6 +15,7 @@ import rsal.robot.RobotModel.Drive;
 import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.message.OdometryMessage;
 import rsal.ros2.message.RosMessages;
+import rsal.ros2.setting.Safety;
 
 /// Wheels that take `geometry_msgs/Twist` or `TwistStamped` and publish `nav_msgs/Odometry`. Robots of ROS stop by
 /// themselves when no command comes, or don't: so the newest one is published ten times a second while it is fresh, and

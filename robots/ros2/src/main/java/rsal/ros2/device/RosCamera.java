@@ -1,5 +1,9 @@
 package rsal.ros2.device;
 
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.Comparator;
 import java.util.Deque;
@@ -8,20 +12,29 @@ import rsal.device.DeviceInfo;
 import rsal.device.camera.Camera;
 import rsal.device.camera.CameraImage;
 import rsal.ros2.cdr.RosMessage;
+import rsal.ros2.image.CompressedImage;
+import rsal.ros2.image.ImageMessage;
 import rsal.ros2.message.RosMessages;
 
-/// A camera that publishes `sensor_msgs/Image`, in color and, if it can, as depth. An image is one of color with the
+/// A camera that publishes `sensor_msgs/Image` or `sensor_msgs/CompressedImage`, in color and, if it can, as depth. An
+/// image is one of color with the
 /// one of depth that was taken with it, which may come some images later, as depth takes time to compute. Its focal
 /// length is that of `sensor_msgs/CameraInfo`, or, as long as none has come, the model's.
 final class RosCamera extends RosSensor<CameraImage> implements Camera {
+    private static final Logger LOG = System.getLogger(RosCamera.class.getName());
+    private static final Duration DECODING = Duration.ofMillis(95); // from one compressed image to the next at least
     private static final long TOGETHER = 20_000_000; // ns, between color and depth of one image at most
+    private static final int LONGEST_ENCODING = 40; // characters that are shown
     private static final int MOST_WAITING = 5; // images of color, and of depth
 
+    private final String topic;
     private final double usualFocalLength; // px
     private final boolean hasDepth;
     private final Frames frames;
     private final RobotClock clock;
     private double focalLength; // px; 0 as long as nobody has told
+    private long damaged; // images
+    private Instant decoded = Instant.MIN; // the newest compressed image
     private int toldWidth; // px, of images of that focal length
     private final Deque<Taken> colors = new ArrayDeque<>(); // without depth yet
     private final Deque<Taken> depths = new ArrayDeque<>(); // without color yet
@@ -38,6 +51,7 @@ final class RosCamera extends RosSensor<CameraImage> implements Camera {
     /// @param hasDepth whether images of depth are to come
     RosCamera(DeviceInfo info, String topic, double focalLength, boolean hasDepth, Frames frames, RobotClock clock) {
         super(info, info.id(), topic);
+        this.topic = topic;
         this.usualFocalLength = focalLength;
         this.hasDepth = hasDepth;
         this.frames = frames;
@@ -54,7 +68,27 @@ final class RosCamera extends RosSensor<CameraImage> implements Camera {
     }
 
     void takeColor(RosMessage message) {
-        taken(message).ifPresent(color -> {
+        takeColor(taken(message));
+    }
+
+    /// Decoding takes time, so that ten images a second are decoded at most.
+    ///
+    /// @param message `sensor_msgs/CompressedImage`
+    void takeCompressed(RosMessage message) {
+        if (decoded.plus(DECODING).isAfter(frames.now())) {
+            return;
+        }
+        decoded = frames.now();
+        try {
+            ImageMessage image = CompressedImage.read(message.get("data", byte[].class));
+            takeColor(Optional.of(new Taken(RosMessages.stamp(message.message("header")), image)));
+        } catch (CompressedImage.Unreadable e) {
+            damaged(String.valueOf(e.getMessage()));
+        }
+    }
+
+    private void takeColor(Optional<Taken> taken) {
+        taken.ifPresent(color -> {
             if (hasDepth) {
                 keep(colors, color);
                 find(depths, color).ifPresent(depth -> join(color, Optional.of(depth)));
@@ -84,9 +118,39 @@ final class RosCamera extends RosSensor<CameraImage> implements Camera {
                 .min(Comparator.comparingLong(each -> Math.abs(each.stamp - other.stamp)));
     }
 
-    private static Optional<Taken> taken(RosMessage message) {
+    private Optional<Taken> taken(RosMessage message) {
         long stamp = RosMessages.stamp(message.message("header"));
-        return ImageMessage.of(message).map(image -> new Taken(stamp, image));
+        Optional<Taken> taken = ImageMessage.of(message).map(image -> new Taken(stamp, image));
+        if (taken.isEmpty()) {
+            damaged("%d × %d pixels in '%s' with %d bytes"
+                    .formatted(
+                            message.integer("width"),
+                            message.integer("height"),
+                            shortened(message.text("encoding")),
+                            message.get("data", byte[].class).length));
+        }
+        return taken;
+    }
+
+    private static String shortened(String encoding) {
+        return encoding.substring(0, Math.min(encoding.length(), LONGEST_ENCODING));
+    }
+
+    /// The first one is told, and at the end how many there were.
+    private void damaged(String why) {
+        if (damaged++ == 0) {
+            LOG.log(
+                    Level.WARNING,
+                    () -> "An image on '%s' can't be read: %s. It is ignored, as others like it."
+                            .formatted(topic, why));
+        }
+    }
+
+    /// For good.
+    void end() {
+        if (damaged > 0) {
+            LOG.log(Level.INFO, () -> "%d images on '%s' could not be read.".formatted(damaged, topic));
+        }
     }
 
     private void join(Taken color, Optional<Taken> depth) {

@@ -10,6 +10,7 @@ import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosLink.Subscribed;
 import rsal.ros2.link.RosTopic;
+import rsal.ros2.setting.RosSettings;
 import rsal.ros2.type.TypeLibrary;
 import rsal.time.Scheduler;
 
@@ -27,7 +28,7 @@ record RosContext(
         Frames frames,
         RobotClock clock,
         RosBase base,
-        GripperSettings gripper,
+        RosSettings settings,
         RandomGenerator random) {
     Inbox<RosMessage> inbox(String type, int capacity, Consumer<RosMessage> receiver) {
         MessageCodec codec = MessageCodec.of(types.get(type), types);

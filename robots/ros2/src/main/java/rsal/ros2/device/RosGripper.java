@@ -62,8 +62,8 @@ final class RosGripper extends RosSensor<GripperState> implements Gripper {
     void take(RosMessage message) {
         List<?> names = message.get("name", List.class);
         double[] positions = message.get("position", double[].class);
-        int own = names.indexOf(context.gripper().joint());
-        int lifts = names.indexOf(context.gripper().liftJoint());
+        int own = names.indexOf(context.settings().gripper().joint());
+        int lifts = names.indexOf(context.settings().gripper().liftJoint());
         if (lifts >= 0 && lifts < positions.length) {
             lift.ifPresent(its -> its.moved(positions[lifts]));
         }

@@ -8,6 +8,8 @@ import java.util.Optional;
 import rsal.device.DeviceInfo;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Part;
+import rsal.ros2.health.ReportNames;
+import rsal.ros2.setting.RosSettings;
 
 /// Parts of models that become devices by topics and actions.
 final class RosParts {
@@ -22,6 +24,8 @@ final class RosParts {
             new LocalizerMaker(),
             new NavigatorMaker(),
             new PlannerMaker(),
+            new DockingMaker(),
+            new BumperMaker(),
             new MapMaker());
 
     private RosParts() {}
@@ -29,6 +33,9 @@ final class RosParts {
     /// Makes devices of one kind of parts.
     interface Maker {
         boolean makes(Part part);
+
+        /// By which names the robot's programs speak of its devices.
+        ReportNames reportNames();
 
         /// Whether a robot has the topics that the part needs.
         boolean isThere(Wanted wanted, RobotTopics topics, RosSettings settings);

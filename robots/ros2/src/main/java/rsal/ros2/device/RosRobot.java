@@ -4,18 +4,24 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.random.RandomGenerator;
 import rsal.device.Device;
 import rsal.device.DeviceInfo;
 import rsal.robot.Robot;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
+import rsal.ros2.health.ReportNames;
+import rsal.ros2.health.ReportedHealth;
+import rsal.ros2.health.RobotDiagnostics;
 import rsal.ros2.link.Inbox;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosLink.Subscribed;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.OdometryMessage;
+import rsal.ros2.setting.RosSettings;
+import rsal.ros2.setting.Safety;
 import rsal.ros2.type.TypeLibrary;
 import rsal.time.Scheduler;
 
@@ -28,6 +34,7 @@ public final class RosRobot {
     private static final String ODOMETRY = "nav_msgs/msg/Odometry";
     private static final String TRANSFORMS = "tf2_msgs/msg/TFMessage";
     private static final List<String> COMMANDS = List.of("geometry_msgs/msg/Twist", "geometry_msgs/msg/TwistStamped");
+    private static final ReportNames BASE = ReportNames.of("odometry", "odom", "motor", "motors", "wheel", "wheels");
     private static final int TRANSFORMS_WAITING = 100;
 
     private final RobotSpec spec;
@@ -37,6 +44,7 @@ public final class RosRobot {
     private final RosBase base;
     private final MotorSwitch motors;
     private final Subscribed driven;
+    private final ReportedHealth reported;
     private final List<Device> devices = new ArrayList<>();
     private final List<RosDevice> parts = new ArrayList<>(); // all but its base
     private final List<String> without = new ArrayList<>();
@@ -67,6 +75,7 @@ public final class RosRobot {
     }
 
     /// @param topics that have all that it needs: nothing is [#lacking]
+    /// @param diagnostics empty where they do not matter
     /// @param random for ids of goals, which nobody else may have
     public RosRobot(
             RobotSpec spec,
@@ -74,6 +83,7 @@ public final class RosRobot {
             RosLink link,
             TypeLibrary types,
             RosSettings settings,
+            Optional<RobotDiagnostics> diagnostics,
             Scheduler scheduler,
             RandomGenerator random) {
         Safety safety = settings.safety();
@@ -94,10 +104,14 @@ public final class RosRobot {
                 safety,
                 frames,
                 clock);
-        var context = new RosContext(topics, link, types, scheduler, frames, clock, base, settings.gripper(), random);
+        var context = new RosContext(topics, link, types, scheduler, frames, clock, base, settings, random);
         motors = new MotorSwitch(spec.id(), link, topics.namespace(), safety);
         base.onMotors(motors::tell);
         ends.add(motors::close);
+        reported = new ReportedHealth(
+                topics.namespace(), link, scheduler, diagnostics.map(all -> all.robot(topics.namespace())));
+        reported.add(base, BASE);
+        ends.add(reported::close);
         driven = link.subscribe(odometry, Profile.SENSOR_DATA, odometryInbox());
         devices.add(base);
         ends.add(link.subscribe(
@@ -114,6 +128,7 @@ public final class RosRobot {
                 RosDevice made = wanted.maker().make(info, wanted, context);
                 parts.add(made);
                 devices.add(made.device());
+                reported.add(made.device(), wanted.maker().reportNames());
             } else {
                 without.add(wanted.name());
             }
@@ -159,6 +174,7 @@ public final class RosRobot {
         base.drive(now);
         parts.forEach(made -> made.look().accept(now));
         base.look(now, driven.publishers());
+        reported.look(now);
         return driven.publishers() > 0;
     }
 

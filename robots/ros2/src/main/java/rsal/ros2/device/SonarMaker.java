@@ -5,8 +5,10 @@ import java.util.List;
 import rsal.device.DeviceInfo;
 import rsal.robot.RobotModel.Part;
 import rsal.ros2.device.RosParts.Wanted;
+import rsal.ros2.health.ReportNames;
 import rsal.ros2.link.RosLink.Subscribed;
 import rsal.ros2.link.RosTopic;
+import rsal.ros2.setting.RosSettings;
 
 /// Makes sonars of as many topics of their type, by their names.
 final class SonarMaker implements RosParts.Maker {
@@ -15,6 +17,11 @@ final class SonarMaker implements RosParts.Maker {
     @Override
     public boolean makes(Part part) {
         return part instanceof Part.Sonars;
+    }
+
+    @Override
+    public ReportNames reportNames() {
+        return ReportNames.of("sonar", "sonars", "ultrasonic");
     }
 
     private static int count(Wanted wanted) {

@@ -70,6 +70,7 @@ final class RtpsClient {
         long number = numbers.incrementAndGet();
         var reply = new CompletableFuture<byte[]>();
         byNumber.put(number, reply);
+        byNumber.remove(number - MOST_WAITING); // which nobody has answered
         byte[] header = ByteBuffer.allocate(ServiceIdentity.BEGIN + ServiceIdentity.HEADER)
                 .order(ByteOrder.LITTLE_ENDIAN)
                 .putInt(0)

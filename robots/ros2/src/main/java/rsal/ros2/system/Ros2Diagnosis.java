@@ -5,6 +5,7 @@ import java.net.InetAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.SecureRandom;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -15,8 +16,11 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosNetwork;
 import rsal.ros2.link.RtpsLink;
+import rsal.ros2.type.Distribution;
+import rsal.ros2.type.RosType;
 import rsal.rtps.GraphListener;
 import rsal.rtps.UdpParticipant;
 import rsal.rtps.discovery.EndpointData;
@@ -33,6 +37,16 @@ public final class Ros2Diagnosis implements Diagnosis {
     private static final String NODE = "rsal_doctor";
     private static final Parameter<Double> TIME = Parameter.number(
             "time", 4, 1, 60, "s", "For how long to look; robots announce themselves every few seconds.");
+    private static final Parameter<String> TOPIC = Parameter.text(
+            "topic",
+            "",
+            "A topic whose fields and newest message are to be shown, such as /robot1/scan. Default: none.");
+    private static final Parameter<String> DEFINITIONS = Parameter.text(
+            "definitions",
+            "",
+            "A folder with definitions of messages that RSAL does not know, for 'topic': PACKAGE/msg/NAME.msg, as in the"
+                    + " sources of a workspace. Default: none.");
+    private static final Duration AGAIN = Duration.ofMillis(50); // to look whether the topic is there
     private static final int GOOD_BUFFER = 2 << 20; // B
     private static final Path BUFFER = Path.of("/proc/sys/net/core/rmem_max");
     private static final Map<Integer, String> VENDORS = Map.of(
@@ -63,12 +77,14 @@ public final class Ros2Diagnosis implements Diagnosis {
 
     @Override
     public List<Parameter<?>> parameters() {
-        return List.of(Ros2Provider.DOMAIN, Ros2Provider.ADDRESS, Ros2Provider.PEERS, TIME);
+        return List.of(Ros2Provider.DOMAIN, Ros2Provider.ADDRESS, Ros2Provider.PEERS, TIME, TOPIC, DEFINITIONS);
     }
 
     @Override
     public List<Finding> look(Arguments settings) {
         UdpParticipant.Options options = Ros2Provider.network(settings, NODE);
+        List<RosType> definitions =
+                TopicReading.definitions(settings.get(DEFINITIONS).strip());
         var findings = new ArrayList<Finding>();
         findings.add(new Finding("domain", true, String.valueOf(options.domain()), ""));
         String environment = RosNetwork.environment().words();
@@ -82,6 +98,7 @@ public final class Ros2Diagnosis implements Diagnosis {
                 addresses(options) + (isLocal ? ", for programs on this machine" : ""),
                 isLocal ? "For robots elsewhere: --set address=ADDRESS of this machine in their network." : ""));
         bufferSize().ifPresent(findings::add);
+        boolean isThere = false; // the network
         try (var participant = new UdpParticipant(options, System::nanoTime, new SecureRandom(), GraphListener.NONE)) {
             findings.add(new Finding(
                     "multicast",
@@ -90,12 +107,36 @@ public final class Ros2Diagnosis implements Diagnosis {
                     participant.hasMulticast() ? "" : "Name the robots' machines: --set peers=HOST,HOST."));
             Thread.sleep(settings.seconds(TIME));
             findings.addAll(of(participant.participants(), participant.endpoints()));
+            isThere = true;
         } catch (IOException e) {
             findings.add(new Finding("network", false, String.valueOf(e.getMessage()), "Set another address."));
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
+        String topic = settings.get(TOPIC).strip();
+        if (isThere && !topic.isEmpty()) {
+            findings.addAll(
+                    topic(options, topic.startsWith("/") ? topic : "/" + topic, definitions, settings.seconds(TIME)));
+        }
         return findings;
+    }
+
+    /// @param patience how long to look for the topic, and then for a message
+    private static List<Finding> topic(
+            UdpParticipant.Options options, String topic, List<RosType> definitions, Duration patience) {
+        try (RosLink link = RosNetwork.join(options, Distribution.JAZZY, NODE)) {
+            var reading = new TopicReading(link, definitions);
+            long begun = System.nanoTime();
+            while (!reading.isThere(topic) && System.nanoTime() - begun < patience.toNanos()) {
+                Thread.sleep(AGAIN);
+            }
+            return reading.look(topic, patience);
+        } catch (IOException e) {
+            return List.of(new Finding("topic", false, String.valueOf(e.getMessage()), "Set another address."));
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return List.of();
+        }
     }
 
     private static String addresses(UdpParticipant.Options options) {

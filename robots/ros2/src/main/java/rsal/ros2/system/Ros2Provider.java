@@ -13,12 +13,12 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
-import rsal.ros2.device.GripperSettings;
 import rsal.ros2.device.RosRobot;
-import rsal.ros2.device.RosSettings;
-import rsal.ros2.device.Safety;
 import rsal.ros2.link.RosEnvironment;
 import rsal.ros2.link.RosNetwork;
+import rsal.ros2.setting.GripperSettings;
+import rsal.ros2.setting.RosSettings;
+import rsal.ros2.setting.Safety;
 import rsal.ros2.type.Distribution;
 import rsal.rtps.UdpParticipant;
 import rsal.settings.Arguments;
@@ -68,6 +68,10 @@ public final class Ros2Provider implements RobotSystemProvider {
                     .toList(),
             "The distribution of ROS 2 that the robots run. announced: the one that each robot announces.");
 
+    private static final Parameter<Boolean> DIAGNOSTICS = Parameter.flag(
+            "diagnostics",
+            true,
+            "Whether errors in the robots' diagnostics (diagnostic_msgs/DiagnosticArray) are errors of their devices.");
     private static final Parameter<String> STOP_TOPIC = Parameter.text(
             "stopTopic",
             "",
@@ -99,6 +103,12 @@ public final class Ros2Provider implements RobotSystemProvider {
     private static final Parameter<String> LIFT_JOINT = Parameter.text(
             "liftJoint", GripperSettings.USUAL.liftJoint(), "The joint of the lift, as joint_states names it.");
 
+    private static final Parameter<String> BUMPER_TOPICS = Parameter.text(
+            "bumperTopics",
+            "",
+            "Topics (std_msgs/Bool) of bumpers in each robot's namespace, in the order of its model, separated by commas:"
+                    + " bump_left, bump_right. Default: bumper_0, bumper_1, ... by the name of the device.");
+
     @Override
     public String key() {
         return "ros2";
@@ -126,6 +136,7 @@ public final class Ros2Provider implements RobotSystemProvider {
                 RealRobots.ARMED,
                 RealRobots.WAIT,
                 RealRobots.LATE,
+                DIAGNOSTICS,
                 STOP_TOPIC,
                 STOP_SERVICE,
                 GRIPPER_ACTION,
@@ -133,7 +144,8 @@ public final class Ros2Provider implements RobotSystemProvider {
                 GRIPPER_POSITIONS,
                 GRIPPER_EFFORT,
                 LIFT_ACTION,
-                LIFT_JOINT);
+                LIFT_JOINT,
+                BUMPER_TOPICS);
     }
 
     @Override
@@ -151,7 +163,7 @@ public final class Ros2Provider implements RobotSystemProvider {
                     problems.add(new Problem(
                             robot.id(),
                             "model",
-                            "Robots of ROS 2 can't have '%s'. They can have lasers, sonars, IMUs, batteries, cameras, blob detectors, grippers, maps, localizers, navigators, planners."
+                            "Robots of ROS 2 can't have '%s'. They can have lasers, sonars, bumpers, IMUs, batteries, cameras, blob detectors, grippers, maps, localizers, navigators, planners, docking."
                                     .formatted(part.name())));
                 }
             }
@@ -174,7 +186,9 @@ public final class Ros2Provider implements RobotSystemProvider {
                                         settings.get(RealRobots.ARMED),
                                         settings.get(STOP_TOPIC),
                                         settings.get(STOP_SERVICE)),
-                                gripper),
+                                gripper,
+                                list(settings.get(BUMPER_TOPICS)),
+                                settings.get(DIAGNOSTICS)),
                         RealRobots.Waiting.of(settings),
                         scheduler,
                         new SecureRandom());

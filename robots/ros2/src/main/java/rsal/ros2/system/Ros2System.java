@@ -22,9 +22,10 @@ import rsal.robot.Robot;
 import rsal.robot.RobotSpec;
 import rsal.ros2.device.RobotTopics;
 import rsal.ros2.device.RosRobot;
-import rsal.ros2.device.RosSettings;
+import rsal.ros2.health.RobotDiagnostics;
 import rsal.ros2.link.RosEndpoint;
 import rsal.ros2.link.RosLink;
+import rsal.ros2.setting.RosSettings;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeLibrary;
 import rsal.system.RealRobots.Waiting;
@@ -56,6 +57,7 @@ final class Ros2System implements RobotSystem {
     });
     private Optional<Task> looking = Optional.empty();
     private @Nullable RosLink link;
+    private Optional<RobotDiagnostics> diagnostics = Optional.empty(); // once the network is joined
     private List<RosEndpoint> endpoints = List.of(); // of the network, when it was last looked at
     private Instant progressAt = Instant.MIN; // when it was last made
     private int progress; // of finding them
@@ -96,6 +98,9 @@ final class Ros2System implements RobotSystem {
         } catch (IOException e) {
             return CompletableFuture.failedStage(
                     new IOException("The network of ROS 2 can't be joined: %s".formatted(e.getMessage()), e));
+        }
+        if (settings.hasDiagnostics()) {
+            diagnostics = Optional.of(new RobotDiagnostics(link, scheduler));
         }
         progressAt = scheduler.instant();
         looking = Optional.of(scheduler.every(RosRobot.LOOK, this::look));
@@ -212,7 +217,7 @@ final class Ros2System implements RobotSystem {
     private RosRobot robot(RobotSpec spec, RobotTopics topics, RosLink network) {
         Distribution its = distribution.orElseGet(() -> topics.distribution(USUAL));
         LOG.log(Level.INFO, () -> "Robot '%s' has messages of %s.".formatted(spec.id(), its.words()));
-        return new RosRobot(spec, topics, network, TypeLibrary.of(its), settings, scheduler, random);
+        return new RosRobot(spec, topics, network, TypeLibrary.of(its), settings, diagnostics, scheduler, random);
     }
 
     private static RobotTopics topics(String namespace, List<RosEndpoint> all) {
@@ -259,6 +264,7 @@ final class Ros2System implements RobotSystem {
         looking.ifPresent(Task::cancel);
         found.values().forEach(RosRobot::end);
         found.clear();
+        diagnostics.ifPresent(RobotDiagnostics::close);
         if (link != null) {
             link.close();
         }

@@ -25,6 +25,7 @@ import rsal.ros2.message.FrameTree;
 import rsal.ros2.message.RosMessages;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeLibrary;
+import rsal.ros2.urdf.UrdfWriter;
 import rsal.sim.SimProvider;
 import rsal.system.Bridge;
 import rsal.system.ExportedDevice;

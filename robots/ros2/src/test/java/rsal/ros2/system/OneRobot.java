@@ -2,15 +2,16 @@ package rsal.ros2.system;
 
 import java.time.Duration;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import rsal.model.RobotModels;
 import rsal.robot.RobotSpec;
 import rsal.ros2.MemoryNetwork;
-import rsal.ros2.device.GripperSettings;
-import rsal.ros2.device.RosSettings;
-import rsal.ros2.device.Safety;
+import rsal.ros2.setting.GripperSettings;
+import rsal.ros2.setting.RosSettings;
+import rsal.ros2.setting.Safety;
 import rsal.ros2.type.Distribution;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
@@ -41,7 +42,7 @@ record OneRobot(MemoryNetwork network, Scheduler run, Optional<Distribution> dis
                 Map.of(spec(parts), "/r1"),
                 network::join,
                 distribution,
-                new RosSettings(new Safety(Duration.ofMillis(500), true, "", ""), gripper),
+                new RosSettings(new Safety(Duration.ofMillis(500), true, "", ""), gripper, List.of(), true),
                 Waiting.USUAL,
                 run,
                 new SplittableRandom(1));

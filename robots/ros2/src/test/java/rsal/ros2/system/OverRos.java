@@ -18,10 +18,10 @@ import rsal.robot.Robot;
 import rsal.robot.RobotSpec;
 import rsal.ros2.MemoryNetwork;
 import rsal.ros2.bridge.PublishedRobots;
-import rsal.ros2.device.GripperSettings;
-import rsal.ros2.device.RosSettings;
-import rsal.ros2.device.Safety;
 import rsal.ros2.link.RosNetwork;
+import rsal.ros2.setting.GripperSettings;
+import rsal.ros2.setting.RosSettings;
+import rsal.ros2.setting.Safety;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 import rsal.sim.SimProvider;
@@ -110,7 +110,7 @@ final class OverRos implements RobotSystemProvider {
                     namespaces,
                     network::join,
                     Optional.empty(),
-                    new RosSettings(new Safety(WATCHDOG, true, "", ""), GripperSettings.USUAL),
+                    new RosSettings(new Safety(WATCHDOG, true, "", ""), GripperSettings.USUAL, List.of(), true),
                     Waiting.USUAL,
                     scheduler,
                     new SplittableRandom(1));

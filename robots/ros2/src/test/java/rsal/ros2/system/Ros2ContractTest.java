@@ -10,8 +10,10 @@ import rsal.device.Mapper;
 import rsal.system.RobotSystemProvider;
 import rsal.testkit.contract.BatteryContract;
 import rsal.testkit.contract.BlobFinderContract;
+import rsal.testkit.contract.BumperContract;
 import rsal.testkit.contract.CameraContract;
 import rsal.testkit.contract.DeviceContract;
+import rsal.testkit.contract.DockingContract;
 import rsal.testkit.contract.DriveBaseContract;
 import rsal.testkit.contract.GripperContract;
 import rsal.testkit.contract.ImuContract;
@@ -22,6 +24,7 @@ import rsal.testkit.contract.OmnidirectionalDriveContract;
 import rsal.testkit.contract.PlannerContract;
 import rsal.testkit.contract.RobotSystemContract;
 import rsal.testkit.contract.SonarArrayContract;
+import rsal.testkit.fake.FakeDocking;
 import rsal.testkit.fake.FakeLocalizer;
 import rsal.testkit.fake.FakeNavigator;
 import rsal.testkit.fake.FakePlanner;
@@ -139,6 +142,27 @@ class Ros2ContractTest {
         @Override
         protected Map<String, String> parts() {
             return Map.of("planner", "own-planner");
+        }
+    }
+
+    @Nested
+    class OwnDocking extends DockingContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverRos(new FakeProvider(), List.of(new FakeDocking.Driver()));
+        }
+
+        @Override
+        protected Map<String, String> parts() {
+            return Map.of("dock", "own-docking");
+        }
+    }
+
+    @Nested
+    class Bumpers extends BumperContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverRos();
         }
     }
 

@@ -29,9 +29,6 @@ import rsal.ros2.MemoryNetwork;
 import rsal.ros2.cdr.CdrReader;
 import rsal.ros2.cdr.CdrWriter;
 import rsal.ros2.cdr.InvalidCdr;
-import rsal.ros2.device.GripperSettings;
-import rsal.ros2.device.RosSettings;
-import rsal.ros2.device.Safety;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosPublisher.Publication;
@@ -40,6 +37,9 @@ import rsal.ros2.message.FrameTransform;
 import rsal.ros2.message.FrameTransform.Quaternion;
 import rsal.ros2.message.RosMessages;
 import rsal.ros2.message.RosMessages.Transform;
+import rsal.ros2.setting.GripperSettings;
+import rsal.ros2.setting.RosSettings;
+import rsal.ros2.setting.Safety;
 import rsal.scene.Scene;
 import rsal.settings.Arguments;
 import rsal.settings.FileSource;
@@ -108,7 +108,10 @@ class Ros2SystemTest {
                 network::join,
                 Optional.empty(),
                 new RosSettings(
-                        new Safety(Duration.ofMillis(500), true, "e_stop", "set_e_stop"), GripperSettings.USUAL),
+                        new Safety(Duration.ofMillis(500), true, "e_stop", "set_e_stop"),
+                        GripperSettings.USUAL,
+                        List.of(),
+                        true),
                 waiting,
                 run,
                 new SplittableRandom(1));

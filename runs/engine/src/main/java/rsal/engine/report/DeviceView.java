@@ -8,6 +8,7 @@ import rsal.device.Battery;
 import rsal.device.BlobFinder;
 import rsal.device.Bumper;
 import rsal.device.Device;
+import rsal.device.Docking;
 import rsal.device.DriveBase;
 import rsal.device.FiducialFinder;
 import rsal.device.Gripper;
@@ -46,6 +47,7 @@ public record DeviceView(String name, String driver, String type, Health health)
             Mapper.class,
             Navigator.class,
             Planner.class,
+            Docking.class,
             PlaceFinder.class,
             Pilot.class,
             SimulationControl.class);

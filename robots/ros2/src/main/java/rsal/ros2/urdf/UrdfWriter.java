@@ -1,4 +1,4 @@
-package rsal.ros2.bridge;
+package rsal.ros2.urdf;
 
 import java.util.List;
 import java.util.Locale;
@@ -15,8 +15,8 @@ import rsal.ros2.message.FrameTransform;
 /// A robot model as URDF: its body, the frames of its lasers and sonars, and its actuators as joints. The
 /// origin of `base_link` is on the floor. Wheels are not in it, as models have none; a piece that is neither
 /// a disc nor a rectangle is the box around it, as URDF has no prisms.
-final class UrdfWriter {
-    static final String BASE = "base_link";
+public final class UrdfWriter {
+    public static final String BASE = "base_link";
 
     private static final Rgb PLAIN = new Rgb(0x99, 0x99, 0x99);
     private static final double SQUARE = 1e-6; // how large the cosine of a right angle may be
@@ -29,14 +29,14 @@ final class UrdfWriter {
     }
 
     /// @param name the robot's
-    static String urdf(String name, RobotModel model) {
+    public static String urdf(String name, RobotModel model) {
         return new UrdfWriter(model).write(name);
     }
 
     /// Where a laser or a single sonar is. Poses are known in the plane; the model has heights.
     ///
     /// @param frame the device's name; of sonars with a number, `sonar_3`
-    static FrameTransform mounting(RobotModel model, String frame, Pose2d baseFromFrame) {
+    public static FrameTransform mounting(RobotModel model, String frame, Pose2d baseFromFrame) {
         String device = model.sensors().containsKey(frame) ? frame : frame.replaceFirst("_\\d+$", "");
         return level(baseFromFrame, model.height(device));
     }
@@ -47,7 +47,7 @@ final class UrdfWriter {
     }
 
     /// What carries a device: the base, or an actuator.
-    static String carrier(RobotModel model, String device) {
+    public static String carrier(RobotModel model, String device) {
         return model.carriers().getOrDefault(device, BASE);
     }
 
@@ -56,7 +56,7 @@ final class UrdfWriter {
     /// @param device name of the actuator
     /// @param actuator the part that it is
     /// @param position of its joint [m or rad]
-    static FrameTransform moved(RobotModel model, String device, Part.Actuator actuator, double position) {
+    public static FrameTransform moved(RobotModel model, String device, Part.Actuator actuator, double position) {
         FrameTransform home = home(model, device, actuator);
         double way = position - actuator.home();
         FrameTransform motion = switch (actuator.joint()) {

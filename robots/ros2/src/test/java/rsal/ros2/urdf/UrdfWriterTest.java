@@ -1,4 +1,4 @@
-package rsal.ros2.bridge;
+package rsal.ros2.urdf;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;

@@ -1,4 +1,4 @@
-package rsal.ros2.device;
+package rsal.ros2.setting;
 
 import java.time.Duration;
 

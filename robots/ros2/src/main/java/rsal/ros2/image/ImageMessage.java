@@ -1,4 +1,4 @@
-package rsal.ros2.device;
+package rsal.ros2.image;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -12,15 +12,15 @@ import rsal.ros2.cdr.RosMessage;
 /// @param encoding `rgb8`, `16UC1`, …
 /// @param step from one row to the next [bytes]
 /// @param data handed over
-record ImageMessage(int width, int height, String encoding, ByteOrder order, int step, byte[] data) {
+public record ImageMessage(int width, int height, String encoding, ByteOrder order, int step, byte[] data) {
     /// Of an image [px].
-    static final int LONGEST = 8_192;
+    public static final int LONGEST = 8_192;
 
     private static final double MILLIMETERS = 1_000; // in a meter
     private static final int FARTHEST = 0xffff; // mm
 
     /// Empty when its data are not those of such an image.
-    static Optional<ImageMessage> of(RosMessage message) {
+    public static Optional<ImageMessage> of(RosMessage message) {
         long width = message.integer("width");
         long height = message.integer("height");
         long step = message.integer("step");
@@ -57,7 +57,7 @@ record ImageMessage(int width, int height, String encoding, ByteOrder order, int
     }
 
     /// Red, green and blue of each pixel; empty when it has no colors.
-    Optional<byte[]> rgb() {
+    public Optional<byte[]> rgb() {
         return switch (encoding) {
             case "rgb8" -> Optional.of(rgb(0, 1, 2));
             case "bgr8", "8UC3" -> Optional.of(rgb(2, 1, 0));
@@ -89,7 +89,7 @@ record ImageMessage(int width, int height, String encoding, ByteOrder order, int
     ///
     /// @param columns of the image wanted, of the same view
     /// @param rows of the image wanted
-    Optional<byte[]> depth(int columns, int rows) {
+    public Optional<byte[]> depth(int columns, int rows) {
         boolean isMeters = encoding.equals("32FC1");
         if (!isMeters && size(encoding) != Short.BYTES) {
             return Optional.empty();

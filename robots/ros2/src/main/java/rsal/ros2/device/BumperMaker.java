@@ -1,0 +1,74 @@
+package rsal.ros2.device;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import rsal.device.DeviceInfo;
+import rsal.robot.RobotModel.Part;
+import rsal.ros2.cdr.RosMessage;
+import rsal.ros2.device.RosParts.Wanted;
+import rsal.ros2.health.ReportNames;
+import rsal.ros2.link.RosLink.Subscribed;
+import rsal.ros2.link.RosTopic;
+import rsal.ros2.setting.RosSettings;
+
+/// Makes bumpers of topics of the type `std_msgs/Bool`: those that are set, or `bumper_0`, `bumper_1`, … by the
+/// device's name.
+final class BumperMaker implements RosParts.Maker {
+    private static final String FLAG = "std_msgs/msg/Bool";
+
+    @Override
+    public boolean makes(Part part) {
+        return part instanceof Part.Bumper bumper && !bumper.pads().isEmpty();
+    }
+
+    @Override
+    public ReportNames reportNames() {
+        return ReportNames.of("bumper", "bumpers");
+    }
+
+    /// One for each of its pads.
+    private static List<RosTopic> topics(String device, Part part, RobotTopics topics, RosSettings settings) {
+        int count = ((Part.Bumper) part).pads().size();
+        List<String> names = settings.bumperTopics().isEmpty()
+                ? IntStream.range(0, count)
+                        .mapToObj(i -> "%s_%d".formatted(device, i))
+                        .toList()
+                : settings.bumperTopics();
+        return names.stream()
+                .limit(count)
+                .map(name -> new RosTopic(topics.namespace() + "/" + name, FLAG))
+                .toList();
+    }
+
+    @Override
+    public boolean isThere(Wanted wanted, RobotTopics topics, RosSettings settings) {
+        List<RosTopic> all = topics(wanted.name(), wanted.part(), topics, settings);
+        return all.size() == ((Part.Bumper) wanted.part()).pads().size()
+                && all.stream().allMatch(topics::isPublished);
+    }
+
+    @Override
+    public RosDevice make(DeviceInfo info, Wanted wanted, RosContext context) {
+        List<RosTopic> all = topics(info.name(), wanted.part(), context.topics(), context.settings());
+        var bumper = new RosBumper(info, (Part.Bumper) wanted.part(), context.frames());
+        var subscriptions = new ArrayList<Subscribed>();
+        for (RosTopic topic : all) {
+            int number = subscriptions.size();
+            subscriptions.add(context.link()
+                    .subscribe(
+                            topic,
+                            context.reliable(topic),
+                            context.inbox(FLAG, 1, (RosMessage message) -> bumper.take(number, message))));
+        }
+        return new RosDevice(
+                bumper,
+                now -> bumper.look(
+                        now,
+                        IntStream.range(0, all.size())
+                                .filter(i -> subscriptions.get(i).publishers() == 0)
+                                .mapToObj(i -> all.get(i).name())
+                                .toList()),
+                () -> subscriptions.forEach(Subscribed::close));
+    }
+}
