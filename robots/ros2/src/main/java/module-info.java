@@ -6,6 +6,8 @@ module rsal.ros2 {
     requires rsal.ros2.bags;
     requires rsal.ros2.messages;
     requires rsal.rtps;
+    requires java.net.http;
+    requires tools.jackson.core;
     requires static org.jspecify;
 
     provides rsal.system.BridgeProvider with
