@@ -8,6 +8,7 @@ module rsal.ros2 {
     requires rsal.rtps;
     requires java.net.http;
     requires tools.jackson.core;
+    requires tools.jackson.dataformat.cbor;
     requires static org.jspecify;
 
     provides rsal.system.BridgeProvider with

@@ -35,7 +35,6 @@ final class BridgedActions {
     private static final Duration REFUSAL = Duration.ofMillis(1_500); // servers look for the action for 1 s
     private static final Duration KEPT = Duration.ofSeconds(10); // a result
     private static final int MOST_GOALS = 1_000;
-    private static final int UUID = 16; // bytes
     private static final Value SUCCEEDED = new Value.Int(4); // of action_msgs/msg/GoalStatus
     private static final String PREFIX = "rsal:goal:"; // of ids, which go on with those of the goals
 
@@ -172,7 +171,7 @@ final class BridgedActions {
         if (goal == null) {
             return failed("Nobody knows such a goal.");
         }
-        goal.result.whenComplete((_, _) -> goals.remove(id, goal));
+        var _ = goal.result.whenComplete((_, _) -> goals.remove(id, goal));
         return Answers.toCdr(goal.result, its, type + "_Response");
     }
 

@@ -121,12 +121,16 @@ final class MessageValues {
                 }
                 yield text;
             }
-            case Primitive primitive ->
-                switch (primitive) {
-                    case BOOL -> PrimitiveArrays.integer(Primitive.BOOL, value) != 0;
-                    case FLOAT32, FLOAT64 -> PrimitiveArrays.real(value);
-                    default -> PrimitiveArrays.integer(primitive, value);
-                };
+            case Primitive primitive -> number(primitive, value);
+        };
+    }
+
+    private static Object number(Primitive primitive, Value value) throws NotFitting {
+        return switch (primitive) {
+            case BOOL -> PrimitiveArrays.integer(Primitive.BOOL, value) != 0;
+            case FLOAT32, FLOAT64 -> PrimitiveArrays.real(value);
+            case BYTE, INT8, UINT8, INT16, UINT16, INT32, UINT32, INT64, UINT64 ->
+                PrimitiveArrays.integer(primitive, value);
         };
     }
 
@@ -148,7 +152,7 @@ final class MessageValues {
                 continue; // rosbridge refuses fields that it does not know
             }
             out.writeName(version.wire(message.type().name(), field.name()));
-            Object value = message.fields().get(field.name());
+            Object value = message.get(field.name(), Object.class);
             if (field.type().repeat() == Repeat.ONE) {
                 writeOne(field.type().element(), value, out);
             } else {

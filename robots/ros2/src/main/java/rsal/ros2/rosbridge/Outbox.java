@@ -54,7 +54,7 @@ final class Outbox implements Connection {
     private void next() {
         String message = take();
         if (message != null) {
-            socket.sendText(message, true).whenCompleteAsync((_, error) -> sent(error), threads);
+            var _ = socket.sendText(message, true).whenCompleteAsync((_, error) -> sent(error), threads);
         }
     }
 

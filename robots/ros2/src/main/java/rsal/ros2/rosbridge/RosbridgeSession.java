@@ -78,12 +78,12 @@ final class RosbridgeSession {
     private final class Attempt implements Receiver {
         @Override
         public void onText(String message) {
-            receive(() -> Json.read(message));
+            receive(() -> ValueReader.json(message));
         }
 
         @Override
         public void onBinary(ByteBuffer message) {
-            receive(() -> CborReader.read(message));
+            receive(() -> ValueReader.cbor(message));
         }
 
         private void receive(Reading reading) {

@@ -50,13 +50,15 @@ public final class WebSocketTransport implements RosbridgeTransport {
     private static String why(Throwable error) {
         Throwable cause = error;
         while (cause.getCause() != null
-                && !(cause instanceof WebSocketHandshakeException || cause instanceof SSLException)) {
+                && !(cause instanceof WebSocketHandshakeException
+                        || cause instanceof SSLException
+                        || isRefused(cause))) {
             cause = cause.getCause();
         }
         return switch (cause) {
             case UnresolvedAddressException _ -> "this machine's name is not known";
-            case ConnectException _ -> "nobody listens there";
             case HttpConnectTimeoutException _ -> "it does not answer within %d s".formatted(PATIENCE.toSeconds());
+            case ConnectException _ -> "nobody listens there";
             case WebSocketHandshakeException refused ->
                 "it is no WebSocket server (HTTP %d)"
                         .formatted(refused.getResponse().statusCode());
@@ -64,6 +66,11 @@ public final class WebSocketTransport implements RosbridgeTransport {
             default ->
                 cause.getMessage() == null ? cause.getClass().getSimpleName() : String.valueOf(cause.getMessage());
         };
+    }
+
+    /// A connection that takes too long is another kind of it, and unknown names are its cause.
+    private static boolean isRefused(Throwable error) {
+        return error instanceof ConnectException && !(error.getCause() instanceof UnresolvedAddressException);
     }
 
     @Override

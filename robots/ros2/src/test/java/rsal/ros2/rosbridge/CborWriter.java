@@ -1,9 +1,11 @@
 package rsal.ros2.rosbridge;
 
 import java.io.ByteArrayOutputStream;
+import java.lang.reflect.Array;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 
@@ -77,38 +79,19 @@ final class CborWriter {
 
     /// The bytes of numbers, little endian.
     static byte[] little(Object array) {
-        return switch (array) {
-            case byte[] all -> all;
-            case short[] all -> {
-                ByteBuffer bytes = buffer(2 * all.length);
-                bytes.asShortBuffer().put(all);
-                yield bytes.array();
+        int count = Array.getLength(array);
+        ByteBuffer bytes = ByteBuffer.allocate(Double.BYTES * count).order(ByteOrder.LITTLE_ENDIAN);
+        for (int i = 0; i < count; i++) {
+            switch (Array.get(array, i)) {
+                case Byte number -> bytes.put(number);
+                case Short number -> bytes.putShort(number);
+                case Integer number -> bytes.putInt(number);
+                case Long number -> bytes.putLong(number);
+                case Float number -> bytes.putFloat(number);
+                case Double number -> bytes.putDouble(number);
+                default -> throw new IllegalArgumentException("No numbers: " + array.getClass());
             }
-            case int[] all -> {
-                ByteBuffer bytes = buffer(4 * all.length);
-                bytes.asIntBuffer().put(all);
-                yield bytes.array();
-            }
-            case long[] all -> {
-                ByteBuffer bytes = buffer(8 * all.length);
-                bytes.asLongBuffer().put(all);
-                yield bytes.array();
-            }
-            case float[] all -> {
-                ByteBuffer bytes = buffer(4 * all.length);
-                bytes.asFloatBuffer().put(all);
-                yield bytes.array();
-            }
-            case double[] all -> {
-                ByteBuffer bytes = buffer(8 * all.length);
-                bytes.asDoubleBuffer().put(all);
-                yield bytes.array();
-            }
-            default -> throw new IllegalArgumentException("No numbers: " + array.getClass());
-        };
-    }
-
-    private static ByteBuffer buffer(int size) {
-        return ByteBuffer.allocate(size).order(ByteOrder.LITTLE_ENDIAN);
+        }
+        return Arrays.copyOf(bytes.array(), bytes.position());
     }
 }

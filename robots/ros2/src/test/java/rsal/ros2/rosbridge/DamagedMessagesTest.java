@@ -50,7 +50,7 @@ class DamagedMessagesTest {
             String type = TYPES.get(random.nextInt(TYPES.size()));
             byte[] bytes = damaged(json(type).getBytes(StandardCharsets.UTF_8));
             try {
-                values.toCdr(type, Json.read(new String(bytes, StandardCharsets.UTF_8)));
+                values.toCdr(type, ValueReader.json(new String(bytes, StandardCharsets.UTF_8)));
             } catch (InvalidMessage e) {
                 assertThat(e.getMessage()).isNotEmpty();
                 refused++;
@@ -74,7 +74,7 @@ class DamagedMessagesTest {
         for (long i = 0; i < ROUNDS; i++) {
             byte[] bytes = damaged(whole.get(random.nextInt(whole.size())));
             try {
-                Value value = CborReader.read(ByteBuffer.wrap(bytes));
+                Value value = ValueReader.cbor(ByteBuffer.wrap(bytes));
                 for (String type : TYPES) {
                     values.toCdr(type, value);
                 }
@@ -92,7 +92,7 @@ class DamagedMessagesTest {
             var bytes = new byte[random.nextInt(40)];
             random.nextBytes(bytes);
             try {
-                assertThat(CborReader.read(ByteBuffer.wrap(bytes)).words()).isNotNull();
+                assertThat(ValueReader.cbor(ByteBuffer.wrap(bytes)).words()).isNotNull();
             } catch (InvalidMessage e) {
                 assertThat(e.getMessage()).isNotEmpty();
             }
@@ -103,16 +103,16 @@ class DamagedMessagesTest {
     void whatIsNestedTooDeeplyIsRefused() {
         byte[] lists = new byte[100_000];
         Arrays.fill(lists, (byte) 0x81); // a list of one
-        assertThat(refusal(() -> CborReader.read(ByteBuffer.wrap(lists)))).contains("64 levels");
-        assertThat(refusal(() -> Json.read("[".repeat(100_000)))).contains("JSON");
+        assertThat(refusal(() -> ValueReader.cbor(ByteBuffer.wrap(lists)))).contains("no CBOR");
+        assertThat(refusal(() -> ValueReader.json("[".repeat(100_000)))).contains("no JSON");
     }
 
     @Test
     void nothingIsAllocatedForWhatIsClaimed() {
         byte[] list = {(byte) 0x9a, 0x7f, (byte) 0xff, (byte) 0xff, (byte) 0xff}; // of two billion
-        assertThat(refusal(() -> CborReader.read(ByteBuffer.wrap(list)))).contains("2147483647");
+        assertThat(refusal(() -> ValueReader.cbor(ByteBuffer.wrap(list)))).contains("no CBOR");
         byte[] bytes = {0x5b, (byte) 0xff, (byte) 0xff, (byte) 0xff, (byte) 0xff, 0, 0, 0, 0};
-        assertThat(refusal(() -> CborReader.read(ByteBuffer.wrap(bytes)))).contains("only 0 bytes follow");
+        assertThat(refusal(() -> ValueReader.cbor(ByteBuffer.wrap(bytes)))).contains("no CBOR");
     }
 
     private interface Reading {

@@ -246,9 +246,8 @@ public final class FakeRosbridge {
             String type = full(in.get("type").asString(), "msg");
             for (RosEndpoint each : link.endpoints()) {
                 if (each.topic().name().equals(topic) && !each.topic().type().equals(type)) {
-                    throw new PythonMessages.Refused("Tried to register topic %s with type %s but it is already"
-                            + " established with type %s"
-                                    .formatted(topic, type, each.topic().type()));
+                    throw new PythonMessages.Refused("Topic %s has the type %s, not %s"
+                            .formatted(topic, each.topic().type(), type));
                 }
             }
             boolean isNew = !hearings.containsKey(topic);

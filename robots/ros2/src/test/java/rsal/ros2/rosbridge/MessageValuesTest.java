@@ -23,11 +23,11 @@ class MessageValuesTest {
     private final MessageValues ros1 = new MessageValues(TYPES, RosVersion.ROS_1);
 
     private RosMessage read(String type, String json) throws InvalidMessage {
-        return ros2.ofCdr(type, ros2.toCdr(type, Json.read(json)));
+        return ros2.ofCdr(type, ros2.toCdr(type, ValueReader.json(json)));
     }
 
     private RosMessage readCbor(String type, Object value) throws InvalidMessage {
-        return ros2.ofCdr(type, ros2.toCdr(type, CborReader.read(ByteBuffer.wrap(CborWriter.write(value)))));
+        return ros2.ofCdr(type, ros2.toCdr(type, ValueReader.cbor(ByteBuffer.wrap(CborWriter.write(value)))));
     }
 
     @Test

@@ -101,17 +101,21 @@ final class PythonMessages {
             list.forEach(each -> all.add(oneToJson(each)));
         } else {
             for (int i = 0; i < java.lang.reflect.Array.getLength(value); i++) {
-                Object each = java.lang.reflect.Array.get(value, i);
-                all.add(
-                        element == Primitive.BOOL
-                                ? JsonNodeFactory.instance.booleanNode(((Byte) each) != 0)
-                                : oneToJson(
-                                        each instanceof Float || each instanceof Double
-                                                ? Double.valueOf(((Number) each).doubleValue())
-                                                : Long.valueOf(((Number) each).longValue())));
+                all.add(oneToJson(number(element, java.lang.reflect.Array.get(value, i))));
             }
         }
         return all;
+    }
+
+    /// An element of an array as a field of its own would have it.
+    private static Object number(Element element, Object each) {
+        if (element == Primitive.BOOL) {
+            return ((Byte) each) != 0;
+        }
+        if (each instanceof Float || each instanceof Double) {
+            return ((Number) each).doubleValue();
+        }
+        return ((Number) each).longValue();
     }
 
     /// @throws Refused for types that servers fail to write

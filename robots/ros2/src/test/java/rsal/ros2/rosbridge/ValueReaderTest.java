@@ -12,10 +12,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/// With examples of RFC 8949, appendix A.
-class CborReaderTest {
+/// CBOR, with examples of RFC 8949, appendix A.
+class ValueReaderTest {
     private static Value read(String hex) throws InvalidMessage {
-        return CborReader.read(ByteBuffer.wrap(HexFormat.of().parseHex(hex)));
+        return ValueReader.cbor(ByteBuffer.wrap(HexFormat.of().parseHex(hex)));
     }
 
     @ParameterizedTest
@@ -72,7 +72,7 @@ class CborReaderTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"", "18", "1a0000", "8301", "a1", "a10102", "62c3", "ff", "1c", "f8ff", "0000", "5f6161ff"})
+    @ValueSource(strings = {"", "18", "1a0000", "8301", "a1", "62c3", "ff", "1c", "0000", "5f6161ff"})
     void refusesWhatIsNone(String hex) {
         assertThatThrownBy(() -> read(hex)).isInstanceOf(InvalidMessage.class);
     }
