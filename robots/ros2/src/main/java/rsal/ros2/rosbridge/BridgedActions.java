@@ -35,7 +35,7 @@ final class BridgedActions {
     private static final Duration REFUSAL = Duration.ofMillis(1_500); // servers look for the action for 1 s
     private static final Duration KEPT = Duration.ofSeconds(10); // a result
     private static final int MOST_GOALS = 1_000;
-    private static final Value SUCCEEDED = new Value.Int(4); // of action_msgs/msg/GoalStatus
+    private static final WireValue SUCCEEDED = new WireValue.Int(4); // of action_msgs/msg/GoalStatus
     private static final String PREFIX = "rsal:goal:"; // of ids, which go on with those of the goals
 
     private final RosbridgeSession session;
@@ -54,9 +54,9 @@ final class BridgedActions {
     private record Hearing(RosTopic topic, Consumer<ByteBuffer> listener) {}
 
     /// @param type of the action
-    private record Goal(String type, CompletableFuture<Value> accepted, CompletableFuture<Value> result) {
+    private record Goal(String type, CompletableFuture<WireValue> accepted, CompletableFuture<WireValue> result) {
         void accept(boolean isAccepted) {
-            accepted.complete(fields(Map.of("accepted", new Value.Bool(isAccepted))));
+            accepted.complete(fields(Map.of("accepted", new WireValue.Bool(isAccepted))));
         }
 
         void fail(String why) {
@@ -65,8 +65,8 @@ final class BridgedActions {
         }
     }
 
-    private static Value.Fields fields(Map<String, Value> fields) {
-        return new Value.Fields(fields);
+    private static WireValue.Fields fields(Map<String, WireValue> fields) {
+        return new WireValue.Fields(fields);
     }
 
     /// The topic of an action's feedback.
@@ -157,7 +157,7 @@ final class BridgedActions {
             out.writeBooleanProperty("feedback", true);
         });
         scheduler.after(REFUSAL, () -> goal.accept(true));
-        return Answers.toCdr(goal.accepted, its, type + "_Response");
+        return ResponseMessages.toCdr(goal.accepted, its, type + "_Response");
     }
 
     private CompletionStage<byte[]> result(String type, byte[] request) {
@@ -172,7 +172,7 @@ final class BridgedActions {
             return failed("Nobody knows such a goal.");
         }
         var _ = goal.result.whenComplete((_, _) -> goals.remove(id, goal));
-        return Answers.toCdr(goal.result, its, type + "_Response");
+        return ResponseMessages.toCdr(goal.result, its, type + "_Response");
     }
 
     private CompletionStage<byte[]> cancel(String action, String type, byte[] request) {
@@ -184,11 +184,11 @@ final class BridgedActions {
                 out.writeStringProperty("action", action);
             });
         });
-        return failed("rosbridge does not say what came of a cancellation.");
+        return failed("rosbridge does not report whether a goal was canceled.");
     }
 
     /// @param message `action_feedback`
-    void onFeedback(Value.Fields message) throws InvalidMessage {
+    void onFeedback(WireValue.Fields message) throws InvalidMessage {
         String id = message.text("id").orElse("");
         String action = message.text("action").orElse("");
         Goal goal = goals.get(id);
@@ -197,9 +197,9 @@ final class BridgedActions {
         }
         goal.accept(true);
         RosTopic topic = feedback(action, goal.type);
-        Value uuid = new Value.Numbers(
+        WireValue uuid = new WireValue.Numbers(
                 NumberArray.UINT8, ByteBuffer.wrap(HexFormat.of().parseHex(id.substring(PREFIX.length()))));
-        Value whole = fields(Map.of(
+        WireValue whole = fields(Map.of(
                 "goal_id",
                 fields(Map.of("uuid", uuid)),
                 "feedback",
@@ -213,22 +213,22 @@ final class BridgedActions {
     }
 
     /// @param message `action_result`
-    void onResult(Value.Fields message) {
+    void onResult(WireValue.Fields message) {
         String id = message.text("id").orElse("");
         Goal goal = goals.get(id);
         if (goal == null) {
             return; // of one that was given up
         }
         scheduler.after(KEPT, () -> goals.remove(id, goal)); // where nobody asks for it
-        Value its = message.find("values").orElseGet(() -> fields(Map.of()));
-        if (its instanceof Value.Fields) {
+        WireValue its = message.find("values").orElseGet(() -> fields(Map.of()));
+        if (its instanceof WireValue.Fields) {
             goal.accept(true);
             goal.result.complete(fields(Map.of("status", message.find("status").orElse(SUCCEEDED), "result", its)));
-        } else if (its instanceof Value.Text(String why) && why.contains("rejected")) {
+        } else if (its instanceof WireValue.Text(String why) && why.contains("rejected")) {
             goal.accept(false);
             goal.fail(why);
         } else {
-            goal.fail(its instanceof Value.Text(String why) ? why : its.words());
+            goal.fail(its instanceof WireValue.Text(String why) ? why : its.words());
         }
     }
 

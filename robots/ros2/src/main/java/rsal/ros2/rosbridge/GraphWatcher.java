@@ -130,7 +130,7 @@ final class GraphWatcher {
     }
 
     private void fail(Throwable error) {
-        String why = String.valueOf(Answers.reason(error).getMessage()).replaceFirst("[.]$", "");
+        String why = String.valueOf(ResponseMessages.reason(error).getMessage()).replaceFirst("[.]$", "");
         String words =
                 "rosbridge at '%s' does not report its topics (/rosapi/topics): %s. Does the node rosapi run beside it?"
                         .formatted(session.address(), why);
@@ -140,7 +140,7 @@ final class GraphWatcher {
         session.trouble(words);
     }
 
-    private CompletionStage<Value.Fields> ask(String question, Consumer<JsonGenerator> fields) {
+    private CompletionStage<WireValue.Fields> ask(String question, Consumer<JsonGenerator> fields) {
         return scheduler.within(ANSWER, session.call("/rosapi/" + question, out -> {
             out.writeStartObject();
             fields.accept(out);
@@ -149,17 +149,17 @@ final class GraphWatcher {
     }
 
     /// As [#ask], but empty when the server refuses: what was asked for may be gone, or a service not there.
-    private CompletionStage<Optional<Value.Fields>> tryTo(String question, Consumer<JsonGenerator> fields) {
+    private CompletionStage<Optional<WireValue.Fields>> tryTo(String question, Consumer<JsonGenerator> fields) {
         return ask(question, fields).handle((answer, error) -> {
-            if (error != null && !(Answers.reason(error) instanceof IOException)) {
-                throw new CompletionException(Answers.reason(error)); // no answer at all
+            if (error != null && !(ResponseMessages.reason(error) instanceof IOException)) {
+                throw new CompletionException(ResponseMessages.reason(error)); // no answer at all
             }
             return Optional.ofNullable(answer);
         });
     }
 
     /// Learns which ROS the server bridges, once.
-    private CompletionStage<Void> know(Value.Fields topics) {
+    private CompletionStage<Void> know(WireValue.Fields topics) {
         types = new HashMap<>();
         List<String> names = topics.texts("topics");
         List<String> itsTypes = topics.texts("types");
@@ -244,7 +244,7 @@ final class GraphWatcher {
         private final Set<String> services = new HashSet<>();
         private final Map<String, String> actions = new LinkedHashMap<>();
 
-        void add(String node, Value.Fields its) {
+        void add(String node, WireValue.Fields its) {
             boolean isBridge = node.endsWith("/" + BRIDGE);
             for (String topic : its.texts("publishing")) {
                 if (types.containsKey(topic) && !(isBridge && used.publishes(topic))) {

@@ -49,7 +49,7 @@ final class MessageValues {
     /// The bytes in CDR of a message.
     ///
     /// @param type in full
-    byte[] toCdr(String type, Value value) throws InvalidMessage {
+    byte[] toCdr(String type, WireValue value) throws InvalidMessage {
         try {
             return codec(type).write(read(types.get(type), value));
         } catch (IllegalArgumentException e) {
@@ -67,14 +67,14 @@ final class MessageValues {
         }
     }
 
-    private RosMessage read(RosType type, Value value) throws InvalidMessage {
-        if (!(value instanceof Value.Fields(Map<String, Value> given))) {
+    private RosMessage read(RosType type, WireValue value) throws InvalidMessage {
+        if (!(value instanceof WireValue.Fields(Map<String, WireValue> given))) {
             throw new InvalidMessage("A message of type '%s' can't be %s.".formatted(type.name(), value.words()));
         }
         var fields =
                 LinkedHashMap.<String, Object>newLinkedHashMap(type.fields().size());
         for (Field field : type.fields()) {
-            Value its = given.get(field.name());
+            WireValue its = given.get(field.name());
             if (its == null) {
                 its = given.get(RosVersion.other(field.name()));
             }
@@ -85,7 +85,7 @@ final class MessageValues {
         return new RosMessage(type, fields);
     }
 
-    private Object read(Field field, Value value) throws InvalidMessage {
+    private Object read(Field field, WireValue value) throws InvalidMessage {
         FieldType type = field.type();
         try {
             if (type.repeat() == Repeat.ONE) {
@@ -101,22 +101,22 @@ final class MessageValues {
         }
     }
 
-    private List<Object> all(Element element, Value value) throws InvalidMessage, NotFitting {
-        if (!(value instanceof Value.Many(List<Value> values))) {
+    private List<Object> all(Element element, WireValue value) throws InvalidMessage, NotFitting {
+        if (!(value instanceof WireValue.Many(List<WireValue> values))) {
             throw new NotFitting(value);
         }
         var all = new ArrayList<Object>(values.size());
-        for (Value each : values) {
+        for (WireValue each : values) {
             all.add(one(element, each));
         }
         return all;
     }
 
-    private Object one(Element element, Value value) throws InvalidMessage, NotFitting {
+    private Object one(Element element, WireValue value) throws InvalidMessage, NotFitting {
         return switch (element) {
             case Element.Nested(String name) -> read(types.get(name), value);
             case Element.Text _ -> {
-                if (!(value instanceof Value.Text(String text))) {
+                if (!(value instanceof WireValue.Text(String text))) {
                     throw new NotFitting(value);
                 }
                 yield text;
@@ -125,7 +125,7 @@ final class MessageValues {
         };
     }
 
-    private static Object number(Primitive primitive, Value value) throws NotFitting {
+    private static Object number(Primitive primitive, WireValue value) throws NotFitting {
         return switch (primitive) {
             case BOOL -> PrimitiveArrays.integer(Primitive.BOOL, value) != 0;
             case FLOAT32, FLOAT64 -> PrimitiveArrays.real(value);
@@ -137,9 +137,9 @@ final class MessageValues {
     /// A value that a field can't have.
     static final class NotFitting extends Exception {
         private static final long serialVersionUID = 1;
-        private final transient Value value;
+        private final transient WireValue value;
 
-        NotFitting(Value value) {
+        NotFitting(WireValue value) {
             this.value = value;
         }
     }

@@ -33,7 +33,7 @@ final class NumberArray {
         return tag >= FIRST && tag <= LAST;
     }
 
-    static NumberArray of(Value.Numbers value) throws InvalidMessage {
+    static NumberArray of(WireValue.Numbers value) throws InvalidMessage {
         int tag = value.tag();
         boolean isFloat = (tag & FLOAT) != 0;
         int size = (isFloat ? 2 : 1) << (tag & SIZE);

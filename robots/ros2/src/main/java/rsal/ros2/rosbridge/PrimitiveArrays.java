@@ -22,7 +22,7 @@ final class PrimitiveArrays {
         double real(int i) throws NotFitting;
     }
 
-    private record Listed(Primitive primitive, List<Value> values) implements Elements {
+    private record Listed(Primitive primitive, List<WireValue> values) implements Elements {
         @Override
         public int count() {
             return values.size();
@@ -48,7 +48,7 @@ final class PrimitiveArrays {
         @Override
         public long integer(int i) throws NotFitting {
             return numbers.isFloat()
-                    ? PrimitiveArrays.integer(primitive, new Value.Real(numbers.real(i)))
+                    ? PrimitiveArrays.integer(primitive, new WireValue.Real(numbers.real(i)))
                     : within(primitive, numbers.integer(i));
         }
 
@@ -59,7 +59,7 @@ final class PrimitiveArrays {
     }
 
     /// @return `byte[]`, `short[]`, `int[]`, `long[]`, `float[]` or `double[]`
-    static Object read(Primitive primitive, Value value) throws InvalidMessage, NotFitting {
+    static Object read(Primitive primitive, WireValue value) throws InvalidMessage, NotFitting {
         Elements from = elements(primitive, value);
         int count = from.count();
         return switch (primitive) {
@@ -110,15 +110,15 @@ final class PrimitiveArrays {
         return array;
     }
 
-    private static Elements elements(Primitive primitive, Value value) throws InvalidMessage, NotFitting {
+    private static Elements elements(Primitive primitive, WireValue value) throws InvalidMessage, NotFitting {
         return switch (value) {
-            case Value.Many(List<Value> values) -> new Listed(primitive, values);
-            case Value.Numbers numbers -> new Packed(primitive, NumberArray.of(numbers));
-            case Value.Text(String text)
+            case WireValue.Many(List<WireValue> values) -> new Listed(primitive, values);
+            case WireValue.Numbers numbers -> new Packed(primitive, NumberArray.of(numbers));
+            case WireValue.Text(String text)
             when primitive.size() == 1 -> {
                 try {
                     var bytes = ByteBuffer.wrap(Base64.getDecoder().decode(text));
-                    yield new Packed(primitive, NumberArray.of(new Value.Numbers(NumberArray.UINT8, bytes)));
+                    yield new Packed(primitive, NumberArray.of(new WireValue.Numbers(NumberArray.UINT8, bytes)));
                 } catch (IllegalArgumentException e) {
                     throw new InvalidMessage("A text is no Base64: %s".formatted(e.getMessage()), e);
                 }
@@ -127,11 +127,11 @@ final class PrimitiveArrays {
         };
     }
 
-    static long integer(Primitive primitive, Value value) throws NotFitting {
+    static long integer(Primitive primitive, WireValue value) throws NotFitting {
         return switch (value) {
-            case Value.Int(long number) -> within(primitive, number);
-            case Value.Bool(boolean isTrue) -> isTrue ? 1 : 0;
-            case Value.Real(double number)
+            case WireValue.Int(long number) -> within(primitive, number);
+            case WireValue.Bool(boolean isTrue) -> isTrue ? 1 : 0;
+            case WireValue.Real(double number)
             when number == Math.rint(number) && Math.abs(number) <= MOST_EXACT -> within(primitive, (long) number);
             default -> throw new NotFitting(value);
         };
@@ -142,7 +142,7 @@ final class PrimitiveArrays {
         int bits = Byte.SIZE * primitive.size();
         boolean isThere = bits == Long.SIZE || (number >= -(1L << (bits - 1)) && number < 1L << bits);
         if (!isThere) {
-            throw new NotFitting(new Value.Int(number));
+            throw new NotFitting(new WireValue.Int(number));
         }
         return switch (primitive) {
             case BYTE, UINT8 -> number & 0xff;
@@ -156,11 +156,11 @@ final class PrimitiveArrays {
     }
 
     /// `null` is NaN, as rosbridge writes it, and infinity too.
-    static double real(Value value) throws NotFitting {
+    static double real(WireValue value) throws NotFitting {
         return switch (value) {
-            case Value.Real(double number) -> number;
-            case Value.Int(long number) -> number;
-            case Value.Null _ -> Double.NaN;
+            case WireValue.Real(double number) -> number;
+            case WireValue.Int(long number) -> number;
+            case WireValue.Null _ -> Double.NaN;
             default -> throw new NotFitting(value);
         };
     }

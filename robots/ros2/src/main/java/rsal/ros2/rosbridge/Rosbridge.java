@@ -7,15 +7,15 @@ import rsal.time.Scheduler;
 final class Rosbridge implements RosbridgeSession.Listener {
     private final RosbridgeSession session;
     private final GraphWatcher watcher;
-    private final Topics topics;
-    private final Services services;
+    private final BridgedTopics topics;
+    private final BridgedServices services;
     private final BridgedActions actions;
     private volatile Optional<MessageValues> values = Optional.empty(); // of the server, since it is known
 
     Rosbridge(RosbridgeTransport transport, RosbridgeOptions options, Scheduler scheduler) {
         session = new RosbridgeSession(transport, options.address().toString(), scheduler, this);
-        topics = new Topics(session, options, () -> values);
-        services = new Services(session, () -> values);
+        topics = new BridgedTopics(session, options, () -> values);
+        services = new BridgedServices(session, () -> values);
         actions = new BridgedActions(session, scheduler, () -> values);
         var used = new GraphWatcher.Used() {
             @Override
@@ -40,11 +40,11 @@ final class Rosbridge implements RosbridgeSession.Listener {
         return watcher;
     }
 
-    Topics topics() {
+    BridgedTopics topics() {
         return topics;
     }
 
-    Services services() {
+    BridgedServices services() {
         return services;
     }
 
@@ -74,7 +74,7 @@ final class Rosbridge implements RosbridgeSession.Listener {
     }
 
     @Override
-    public void onMessage(String topic, Value message) throws InvalidMessage {
+    public void onMessage(String topic, WireValue message) throws InvalidMessage {
         topics.take(topic, message);
     }
 
@@ -84,7 +84,7 @@ final class Rosbridge implements RosbridgeSession.Listener {
     }
 
     @Override
-    public void onOperation(String operation, Value.Fields fields) throws InvalidMessage {
+    public void onOperation(String operation, WireValue.Fields fields) throws InvalidMessage {
         switch (operation) {
             case "action_feedback" -> actions.onFeedback(fields);
             case "action_result" -> actions.onResult(fields);

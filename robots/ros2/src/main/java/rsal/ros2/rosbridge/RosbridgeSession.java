@@ -40,7 +40,7 @@ final class RosbridgeSession {
     private final Listener listener;
     private final AtomicLong numbers = new AtomicLong();
     private final AtomicLong malformed = new AtomicLong();
-    private final Map<String, CompletableFuture<Value.Fields>> calls = new LinkedHashMap<>();
+    private final Map<String, CompletableFuture<WireValue.Fields>> calls = new LinkedHashMap<>();
     private final Set<String> reported = new LinkedHashSet<>();
     private Optional<Attempt> attempt = Optional.empty(); // the newest
     private volatile Optional<Connection> connection = Optional.empty();
@@ -56,13 +56,13 @@ final class RosbridgeSession {
         void onDisconnected();
 
         /// A message of a topic, on a thread of the transport.
-        void onMessage(String topic, Value message) throws InvalidMessage;
+        void onMessage(String topic, WireValue message) throws InvalidMessage;
 
         /// The server refused an operation that is no call of a service, on the scheduler's thread.
         void onRefused(String id, String why);
 
         /// Another operation, on the scheduler's thread.
-        void onOperation(String operation, Value.Fields fields) throws InvalidMessage;
+        void onOperation(String operation, WireValue.Fields fields) throws InvalidMessage;
     }
 
     /// @param address for people
@@ -89,13 +89,13 @@ final class RosbridgeSession {
         private void receive(Reading reading) {
             heard = scheduler.instant();
             try {
-                if (!(reading.read() instanceof Value.Fields fields)) {
+                if (!(reading.read() instanceof WireValue.Fields fields)) {
                     throw new InvalidMessage("It is no object.");
                 }
                 String operation = fields.text("op").orElseThrow(() -> new InvalidMessage("It has no 'op'."));
                 if (operation.equals("publish")) {
                     String topic = fields.text("topic").orElseThrow(() -> new InvalidMessage("It has no 'topic'."));
-                    listener.onMessage(topic, fields.find("msg").orElseGet(Value.Null::new));
+                    listener.onMessage(topic, fields.find("msg").orElseGet(WireValue.Null::new));
                 } else {
                     scheduler.execute(() -> take(this, operation, fields));
                 }
@@ -111,7 +111,7 @@ final class RosbridgeSession {
     }
 
     private interface Reading {
-        Value read() throws InvalidMessage;
+        WireValue read() throws InvalidMessage;
     }
 
     /// Tells of the first one: there may be many, and they harm no others.
@@ -148,7 +148,7 @@ final class RosbridgeSession {
                     of,
                     error == null
                             ? "no connection"
-                            : String.valueOf(Answers.reason(error).getMessage()));
+                            : String.valueOf(ResponseMessages.reason(error).getMessage()));
         } else if (isOld(of)) {
             made.close();
         } else {
@@ -231,7 +231,7 @@ final class RosbridgeSession {
 
     /// @param key as [Connection#send] has it
     void send(String key, String operation, Consumer<JsonGenerator> fields) {
-        connection.ifPresent(to -> to.send(key, Json.write(out -> {
+        connection.ifPresent(to -> to.send(key, OperationWriter.write(out -> {
             out.writeStringProperty("op", operation);
             fields.accept(out);
         })));
@@ -241,7 +241,7 @@ final class RosbridgeSession {
     ///
     /// @param args writes the object that has its request
     /// @return its response; exceptionally when it fails, with what the server says
-    CompletionStage<Value.Fields> call(String service, Consumer<JsonGenerator> args) {
+    CompletionStage<WireValue.Fields> call(String service, Consumer<JsonGenerator> args) {
         return ask(id -> send("call_service", out -> {
             out.writeStringProperty("id", id);
             out.writeStringProperty("service", service);
@@ -250,20 +250,20 @@ final class RosbridgeSession {
         }));
     }
 
-    private CompletionStage<Value.Fields> ask(Consumer<String> question) {
-        Supplier<CompletionStage<Value.Fields>> refusal = () -> CompletableFuture.failedStage(
+    private CompletionStage<WireValue.Fields> ask(Consumer<String> question) {
+        Supplier<CompletionStage<WireValue.Fields>> refusal = () -> CompletableFuture.failedStage(
                 new IOException(trouble.orElse("Too many calls of services wait for their answers.")));
         if (connection.isEmpty() || calls.size() >= MOST_CALLS) {
             return refusal.get();
         }
         String id = number();
-        var answer = new CompletableFuture<Value.Fields>();
+        var answer = new CompletableFuture<WireValue.Fields>();
         calls.put(id, answer);
         question.accept(id);
         return answer;
     }
 
-    private void take(Attempt from, String operation, Value.Fields fields) {
+    private void take(Attempt from, String operation, WireValue.Fields fields) {
         if (isOld(from)) {
             return;
         }
@@ -278,24 +278,24 @@ final class RosbridgeSession {
         }
     }
 
-    private void respond(Value.Fields fields) throws InvalidMessage {
+    private void respond(WireValue.Fields fields) throws InvalidMessage {
         String id = fields.text("id").orElseThrow(() -> new InvalidMessage("A response has no 'id'."));
-        CompletableFuture<Value.Fields> call = calls.remove(id);
+        CompletableFuture<WireValue.Fields> call = calls.remove(id);
         if (call == null) {
             return; // of a service that nobody waits for any more
         }
-        Value values = fields.find("values").orElseGet(Value.Null::new);
-        boolean isFailure = fields.find("result").equals(Optional.of(new Value.Bool(false)));
+        WireValue values = fields.find("values").orElseGet(WireValue.Null::new);
+        boolean isFailure = fields.find("result").equals(Optional.of(new WireValue.Bool(false)));
         switch (values) {
-            case Value.Fields response when !isFailure -> call.complete(response);
-            case Value.Null _ when !isFailure -> call.complete(new Value.Fields(Map.of()));
-            case Value.Text(String why) -> call.completeExceptionally(new IOException(why));
+            case WireValue.Fields response when !isFailure -> call.complete(response);
+            case WireValue.Null _ when !isFailure -> call.complete(new WireValue.Fields(Map.of()));
+            case WireValue.Text(String why) -> call.completeExceptionally(new IOException(why));
             default -> call.completeExceptionally(new IOException("The service failed: " + values.words()));
         }
     }
 
     /// A status is what the server thinks of an operation.
-    private void report(Value.Fields fields) {
+    private void report(WireValue.Fields fields) {
         String text = fields.text("msg").orElse("");
         String level = fields.text("level").orElse("");
         boolean isBad = level.equals("error") || level.equals("warning");
@@ -304,7 +304,7 @@ final class RosbridgeSession {
         }
         Optional<String> id = fields.text("id").filter(_ -> level.equals("error"));
         if (id.isPresent()) {
-            CompletableFuture<Value.Fields> call = calls.remove(id.get());
+            CompletableFuture<WireValue.Fields> call = calls.remove(id.get());
             if (call == null) {
                 listener.onRefused(id.get(), text);
             } else {

@@ -34,7 +34,7 @@ final class ValueReader {
         this.parser = parser;
     }
 
-    static Value json(String text) throws InvalidMessage {
+    static WireValue json(String text) throws InvalidMessage {
         try (JsonParser parser = JSON.createParser(ObjectReadContext.empty(), text)) {
             return new ValueReader(parser).whole();
         } catch (JacksonException e) {
@@ -43,7 +43,7 @@ final class ValueReader {
     }
 
     /// @param bytes from their position to their limit
-    static Value cbor(ByteBuffer bytes) throws InvalidMessage {
+    static WireValue cbor(ByteBuffer bytes) throws InvalidMessage {
         var copy = new byte[bytes.remaining()];
         bytes.duplicate().get(copy);
         try (JsonParser parser = CBOR.createParser(ObjectReadContext.empty(), copy)) {
@@ -53,58 +53,58 @@ final class ValueReader {
         }
     }
 
-    private Value whole() throws InvalidMessage {
-        Value value = value(parser.nextToken());
+    private WireValue whole() throws InvalidMessage {
+        WireValue value = value(parser.nextToken());
         if (parser.nextToken() != null) {
             throw new InvalidMessage("Something follows its end.");
         }
         return value;
     }
 
-    private Value value(JsonToken token) throws InvalidMessage {
+    private WireValue value(JsonToken token) throws InvalidMessage {
         return switch (token) {
             case null -> throw new InvalidMessage("It is empty.");
             case START_OBJECT -> {
-                Map<String, Value> fields = new LinkedHashMap<>();
+                Map<String, WireValue> fields = new LinkedHashMap<>();
                 while (parser.nextToken() == JsonToken.PROPERTY_NAME) {
                     String name = parser.currentName();
                     fields.put(name, value(parser.nextToken()));
                 }
-                yield new Value.Fields(fields);
+                yield new WireValue.Fields(fields);
             }
             case START_ARRAY -> {
-                List<Value> values = new ArrayList<>();
+                List<WireValue> values = new ArrayList<>();
                 for (JsonToken next = parser.nextToken(); next != JsonToken.END_ARRAY; next = parser.nextToken()) {
                     values.add(value(next));
                 }
-                yield new Value.Many(values);
+                yield new WireValue.Many(values);
             }
-            case VALUE_STRING -> new Value.Text(parser.getString());
+            case VALUE_STRING -> new WireValue.Text(parser.getString());
             case VALUE_NUMBER_INT -> integer();
-            case VALUE_NUMBER_FLOAT -> new Value.Real(parser.getDoubleValue());
-            case VALUE_TRUE -> new Value.Bool(true);
-            case VALUE_FALSE -> new Value.Bool(false);
-            case VALUE_NULL -> new Value.Null();
+            case VALUE_NUMBER_FLOAT -> new WireValue.Real(parser.getDoubleValue());
+            case VALUE_TRUE -> new WireValue.Bool(true);
+            case VALUE_FALSE -> new WireValue.Bool(false);
+            case VALUE_NULL -> new WireValue.Null();
             case VALUE_EMBEDDED_OBJECT -> bytes();
             default -> throw new InvalidMessage("It can't have %s here.".formatted(token));
         };
     }
 
     /// A byte string of CBOR, and the tag in front of it.
-    private Value bytes() {
+    private WireValue bytes() {
         int tag = parser instanceof CBORParser cbor ? cbor.getCurrentTag() : 0;
         int known = NumberArray.isTag(tag) ? tag : NumberArray.UINT8;
         return parser.getEmbeddedObject() instanceof byte[] bytes
-                ? new Value.Numbers(known, ByteBuffer.wrap(bytes))
-                : new Value.Null(); // what is undefined
+                ? new WireValue.Numbers(known, ByteBuffer.wrap(bytes))
+                : new WireValue.Null(); // what is undefined
     }
 
-    private Value integer() {
+    private WireValue integer() {
         if (parser.getNumberType() != JsonParser.NumberType.BIG_INTEGER) {
-            return new Value.Int(parser.getLongValue());
+            return new WireValue.Int(parser.getLongValue());
         }
         var big = parser.getBigIntegerValue();
         boolean isUnsigned = big.signum() > 0 && big.bitLength() <= Long.SIZE;
-        return isUnsigned ? new Value.Int(big.longValue()) : new Value.Real(big.doubleValue());
+        return isUnsigned ? new WireValue.Int(big.longValue()) : new WireValue.Real(big.doubleValue());
     }
 }

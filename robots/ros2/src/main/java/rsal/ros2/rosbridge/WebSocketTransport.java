@@ -43,7 +43,7 @@ public final class WebSocketTransport implements RosbridgeTransport {
                     if (error != null) {
                         throw new CompletionException(new java.io.IOException(why(error), error));
                     }
-                    return new Outbox(socket, threads, listener::end);
+                    return new WebSocketOutbox(socket, threads, listener::end);
                 });
     }
 

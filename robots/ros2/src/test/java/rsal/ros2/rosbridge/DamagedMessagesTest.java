@@ -74,7 +74,7 @@ class DamagedMessagesTest {
         for (long i = 0; i < ROUNDS; i++) {
             byte[] bytes = damaged(whole.get(random.nextInt(whole.size())));
             try {
-                Value value = ValueReader.cbor(ByteBuffer.wrap(bytes));
+                WireValue value = ValueReader.cbor(ByteBuffer.wrap(bytes));
                 for (String type : TYPES) {
                     values.toCdr(type, value);
                 }

@@ -50,7 +50,7 @@ class MessageValuesTest {
         RosMessage header = read("std_msgs/msg/Header", "{\"stamp\": {\"secs\": 5, \"nsecs\": 6}}");
         assertThat(header.message("stamp").integer("sec")).isEqualTo(5);
         assertThat(header.message("stamp").integer("nanosec")).isEqualTo(6);
-        assertThat(Json.write(out -> {
+        assertThat(OperationWriter.write(out -> {
                     out.writeName("of1");
                     ros1.write(header.message("stamp"), out);
                     out.writeName("of2");
@@ -69,7 +69,7 @@ class MessageValuesTest {
                 .containsExactly(1, -1, 3);
         RosMessage message = readCbor(image, Map.of("data", new byte[] {1, -1, 3}));
         assertThat(message.get("data", byte[].class)).containsExactly(1, -1, 3);
-        assertThat(Json.write(out -> {
+        assertThat(OperationWriter.write(out -> {
                     out.writeName("image");
                     ros2.write(message, out);
                 }))
@@ -143,7 +143,7 @@ class MessageValuesTest {
     @Test
     void messagesWithoutFieldsAreEmpty() {
         RosMessage empty = ros2.ofCdr("std_msgs/msg/Empty", new byte[] {0, 1, 0, 0, 0});
-        assertThat(Json.write(out -> {
+        assertThat(OperationWriter.write(out -> {
                     out.writeName("msg");
                     ros2.write(empty, out);
                 }))

@@ -14,7 +14,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /// CBOR, with examples of RFC 8949, appendix A.
 class ValueReaderTest {
-    private static Value read(String hex) throws InvalidMessage {
+    private static WireValue read(String hex) throws InvalidMessage {
         return ValueReader.cbor(ByteBuffer.wrap(HexFormat.of().parseHex(hex)));
     }
 
@@ -52,23 +52,28 @@ class ValueReaderTest {
     @ParameterizedTest
     @ValueSource(strings = {"83010203", "9f010203ff"})
     void readsLists(String hex) throws InvalidMessage {
-        assertThat(read(hex)).isEqualTo(new Value.Many(List.of(new Value.Int(1), new Value.Int(2), new Value.Int(3))));
+        assertThat(read(hex))
+                .isEqualTo(
+                        new WireValue.Many(List.of(new WireValue.Int(1), new WireValue.Int(2), new WireValue.Int(3))));
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"a26161016162820203", "bf61610161629f0203ffff"})
     void readsMaps(String hex) throws InvalidMessage {
         assertThat(read(hex))
-                .isEqualTo(new Value.Fields(Map.of(
-                        "a", new Value.Int(1), "b", new Value.Many(List.of(new Value.Int(2), new Value.Int(3))))));
+                .isEqualTo(new WireValue.Fields(Map.of(
+                        "a",
+                        new WireValue.Int(1),
+                        "b",
+                        new WireValue.Many(List.of(new WireValue.Int(2), new WireValue.Int(3))))));
     }
 
     @Test
     void readsBytesInParts() throws InvalidMessage {
-        var bytes = new Value.Numbers(64, ByteBuffer.wrap(new byte[] {1, 2, 3, 4, 5}));
+        var bytes = new WireValue.Numbers(64, ByteBuffer.wrap(new byte[] {1, 2, 3, 4, 5}));
         assertThat(read("450102030405")).isEqualTo(bytes);
         assertThat(read("5f42010243030405ff")).isEqualTo(bytes);
-        assertThat(read("d8554400000000")).isEqualTo(new Value.Numbers(85, ByteBuffer.wrap(new byte[4])));
+        assertThat(read("d8554400000000")).isEqualTo(new WireValue.Numbers(85, ByteBuffer.wrap(new byte[4])));
     }
 
     @ParameterizedTest

@@ -16,9 +16,9 @@ import rsal.ros2.link.RosLink.Subscribed;
 import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.link.RosTopic;
 
-/// Topics that this program subscribes to and publishes through a server, which hears of them whenever there
+/// BridgedTopics that this program subscribes to and publishes through a server, which hears of them whenever there
 /// is a connection. Safe for several threads.
-final class Topics {
+final class BridgedTopics {
     private static final int WAITING = 10; // messages of reliable topics that wait at the server, for slow networks
 
     private final RosbridgeSession session;
@@ -30,7 +30,7 @@ final class Topics {
     private final Set<String> subscribed = ConcurrentHashMap.newKeySet(); // also
 
     /// @param values of the server; empty as long as it is not known
-    Topics(RosbridgeSession session, RosbridgeOptions options, Supplier<Optional<MessageValues>> values) {
+    BridgedTopics(RosbridgeSession session, RosbridgeOptions options, Supplier<Optional<MessageValues>> values) {
         this.session = session;
         this.options = options;
         this.values = values;
@@ -153,7 +153,7 @@ final class Topics {
     }
 
     /// Hands a message on to all who hear its topic.
-    void take(String topic, Value message) throws InvalidMessage {
+    void take(String topic, WireValue message) throws InvalidMessage {
         List<Hearing> all = hearings.getOrDefault(topic, List.of());
         Optional<MessageValues> its = values.get();
         if (all.isEmpty() || its.isEmpty()) {

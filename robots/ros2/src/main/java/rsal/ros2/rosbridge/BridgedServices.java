@@ -15,7 +15,7 @@ import rsal.ros2.link.RosLink.ServiceClient;
 import tools.jackson.core.JsonGenerator;
 
 /// Services of others that this program calls through a server, and its own ones.
-final class Services {
+final class BridgedServices {
     private static final String REQUEST = "_Request";
     private static final String RESPONSE = "_Response";
 
@@ -24,7 +24,7 @@ final class Services {
     private final Map<String, Own> own = new ConcurrentHashMap<>(); // by name
 
     /// @param values of the server; empty as long as it is not known
-    Services(RosbridgeSession session, Supplier<Optional<MessageValues>> values) {
+    BridgedServices(RosbridgeSession session, Supplier<Optional<MessageValues>> values) {
         this.session = session;
         this.values = values;
     }
@@ -46,7 +46,7 @@ final class Services {
                 }
                 MessageValues its = values.get().get();
                 var fields = its.ofCdr(type + REQUEST, request);
-                return Answers.toCdr(session.call(name, out -> its.write(fields, out)), its, type + RESPONSE);
+                return ResponseMessages.toCdr(session.call(name, out -> its.write(fields, out)), its, type + RESPONSE);
             }
 
             @Override
@@ -82,7 +82,7 @@ final class Services {
     /// Answers a request of somebody else.
     ///
     /// @param call `call_service`
-    void answer(Value.Fields call) throws InvalidMessage {
+    void answer(WireValue.Fields call) throws InvalidMessage {
         String name = call.text("service").orElseThrow(() -> new InvalidMessage("A request has no 'service'."));
         Own service = own.get(name);
         Optional<MessageValues> known = values.get();
@@ -90,7 +90,7 @@ final class Services {
             return; // it comes after it was closed
         }
         MessageValues its = known.get();
-        Value args = call.find("args").orElseGet(() -> new Value.Fields(Map.of()));
+        WireValue args = call.find("args").orElseGet(() -> new WireValue.Fields(Map.of()));
         service.server.answer(its.toCdr(service.type + REQUEST, args)).whenComplete((response, error) -> {
             if (error == null) {
                 var fields = its.ofCdr(service.type + RESPONSE, response);
@@ -101,7 +101,7 @@ final class Services {
         });
     }
 
-    private void respond(Value.Fields call, String name, boolean isGood, Consumer<JsonGenerator> response) {
+    private void respond(WireValue.Fields call, String name, boolean isGood, Consumer<JsonGenerator> response) {
         session.send("service_response", out -> {
             call.text("id").ifPresent(id -> out.writeStringProperty("id", id));
             out.writeStringProperty("service", name);

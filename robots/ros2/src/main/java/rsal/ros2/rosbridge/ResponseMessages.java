@@ -7,13 +7,14 @@ import java.util.concurrent.CompletionStage;
 import org.jspecify.annotations.Nullable;
 
 /// Answers of a server as messages.
-final class Answers {
-    private Answers() {}
+final class ResponseMessages {
+    private ResponseMessages() {}
 
     /// @param answer fails with what the server says, for people
     /// @param type of the message, in full
     /// @return in CDR; fails with the same
-    static CompletionStage<byte[]> toCdr(CompletionStage<? extends Value> answer, MessageValues values, String type) {
+    static CompletionStage<byte[]> toCdr(
+            CompletionStage<? extends WireValue> answer, MessageValues values, String type) {
         var message = new CompletableFuture<byte[]>();
         answer.whenComplete((value, error) -> {
             if (error != null) {

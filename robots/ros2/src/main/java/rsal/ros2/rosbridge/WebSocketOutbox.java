@@ -14,7 +14,7 @@ import rsal.time.AllowedToReadWallClock;
 
 /// What waits to be sent by a WebSocket, one at a time. Safe for several threads.
 @AllowedToReadWallClock("Networks live in real time.")
-final class Outbox implements Connection {
+final class WebSocketOutbox implements Connection {
     private static final int MOST_WAITING = 10_000; // messages
     private static final long LAST_WORDS = 1_000; // [ms] for what waits when it is closed
 
@@ -27,7 +27,7 @@ final class Outbox implements Connection {
     private boolean isClosed;
 
     /// @param onEnd hears why nothing can be sent any more; an empty text when it was closed here
-    Outbox(WebSocket socket, Executor threads, Consumer<String> onEnd) {
+    WebSocketOutbox(WebSocket socket, Executor threads, Consumer<String> onEnd) {
         this.socket = socket;
         this.threads = threads;
         this.onEnd = onEnd;

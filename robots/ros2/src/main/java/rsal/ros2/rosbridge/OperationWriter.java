@@ -8,11 +8,11 @@ import tools.jackson.core.json.JsonFactory;
 import tools.jackson.core.json.JsonWriteFeature;
 
 /// Writes JSON for servers. They are Python's, and read `NaN` and `Infinity`.
-final class Json {
+final class OperationWriter {
     private static final JsonFactory FACTORY =
             JsonFactory.builder().disable(JsonWriteFeature.WRITE_NAN_AS_STRINGS).build();
 
-    private Json() {}
+    private OperationWriter() {}
 
     /// An object.
     static String write(Consumer<JsonGenerator> fields) {

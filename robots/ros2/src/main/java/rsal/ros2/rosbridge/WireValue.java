@@ -6,28 +6,28 @@ import java.util.Map;
 import java.util.Optional;
 
 /// A value of JSON or CBOR.
-sealed interface Value {
+sealed interface WireValue {
     /// JSON has no NaN and no infinity: rosbridge sends this for them.
-    record Null() implements Value {}
+    record Null() implements WireValue {}
 
-    record Bool(boolean isTrue) implements Value {}
+    record Bool(boolean isTrue) implements WireValue {}
 
     /// @param value the bits where it is more than a `long` can have
-    record Int(long value) implements Value {}
+    record Int(long value) implements WireValue {}
 
-    record Real(double value) implements Value {}
+    record Real(double value) implements WireValue {}
 
-    record Text(String value) implements Value {}
+    record Text(String value) implements WireValue {}
 
-    record Many(List<Value> values) implements Value {}
+    record Many(List<WireValue> values) implements WireValue {}
 
     /// Numbers of one type, as CBOR has them: a byte string, and its tag of RFC 8746.
     ///
     /// @param tag [NumberArray#UINT8] of a byte string without a tag
-    record Numbers(int tag, ByteBuffer bytes) implements Value {}
+    record Numbers(int tag, ByteBuffer bytes) implements WireValue {}
 
-    record Fields(Map<String, Value> values) implements Value {
-        Optional<Value> find(String name) {
+    record Fields(Map<String, WireValue> values) implements WireValue {
+        Optional<WireValue> find(String name) {
             return Optional.ofNullable(values.get(name));
         }
 
@@ -38,7 +38,7 @@ sealed interface Value {
 
         /// The texts of a field, without what is none.
         List<String> texts(String name) {
-            return values.get(name) instanceof Many(List<Value> all)
+            return values.get(name) instanceof Many(List<WireValue> all)
                     ? all.stream()
                             .filter(Text.class::isInstance)
                             .map(each -> ((Text) each).value())
@@ -55,9 +55,9 @@ sealed interface Value {
             case Int(long value) -> String.valueOf(value);
             case Real(double value) -> String.valueOf(value);
             case Text(String value) -> "'%s'".formatted(value.length() > 80 ? value.substring(0, 80) + "…" : value);
-            case Many(List<Value> values) -> "a list of %d".formatted(values.size());
+            case Many(List<WireValue> values) -> "a list of %d".formatted(values.size());
             case Numbers(int _, ByteBuffer bytes) -> "an array of %d bytes".formatted(bytes.remaining());
-            case Fields(Map<String, Value> _) -> "an object";
+            case Fields(Map<String, WireValue> _) -> "an object";
         };
     }
 }
