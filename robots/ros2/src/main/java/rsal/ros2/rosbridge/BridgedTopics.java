@@ -16,7 +16,7 @@ import rsal.ros2.link.RosLink.Subscribed;
 import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.link.RosTopic;
 
-/// BridgedTopics that this program subscribes to and publishes through a server, which hears of them whenever there
+/// Topics that this program subscribes to and publishes through a server, which hears of them whenever there
 /// is a connection. Safe for several threads.
 final class BridgedTopics {
     private static final int WAITING = 10; // messages of reliable topics that wait at the server, for slow networks
