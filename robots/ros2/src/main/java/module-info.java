@@ -7,6 +7,9 @@ module rsal.ros2 {
     requires rsal.ros2.bags;
     requires rsal.ros2.messages;
     requires rsal.rtps;
+    requires java.net.http;
+    requires tools.jackson.core;
+    requires tools.jackson.dataformat.cbor;
     requires static org.jspecify;
 
     provides rsal.system.BridgeProvider with

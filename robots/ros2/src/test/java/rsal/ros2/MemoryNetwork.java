@@ -25,6 +25,7 @@ public final class MemoryNetwork {
     private final List<Member> members = new ArrayList<>();
 
     private final Map<String, Function<byte[], CompletionStage<byte[]>>> services = new HashMap<>();
+    private final Map<String, String> serviceTypes = new HashMap<>(); // of those whose type is known
 
     private record Hearing(RosTopic topic, Profile profile, Consumer<ByteBuffer> listener) {
         /// Whether what is offered is enough.
@@ -40,6 +41,17 @@ public final class MemoryNetwork {
         services.put(name, server);
     }
 
+    /// As [#serve(String, Function)], for those who need to know its type.
+    public void serve(String name, String type, Function<byte[], CompletionStage<byte[]>> server) {
+        serve(name, server);
+        serviceTypes.put(name, type);
+    }
+
+    /// Types of the services that there are, by name.
+    public Map<String, String> serviceTypes() {
+        return Map.copyOf(serviceTypes);
+    }
+
     /// Names of the nodes that there are: `/r1/rsal`.
     public List<String> nodes() {
         return members.stream().flatMap(member -> member.name.stream()).sorted().toList();
@@ -48,6 +60,7 @@ public final class MemoryNetwork {
     /// Nobody answers them any more.
     public void forget(String name) {
         services.remove(name);
+        serviceTypes.remove(name);
     }
 
     public RosLink join() {
@@ -169,8 +182,8 @@ public final class MemoryNetwork {
 
         @Override
         public Served serve(String name, String type, Server server) {
-            services.put(name, server::answer);
-            return () -> services.remove(name);
+            MemoryNetwork.this.serve(name, type, server::answer);
+            return () -> forget(name);
         }
 
         @Override

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import rsal.ros2.type.Distribution;
 
 /// How this program takes part in ROS 2. Messages are bytes in CDR, with their encapsulation header. Safe for
 /// several threads.
@@ -18,6 +19,16 @@ public interface RosLink extends RosPublisher, AutoCloseable {
 
     /// All that others publish and subscribe to; the same list while nothing changes.
     List<RosEndpoint> endpoints();
+
+    /// The distribution whose types all of its messages have; empty where each robot has its own.
+    default Optional<Distribution> distribution() {
+        return Optional.empty();
+    }
+
+    /// What keeps it from hearing others, for people.
+    default Optional<String> trouble() {
+        return Optional.empty();
+    }
 
     /// Opens or closes many things, of any node, of which others then hear once. What other threads open
     /// meanwhile waits for that, too.

@@ -12,9 +12,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.TreeMap;
-import java.util.TreeSet;
 import java.util.stream.Collectors;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosNetwork;
@@ -77,11 +75,21 @@ public final class Ros2Diagnosis implements Diagnosis {
 
     @Override
     public List<Parameter<?>> parameters() {
-        return List.of(Ros2Provider.DOMAIN, Ros2Provider.ADDRESS, Ros2Provider.PEERS, TIME, TOPIC, DEFINITIONS);
+        return List.of(
+                Ros2Provider.DOMAIN,
+                Ros2Provider.ADDRESS,
+                Ros2Provider.PEERS,
+                Ros2Provider.ROSBRIDGE,
+                TIME,
+                TOPIC,
+                DEFINITIONS);
     }
 
     @Override
     public List<Finding> look(Arguments settings) {
+        if (!settings.get(Ros2Provider.ROSBRIDGE).isBlank()) {
+            return RosbridgeFindings.of(settings, settings.seconds(TIME));
+        }
         UdpParticipant.Options options = Ros2Provider.network(settings, NODE);
         List<RosType> definitions =
                 TopicReading.definitions(settings.get(DEFINITIONS).strip());
@@ -185,7 +193,9 @@ public final class Ros2Diagnosis implements Diagnosis {
                         "Start it without FASTDDS_BUILTIN_TRANSPORTS, or with UDPv4."));
             }
         }
-        findings.addAll(robots(endpoints));
+        findings.addAll(RobotFindings.of(endpoints.stream()
+                .flatMap(each -> RtpsLink.endpoint(each).stream())
+                .toList()));
         findings.addAll(mismatches(endpoints));
         return findings;
     }
@@ -193,35 +203,6 @@ public final class Ros2Diagnosis implements Diagnosis {
     private static String vendor(ParticipantData participant) {
         int vendor = participant.prefix().vendor();
         return VENDORS.getOrDefault(vendor, "DDS of vendor 0x%04x".formatted(vendor));
-    }
-
-    /// Namespaces that have what a robot needs, or a part of it.
-    private static List<Finding> robots(List<EndpointData> endpoints) {
-        Map<String, Set<String>> topics = new TreeMap<>();
-        for (EndpointData each : endpoints) {
-            RtpsLink.endpoint(each).ifPresent(endpoint -> {
-                String name = endpoint.topic().name();
-                int slash = name.lastIndexOf('/');
-                String type = endpoint.topic().type();
-                boolean isOdometry = endpoint.isPublisher() && type.equals("nav_msgs/msg/Odometry");
-                boolean isCommand = !endpoint.isPublisher() && name.endsWith("/cmd_vel");
-                boolean isScan = endpoint.isPublisher() && type.equals("sensor_msgs/msg/LaserScan");
-                if (isOdometry || isCommand || isScan) {
-                    topics.computeIfAbsent(slash == 0 ? "/" : name.substring(0, slash), _ -> new TreeSet<>())
-                            .add(isOdometry ? "odometry" : isCommand ? "cmd_vel" : "scans");
-                }
-            });
-        }
-        var findings = new ArrayList<Finding>();
-        topics.forEach((namespace, has) -> {
-            boolean isRobot = has.contains("odometry") && has.contains("cmd_vel");
-            findings.add(new Finding(
-                    "robot",
-                    isRobot,
-                    "'%s' has %s".formatted(namespace, String.join(", ", has)),
-                    isRobot ? "" : "A robot needs somebody who publishes odometry, and who subscribes to cmd_vel."));
-        });
-        return findings;
     }
 
     /// Writers and readers of one topic that don't fit, each reason once for a topic.

@@ -2,6 +2,7 @@ package rsal.ros2.system;
 
 import java.net.InetAddress;
 import java.security.SecureRandom;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
@@ -16,9 +17,15 @@ import rsal.robot.RobotSpec;
 import rsal.ros2.device.RosRobot;
 import rsal.ros2.link.RosEnvironment;
 import rsal.ros2.link.RosNetwork;
+import rsal.ros2.rosbridge.RosbridgeAddress;
+import rsal.ros2.rosbridge.RosbridgeLink;
+import rsal.ros2.rosbridge.RosbridgeOptions;
+import rsal.ros2.rosbridge.RosbridgeOptions.Encoding;
+import rsal.ros2.rosbridge.WebSocketTransport;
 import rsal.ros2.setting.GripperSettings;
 import rsal.ros2.setting.RosSettings;
 import rsal.ros2.setting.Safety;
+import rsal.ros2.system.Ros2System.Opening;
 import rsal.ros2.type.Distribution;
 import rsal.rtps.UdpParticipant;
 import rsal.settings.Arguments;
@@ -35,6 +42,7 @@ public final class Ros2Provider implements RobotSystemProvider {
     private static final Pattern NAMESPACE = Pattern.compile("/|(/[A-Za-z_][A-Za-z0-9_]*)+");
     private static final int FROM_ENVIRONMENT = -1;
     private static final String ANNOUNCED = "announced";
+    private static final String CBOR = "cbor";
 
     private static final Parameter<String> NAMESPACES = Parameter.text(
             "namespaces",
@@ -59,6 +67,23 @@ public final class Ros2Provider implements RobotSystemProvider {
             "",
             "Machines on which to search for robots if the network has no multicast, separated by commas. Those in"
                     + " ROS_STATIC_PEERS are added.");
+    static final Parameter<String> ROSBRIDGE = Parameter.text(
+            "rosbridge",
+            "",
+            "The address of a rosbridge server, such as ws://robot.local:9090, for ROS 1 and for networks that DDS does"
+                    + " not cross. Default: robots are found by DDS.");
+    private static final Parameter<String> ROSBRIDGE_ENCODING = Parameter.choice(
+            "rosbridgeEncoding",
+            CBOR,
+            List.of(CBOR, "json"),
+            "How a rosbridge server writes messages. cbor: binary where it can; json: for servers without CBOR.");
+    private static final Parameter<Double> ROSBRIDGE_RATE = Parameter.number(
+            "rosbridgeRate",
+            0,
+            0,
+            1_000,
+            "Hz",
+            "How often a rosbridge server sends the readings of each sensor at most, for slow networks; 0: all of them.");
     private static final Parameter<String> DISTRIBUTION = Parameter.choice(
             "distribution",
             ANNOUNCED,
@@ -131,6 +156,9 @@ public final class Ros2Provider implements RobotSystemProvider {
                 DOMAIN,
                 ADDRESS,
                 PEERS,
+                ROSBRIDGE,
+                ROSBRIDGE_ENCODING,
+                ROSBRIDGE_RATE,
                 DISTRIBUTION,
                 RealRobots.WATCHDOG,
                 RealRobots.ARMED,
@@ -170,16 +198,13 @@ public final class Ros2Provider implements RobotSystemProvider {
         }
         try {
             Map<RobotSpec, String> namespaces = namespaces(settings, config.robots());
-            UdpParticipant.Options network = network(settings, NODE);
+            Opening opening = opening(settings, scheduler);
             GripperSettings gripper = gripper(settings);
             if (problems.isEmpty()) {
-                Optional<Distribution> distribution = Arrays.stream(Distribution.values())
-                        .filter(each -> each.words().equals(settings.get(DISTRIBUTION)))
-                        .findFirst();
                 return new Ros2System(
                         namespaces,
-                        () -> RosNetwork.join(network, Distribution.JAZZY, NODE),
-                        distribution,
+                        opening,
+                        distribution(settings),
                         new RosSettings(
                                 new Safety(
                                         settings.seconds(RealRobots.WATCHDOG),
@@ -199,6 +224,37 @@ public final class Ros2Provider implements RobotSystemProvider {
             problems.add(new Problem(robot, "mrs", String.valueOf(e.getMessage())));
         }
         throw new InvalidRobots(problems);
+    }
+
+    private static Optional<Distribution> distribution(Arguments settings) {
+        return Arrays.stream(Distribution.values())
+                .filter(each -> each.words().equals(settings.get(DISTRIBUTION)))
+                .findFirst();
+    }
+
+    private static Opening opening(Arguments settings, Scheduler scheduler) {
+        if (settings.get(ROSBRIDGE).isBlank()) {
+            UdpParticipant.Options network = network(settings, NODE);
+            return () -> RosNetwork.join(network, Distribution.JAZZY, NODE);
+        }
+        RosbridgeOptions options = rosbridge(settings);
+        return () -> new RosbridgeLink(new WebSocketTransport(options.address()), options, scheduler);
+    }
+
+    /// @throws IllegalArgumentException when the address is none, or settings of DDS are there, too
+    static RosbridgeOptions rosbridge(Arguments settings) {
+        if (settings.get(DOMAIN) != FROM_ENVIRONMENT
+                || !settings.get(ADDRESS).isBlank()
+                || !settings.get(PEERS).isBlank()) {
+            throw new IllegalArgumentException(
+                    "'domain', 'address' and 'peers' are of DDS, which 'rosbridge' replaces. Remove them, or 'rosbridge'.");
+        }
+        double rate = settings.get(ROSBRIDGE_RATE);
+        return new RosbridgeOptions(
+                RosbridgeAddress.parse(settings.get(ROSBRIDGE)),
+                settings.get(ROSBRIDGE_ENCODING).equals(CBOR) ? Encoding.CBOR : Encoding.JSON,
+                rate == 0 ? Duration.ZERO : Duration.ofMillis(Math.round(1_000 / rate)),
+                distribution(settings));
     }
 
     private static GripperSettings gripper(Arguments settings) {

@@ -215,7 +215,7 @@ final class Ros2System implements RobotSystem {
     }
 
     private RosRobot robot(RobotSpec spec, RobotTopics topics, RosLink network) {
-        Distribution its = distribution.orElseGet(() -> topics.distribution(USUAL));
+        Distribution its = distribution.or(network::distribution).orElseGet(() -> topics.distribution(USUAL));
         LOG.log(Level.INFO, () -> "Robot '%s' has messages of %s.".formatted(spec.id(), its.words()));
         return new RosRobot(spec, topics, network, TypeLibrary.of(its), settings, diagnostics, scheduler, random);
     }
@@ -226,6 +226,10 @@ final class Ros2System implements RobotSystem {
 
     /// For people: what the first robot that was not found lacks.
     private String missing(List<RosEndpoint> all) {
+        Optional<String> trouble = link == null ? Optional.empty() : link.trouble();
+        if (trouble.isPresent()) {
+            return trouble.get();
+        }
         for (Map.Entry<RobotSpec, String> each : namespaces.entrySet()) {
             RobotTopics topics = topics(each.getValue(), all);
             List<String> lacking = RosRobot.lacking(topics);

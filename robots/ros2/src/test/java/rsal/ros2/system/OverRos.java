@@ -18,6 +18,7 @@ import rsal.robot.Robot;
 import rsal.robot.RobotSpec;
 import rsal.ros2.MemoryNetwork;
 import rsal.ros2.bridge.PublishedRobots;
+import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosNetwork;
 import rsal.ros2.setting.GripperSettings;
 import rsal.ros2.setting.RosSettings;
@@ -43,6 +44,12 @@ final class OverRos implements RobotSystemProvider {
     private final RobotSystemProvider ros = new Ros2Provider();
     private final RobotSystemProvider sim;
     private final List<DeviceDriver> computers;
+    private final Joining joining;
+
+    /// How the robot system joins the network of the robots.
+    interface Joining {
+        RosLink join(MemoryNetwork network, Scheduler scheduler);
+    }
 
     OverRos() {
         this(new SimProvider(), List.of());
@@ -51,8 +58,13 @@ final class OverRos implements RobotSystemProvider {
     /// @param sim of what simulates the robots
     /// @param computers what these have on board
     OverRos(RobotSystemProvider sim, List<DeviceDriver> computers) {
+        this(sim, computers, (network, _) -> network.join());
+    }
+
+    OverRos(RobotSystemProvider sim, List<DeviceDriver> computers, Joining joining) {
         this.sim = sim;
         this.computers = List.copyOf(computers);
+        this.joining = joining;
     }
 
     @Override
@@ -108,7 +120,7 @@ final class OverRos implements RobotSystemProvider {
             config.robots().forEach(robot -> namespaces.put(robot, RosNetwork.namespace(robot.id())));
             remote = new Ros2System(
                     namespaces,
-                    network::join,
+                    () -> joining.join(network, scheduler),
                     Optional.empty(),
                     new RosSettings(new Safety(WATCHDOG, true, "", ""), GripperSettings.USUAL, List.of(), true),
                     Waiting.USUAL,

@@ -1,0 +1,230 @@
+package rsal.ros2.system;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.URI;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.Nested;
+import org.junit.jupiter.api.Test;
+import rsal.device.Mapper;
+import rsal.robot.DeviceDriver;
+import rsal.ros2.rosbridge.FakeRosbridge;
+import rsal.ros2.rosbridge.RosbridgeLink;
+import rsal.ros2.rosbridge.RosbridgeOptions;
+import rsal.ros2.rosbridge.RosbridgeOptions.Encoding;
+import rsal.ros2.rosbridge.RosbridgeTransport;
+import rsal.sim.SimProvider;
+import rsal.system.RobotSystemProvider;
+import rsal.testkit.contract.BatteryContract;
+import rsal.testkit.contract.BlobFinderContract;
+import rsal.testkit.contract.CameraContract;
+import rsal.testkit.contract.DeviceContract;
+import rsal.testkit.contract.DriveBaseContract;
+import rsal.testkit.contract.GripperContract;
+import rsal.testkit.contract.ImuContract;
+import rsal.testkit.contract.LaserScannerContract;
+import rsal.testkit.contract.LocalizerContract;
+import rsal.testkit.contract.NavigatorContract;
+import rsal.testkit.contract.OmnidirectionalDriveContract;
+import rsal.testkit.contract.PlannerContract;
+import rsal.testkit.contract.RobotSystemContract;
+import rsal.testkit.contract.SonarArrayContract;
+import rsal.testkit.fake.FakeLocalizer;
+import rsal.testkit.fake.FakeNavigator;
+import rsal.testkit.fake.FakePlanner;
+import rsal.testkit.fake.FakeProvider;
+
+/// Robots behind a server of rosbridge are robots like any other.
+class RosbridgeContractTest {
+    private static final RosbridgeOptions OPTIONS =
+            new RosbridgeOptions(URI.create("ws://robot.local:9090"), Encoding.CBOR, Duration.ZERO, Optional.empty());
+
+    private static OverRos over(RobotSystemProvider sim, DeviceDriver... computers) {
+        return over(false, sim, computers);
+    }
+
+    private static OverRos over(boolean isRos1, RobotSystemProvider sim, DeviceDriver... computers) {
+        return new OverRos(sim, List.of(computers), (network, scheduler) -> {
+            RosbridgeTransport transport = new FakeRosbridge(network, isRos1).transport();
+            return new RosbridgeLink(transport, OPTIONS, scheduler);
+        });
+    }
+
+    @Nested
+    class Whole extends RobotSystemContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return over(new SimProvider());
+        }
+    }
+
+    @Nested
+    class Drive extends DriveBaseContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return over(new SimProvider());
+        }
+    }
+
+    @Nested
+    class Omnidirectional extends OmnidirectionalDriveContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return over(new SimProvider());
+        }
+    }
+
+    @Nested
+    class Laser extends LaserScannerContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return over(new SimProvider());
+        }
+    }
+
+    @Nested
+    class Sonar extends SonarArrayContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return over(new SimProvider());
+        }
+    }
+
+    @Nested
+    class Battery extends BatteryContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return over(new SimProvider());
+        }
+    }
+
+    @Nested
+    class OwnLocalizer extends LocalizerContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return over(new FakeProvider(), new FakeLocalizer.Driver());
+        }
+
+        @Override
+        protected Map<String, String> parts() {
+            return Map.of("localizer", "own-localizer");
+        }
+    }
+
+    @Nested
+    class OwnMap extends DeviceContract<Mapper> {
+        OwnMap() {
+            super(Mapper.class);
+        }
+
+        @Override
+        protected RobotSystemProvider provider() {
+            return over(new SimProvider());
+        }
+
+        @Override
+        protected Map<String, String> parts() {
+            return Map.of("map", "own-map");
+        }
+
+        @Test
+        void isTheWholeMapAsItIsTold() {
+            advance(1);
+            assertThat(device().latest().orElseThrow().value())
+                    .usingRecursiveComparison()
+                    .isEqualTo(WORLD.grid());
+            assertThat(device().isComplete()).isTrue();
+        }
+    }
+
+    @Nested
+    class OwnNavigator extends NavigatorContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return over(new FakeProvider(), new FakeLocalizer.Driver(), new FakeNavigator.Driver());
+        }
+
+        @Override
+        protected Map<String, String> parts() {
+            return Map.of("navigator", "own-navigator");
+        }
+    }
+
+    @Nested
+    class OwnPlanner extends PlannerContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return over(new FakeProvider(), new FakePlanner.Driver());
+        }
+
+        @Override
+        protected Map<String, String> parts() {
+            return Map.of("planner", "own-planner");
+        }
+    }
+
+    @Nested
+    class Inertial extends ImuContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return over(new SimProvider());
+        }
+    }
+
+    @Nested
+    class ImageCamera extends CameraContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return over(new SimProvider());
+        }
+    }
+
+    @Nested
+    class ClosingGripper extends GripperContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return over(new SimProvider());
+        }
+    }
+
+    @Nested
+    class Blobs extends BlobFinderContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return over(new SimProvider());
+        }
+    }
+
+    /// Of ROS 1.
+    @Nested
+    class DriveOfRos1 extends DriveBaseContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return over(true, new SimProvider());
+        }
+    }
+
+    @Nested
+    class LaserOfRos1 extends LaserScannerContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return over(true, new SimProvider());
+        }
+    }
+
+    @Nested
+    class LocalizerOfRos1 extends LocalizerContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return over(true, new FakeProvider(), new FakeLocalizer.Driver());
+        }
+
+        @Override
+        protected Map<String, String> parts() {
+            return Map.of("localizer", "own-localizer");
+        }
+    }
+}
