@@ -79,6 +79,12 @@ public final class Ros2Provider implements RobotSystemProvider {
             "A service of type std_srvs/SetBool in each robot's namespace. It is called with true when the robot's motors"
                     + " are switched off, and with false when they are switched on. Default: none.");
 
+    static final Parameter<Boolean> USE_SIM_TIME = Parameter.flag(
+            "useSimTime",
+            false,
+            "Whether the run follows the time of another simulator, which publishes it on /clock, as nodes with"
+                    + " use_sim_time do.");
+
     private static final Parameter<String> GRIPPER_ACTION = Parameter.text(
             "gripperAction",
             GripperSettings.USUAL.action(),
@@ -126,6 +132,7 @@ public final class Ros2Provider implements RobotSystemProvider {
                 RealRobots.ARMED,
                 RealRobots.WAIT,
                 RealRobots.LATE,
+                USE_SIM_TIME,
                 STOP_TOPIC,
                 STOP_SERVICE,
                 GRIPPER_ACTION,
@@ -139,6 +146,11 @@ public final class Ros2Provider implements RobotSystemProvider {
     @Override
     public boolean startsDisarmed(Arguments settings) {
         return !settings.get(RealRobots.ARMED);
+    }
+
+    @Override
+    public boolean drivesTime(Arguments settings) {
+        return settings.get(USE_SIM_TIME);
     }
 
     @Override
@@ -166,6 +178,7 @@ public final class Ros2Provider implements RobotSystemProvider {
                         .findFirst();
                 return new Ros2System(
                         namespaces,
+                        "domain %d".formatted(network.domain()),
                         () -> RosNetwork.join(network, Distribution.JAZZY, NODE),
                         distribution,
                         new RosSettings(
@@ -174,7 +187,8 @@ public final class Ros2Provider implements RobotSystemProvider {
                                         settings.get(RealRobots.ARMED),
                                         settings.get(STOP_TOPIC),
                                         settings.get(STOP_SERVICE)),
-                                gripper),
+                                gripper,
+                                settings.get(USE_SIM_TIME)),
                         RealRobots.Waiting.of(settings),
                         scheduler,
                         new SecureRandom());

@@ -108,9 +108,10 @@ final class OverRos implements RobotSystemProvider {
             config.robots().forEach(robot -> namespaces.put(robot, RosNetwork.namespace(robot.id())));
             remote = new Ros2System(
                     namespaces,
+                    "domain 0",
                     network::join,
                     Optional.empty(),
-                    new RosSettings(new Safety(WATCHDOG, true, "", ""), GripperSettings.USUAL),
+                    new RosSettings(new Safety(WATCHDOG, true, "", ""), GripperSettings.USUAL, false),
                     Waiting.USUAL,
                     scheduler,
                     new SplittableRandom(1));
