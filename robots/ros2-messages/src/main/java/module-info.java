@@ -6,4 +6,5 @@ module rsal.ros2.messages {
     requires static org.jspecify;
 
     exports rsal.ros2.message;
+    exports rsal.ros2.tf;
 }

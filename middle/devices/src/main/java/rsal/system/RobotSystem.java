@@ -1,6 +1,7 @@
 package rsal.system;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletionStage;
@@ -24,6 +25,10 @@ public interface RobotSystem extends AutoCloseable {
     default Duration discoveryLimit() {
         return Duration.ofSeconds(10);
     }
+
+    /// Says each new time of the robots' own simulator from [#discover()] on, on any thread. To be called before that.
+    /// Nothing comes where the provider does not [drive the time][RobotSystemProvider#drivesTime].
+    default void onTime(Consumer<? super Instant> listener) {}
 
     /// Whether the run may begin before all robots are found.
     default boolean admitsLateRobots() {

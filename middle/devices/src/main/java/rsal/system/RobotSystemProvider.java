@@ -19,6 +19,12 @@ public interface RobotSystemProvider {
     /// Whether it can follow simulated time. When not, scenarios on a simulated clock refuse it at start.
     boolean followsSchedulerTime();
 
+    /// Whether the run follows the time of the robots' own simulator, which its system says
+    /// ([RobotSystem#onTime]), instead of real time. At most one system of a run does so.
+    default boolean drivesTime(Arguments settings) {
+        return false;
+    }
+
     /// What may be set beside `use`, for validation, help and the schema.
     List<Parameter<?>> parameters();
 

@@ -29,6 +29,14 @@ public interface Scheduler extends InstantSource, Executor {
                 "In simulated time all runs on one thread. Maybe hand it over: scheduler.execute(...).");
     }
 
+    /// The same thread's, by real time: for what must go on while the run's time stands, as it may where another
+    /// program
+    /// drives it ([DrivenTime]). That is what keeps motors safe, finds robots and answers people; all else has the
+    /// run's time. Itself where the run's time is real, or simulated here.
+    default Scheduler inRealTime() {
+        return this;
+    }
+
     /// What tells whether two schedulers are of the same run: equal for all views of one, as parts of a run have
     /// them.
     default Object run() {

@@ -4,6 +4,7 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.Optional;
 import java.util.PriorityQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
@@ -14,11 +15,13 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
-/// Real time, for real robots. Tasks run on one thread of its own, a daemon, by time, then [Phase], then the order in
-/// which they were scheduled; tasks that other threads hand in run between them, as does what other threads run
-/// exclusively, which get their turns in no particular order.
+/// Real time, for real robots, or the time of another program. Tasks run on one thread of its own, a daemon, by time,
+/// then [Phase], then the order in which they were scheduled; tasks that other threads hand in run between them, as
+/// does what other threads run exclusively, which get their turns in no particular order.
 ///
-/// Its time is that of the machine when it was made, plus what has passed since: it never jumps.
+/// Its time is that of the machine when it was made, plus what has passed since: it never jumps. Where it has a
+/// [DrivenTime], it is that; what is handed in still runs at once, and what is scheduled [in real time][#inRealTime]
+/// when that has come, also while the other time stands.
 ///
 /// What a task throws goes to a handler; a periodic task lives on. It skips the beats that it missed. Unlike the
 /// contract of [Scheduler] asks, all methods may be called on any thread. After [#close] nothing runs any more.
@@ -30,12 +33,11 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
     private final Condition changed = lock.newCondition();
     private final ReentrantLock turn =
             new ReentrantLock(); // of the thread that runs something; never wanted while `lock` is held
-    private final PriorityQueue<Entry> due = new PriorityQueue<>();
+    private final Timeline real = new Timeline(new MachineTime());
+    private final Timeline timeline; // the real one, or one that is driven
     private final Consumer<? super Throwable> onFailure;
     private final Executor workers;
     private final PhaseTimes times;
-    private final Instant start = Instant.now();
-    private final long startNanos = System.nanoTime();
     private final Thread thread;
     private long order;
     private volatile boolean closed; // written while `lock` is held
@@ -50,9 +52,21 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
     /// @param times told what phases take; what other threads run exclusively counts as [Phase#THINK], what they hand
     /// in as [Phase#WORLD]
     public WallScheduler(String name, Executor workers, Consumer<? super Throwable> onFailure, PhaseTimes times) {
+        this(name, workers, onFailure, times, Optional.empty());
+    }
+
+    /// @param driven the time that it follows; empty for that of the machine
+    public WallScheduler(
+            String name,
+            Executor workers,
+            Consumer<? super Throwable> onFailure,
+            PhaseTimes times,
+            Optional<DrivenTime> driven) {
         this.workers = workers;
         this.onFailure = onFailure;
         this.times = times;
+        this.timeline = driven.map(Timeline::new).orElse(real);
+        driven.ifPresent(time -> time.onChange(this::look));
         this.thread = Thread.ofPlatform().daemon().name(name).start(this::work);
     }
 
@@ -63,12 +77,17 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
 
     @Override
     public Instant instant() {
-        return start.plusNanos(nanos());
+        return timeline.source.instant();
+    }
+
+    @Override
+    public Scheduler inRealTime() {
+        return timeline.equals(real) ? this : new RealTime();
     }
 
     @Override
     public void execute(Runnable task) {
-        add(new Entry(nanos(), Phase.WORLD, 0, task));
+        timeline.after(0, Phase.WORLD, task);
     }
 
     @Override
@@ -78,16 +97,12 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
 
     @Override
     public Task after(Duration delay, Phase phase, Runnable task) {
-        return add(new Entry(Math.addExact(nanos(), Math.max(0, delay.toNanos())), phase, 0, task));
+        return timeline.after(delay.toNanos(), phase, task);
     }
 
     @Override
     public Task every(Duration period, Phase phase, Runnable task) {
-        long step = period.toNanos();
-        if (step <= 0) {
-            throw new IllegalArgumentException("A period must be positive, not '%s'.".formatted(period));
-        }
-        return add(new Entry(Math.addExact(nanos(), step), phase, step, task));
+        return timeline.every(period, phase, task);
     }
 
     @Override
@@ -111,7 +126,8 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
         lock.lock();
         try {
             closed = true;
-            due.clear();
+            timeline.due.clear();
+            real.due.clear();
             changed.signalAll();
         } finally {
             lock.unlock();
@@ -166,32 +182,23 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
         }
     }
 
-    /// The next task, when its time has come; a periodic one is put back for its next beat.
+    /// The next task, when its time has come.
     private @Nullable Entry take() {
         lock.lock();
         try {
             while (!closed) {
-                Entry next = due.peek();
-                long wait = next == null ? Long.MAX_VALUE : next.nanos - nanos();
-                if (next == null || wait > 0) {
-                    try {
-                        changed.awaitNanos(wait);
-                    } catch (InterruptedException _) {
-                        // a task left its thread interrupted; only close ends it
-                    }
-                    continue;
+                Entry next = real.poll(); // first, as it keeps motors safe
+                if (next == null) {
+                    next = timeline.poll();
                 }
-                due.remove();
-                if (next.cancelled) {
-                    continue;
+                if (next != null) {
+                    return next;
                 }
-                if (next.step > 0) {
-                    long missed = Math.max(0, (nanos() - next.nanos) / next.step);
-                    next.nanos += (missed + 1) * next.step;
-                    next.order = order++;
-                    due.add(next);
+                try {
+                    changed.awaitNanos(real.untilDue());
+                } catch (InterruptedException _) {
+                    // a task left its thread interrupted; only close ends it
                 }
-                return next;
             }
             return null;
         } finally {
@@ -199,25 +206,133 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
         }
     }
 
-    private Task add(Entry entry) {
+    /// The time that it follows has changed.
+    private void look() {
         lock.lock();
         try {
-            if (!closed) {
-                entry.order = order++;
-                due.add(entry);
-                if (due.peek() == entry) { // else its thread sleeps no longer than it should
-                    changed.signalAll();
-                }
+            if (timeline.untilDue() <= 0) {
+                changed.signalAll();
             }
         } finally {
             lock.unlock();
         }
-        return entry;
     }
 
-    /// Since the start, on the clock that nobody sets.
-    private long nanos() {
-        return System.nanoTime() - startNanos;
+    /// What is due by one source of time. All but [#after] and [#every] while `lock` is held.
+    private final class Timeline {
+        private final TimeSource source;
+        private final PriorityQueue<Entry> due = new PriorityQueue<>();
+
+        Timeline(TimeSource source) {
+            this.source = source;
+        }
+
+        Task after(long nanos, Phase phase, Runnable task) {
+            return add(new Entry(Math.addExact(source.nanos(), Math.max(0, nanos)), phase, 0, task));
+        }
+
+        Task every(Duration period, Phase phase, Runnable task) {
+            long step = period.toNanos();
+            if (step <= 0) {
+                throw new IllegalArgumentException("A period must be positive, not '%s'.".formatted(period));
+            }
+            return add(new Entry(Math.addExact(source.nanos(), step), phase, step, task));
+        }
+
+        private Task add(Entry entry) {
+            lock.lock();
+            try {
+                if (!closed) {
+                    entry.order = order++;
+                    due.add(entry);
+                    if (due.peek() == entry) { // else its thread sleeps no longer than it should
+                        changed.signalAll();
+                    }
+                }
+            } finally {
+                lock.unlock();
+            }
+            return entry;
+        }
+
+        /// By this source; 0 or less when something is due [ns].
+        long untilDue() {
+            Entry next = due.peek();
+            return next == null ? Long.MAX_VALUE : next.nanos - source.nanos();
+        }
+
+        /// The next task, if its time has come; a periodic one is put back for its next beat.
+        @Nullable
+        Entry poll() {
+            while (untilDue() <= 0) {
+                Entry next = due.remove();
+                if (next.cancelled) {
+                    continue;
+                }
+                if (next.step > 0) {
+                    long missed = Math.max(0, (source.nanos() - next.nanos) / next.step);
+                    next.nanos += (missed + 1) * next.step;
+                    next.order = order++;
+                    due.add(next);
+                }
+                return next;
+            }
+            return null;
+        }
+    }
+
+    /// The same by the machine's time.
+    private final class RealTime implements Scheduler {
+        @Override
+        public Instant instant() {
+            return real.source.instant();
+        }
+
+        @Override
+        public Object run() {
+            return WallScheduler.this.run();
+        }
+
+        @Override
+        public void execute(Runnable task) {
+            WallScheduler.this.execute(task);
+        }
+
+        @Override
+        public void exclusively(Runnable task) {
+            WallScheduler.this.exclusively(task);
+        }
+
+        @Override
+        public Task after(Duration delay, Phase phase, Runnable task) {
+            return real.after(delay.toNanos(), phase, task);
+        }
+
+        @Override
+        public Task every(Duration period, Phase phase, Runnable task) {
+            return real.every(period, phase, task);
+        }
+
+        @Override
+        public <T> CompletionStage<T> compute(Supplier<T> work) {
+            return WallScheduler.this.compute(work);
+        }
+    }
+
+    /// That of the machine when it was made, plus what has passed since on the clock that nobody sets.
+    private static final class MachineTime implements TimeSource {
+        private final Instant start = Instant.now();
+        private final long startNanos = System.nanoTime();
+
+        @Override
+        public long nanos() {
+            return System.nanoTime() - startNanos;
+        }
+
+        @Override
+        public Instant instant() {
+            return start.plusNanos(nanos());
+        }
     }
 
     private static final class Entry implements Task, Comparable<Entry> {

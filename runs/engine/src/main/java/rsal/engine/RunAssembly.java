@@ -3,11 +3,13 @@ package rsal.engine;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import rsal.agent.bdi.Mind;
 import rsal.agent.platform.AgentTurns;
 import rsal.data.Pose2d;
@@ -121,6 +123,11 @@ final class RunAssembly implements AutoCloseable {
     /// Has the robots recorded once they are there. To be called before it begins.
     void recordBy(RobotRecorder who) {
         recorder = Optional.of(who);
+    }
+
+    /// Has the time of the robots' own simulator said, if they have one. To be called before it begins.
+    void onTime(Consumer<Instant> listener) {
+        systems.onTime(listener);
     }
 
     /// Finds the robots and, once they are there, begins.

@@ -41,6 +41,7 @@ import rsal.engine.report.RunResult;
 import rsal.scenario.RunPlan;
 import rsal.system.RobotRecorder;
 import rsal.time.AllowedToReadWallClock;
+import rsal.time.DrivenTime;
 import rsal.time.LockstepScheduler;
 import rsal.time.Phase;
 import rsal.time.PhaseTimes;
@@ -75,6 +76,7 @@ final class RunLoop {
     private final ExecutorService helpers;
     private final PhaseTimes phaseTimes = new PhaseTimes(System::nanoTime, RunLoop::processorTime);
     private final StepTimes stepTimes = new StepTimes();
+    private final Optional<DrivenTime> drivenTime; // by another simulator
     private final Scheduler scheduler;
     private final RunClock clock;
     private final long beganNanos = System.nanoTime();
@@ -105,9 +107,10 @@ final class RunLoop {
         this.operatorClock = operatorClock;
         this.helpers = Executors.newFixedThreadPool(
                 helpers, Thread.ofPlatform().daemon().name(name + "-helper-", 1).factory());
+        this.drivenTime = plan.isTimeDriven() ? Optional.of(new DrivenTime(this::timeWentBack)) : Optional.empty();
         this.scheduler = switch (plan.clock()) {
             case SIMULATED -> new LockstepScheduler(Instant.EPOCH, this.helpers, phaseTimes);
-            case WALL -> new WallScheduler(name, this.helpers, this::breaksOnItsThread, phaseTimes);
+            case WALL -> new WallScheduler(name, this.helpers, this::breaksOnItsThread, phaseTimes, drivenTime);
         };
         this.clock = new RunClock(scheduler);
         this.eventLog = new EventLog(clock::elapsed, eventViewers::tell, monitors.observer());
@@ -310,16 +313,22 @@ final class RunLoop {
         assembly = everything;
         observer.ifPresent(_ -> everything.noteLinks(operatorTime()));
         recorder.ifPresent(everything::recordBy);
+        drivenTime.ifPresent(time -> everything.onTime(time::set));
         everything.begin();
         scheduler.every(plan.step(), Phase.OBSERVE, () -> {
             if (everything.isReady()) { // else its end would hide that robots can't be reached
                 everything.observe().ifPresent(this::end);
                 observer.ifPresent(feed -> feed.showIfDue(everything, progress()));
             }
-            if (!isSimulated()) {
-                serve();
-            }
         });
+        if (!isSimulated()) {
+            scheduler.inRealTime().every(plan.step(), Phase.OBSERVE, this::serve);
+        }
+    }
+
+    /// The simulator whose time it follows was reset.
+    private void timeWentBack(String why) {
+        scheduler.execute(() -> breaks(new RunBroken(why)));
     }
 
     /// In real time: does what is wanted between two tasks.

@@ -110,6 +110,12 @@ final class PlanReader {
         Judgment judgment = judgment(root, run, found);
         run.done();
         root.done();
+        if (found.mrs().isPresent() && found.mas().isPresent()) {
+            new DrivenTimeChecker(root.locationOf(SystemReader.KEY), problems)
+                    .check(
+                            RunPlan.systems(found.mrs().get(), found.robots()),
+                            found.mas().get());
+        }
         if (found.scene().isPresent()
                 && found.mrs().isPresent()
                 && found.roles().stream().allMatch(Role::complete)) {

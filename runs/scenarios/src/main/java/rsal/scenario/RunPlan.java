@@ -169,6 +169,11 @@ public record RunPlan(
         return new DeviceSelector(Catalog.installed(), new Seeds(seed)).robot(robot, mrs, List.of());
     }
 
+    /// Whether the run follows the time of another simulator, which a robot system drives.
+    public boolean isTimeDriven() {
+        return systems().stream().anyMatch(DrivenTimeChecker::drives);
+    }
+
     /// Whether robots stand until somebody switches their motors on.
     public boolean startsDisarmed() {
         return robots.stream()
@@ -218,7 +223,7 @@ public record RunPlan(
     public enum Clock {
         /// Time stands still while anything happens, then jumps: the same seed gives the same run.
         SIMULATED,
-        /// Real time.
+        /// Real time, or that of another simulator ([RunPlan#isTimeDriven]).
         WALL
     }
 

@@ -250,6 +250,27 @@ class RobotSystemsTest {
                 .isEmpty();
     }
 
+    /// Robots of Player, of ROS 2 without a simulator, and agents with clocks of their own.
+    @Test
+    void aRunInASimulatorsTimeRefusesWhatNeedsRealTime() {
+        String driven = MIXED.replace("arguments:\n  host: {type: string, default: hall}\n", "")
+                        .replace("use: reality, host: $host", "use: metronome")
+                + "run: {clock: {mode: wall}}\n";
+        assertThat(mistakes(driven)).isEmpty();
+        assertThat(plan(driven).isTimeDriven()).isTrue();
+        assertThat(mistakes(driven + "mrs: {use: clockwork}\n"))
+                .contains("The run follows the time of another simulator ('metronome'), "
+                        + "but robots of 'clockwork' need real time.");
+        String own = driven.replace("use: metronome", "use: metronome, drives: true, name: own");
+        assertThat(mistakes(own + "mrs: {use: metronome, drives: false}\n"))
+                .contains("robots of 'metronome, drives=false' need real time.");
+        assertThat(mistakes(own + "mrs: {use: metronome}\n"))
+                .contains("The time of a run can follow one simulator only, "
+                        + "but it should follow those of 'metronome' and 'metronome, name=own'.");
+        assertThat(mistakes(driven + "mas: {use: wallclock}\n"))
+                .contains("but the multi-agent system 'wallclock' needs real time.");
+    }
+
     @Test
     void agentsOfARoleNeedWhatAllOfItsMembersHave() {
         String agent = MIXED.replace("type: wanderer", "type: wander");

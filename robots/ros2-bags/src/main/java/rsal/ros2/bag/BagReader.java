@@ -26,8 +26,10 @@ import rsal.ros2.cdr.InvalidCdr;
 import rsal.ros2.cdr.MessageCodec;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.message.FrameTransform;
-import rsal.ros2.message.FrameTree;
+import rsal.ros2.message.RosMessages;
 import rsal.ros2.message.ScanMessage;
+import rsal.ros2.tf.StampedTransform;
+import rsal.ros2.tf.TransformBuffer;
 import rsal.ros2.type.DefinitionReader;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.InvalidDefinition;
@@ -53,7 +55,7 @@ final class BagReader {
     private final String name;
     private final LaserHints hints;
     private final LogCollector log;
-    private final FrameTree frames = new FrameTree();
+    private final TransformBuffer frames = new TransformBuffer(TransformBuffer.HISTORY);
     private final Map<Topic, MessageCodec> codecs = new HashMap<>();
     private final Map<String, Long> counts = new HashMap<>(); // of messages by topic, in all files
     private final Map<String, String> types = new HashMap<>(); // by topic
@@ -78,10 +80,11 @@ final class BagReader {
         Optional<String> odometry = odometry();
         bag.read(topic -> isOfRobot(topic) || odometry.equals(Optional.of(topic.name())), (topic, data) -> {
             if (isStatic(topic)) { // of this robot
-                message(topic, data, false).ifPresent(frames::add);
+                message(topic, data, false)
+                        .ifPresent(message -> StampedTransform.of(message).forEach(frames::addFixed));
             } else if (base == null) { // the first names it
                 message(topic, data, false)
-                        .ifPresent(message -> base = FrameTree.named(message.text("child_frame_id")));
+                        .ifPresent(message -> base = RosMessages.frame(message.text("child_frame_id")));
             }
         });
     }
@@ -254,13 +257,11 @@ final class BagReader {
 
     /// Odometry as TF has it, without velocities.
     private void addTransforms(RosMessage message) throws BrokenLog {
-        for (RosMessage stamped : message.messages("transforms")) {
-            String parent = FrameTree.named(stamped.message("header").text("frame_id"));
-            String child = FrameTree.named(stamped.text("child_frame_id"));
-            FrameTransform transform = FrameTransform.of(stamped.message("transform"), "translation", "rotation");
-            if (isOdom(parent) && isBase(child) && transform.isFinite()) {
-                base = child;
-                log.add(new Motion(number, time(stamped), transform.planar(), 0, 0));
+        for (StampedTransform stamped : StampedTransform.of(message)) {
+            if (isOdom(stamped.parent()) && isBase(stamped.child())) {
+                base = stamped.child();
+                Instant time = Instant.ofEpochSecond(0, stamped.stamp());
+                log.add(new Motion(number, time, stamped.parentFromChild().planar(), 0, 0));
             }
         }
     }
@@ -284,7 +285,8 @@ final class BagReader {
                     true);
             return;
         }
-        Optional<FrameTransform> mount = frames.find(base == null ? BASE_FRAME : base, scan.frame());
+        Optional<FrameTransform> mount = frames.find(base == null ? BASE_FRAME : base, scan.frame(), scan.stamp())
+                .transform();
         int broken = scan.broken();
         LaserScan read = scan.scan(mount.orElse(FrameTransform.NONE), hints.rangeMax());
         log.add(new Scan(number, time(message), read, new Poses.Untold(), broken));

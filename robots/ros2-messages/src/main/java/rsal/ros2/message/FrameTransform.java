@@ -40,6 +40,17 @@ public record FrameTransform(double x, double y, double z, Quaternion rotation) 
         return new FrameTransform(moved[0], moved[1], moved[2], back);
     }
 
+    /// Between this one and another: positions on a line, rotations on the shortest way.
+    ///
+    /// @param share of the way to the other one, 0 to 1
+    public FrameTransform interpolated(FrameTransform other, double share) {
+        return new FrameTransform(
+                x + share * (other.x - x),
+                y + share * (other.y - y),
+                z + share * (other.z - z),
+                rotation.interpolated(other.rotation, share));
+    }
+
     /// In the plane.
     public static FrameTransform of(Pose2d pose) {
         double half = pose.theta() / 2;
@@ -63,6 +74,8 @@ public record FrameTransform(double x, double y, double z, Quaternion rotation) 
 
     /// A rotation in space.
     public record Quaternion(double x, double y, double z, double w) {
+        private static final double NEARLY_EQUAL = 1e-6; // sine of half an angle, below which arcs are lines
+
         /// Of length 1; none at all where it has none, as of messages that nobody filled.
         public Quaternion unit() {
             double length = Math.sqrt(x * x + y * y + z * z + w * w);
@@ -83,6 +96,25 @@ public record FrameTransform(double x, double y, double z, Quaternion rotation) 
                     w * other.y - x * other.z + y * other.w + z * other.x,
                     w * other.z + x * other.y - y * other.x + z * other.w,
                     w * other.w - x * other.x - y * other.y - z * other.z);
+        }
+
+        /// Between this one and another, both of length 1, on the shortest way at an even speed (slerp): K. Shoemake,
+        /// Animating Rotation with Quaternion Curves, SIGGRAPH 1985.
+        ///
+        /// @param share of the way to the other one, 0 to 1
+        public Quaternion interpolated(Quaternion other, double share) {
+            double cosine = x * other.x + y * other.y + z * other.z + w * other.w;
+            double angle = Math.acos(Math.min(1, Math.abs(cosine)));
+            double sine = Math.sin(angle);
+            double here = sine < NEARLY_EQUAL ? 1 - share : Math.sin((1 - share) * angle) / sine;
+            double there = sine < NEARLY_EQUAL ? share : Math.sin(share * angle) / sine;
+            double signed = cosine < 0 ? -there : there; // q and -q are the same rotation
+            return new Quaternion(
+                            here * x + signed * other.x,
+                            here * y + signed * other.y,
+                            here * z + signed * other.z,
+                            here * w + signed * other.w)
+                    .unit();
         }
 
         /// A vector after it: x, y, z.

@@ -161,6 +161,11 @@ public final class RosMessages {
         return writer.toBytes();
     }
 
+    /// The name of a frame, without the slash with which old ones begin.
+    public static String frame(String name) {
+        return name.startsWith("/") ? name.substring(1) : name;
+    }
+
     /// When a message is from, by its `std_msgs/Header` [ns].
     public static long stamp(RosMessage header) {
         RosMessage stamp = header.message("stamp");
@@ -168,7 +173,7 @@ public final class RosMessages {
     }
 
     /// The next `builtin_interfaces/Time` [ns].
-    static long stamp(CdrReader bytes) throws InvalidCdr {
+    public static long stamp(CdrReader bytes) throws InvalidCdr {
         long seconds = bytes.int32();
         return seconds * SECOND + Integer.toUnsignedLong(bytes.int32());
     }

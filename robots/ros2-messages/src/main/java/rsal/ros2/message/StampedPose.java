@@ -13,7 +13,7 @@ public final class StampedPose {
 
     /// A pose on the map, in the plane; empty when it is not finite or in another frame. No frame means the map.
     public static Optional<Pose2d> onMap(RosMessage message) {
-        String frame = FrameTree.named(message.message("header").text("frame_id"));
+        String frame = RosMessages.frame(message.message("header").text("frame_id"));
         Pose2d pose = FrameTransform.of(message.message("pose"), "position", "orientation")
                 .planar();
         return Optional.of(pose).filter(one -> one.isFinite() && (frame.isEmpty() || frame.equals(MAP)));

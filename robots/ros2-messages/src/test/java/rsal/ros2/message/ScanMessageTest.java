@@ -84,18 +84,4 @@ class ScanMessageTest {
         }
         assertThat(turned.baseFromLaser()).isEqualTo(new Pose2d(0.2, 0, 0));
     }
-
-    @Test
-    void framesFormATree() {
-        var frames = new FrameTree();
-        frames.add("map", "odom", FrameTransform.of(new Pose2d(1, 2, Math.PI / 2)));
-        frames.add("/odom", "base_link", FrameTransform.of(new Pose2d(3, 0, 0)));
-        frames.add("base_link", "laser", FrameTransform.of(new Pose2d(0.2, 0, 0)));
-        Pose2d mapFromLaser = frames.find("map", "laser").orElseThrow().planar();
-        assertThat(mapFromLaser.x()).isCloseTo(1, within(1e-9));
-        assertThat(mapFromLaser.y()).isCloseTo(5.2, within(1e-9));
-        assertThat(frames.find("map", "somewhere")).isEmpty();
-        frames.add("laser", "map", FrameTransform.NONE); // a circle
-        assertThat(frames.find("map", "laser")).isEmpty();
-    }
 }

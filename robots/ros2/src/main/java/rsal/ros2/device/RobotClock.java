@@ -16,6 +16,7 @@ final class RobotClock {
     private static final double SAME_PACE = 0.02; // share; clocks of computers drift by 0.0001
 
     private final InstantSource run;
+    private final boolean isShared;
     private boolean isKnown;
     private boolean isOfOurPace = true;
     private long newest; // stamp
@@ -25,8 +26,10 @@ final class RobotClock {
     private long least; // of this window: the run's time less the stamp
     private long before; // of the window before
 
-    RobotClock(InstantSource run) {
+    /// @param isShared whether the robot has the run's clock: then stamps are the run's time
+    RobotClock(InstantSource run, boolean isShared) {
         this.run = run;
+        this.isShared = isShared;
     }
 
     private static long nanoseconds(Instant time) {
@@ -34,13 +37,15 @@ final class RobotClock {
     }
 
     /// @param stamp of odometry that has just come; 0 where it has none
-    void learn(long stamp) {
+    /// @return whether the robot's time went back, as when its simulator was reset
+    boolean learn(long stamp) {
         if (stamp == 0) {
-            return;
+            return false;
         }
         long now = nanoseconds(run.instant());
         long apart = now - stamp;
-        boolean wasSet = stamp < newest - SET || apart < apart() - SET;
+        boolean wentBack = isKnown && stamp < newest - SET;
+        boolean wasSet = wentBack || apart < apart() - SET;
         boolean stoodStill = now - heard > SET && apart > apart() + SET;
         if (!isKnown || wasSet || stoodStill) {
             isKnown = true;
@@ -56,6 +61,7 @@ final class RobotClock {
         newest = stamp;
         heard = now;
         least = Math.min(least, apart);
+        return wentBack;
     }
 
     private void begin(long now, long stamp) {
@@ -72,6 +78,10 @@ final class RobotClock {
     /// @return when it was measured; never later than now
     Instant time(long stamp) {
         Instant instant = run.instant();
+        if (isShared && stamp != 0) {
+            Instant then = Instant.ofEpochSecond(0, stamp);
+            return then.isAfter(instant) ? instant : then;
+        }
         if (stamp == 0 || !isKnown || !isOfOurPace) {
             return instant;
         }
@@ -82,6 +92,9 @@ final class RobotClock {
 
     /// What the robot's clock says now; 0 before it has sent anything.
     long stamp() {
+        if (isShared) {
+            return nanoseconds(run.instant());
+        }
         if (!isKnown) {
             return 0;
         }

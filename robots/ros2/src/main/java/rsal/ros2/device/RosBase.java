@@ -42,6 +42,8 @@ final class RosBase extends RosSensor<Odometry> implements DriveBase {
     private Instant sentAt = Instant.MIN;
     private Instant stoppingUntil = Instant.MIN;
     private Instant blockedSince = Instant.MAX;
+    private boolean mayMove; // since it was held last
+    private Instant heldUntil = Instant.MIN; // in real time
     private Pose2d reported = Pose2d.ORIGIN;
     private Pose2d odomFromTheirs = Pose2d.ORIGIN; // others may use the robot's odometry: it is not set, but ours is
 
@@ -129,7 +131,24 @@ final class RosBase extends RosSensor<Odometry> implements DriveBase {
         send(Twist2d.STOP);
     }
 
+    /// Has it stand while the run's time does, without forgetting what is wanted: once time goes on, that is sent again
+    /// if
+    /// it is still fresh by the run's time. A simulator that is paused must not change what happens.
+    ///
+    /// @param now in real time
+    void hold(Instant now) {
+        if (mayMove) {
+            heldUntil = now.plus(STOPPING);
+        }
+        if (now.isBefore(heldUntil)) {
+            send(Twist2d.STOP);
+            sentAt = Instant.MIN;
+        }
+        mayMove = false;
+    }
+
     private void send(Twist2d velocity) {
+        mayMove |= isMotion(velocity);
         sentAt = frames.now();
         commands.publish(
                 isStamped

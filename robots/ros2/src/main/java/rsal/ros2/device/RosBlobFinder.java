@@ -13,11 +13,11 @@ import rsal.device.BlobFinder;
 import rsal.device.DeviceInfo;
 import rsal.robot.RobotModel.Part;
 import rsal.ros2.cdr.RosMessage;
+import rsal.ros2.message.FrameTransform;
 import rsal.ros2.message.RosMessages;
 
 /// A detector that publishes `vision_msgs/Detection2DArray`. Classes of what it detects are colors, `#2ca02c`; others
-/// are
-/// left out. How large its images are, and how wide it looks, is what the model says, as the messages do not. A
+/// are left out. How large its images are, and how wide it looks, is what the model says, as the messages do not. A
 /// detection with a place in space has its range and bearing by that, others their bearing by their box.
 final class RosBlobFinder extends RosSensor<Blobs> implements BlobFinder {
     private static final int MOST_BLOBS = 1_000; // of an image
@@ -36,9 +36,12 @@ final class RosBlobFinder extends RosSensor<Blobs> implements BlobFinder {
     void take(RosMessage message) {
         RosMessage header = message.message("header");
         String frame = header.text("frame_id");
-        CameraMount mount = frames.fromBase(frame)
-                .map(CameraMount::new)
-                .orElseGet(() -> CameraMount.of(part.baseFromCamera(), frame));
+        FrameTransform usual = CameraMount.of(part.baseFromCamera(), frame).baseFromFrame();
+        mount(frames, frame, RosMessages.stamp(header), usual)
+                .ifPresent(baseFromFrame -> take(message, new CameraMount(baseFromFrame)));
+    }
+
+    private void take(RosMessage message, CameraMount mount) {
         Pose2d baseFromCamera = mount.baseFromCamera();
         var empty = new Blobs(baseFromCamera, part.width(), part.height(), part.fieldOfView(), List.of());
         var blobs = new ArrayList<Blob>();
@@ -50,7 +53,7 @@ final class RosBlobFinder extends RosSensor<Blobs> implements BlobFinder {
         blobs.sort(Comparator.comparingInt(Blob::left));
         heard(frames.now());
         tell(
-                clock.time(RosMessages.stamp(header)),
+                clock.time(RosMessages.stamp(message.message("header"))),
                 new Blobs(baseFromCamera, part.width(), part.height(), part.fieldOfView(), blobs));
     }
 

@@ -11,12 +11,12 @@ import rsal.ros2.message.FrameTransform.Quaternion;
 import rsal.ros2.message.RosMessages;
 
 /// An IMU that publishes `sensor_msgs/Imu`. What it measures in its own frame is turned to where the model has it, as
-/// far as static TF tells how it is mounted, also tilted or upside down. One without an orientation gets one by its
+/// far as TF tells how it is mounted, also tilted or upside down. One without an orientation gets one by its
 /// angular velocity.
 final class RosImu extends RosSensor<ImuReading> implements Imu {
     private static final double LONGEST = 1e9; // ns, between readings of which the orientation is integrated
 
-    private final Quaternion baseFromDevice;
+    private final FrameTransform baseFromDevice;
     private final Frames frames;
     private final RobotClock clock;
     private double turned; // integrated [rad]
@@ -24,19 +24,22 @@ final class RosImu extends RosSensor<ImuReading> implements Imu {
 
     RosImu(DeviceInfo info, String topic, Pose2d baseFromDevice, Frames frames, RobotClock clock) {
         super(info, info.id(), topic);
-        this.baseFromDevice = FrameTransform.of(baseFromDevice).rotation();
+        this.baseFromDevice = FrameTransform.of(baseFromDevice);
         this.frames = frames;
         this.clock = clock;
     }
 
     void take(RosMessage message) {
         RosMessage header = message.message("header");
-        Quaternion deviceFromImu = frames.fromBase(header.text("frame_id"))
-                .map(baseFromImu -> baseFromDevice.conjugate().times(baseFromImu.rotation()))
-                .orElse(FrameTransform.NONE.rotation());
+        mount(frames, header.text("frame_id"), RosMessages.stamp(header), baseFromDevice)
+                .ifPresent(baseFromImu ->
+                        take(message, baseFromDevice.rotation().conjugate().times(baseFromImu.rotation())));
+    }
+
+    private void take(RosMessage message, Quaternion deviceFromImu) {
         double[] velocity = rotated(deviceFromImu, message.message("angular_velocity"));
         double[] acceleration = rotated(deviceFromImu, message.message("linear_acceleration"));
-        long stamp = RosMessages.stamp(header);
+        long stamp = RosMessages.stamp(message.message("header"));
         double orientation = hasOrientation(message)
                 ? heading(quaternion(message.message("orientation")).times(deviceFromImu.conjugate()))
                 : integrated(stamp, velocity[2]);

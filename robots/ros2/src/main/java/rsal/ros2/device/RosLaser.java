@@ -8,9 +8,8 @@ import rsal.robot.RobotModel.Part;
 import rsal.ros2.message.FrameTransform;
 import rsal.ros2.message.ScanMessage;
 
-/// A laser scanner that publishes `sensor_msgs/LaserScan`. Where it is mounted is what static TF says; before that
-/// comes,
-/// what the robot's model says.
+/// A laser scanner that publishes `sensor_msgs/LaserScan`. Where it is on the robot is what TF says; before that
+/// comes, what the robot's model says.
 final class RosLaser extends RosSensor<LaserScan> implements LaserScanner {
     private final Part.Laser part;
     private final Frames frames;
@@ -25,11 +24,13 @@ final class RosLaser extends RosSensor<LaserScan> implements LaserScanner {
 
     void take(ScanMessage message) {
         if (message.isPossible()) {
-            Optional<FrameTransform> mount = frames.fromBase(message.frame());
-            LaserScan scan = message.scan(
-                    mount.orElseGet(() -> FrameTransform.of(part.baseFromLaser())), Double.POSITIVE_INFINITY);
-            heard(frames.now());
-            tell(clock.time(message.stamp()), scan);
+            Optional<FrameTransform> baseFromLaser =
+                    mount(frames, message.frame(), message.stamp(), FrameTransform.of(part.baseFromLaser()));
+            baseFromLaser.ifPresent(mount -> {
+                LaserScan scan = message.scan(mount, Double.POSITIVE_INFINITY);
+                heard(frames.now());
+                tell(clock.time(message.stamp()), scan);
+            });
         }
     }
 }

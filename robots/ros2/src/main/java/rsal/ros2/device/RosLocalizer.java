@@ -25,18 +25,24 @@ import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.link.RosLink.Subscribed;
 import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.message.CloudMessage;
-import rsal.ros2.message.FrameTree;
+import rsal.ros2.message.FrameTransform;
 import rsal.ros2.message.OdometryMessage;
 import rsal.ros2.message.RosMessages;
+import rsal.ros2.tf.TransformLookup;
+import rsal.ros2.tf.TransformLookup.Reason;
 
 /// A robot's own localizer, such as Nav2's `amcl` or slam_toolbox: a pose now and then (`amcl_pose`), and where the
 /// odometry begins on the map (TF from `map` to `odom`). In between, estimates go with the odometry, as long as the
-/// localizer is
-/// there: TF that stops coming is stale, and where only poses come, somebody must publish them.
+/// localizer is there: TF that stops coming is stale, and where only poses come, somebody must publish them.
+///
+/// Each estimate is of the time of an odometry message. Where TF says also how the robot moves in `odom`, as a filter
+/// of
+/// several sensors does, that counts and not the wheels; the estimate then waits for the TF of its time.
 final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
-    private static final String MAP = "map";
     private static final int REMEMBERED = 100; // odometry, to know where the robot was when it was localized
     private static final double SURE = 0.5; // m, rad: with deviations of less a robot is localized
+    private static final int MOST_WAITING = 100; // odometry, for TF of its time
+    private static final long AGO = 1_000_000_000; // ns; by more than that no message is delayed
     private static final Duration PATIENCE = Duration.ofMillis(500); // amcl tells with each scan
     private static final Covariance2d UNKNOWN = Covariance2d.ofDeviations(0.1, 0.1, 0.05); // where only TF tells
 
@@ -45,7 +51,11 @@ final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
     private final Frames frames;
     private final RobotClock clock;
     private final Deque<Driven> driven = new ArrayDeque<>();
+    private final Deque<OdometryMessage> waiting = new ArrayDeque<>(); // for TF
     private final RosMessages messages = new RosMessages();
+    private Optional<TransformLookup.Failure> late = Optional.empty(); // what the first that waits lacks
+    private Instant waitingSince = Instant.MAX;
+    private long heard; // stamp of the last odometry [ns]
     private Optional<Pose> newest = Optional.empty();
     private Optional<Pose2d> mapFromOdom = Optional.empty(); // by poses, where TF does not tell
     private Optional<Subscribed> clouds = Optional.empty(); // since somebody asked for particles
@@ -66,16 +76,46 @@ final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
             Function<Consumer<RosMessage>, Subscribed> cloudTopic,
             Frames frames,
             RobotClock clock) {
-        super(info, MAP, "'%s', nor TF from 'map'".formatted(topic));
+        super(info, Frames.MAP, "'%s', nor TF from 'map'".formatted(topic));
         this.cloudTopic = cloudTopic;
         this.initialPose = initialPose;
         this.frames = frames;
         this.clock = clock;
+        frames.onTransforms(this::settle);
     }
 
     /// @param odometry which is finite
     void take(OdometryMessage odometry) {
-        driven.addLast(new Driven(odometry.stamp(), odometry.odomFromBase()));
+        if (waiting.size() == MOST_WAITING) {
+            waiting.removeFirst();
+        }
+        if (odometry.stamp() < heard - AGO) { // a simulator was reset
+            waiting.clear();
+            driven.clear();
+        }
+        heard = odometry.stamp();
+        if (waiting.isEmpty()) {
+            waitingSince = frames.now();
+        }
+        waiting.addLast(odometry);
+        settle();
+    }
+
+    /// Takes all odometry for which TF has come, in order; leaves out what is older than all TF.
+    private void settle() {
+        late = Optional.empty();
+        while (!waiting.isEmpty() && late.isEmpty()) {
+            switch (frames.odomFromBase(waiting.getFirst())) {
+                case TransformLookup.Found(FrameTransform odomFromBase) -> locate(waiting.removeFirst(), odomFromBase);
+                case TransformLookup.Failure old when old.reason() == Reason.PAST -> waiting.removeFirst();
+                case TransformLookup.Failure missing -> late = Optional.of(missing);
+            }
+        }
+    }
+
+    private void locate(OdometryMessage odometry, FrameTransform odomFromBase) {
+        waitingSince = frames.now();
+        driven.addLast(new Driven(odometry.stamp(), odomFromBase.planar()));
         if (driven.size() > REMEMBERED) {
             driven.removeFirst();
         }
@@ -83,10 +123,9 @@ final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
             join(); // the pose came first
         }
         if (isThere) {
-            frames.mapFromOdom()
-                    .or(() -> mapFromOdom)
-                    .ifPresent(origin ->
-                            tell(clock.time(odometry.stamp()), estimate(origin.compose(odometry.odomFromBase()))));
+            frames.mapFromBase(odometry, odomFromBase)
+                    .or(() -> mapFromOdom.map(origin -> origin.compose(odomFromBase.planar())))
+                    .ifPresent(mapFromBase -> tell(clock.time(odometry.stamp()), estimate(mapFromBase)));
         }
     }
 
@@ -103,10 +142,26 @@ final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
 
     /// @param message `geometry_msgs/PoseWithCovarianceStamped`
     void take(RosMessage message) {
-        RosMessages.estimate(message).ifPresent(told -> {
-            newest = Optional.of(new Pose(RosMessages.stamp(message.message("header")), told));
-            join();
-        });
+        RosMessage header = message.message("header");
+        long stamp = RosMessages.stamp(header);
+        RosMessages.estimate(message)
+                .map(told -> onMap(told, RosMessages.frame(header.text("frame_id")), stamp))
+                .ifPresent(told -> {
+                    newest = Optional.of(new Pose(stamp, told));
+                    join();
+                });
+    }
+
+    /// What a localizer says in a frame of its own, such as `robot1/map`; as it is where TF does not connect that with
+    /// the map.
+    private PoseEstimate onMap(PoseEstimate told, String frame, long stamp) {
+        return frame.equals(Frames.MAP)
+                ? told
+                : frames.fromMap(frame, stamp)
+                        .map(origin -> PoseEstimate.of(
+                                origin.compose(told.mapFromBase()),
+                                told.covariance().turned(origin.theta())))
+                        .orElse(told);
     }
 
     /// Where odometry began, by the newest pose and the odometry of that time, or nearest to it: localizers tell poses
@@ -123,11 +178,15 @@ final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
     /// @param publishers how many publish poses
     @Override
     void look(Instant now, int publishers) {
-        boolean isSilent = frames.sinceMapFromOdom(now).compareTo(PATIENCE) > 0;
-        isThere = !isSilent && (publishers > 0 || frames.mapFromOdom().isPresent());
+        boolean isSilent = frames.sinceMapFromOdom().compareTo(PATIENCE) > 0;
+        isThere = !isSilent && (publishers > 0 || frames.hasMapFromOdom());
         if (!isThere && publishers == 0) {
             super.look(now, publishers);
-        } else if (!isThere) {
+        } else if (isThere) {
+            late.filter(_ -> waitingSince.plus(PATIENCE).isBefore(now))
+                    .ifPresent(missing -> health(new Health.Stale(
+                            "The odometry on '%s' waits for TF. %s".formatted(frames.odom(), missing.message()))));
+        } else {
             health(new Health.Stale("TF from 'map' to '%s' has not come for more than %.1f s."
                     .formatted(frames.odom(), PATIENCE.toMillis() / 1e3)));
         }
@@ -145,10 +204,10 @@ final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
     /// @param message `nav2_msgs/ParticleCloud`
     private void takeCloud(RosMessage message) {
         RosMessage header = message.message("header");
-        if (FrameTree.named(header.text("frame_id")).equals(MAP)) {
+        if (RosMessages.frame(header.text("frame_id")).equals(Frames.MAP)) {
             CloudMessage.of(message)
-                    .ifPresent(cloud ->
-                            particles = Optional.of(new Stamped<>(clock.time(RosMessages.stamp(header)), MAP, cloud)));
+                    .ifPresent(cloud -> particles =
+                            Optional.of(new Stamped<>(clock.time(RosMessages.stamp(header)), Frames.MAP, cloud)));
         }
     }
 
@@ -161,7 +220,7 @@ final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
     /// Publishes it as `initialpose`, as RViz does.
     @Override
     public CompletionStage<Void> relocalize(PoseEstimate belief) {
-        initialPose.publish(messages.pose(Instant.ofEpochSecond(0, clock.stamp()), belief, MAP));
+        initialPose.publish(messages.pose(Instant.ofEpochSecond(0, clock.stamp()), belief, Frames.MAP));
         return CompletableFuture.completedFuture(null);
     }
 }

@@ -19,9 +19,9 @@ import rsal.device.Planner;
 import rsal.ros2.action.ActionClient;
 import rsal.ros2.cdr.MessageCodec;
 import rsal.ros2.cdr.RosMessage;
-import rsal.ros2.message.FrameTree;
 import rsal.ros2.message.PathMessage;
 import rsal.ros2.message.PlanningError;
+import rsal.ros2.message.RosMessages;
 import rsal.ros2.message.StampedPose;
 
 /// A robot's own planner, such as Nav2's planner server: the action `compute_path_to_pose`.
@@ -110,7 +110,7 @@ final class RosPlanner extends DeviceCore implements Planner {
             }
             RosMessage path = result.message("path");
             String frame = path.message("header").text("frame_id");
-            if (!FrameTree.named(frame).equals(MAP)) {
+            if (!RosMessages.frame(frame).equals(MAP)) {
                 return new Result.NoPath(
                         "The robot's planner answered in the frame '%s' instead of 'map'.".formatted(frame));
             }

@@ -22,6 +22,8 @@ import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.OdometryMessage;
 import rsal.ros2.setting.RosSettings;
 import rsal.ros2.setting.Safety;
+import rsal.ros2.transform.TransformFeed;
+import rsal.ros2.transform.TransformTopics;
 import rsal.ros2.type.TypeLibrary;
 import rsal.time.Scheduler;
 
@@ -32,13 +34,12 @@ public final class RosRobot {
 
     private static final String DRIVER = "ros2";
     private static final String ODOMETRY = "nav_msgs/msg/Odometry";
-    private static final String TRANSFORMS = "tf2_msgs/msg/TFMessage";
     private static final List<String> COMMANDS = List.of("geometry_msgs/msg/Twist", "geometry_msgs/msg/TwistStamped");
     private static final ReportNames BASE = ReportNames.of("odometry", "odom", "motor", "motors", "wheel", "wheels");
-    private static final int TRANSFORMS_WAITING = 100;
 
     private final RobotSpec spec;
     private final Scheduler scheduler;
+    private final TransformFeed transforms;
     private final Frames frames;
     private final RobotClock clock;
     private final RosBase base;
@@ -75,12 +76,14 @@ public final class RosRobot {
     }
 
     /// @param topics that have all that it needs: nothing is [#lacking]
+    /// @param shared where frames are, for all robots of the link
     /// @param diagnostics empty where they do not matter
     /// @param random for ids of goals, which nobody else may have
     public RosRobot(
             RobotSpec spec,
             RobotTopics topics,
             RosLink link,
+            TransformTopics shared,
             TypeLibrary types,
             RosSettings settings,
             Optional<RobotDiagnostics> diagnostics,
@@ -89,8 +92,9 @@ public final class RosRobot {
         Safety safety = settings.safety();
         this.spec = spec;
         this.scheduler = scheduler;
-        frames = new Frames(scheduler);
-        clock = new RobotClock(scheduler);
+        transforms = shared.feed(transformTopic(topics, "tf"), transformTopic(topics, "tf_static"), types);
+        frames = new Frames(transforms, scheduler);
+        clock = new RobotClock(scheduler, settings.useSimTime());
         RosTopic commands = topics.subscribed("cmd_vel", COMMANDS).orElseThrow();
         RosTopic odometry = topics.published(ODOMETRY, "odom").getFirst();
         var publication = link.advertise(commands, Profile.DEFAULT);
@@ -114,14 +118,6 @@ public final class RosRobot {
         ends.add(reported::close);
         driven = link.subscribe(odometry, Profile.SENSOR_DATA, odometryInbox());
         devices.add(base);
-        ends.add(link.subscribe(
-                topics.ownOrShared("tf", TRANSFORMS),
-                Profile.DEFAULT,
-                context.inbox(TRANSFORMS, TRANSFORMS_WAITING, frames::add))::close);
-        ends.add(link.subscribe(
-                topics.ownOrShared("tf_static", TRANSFORMS),
-                Profile.LATCHED,
-                context.inbox(TRANSFORMS, TRANSFORMS_WAITING, frames::addFixed))::close);
         for (RosParts.Wanted wanted : RosParts.wanted(spec.model())) {
             if (wanted.isThere(topics, settings)) {
                 var info = new DeviceInfo(spec.id(), wanted.name(), DRIVER);
@@ -135,6 +131,11 @@ public final class RosRobot {
         }
     }
 
+    /// The robot's own where somebody publishes it, that of all robots otherwise.
+    private static String transformTopic(RobotTopics topics, String name) {
+        return topics.ownOrShared(name, TransformTopics.TYPE).name();
+    }
+
     private Inbox<OdometryMessage> odometryInbox() {
         return new Inbox<>(
                 1, bytes -> OdometryMessage.read(bytes, frames.odom(), frames.base()), scheduler, this::take);
@@ -142,8 +143,10 @@ public final class RosRobot {
 
     private void take(OdometryMessage message) {
         if (message.isFinite()) {
-            frames.add(message);
-            clock.learn(message.stamp());
+            frames.learn(message);
+            if (clock.learn(message.stamp())) {
+                transforms.clear();
+            }
             base.take(message);
         }
     }
@@ -167,15 +170,24 @@ public final class RosRobot {
         return new Robot(spec.id(), spec.role(), spec.model(), spec.marker(), devices);
     }
 
-    /// Drives on, and looks how its devices are.
+    /// Whether it is there: somebody publishes its odometry.
+    public boolean isThere() {
+        return driven.publishers() > 0;
+    }
+
+    /// Keeps it where it is while the run's time stands: nobody who could stop it does anything then.
     ///
-    /// @return whether it is there: somebody publishes its odometry
-    public boolean look(Instant now) {
+    /// @param now in real time
+    public void hold(Instant now) {
+        base.hold(now);
+    }
+
+    /// Drives on, and looks how its devices are.
+    public void look(Instant now) {
         base.drive(now);
         parts.forEach(made -> made.look().accept(now));
         base.look(now, driven.publishers());
         reported.look(now);
-        return driven.publishers() > 0;
     }
 
     /// Stops it, for good.

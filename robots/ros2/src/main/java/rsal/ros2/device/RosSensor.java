@@ -2,10 +2,13 @@ package rsal.ros2.device;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.Optional;
 import rsal.data.Stamped;
 import rsal.device.DeviceInfo;
 import rsal.device.Health;
 import rsal.device.SensorCore;
+import rsal.ros2.message.FrameTransform;
+import rsal.ros2.tf.TransformLookup;
 
 /// A device whose readings come as messages. When they stop coming, or nobody publishes them any more, its health says
 /// so.
@@ -17,6 +20,7 @@ abstract class RosSensor<T> extends SensorCore<T> {
     private final String source;
     private Instant told = Instant.MIN;
     private Duration period = Duration.ZERO; // the newest
+    private String leftOut = ""; // why the newest message became no reading, for people; empty if it did
 
     /// @param frame of its readings
     /// @param source where they come from, for people
@@ -43,6 +47,27 @@ abstract class RosSensor<T> extends SensorCore<T> {
             period = Duration.between(told, now);
         }
         told = now;
+        leftOut = "";
+    }
+
+    /// Where the sensor was on the robot when it measured: as TF says, or as the robot's model does where TF does not
+    /// connect the two. Empty when TF has them for other times only: then the message is to be left out.
+    ///
+    /// @param sensor frame of the message
+    /// @param stamp of the message [ns]
+    /// @param usual of the model
+    final Optional<FrameTransform> mount(Frames frames, String sensor, long stamp, FrameTransform usual) {
+        TransformLookup baseFromSensor = frames.fromBase(sensor, stamp);
+        if (baseFromSensor instanceof TransformLookup.Failure failure && baseFromSensor.isConnected()) {
+            leaveOut(failure);
+            return Optional.empty();
+        }
+        return Optional.of(baseFromSensor.transform().orElse(usual));
+    }
+
+    /// A message has come that can't be used.
+    final void leaveOut(TransformLookup.Failure why) {
+        leftOut = why.message();
     }
 
     /// Looks whether it is still told something.
@@ -55,9 +80,13 @@ abstract class RosSensor<T> extends SensorCore<T> {
         }
         Duration patience =
                 PATIENCE.compareTo(period.multipliedBy(MISSED)) > 0 ? PATIENCE : period.multipliedBy(MISSED);
-        if (!told.equals(Instant.MIN) && told.plus(patience).isBefore(now)) {
+        boolean isSilent = hasTold() ? told.plus(patience).isBefore(now) : !leftOut.isEmpty();
+        if (isSilent) {
             health(new Health.Stale(
-                    "Nothing has come on %s for more than %.1f s.".formatted(source, patience.toMillis() / 1e3)));
+                    leftOut.isEmpty()
+                            ? "Nothing has come on %s for more than %.1f s."
+                                    .formatted(source, patience.toMillis() / 1e3)
+                            : "What comes on %s is left out. %s".formatted(source, leftOut)));
         }
     }
 

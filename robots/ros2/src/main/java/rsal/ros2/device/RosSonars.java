@@ -3,6 +3,7 @@ package rsal.ros2.device;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import rsal.data.Pose2d;
 import rsal.data.RangeArray;
@@ -43,18 +44,21 @@ final class RosSonars extends RosSensor<RangeArray> implements SonarArray {
 
     /// @param sensor which of them, from 0 on
     void take(int sensor, RosMessage message) {
+        RosMessage header = message.message("header");
+        FrameTransform usual = FrameTransform.of(part.baseFromSensors().get(sensor));
+        Optional<FrameTransform> mount = mount(frames, header.text("frame_id"), RosMessages.stamp(header), usual);
+        if (mount.isEmpty()) {
+            return;
+        }
         if (round.get(sensor)) {
             tellRound();
         }
-        RosMessage header = message.message("header");
         stamp = RosMessages.stamp(header);
         fieldOfView = message.number("field_of_view");
         rangeMin = message.number("min_range");
         rangeMax = message.number("max_range");
         ranges[sensor] = ScanMessage.limited((float) message.number("range"), (float) rangeMin, (float) rangeMax);
-        baseFromSensors[sensor] = frames.fromBase(header.text("frame_id"))
-                .map(FrameTransform::planar)
-                .orElse(part.baseFromSensors().get(sensor));
+        baseFromSensors[sensor] = mount.get().planar();
         round.set(sensor);
         if (round.cardinality() == ranges.length) {
             tellRound();

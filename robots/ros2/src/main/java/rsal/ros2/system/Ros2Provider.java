@@ -108,6 +108,12 @@ public final class Ros2Provider implements RobotSystemProvider {
             "A service of type std_srvs/SetBool in each robot's namespace. It is called with true when the robot's motors"
                     + " are switched off, and with false when they are switched on. Default: none.");
 
+    static final Parameter<Boolean> USE_SIM_TIME = Parameter.flag(
+            "useSimTime",
+            false,
+            "Whether the run follows the time of another simulator, which publishes it on /clock, as nodes with"
+                    + " use_sim_time do.");
+
     private static final Parameter<String> GRIPPER_ACTION = Parameter.text(
             "gripperAction",
             GripperSettings.USUAL.action(),
@@ -165,6 +171,7 @@ public final class Ros2Provider implements RobotSystemProvider {
                 RealRobots.WAIT,
                 RealRobots.LATE,
                 DIAGNOSTICS,
+                USE_SIM_TIME,
                 STOP_TOPIC,
                 STOP_SERVICE,
                 GRIPPER_ACTION,
@@ -179,6 +186,11 @@ public final class Ros2Provider implements RobotSystemProvider {
     @Override
     public boolean startsDisarmed(Arguments settings) {
         return !settings.get(RealRobots.ARMED);
+    }
+
+    @Override
+    public boolean drivesTime(Arguments settings) {
+        return settings.get(USE_SIM_TIME);
     }
 
     @Override
@@ -203,6 +215,7 @@ public final class Ros2Provider implements RobotSystemProvider {
             if (problems.isEmpty()) {
                 return new Ros2System(
                         namespaces,
+                        networkName(settings),
                         opening,
                         distribution(settings),
                         new RosSettings(
@@ -213,7 +226,8 @@ public final class Ros2Provider implements RobotSystemProvider {
                                         settings.get(STOP_SERVICE)),
                                 gripper,
                                 list(settings.get(BUMPER_TOPICS)),
-                                settings.get(DIAGNOSTICS)),
+                                settings.get(DIAGNOSTICS),
+                                settings.get(USE_SIM_TIME)),
                         RealRobots.Waiting.of(settings),
                         scheduler,
                         new SecureRandom());
@@ -232,13 +246,20 @@ public final class Ros2Provider implements RobotSystemProvider {
                 .findFirst();
     }
 
+    /// For people.
+    private static String networkName(Arguments settings) {
+        return settings.get(ROSBRIDGE).isBlank()
+                ? "domain %d".formatted(network(settings, NODE).domain())
+                : "rosbridge at '%s'".formatted(settings.get(ROSBRIDGE).strip());
+    }
+
     private static Opening opening(Arguments settings, Scheduler scheduler) {
         if (settings.get(ROSBRIDGE).isBlank()) {
             UdpParticipant.Options network = network(settings, NODE);
             return () -> RosNetwork.join(network, Distribution.JAZZY, NODE);
         }
         RosbridgeOptions options = rosbridge(settings);
-        return () -> new RosbridgeLink(new WebSocketTransport(options.address()), options, scheduler);
+        return () -> new RosbridgeLink(new WebSocketTransport(options.address()), options, scheduler.inRealTime());
     }
 
     /// @throws IllegalArgumentException when the address is none, or settings of DDS are there, too

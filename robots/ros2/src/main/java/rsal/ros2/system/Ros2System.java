@@ -5,6 +5,7 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -26,6 +27,7 @@ import rsal.ros2.health.RobotDiagnostics;
 import rsal.ros2.link.RosEndpoint;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.setting.RosSettings;
+import rsal.ros2.transform.TransformTopics;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeLibrary;
 import rsal.system.RealRobots.Waiting;
@@ -41,6 +43,7 @@ final class Ros2System implements RobotSystem {
     private static final Duration SETTLING = Duration.ofSeconds(2); // of topics, after the first of a robot
 
     private final Map<RobotSpec, String> namespaces;
+    private final String networkName;
     private final Opening opening;
     private final Optional<Distribution> distribution;
     private final RosSettings settings;
@@ -55,9 +58,12 @@ final class Ros2System implements RobotSystem {
     private final Listeners<Change> changes = new Listeners<>(e -> {
         throw e;
     });
-    private Optional<Task> looking = Optional.empty();
+    private final List<Task> looking = new ArrayList<>();
+    private Consumer<? super Instant> timeListener = _ -> {};
+    private Optional<SimulatorClock> clock = Optional.empty(); // that the run follows
     private @Nullable RosLink link;
     private Optional<RobotDiagnostics> diagnostics = Optional.empty(); // once the network is joined
+    private @Nullable TransformTopics transforms; // of the link
     private List<RosEndpoint> endpoints = List.of(); // of the network, when it was last looked at
     private Instant progressAt = Instant.MIN; // when it was last made
     private int progress; // of finding them
@@ -70,9 +76,11 @@ final class Ros2System implements RobotSystem {
     }
 
     /// @param namespaces of the robots: `/robot1`, or `/` for topics without one
+    /// @param networkName for people: `domain 5`
     /// @param distribution of all robots; empty for what each of them announces
     Ros2System(
             Map<RobotSpec, String> namespaces,
+            String networkName,
             Opening opening,
             Optional<Distribution> distribution,
             RosSettings settings,
@@ -80,6 +88,7 @@ final class Ros2System implements RobotSystem {
             Scheduler scheduler,
             RandomGenerator random) {
         this.namespaces = namespaces;
+        this.networkName = networkName;
         this.opening = opening;
         this.distribution = distribution;
         this.settings = settings;
@@ -89,12 +98,22 @@ final class Ros2System implements RobotSystem {
     }
 
     @Override
+    public void onTime(Consumer<? super Instant> listener) {
+        timeListener = listener;
+    }
+
+    /// Robots are found and motors kept safe in real time, so also while that of the run stands.
+    @Override
     public CompletionStage<List<Robot>> discover() {
         if (closed) {
             return CompletableFuture.failedStage(new IllegalStateException("This robot system is closed."));
         }
         try {
             link = opening.open();
+            transforms = new TransformTopics(link, scheduler);
+            if (settings.useSimTime()) {
+                clock = Optional.of(new SimulatorClock(link, networkName, timeListener));
+            }
         } catch (IOException e) {
             return CompletableFuture.failedStage(
                     new IOException("The network of ROS 2 can't be joined: %s".formatted(e.getMessage()), e));
@@ -102,15 +121,17 @@ final class Ros2System implements RobotSystem {
         if (settings.hasDiagnostics()) {
             diagnostics = Optional.of(new RobotDiagnostics(link, scheduler));
         }
-        progressAt = scheduler.instant();
-        looking = Optional.of(scheduler.every(RosRobot.LOOK, this::look));
+        Scheduler real = scheduler.inRealTime();
+        progressAt = real.instant();
+        looking.add(real.every(RosRobot.LOOK, () -> search(real.instant())));
+        looking.add(scheduler.every(RosRobot.LOOK, this::look));
         return discovered;
     }
 
-    /// A robot makes progress twice: when it is found, and when it is ready.
+    /// A robot makes progress twice: when it is found, and when it is ready; the clock does so once.
     @Override
     public Duration discoveryLimit() {
-        return waiting.patience().multipliedBy(1 + 2L * namespaces.size()).plusSeconds(1);
+        return waiting.patience().multipliedBy(2 + 2L * namespaces.size()).plusSeconds(1);
     }
 
     @Override
@@ -119,22 +140,45 @@ final class Ros2System implements RobotSystem {
     }
 
     private void look() {
+        if (!closed) {
+            Instant now = scheduler.instant();
+            found.values().forEach(robot -> robot.look(now));
+        }
+    }
+
+    /// @param now in real time
+    private void search(Instant now) {
         if (closed || link == null) {
             return;
         }
-        Instant now = scheduler.instant();
+        clock.ifPresent(time -> follow(time, now));
         if (found.size() < namespaces.size()) {
             search(link, now);
         }
         if (!discovered.isDone()) {
             await(now);
         }
-        found.values().forEach(robot -> {
-            boolean isThere = robot.look(now);
-            if (discovered.isDone()) {
-                compare(robot, isThere);
-            }
-        });
+        if (discovered.isDone()) {
+            found.values().forEach(robot -> compare(robot, robot.isThere()));
+        }
+    }
+
+    /// Stops robots that are commanded no more, as time stands.
+    ///
+    /// @throws IllegalStateException when the simulator has gone
+    private void follow(SimulatorClock time, Instant now) {
+        time.look(now);
+        if (time.hasBegun() && time.standing(now).compareTo(settings.safety().watchdog()) > 0) {
+            found.values().forEach(robot -> robot.hold(now));
+        }
+        if (time.hasBegun() && time.unpublished(now).compareTo(waiting.patience()) > 0) {
+            throw new IllegalStateException("The run can't go on without time. " + time.missing());
+        }
+    }
+
+    /// Whether the run has a time.
+    private boolean isTimed() {
+        return clock.map(SimulatorClock::hasBegun).orElse(true);
     }
 
     /// Reports what has changed since the last look. A robot that has joined late is ready when it appears.
@@ -176,8 +220,9 @@ final class Ros2System implements RobotSystem {
                 .filter(Objects::nonNull)
                 .filter(RosRobot::isReady)
                 .toList();
-        if (ready.size() + found.size() > progress) {
-            progress = ready.size() + found.size();
+        int made = ready.size() + found.size() + (isTimed() ? 1 : 0);
+        if (made > progress) {
+            progress = made;
             progressAt = now;
             hasReported = false;
         }
@@ -186,7 +231,7 @@ final class Ros2System implements RobotSystem {
             LOG.log(Level.WARNING, () -> "Still waiting for robots. " + missing(endpoints));
         }
         boolean isTooLate = now.isAfter(progressAt.plus(waiting.patience()));
-        if (ready.size() == namespaces.size() || (isTooLate && waiting.late())) {
+        if (isTimed() && (ready.size() == namespaces.size() || (isTooLate && waiting.late()))) {
             ready.forEach(robot -> {
                 present.put(robot, true);
                 robot.join();
@@ -217,18 +262,30 @@ final class Ros2System implements RobotSystem {
     private RosRobot robot(RobotSpec spec, RobotTopics topics, RosLink network) {
         Distribution its = distribution.or(network::distribution).orElseGet(() -> topics.distribution(USUAL));
         LOG.log(Level.INFO, () -> "Robot '%s' has messages of %s.".formatted(spec.id(), its.words()));
-        return new RosRobot(spec, topics, network, TypeLibrary.of(its), settings, diagnostics, scheduler, random);
+        return new RosRobot(
+                spec,
+                topics,
+                network,
+                Objects.requireNonNull(transforms),
+                TypeLibrary.of(its),
+                settings,
+                diagnostics,
+                scheduler,
+                random);
     }
 
     private static RobotTopics topics(String namespace, List<RosEndpoint> all) {
         return new RobotTopics(namespace.equals("/") ? "" : namespace, all);
     }
 
-    /// For people: what the first robot that was not found lacks.
+    /// For people: that there is no time, or what the first robot that was not found lacks.
     private String missing(List<RosEndpoint> all) {
         Optional<String> trouble = link == null ? Optional.empty() : link.trouble();
         if (trouble.isPresent()) {
             return trouble.get();
+        }
+        if (!isTimed() && !all.isEmpty()) {
+            return clock.orElseThrow().missing();
         }
         for (Map.Entry<RobotSpec, String> each : namespaces.entrySet()) {
             RobotTopics topics = topics(each.getValue(), all);
@@ -265,7 +322,7 @@ final class Ros2System implements RobotSystem {
             return;
         }
         closed = true;
-        looking.ifPresent(Task::cancel);
+        looking.forEach(Task::cancel);
         found.values().forEach(RosRobot::end);
         found.clear();
         diagnostics.ifPresent(RobotDiagnostics::close);

@@ -34,7 +34,8 @@ import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.FrameTransform;
-import rsal.ros2.message.FrameTree;
+import rsal.ros2.tf.StampedTransform;
+import rsal.ros2.tf.TransformBuffer;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeLibrary;
 import rsal.sim.SimProvider;
@@ -129,10 +130,11 @@ class PublishedDevicesTest extends RobotBench {
         assertThat(result.message("hypothesis").text("class_id")).isEqualTo("#ff0000");
         assertThat(result.message("hypothesis").number("score")).isBetween(0.5, 1.0);
         FrameTransform place = FrameTransform.of(result.message("pose").message("pose"), "position", "orientation");
-        var frames = new FrameTree();
-        heard.get("tf_static").forEach(frames::add);
+        var frames = new TransformBuffer(TransformBuffer.HISTORY);
+        heard.get("tf_static").forEach(each -> StampedTransform.of(each).forEach(frames::addFixed));
         FrameTransform baseFromCamera = frames.find(
-                        "base_link", detection.message("header").text("frame_id"))
+                        "base_link", detection.message("header").text("frame_id"), 0)
+                .transform()
                 .orElseThrow();
         Pose2d baseFromThing = baseFromCamera.compose(place).planar();
         assertThat(baseFromThing.position().distanceTo(new Point2d(2, 0.5))).isLessThan(0.2);

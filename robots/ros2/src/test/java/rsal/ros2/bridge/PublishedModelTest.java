@@ -16,7 +16,8 @@ import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosTopic;
-import rsal.ros2.message.FrameTree;
+import rsal.ros2.tf.StampedTransform;
+import rsal.ros2.tf.TransformBuffer;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeLibrary;
 import rsal.sim.SimProvider;
@@ -68,9 +69,10 @@ class PublishedModelTest extends RobotBench {
             double position = last.get("position", double[].class)[0];
             assertThat(position).isCloseTo(0.4, within(0.01));
             assertThat(last.get("velocity", double[].class)).hasSize(1);
-            var frames = new FrameTree();
-            transforms.forEach(frames::add);
-            assertThat(frames.find("base_link", "turntable")
+            var frames = new TransformBuffer(TransformBuffer.HISTORY);
+            transforms.forEach(each -> StampedTransform.of(each).forEach(frames::add));
+            assertThat(frames.find("base_link", "turntable", 0)
+                            .transform()
                             .orElseThrow()
                             .planar()
                             .theta())

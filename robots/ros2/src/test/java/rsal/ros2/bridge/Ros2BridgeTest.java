@@ -3,6 +3,7 @@ package rsal.ros2.bridge;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -21,8 +22,10 @@ import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosEndpoint;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosTopic;
-import rsal.ros2.message.FrameTree;
 import rsal.ros2.message.RosMessages;
+import rsal.ros2.tf.StampedTransform;
+import rsal.ros2.tf.TransformBuffer;
+import rsal.ros2.tf.TransformLookup;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeLibrary;
 import rsal.ros2.urdf.UrdfWriter;
@@ -100,18 +103,21 @@ class Ros2BridgeTest extends RobotBench {
     /// What RViz and Nav2 need: each scan's frame is connected with `odom`, and times go up.
     @Test
     void framesAreConnectedAndTimesGoUp() {
-        var frames = new FrameTree();
-        all("/r1/tf_static").forEach(frames::add);
-        all("/r1/tf").forEach(frames::add);
+        var frames = new TransformBuffer(Duration.ofHours(1));
+        all("/r1/tf_static").forEach(each -> StampedTransform.of(each).forEach(frames::addFixed));
+        all("/r1/tf").forEach(each -> StampedTransform.of(each).forEach(frames::add));
+        long from = RosMessages.stamp(all("/r1/odom").getFirst().message("header"));
         for (String topic : List.of("/r1/scan", "/r1/odom", "/r1/sonar_3")) {
             long before = 0;
             for (RosMessage message : all(topic)) {
                 RosMessage header = message.message("header");
-                assertThat(frames.find("odom", header.text("frame_id")))
-                        .as(topic)
-                        .isPresent();
                 assertThat(RosMessages.stamp(header)).as(topic).isGreaterThan(before);
                 before = RosMessages.stamp(header);
+                if (before >= from) {
+                    assertThat(frames.find("odom", header.text("frame_id"), before))
+                            .as(topic)
+                            .isInstanceOf(TransformLookup.Found.class);
+                }
             }
         }
         assertThat(all("/r1/odom")).hasSizeGreaterThan(20);

@@ -14,7 +14,7 @@ class RobotClockTest {
 
     private final SplittableRandom random = new SplittableRandom(7);
     private Instant now = Instant.EPOCH;
-    private final RobotClock clock = new RobotClock(() -> now);
+    private final RobotClock clock = new RobotClock(() -> now, false);
     private long stamp = 1_700_000_000_000L * MILLISECOND; // of the robot, when it sends
     private Instant sent = now;
 
@@ -71,6 +71,19 @@ class RobotClockTest {
         assertThat(clock.stamp()).isEqualTo(stamp);
         assertThat(run(11, 1)).isLessThan(SOON);
         assertThat(run(30, 1)).isLessThan(SOON);
+    }
+
+    /// Of a simulator whose time the run follows; its `/clock` may come after a message with that stamp.
+    @Test
+    void messagesOfTheRunsOwnClockHaveItsTime() {
+        var shared = new RobotClock(() -> now, true);
+        now = Instant.ofEpochSecond(500);
+        assertThat(shared.learn(499_000 * MILLISECOND)).isFalse();
+        assertThat(shared.time(499_000 * MILLISECOND)).isEqualTo(Instant.ofEpochSecond(499));
+        assertThat(shared.time(500_010 * MILLISECOND)).isEqualTo(now);
+        assertThat(shared.time(0)).isEqualTo(now);
+        assertThat(shared.stamp()).isEqualTo(500_000 * MILLISECOND);
+        assertThat(shared.learn(497_000 * MILLISECOND)).isTrue(); // it was reset
     }
 
     @Test

@@ -40,9 +40,10 @@ record OneRobot(MemoryNetwork network, Scheduler run, Optional<Distribution> dis
     Ros2System system(Map<String, String> parts) {
         return new Ros2System(
                 Map.of(spec(parts), "/r1"),
+                "domain 0",
                 network::join,
                 distribution,
-                new RosSettings(new Safety(Duration.ofMillis(500), true, "", ""), gripper, List.of(), true),
+                new RosSettings(new Safety(Duration.ofMillis(500), true, "", ""), gripper, List.of(), true, false),
                 Waiting.USUAL,
                 run,
                 new SplittableRandom(1));

@@ -120,9 +120,10 @@ final class OverRos implements RobotSystemProvider {
             config.robots().forEach(robot -> namespaces.put(robot, RosNetwork.namespace(robot.id())));
             remote = new Ros2System(
                     namespaces,
+                    "domain 0",
                     () -> joining.join(network, scheduler),
                     Optional.empty(),
-                    new RosSettings(new Safety(WATCHDOG, true, "", ""), GripperSettings.USUAL, List.of(), true),
+                    new RosSettings(new Safety(WATCHDOG, true, "", ""), GripperSettings.USUAL, List.of(), true, false),
                     Waiting.USUAL,
                     scheduler,
                     new SplittableRandom(1));

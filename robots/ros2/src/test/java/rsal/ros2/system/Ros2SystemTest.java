@@ -105,13 +105,15 @@ class Ros2SystemTest {
     private Ros2System system(Map<RobotSpec, String> namespaces, Waiting waiting) {
         var system = new Ros2System(
                 namespaces,
+                "domain 0",
                 network::join,
                 Optional.empty(),
                 new RosSettings(
                         new Safety(Duration.ofMillis(500), true, "e_stop", "set_e_stop"),
                         GripperSettings.USUAL,
                         List.of(),
-                        true),
+                        true,
+                        false),
                 waiting,
                 run,
                 new SplittableRandom(1));
@@ -119,10 +121,15 @@ class Ros2SystemTest {
         return system;
     }
 
+    /// By the robot's clock.
+    private Instant stamp() {
+        return STAMP.plus(Duration.between(Instant.EPOCH, run.instant()));
+    }
+
     private void advance(double seconds, boolean publishes) {
         for (int i = 0; i < Math.round(seconds * 20); i++) {
             if (publishes) {
-                Instant stamp = STAMP.plus(Duration.between(Instant.EPOCH, run.instant()));
+                Instant stamp = stamp();
                 odometry.publish(messages.odometry(
                         stamp, new Odometry(new Pose2d(1, 2, 0.5), Twist2d.STOP, false), "odom", "base_footprint"));
                 var scan = new LaserScan(Pose2d.ORIGIN, -1, 0.5, 0.1, 5, new float[] {1, 2, 3, 4, 9});
@@ -184,6 +191,36 @@ class Ros2SystemTest {
                     .satisfies(pose ->
                             assertThat(pose.distanceTo(new Pose2d(1, 2, 0))).isLessThan(1e-9));
         }
+    }
+
+    /// Its laser is on a joint that turns, and whose transforms come a bit later than the scans.
+    @Test
+    void aLaserOnAJointIsWhereTheJointWas() {
+        robotIsThere("geometry_msgs/msg/Twist");
+        Publication moving = there.advertise(new RosTopic("/r1/tf", "tf2_msgs/msg/TFMessage"), Profile.DEFAULT);
+        try (Ros2System system = system()) {
+            LaserScanner laser = found(system).require(LaserScanner.class);
+            for (int i = 1; i <= 20; i++) {
+                turn(moving, i * 0.05);
+                advance(0.1, true);
+            }
+            assertThat(laser.latest().orElseThrow().value().baseFromLaser().theta())
+                    .isBetween(0.8, 1.0);
+            advance(0.8, true); // its joint is silent
+            assertThat(laser.health())
+                    .isInstanceOfSatisfying(
+                            Health.Stale.class,
+                            stale -> assertThat(stale.reason())
+                                    .startsWith("What comes on /r1/scan is left out. The frame 'laser_link' has"));
+            turn(moving, 0.3);
+            advance(0.2, true);
+            assertThat(laser.health().isOk()).isTrue();
+        }
+    }
+
+    private void turn(Publication moving, double angle) {
+        FrameTransform turned = FrameTransform.of(new Pose2d(0.1, 0, angle));
+        moving.publish(messages.transforms(List.of(new Transform(stamp(), "base_footprint", "laser_link", turned))));
     }
 
     /// The robot itself is told, and those who come late, too.

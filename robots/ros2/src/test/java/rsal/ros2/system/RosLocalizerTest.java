@@ -45,6 +45,7 @@ class RosLocalizerTest {
     private Localizer localizer;
     private double driven = 12; // m
     private boolean stands;
+    private Duration reset = Duration.ZERO; // by which its time went back
 
     @BeforeEach
     void robotIsThere() {
@@ -66,7 +67,7 @@ class RosLocalizerTest {
     }
 
     private Instant stamp() {
-        return ROBOT_BEGAN.plus(Duration.between(Instant.EPOCH, run.instant()));
+        return ROBOT_BEGAN.plus(Duration.between(Instant.EPOCH, run.instant())).minus(reset);
     }
 
     private void advance(double seconds) {
@@ -92,8 +93,11 @@ class RosLocalizerTest {
     }
 
     private void transform(Pose2d mapFromOdom) {
-        transforms.publish(
-                messages.transforms(List.of(new Transform(stamp(), "map", "odom", FrameTransform.of(mapFromOdom)))));
+        transform(stamp(), "map", "odom", mapFromOdom);
+    }
+
+    private void transform(Instant time, String parent, String child, Pose2d pose) {
+        transforms.publish(messages.transforms(List.of(new Transform(time, parent, child, FrameTransform.of(pose)))));
     }
 
     private double x() {
@@ -148,6 +152,87 @@ class RosLocalizerTest {
         transform(new Pose2d(1, 0, 0));
         advance(0.1);
         assertThat(localizer.health().isOk()).isTrue();
+    }
+
+    /// Nav2's `amcl` dates its transforms one second ahead: a correction counts from then on, as all programs that use
+    /// tf2 see it.
+    @Test
+    void correctionsCountFromTheirTimeOn() {
+        find();
+        for (int i = 0; i < 30; i++) {
+            transform(stamp().plusSeconds(1), "map", "odom", new Pose2d(1, 0, 0));
+            advance(0.1);
+        }
+        for (int i = 0; i < 9; i++) {
+            transform(stamp().plusSeconds(1), "map", "odom", new Pose2d(3, 0, 0));
+            advance(0.1);
+            assertThat(x()).isBetween(driven + 0.9, driven + 1.0);
+        }
+        for (int i = 0; i < 5; i++) {
+            transform(stamp().plusSeconds(1), "map", "odom", new Pose2d(3, 0, 0));
+            advance(0.1);
+        }
+        assertThat(x()).isBetween(driven + 2.9, driven + 3.0);
+    }
+
+    /// A filter of several sensors, whose wheels slip: it says by TF where the robot is in `odom`, a bit later.
+    @Test
+    void whereTfMovesTheRobotWheelsDoNotCount() {
+        find();
+        poses();
+        transform(stamp(), "odom", "base_link", new Pose2d(0, 7, 0));
+        for (int i = 0; i < 10; i++) {
+            transform(new Pose2d(1, 0, 0));
+            advance(0.1);
+        }
+        assertThat(localizer.health())
+                .isInstanceOfSatisfying(
+                        Health.Stale.class,
+                        stale -> assertThat(stale.reason())
+                                .matches("The odometry on 'odom' waits for TF. The frame 'base_link' has transforms "
+                                        + "\\(TF\\) until 17\\d+\\.\\d{3} s, but 17\\d+\\.\\d{3} s is needed."));
+        for (int i = 0; i < 10; i++) {
+            transform(new Pose2d(1, 0, 0));
+            transform(stamp(), "odom", "base_link", new Pose2d(0, 8, 0));
+            advance(0.1);
+        }
+        assertThat(localizer.health().isOk()).isTrue();
+        assertThat(localizer.latest().orElseThrow().value().mapFromBase()).satisfies(pose -> {
+            assertThat(pose.x()).isEqualTo(1);
+            assertThat(pose.y()).isBetween(7.5, 8.0);
+        });
+    }
+
+    @Test
+    void posesInAnotherFrameAreBroughtToTheMap() {
+        Publication poses = poses();
+        var estimate = new PoseEstimate(new Pose2d(1, 0, 0), SPREAD, List.of(), 1, Quality.LOCALIZED);
+        stands = true;
+        find();
+        transform(stamp(), "map", "hall", new Pose2d(10, 20, Math.PI / 2));
+        poses.publish(messages.pose(stamp(), estimate, "hall"));
+        advance(0.2);
+        assertThat(localizer.latest().orElseThrow().value().mapFromBase().distanceTo(new Pose2d(10, 21, 0)))
+                .isLessThan(1e-6);
+    }
+
+    @Test
+    void aSimulatorThatIsResetIsFollowedAtOnce() {
+        find();
+        for (int i = 0; i < 60; i++) {
+            transform(new Pose2d(1, 0, 0));
+            transform(stamp(), "odom", "base_link", new Pose2d(driven, 0, 0));
+            advance(0.1);
+        }
+        reset = Duration.between(Instant.EPOCH, run.instant()).minusSeconds(1);
+        driven = 0;
+        for (int i = 0; i < 10; i++) {
+            transform(new Pose2d(5, 0, 0));
+            transform(stamp(), "odom", "base_link", new Pose2d(driven, 0, 0));
+            advance(0.1);
+        }
+        assertThat(localizer.health().isOk()).isTrue();
+        assertThat(x()).isBetween(driven + 4.8, driven + 5);
     }
 
     @Test

@@ -16,13 +16,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rsal.robot.Robot;
 import rsal.ros2.MemoryNetwork;
-import rsal.ros2.device.GripperSettings;
-import rsal.ros2.device.RosSettings;
-import rsal.ros2.device.Safety;
 import rsal.ros2.rosbridge.FakeRosbridge;
 import rsal.ros2.rosbridge.RosbridgeLink;
 import rsal.ros2.rosbridge.RosbridgeOptions;
 import rsal.ros2.rosbridge.RosbridgeOptions.Encoding;
+import rsal.ros2.setting.GripperSettings;
+import rsal.ros2.setting.RosSettings;
+import rsal.ros2.setting.Safety;
 import rsal.ros2.type.Distribution;
 import rsal.scene.Scene;
 import rsal.settings.Arguments;
@@ -86,9 +86,15 @@ class RosbridgeSettingsTest {
         RosbridgeOptions options = Ros2Provider.rosbridge(settings(Map.of()));
         var system = new Ros2System(
                 Map.of(OneRobot.spec(Map.of()), "/r1"),
+                "rosbridge",
                 () -> new RosbridgeLink(rosbridge.transport(), options, run),
                 Optional.empty(),
-                new RosSettings(new Safety(Duration.ofMillis(500), true, "", ""), GripperSettings.USUAL),
+                new RosSettings(
+                        new Safety(Duration.ofMillis(500), true, "", ""),
+                        GripperSettings.USUAL,
+                        List.of(),
+                        true,
+                        false),
                 Waiting.USUAL,
                 run,
                 new SplittableRandom(1));

@@ -13,12 +13,22 @@ import rsal.time.Task;
 public final class GuardedScheduler implements Scheduler {
     private final String owner;
     private final Scheduler scheduler;
-    private boolean ended;
+    private final Membership membership;
+
+    /// Whether the part has left the run.
+    private static final class Membership {
+        private boolean ended;
+    }
 
     /// @param owner how messages call the part, `Device (hunter-1/localizer)`
     public GuardedScheduler(String owner, Scheduler scheduler) {
+        this(owner, scheduler, new Membership());
+    }
+
+    private GuardedScheduler(String owner, Scheduler scheduler, Membership membership) {
         this.owner = owner;
         this.scheduler = scheduler;
+        this.membership = membership;
     }
 
     /// Makes the part. When that fails, nothing runs that it has scheduled so far.
@@ -35,7 +45,12 @@ public final class GuardedScheduler implements Scheduler {
 
     /// The part has left the run: nothing of it runs any more.
     public void end() {
-        ended = true;
+        membership.ended = true;
+    }
+
+    @Override
+    public Scheduler inRealTime() {
+        return new GuardedScheduler(owner, scheduler.inRealTime(), membership);
     }
 
     @Override
@@ -68,7 +83,7 @@ public final class GuardedScheduler implements Scheduler {
         var repeated = new Task[1];
         Runnable guarded = guarded(task);
         repeated[0] = scheduler.every(period, phase, () -> {
-            if (ended) {
+            if (membership.ended) {
                 repeated[0].cancel();
             } else {
                 guarded.run();
@@ -89,7 +104,7 @@ public final class GuardedScheduler implements Scheduler {
 
     private Runnable guarded(Runnable task) {
         return () -> {
-            if (ended) {
+            if (membership.ended) {
                 return;
             }
             try {

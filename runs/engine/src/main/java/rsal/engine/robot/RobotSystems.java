@@ -1,6 +1,7 @@
 package rsal.engine.robot;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
@@ -84,6 +85,7 @@ public final class RobotSystems implements RobotSystem {
         var searches = new ArrayList<CompletableFuture<List<Robot>>>();
         for (Part part : parts) {
             CompletableFuture<List<Robot>> search = scheduler
+                    .inRealTime()
                     .within(part.system.discoveryLimit(), RunBroken.blaming(part.name, part.system::discover))
                     .toCompletableFuture();
             searches.add(search.whenComplete((found, error) -> {
@@ -111,6 +113,12 @@ public final class RobotSystems implements RobotSystem {
                 .filter(robot -> !ids.contains(robot))
                 .findFirst()
                 .map(robot -> new RunBroken("%s has no robot '%s'; it has %s.".formatted(part.name, robot, ids)));
+    }
+
+    /// Of the one that drives the run's time.
+    @Override
+    public void onTime(Consumer<? super Instant> listener) {
+        parts.forEach(part -> part.system.onTime(listener));
     }
 
     /// The longest of its systems.

@@ -1,0 +1,102 @@
+package rsal.ros2.system;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.nio.ByteBuffer;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.function.Consumer;
+import rsal.ros2.cdr.CdrReader;
+import rsal.ros2.cdr.InvalidCdr;
+import rsal.ros2.link.Profile;
+import rsal.ros2.link.RosLink;
+import rsal.ros2.link.RosLink.Subscribed;
+import rsal.ros2.link.RosTopic;
+import rsal.ros2.message.RosMessages;
+
+/// The time of another simulator, as it publishes it on `/clock`, and how long it has stood still in real time.
+final class SimulatorClock {
+    private static final Logger LOG = System.getLogger(SimulatorClock.class.getName());
+    private static final RosTopic TOPIC = new RosTopic("/clock", "rosgraph_msgs/msg/Clock");
+    private static final Duration QUIET = Duration.ofSeconds(5); // of standing, before people learn of it
+
+    private final String network;
+    private final Subscribed subscribed;
+    private final Consumer<? super Instant> listener;
+    private volatile long newest = -1; // [ns]; set on the link's thread
+
+    // of the run's thread
+    private long seen = -1; // [ns]
+    private Instant movedAt = Instant.MAX; // in real time
+    private Instant publishedAt = Instant.MAX; // in real time
+    private boolean hasReported; // that it stands
+
+    /// @param network for people: `domain 5`
+    /// @param listener gets each new time, on a thread of the link
+    SimulatorClock(RosLink link, String network, Consumer<? super Instant> listener) {
+        this.network = network;
+        this.listener = listener;
+        subscribed = link.subscribe(TOPIC, Profile.SENSOR_DATA, this::take);
+    }
+
+    private void take(ByteBuffer bytes) {
+        try {
+            long now = RosMessages.stamp(CdrReader.of(bytes));
+            if (now >= 0) {
+                newest = now;
+                listener.accept(Instant.ofEpochSecond(0, now));
+            }
+        } catch (InvalidCdr _) {
+            // a malformed message harms nobody
+        }
+    }
+
+    boolean hasBegun() {
+        return newest >= 0;
+    }
+
+    /// Looks whether time goes on.
+    ///
+    /// @param now in real time
+    void look(Instant now) {
+        long newestNow = newest;
+        if (newestNow != seen || movedAt.equals(Instant.MAX)) {
+            seen = newestNow;
+            movedAt = now;
+            hasReported = false;
+        }
+        if (subscribed.publishers() > 0 || publishedAt.equals(Instant.MAX)) {
+            publishedAt = now;
+        }
+        if (hasBegun() && !hasReported && standing(now).compareTo(QUIET) > 0) {
+            hasReported = true;
+            LOG.log(
+                    Level.WARNING,
+                    "No new time has come on /clock for {0} s: the run stands still. Maybe the simulator is paused?",
+                    QUIET.toSeconds());
+        }
+    }
+
+    /// For how long it has stood still.
+    ///
+    /// @param now in real time
+    Duration standing(Instant now) {
+        return movedAt.isBefore(now) ? Duration.between(movedAt, now) : Duration.ZERO;
+    }
+
+    /// For how long nobody has published it.
+    ///
+    /// @param now in real time
+    Duration unpublished(Instant now) {
+        return publishedAt.isBefore(now) ? Duration.between(publishedAt, now) : Duration.ZERO;
+    }
+
+    /// For people: why there is no time.
+    String missing() {
+        return subscribed.publishers() > 0
+                ? "Somebody publishes '%s' in %s, but no time has come. Maybe the simulator is paused?"
+                        .formatted(TOPIC.name(), network)
+                : "Nobody publishes '%s' (%s) in %s, which 'useSimTime' needs. Start the simulator with its clock, or leave 'useSimTime' out."
+                        .formatted(TOPIC.name(), TOPIC.type(), network);
+    }
+}

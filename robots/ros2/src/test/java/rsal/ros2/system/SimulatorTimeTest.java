@@ -1,0 +1,213 @@
+package rsal.ros2.system;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.ByteBuffer;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.function.Supplier;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import rsal.data.Odometry;
+import rsal.data.Pose2d;
+import rsal.data.Twist2d;
+import rsal.device.DriveBase;
+import rsal.robot.Robot;
+import rsal.ros2.MemoryNetwork;
+import rsal.ros2.cdr.CdrReader;
+import rsal.ros2.cdr.InvalidCdr;
+import rsal.ros2.link.Profile;
+import rsal.ros2.link.RosLink;
+import rsal.ros2.link.RosPublisher.Publication;
+import rsal.ros2.link.RosTopic;
+import rsal.ros2.message.RosMessages;
+import rsal.ros2.setting.GripperSettings;
+import rsal.ros2.setting.RosSettings;
+import rsal.ros2.setting.Safety;
+import rsal.system.RealRobots.Waiting;
+import rsal.time.LockstepScheduler;
+import rsal.time.Phase;
+import rsal.time.Scheduler;
+import rsal.time.Task;
+
+/// Robots of another simulator, whose clock the test is.
+class SimulatorTimeTest {
+    private static final Duration STEP = Duration.ofMillis(50);
+    private static final Twist2d AHEAD = Twist2d.drive(0.3, 0);
+
+    private final LockstepScheduler real = new LockstepScheduler();
+    private final LockstepScheduler ofSimulator = new LockstepScheduler();
+    private final MemoryNetwork network = new MemoryNetwork();
+    private final RosLink there = network.join();
+    private final RosMessages messages = new RosMessages();
+    private final List<Twist2d> commanded = new ArrayList<>();
+    private final List<Instant> times = new ArrayList<>();
+    private Publication odometry;
+    private Optional<Publication> clock = Optional.empty();
+    private Ros2System system;
+    private Instant simulated = Instant.ofEpochSecond(100);
+
+    @BeforeEach
+    void robotIsThere() {
+        odometry = there.advertise(new RosTopic("/r1/odom", "nav_msgs/msg/Odometry"), Profile.DEFAULT);
+        there.subscribe(new RosTopic("/r1/cmd_vel", "geometry_msgs/msg/Twist"), Profile.DEFAULT, this::hear);
+        system = new Ros2System(
+                Map.of(OneRobot.spec(Map.of()), "/r1"),
+                "domain 5",
+                network::join,
+                Optional.empty(),
+                new RosSettings(
+                        new Safety(Duration.ofMillis(500), true, "", ""), GripperSettings.USUAL, List.of(), true, true),
+                Waiting.USUAL,
+                new TwoTimes(),
+                new SplittableRandom(1));
+        system.onTime(times::add);
+    }
+
+    @AfterEach
+    void close() {
+        system.close();
+    }
+
+    private void hear(ByteBuffer bytes) {
+        try {
+            CdrReader reader = CdrReader.of(bytes);
+            double vx = reader.float64();
+            reader.skip(8, 4);
+            commanded.add(new Twist2d(vx, 0, reader.float64()));
+        } catch (InvalidCdr e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    private void clockIsThere() {
+        clock = Optional.of(there.advertise(new RosTopic("/clock", "rosgraph_msgs/msg/Clock"), Profile.SENSOR_DATA));
+    }
+
+    /// @param pace of the simulator; 0 while it is paused
+    private void advance(double seconds, double pace) {
+        for (int i = 0; i < Math.round(seconds * 20); i++) {
+            simulated = simulated.plusNanos(Math.round(pace * STEP.toNanos()));
+            clock.filter(_ -> pace > 0).ifPresent(topic -> topic.publish(messages.clock(simulated)));
+            odometry.publish(messages.odometry(
+                    simulated, new Odometry(Pose2d.ORIGIN, Twist2d.STOP, false), "odom", "base_link"));
+            ofSimulator.advance(Duration.ofNanos(Math.round(pace * STEP.toNanos())));
+            real.advance(STEP);
+        }
+    }
+
+    /// A run that follows the simulator's time.
+    private final class TwoTimes implements Scheduler {
+        @Override
+        public Scheduler inRealTime() {
+            return real;
+        }
+
+        @Override
+        public Instant instant() {
+            return ofSimulator.instant();
+        }
+
+        @Override
+        public void execute(Runnable task) {
+            real.execute(task);
+        }
+
+        @Override
+        public Task after(Duration delay, Phase phase, Runnable task) {
+            return ofSimulator.after(delay, phase, task);
+        }
+
+        @Override
+        public Task every(Duration period, Phase phase, Runnable task) {
+            return ofSimulator.every(period, phase, task);
+        }
+
+        @Override
+        public <T> CompletionStage<T> compute(Supplier<T> work) {
+            return ofSimulator.compute(work);
+        }
+    }
+
+    private DriveBase base() {
+        CompletableFuture<List<Robot>> found = system.discover().toCompletableFuture();
+        clockIsThere();
+        advance(3, 1);
+        return found.join().getFirst().require(DriveBase.class);
+    }
+
+    @Test
+    void theRunIsToldEachTimeAndRobotsWaitForTheFirst() {
+        var found = system.discover().toCompletableFuture();
+        advance(4, 1);
+        assertThat(found).isNotDone();
+        clockIsThere();
+        advance(1, 2);
+        assertThat(found).isCompleted();
+        assertThat(times).hasSize(20).isSorted().endsWith(simulated);
+        clock.orElseThrow().publish(new byte[] {0, 1, 0, 0, 9}); // malformed
+        assertThat(times).hasSize(20);
+    }
+
+    @Test
+    void aClockThatNobodyPublishesIsSaid() {
+        var found = system.discover().toCompletableFuture();
+        advance(12, 0);
+        assertThatThrownBy(found::join)
+                .hasMessageContaining("Nobody publishes '/clock' (rosgraph_msgs/msg/Clock) in domain 5, which"
+                        + " 'useSimTime' needs. Start the simulator with its clock, or leave 'useSimTime' out.");
+    }
+
+    @Test
+    void aSimulatorThatIsPausedFromTheBeginningIsSaid() {
+        var found = system.discover().toCompletableFuture();
+        clockIsThere();
+        advance(12, 0);
+        assertThatThrownBy(found::join)
+                .hasMessageContaining("Somebody publishes '/clock' in domain 5, but no time has come."
+                        + " Maybe the simulator is paused?");
+    }
+
+    /// Motors are kept safe in real time; what was wanted before is wanted again when time goes on.
+    @Test
+    void basesAreStoppedWhileTimeStandsAndDriveOnAfterwards() {
+        DriveBase base = base();
+        commanded.clear();
+        for (int i = 0; i < 10; i++) {
+            base.command(AHEAD);
+            advance(0.1, 1);
+        }
+        assertThat(commanded).containsOnly(AHEAD);
+        for (int i = 0; i < 6; i++) {
+            base.command(AHEAD);
+            advance(0.1, 0);
+        }
+        commanded.clear();
+        for (int i = 0; i < 10; i++) {
+            base.command(AHEAD); // a stop follows at once
+            assertThat(commanded).last().isEqualTo(AHEAD);
+            advance(0.1, 0);
+            assertThat(commanded).last().isEqualTo(Twist2d.STOP);
+        }
+        commanded.clear();
+        advance(0.1, 1);
+        assertThat(commanded).contains(AHEAD);
+    }
+
+    @Test
+    void aSimulatorThatLeavesEndsTheRun() {
+        base();
+        clock.orElseThrow().close();
+        assertThatThrownBy(() -> advance(10, 0))
+                .hasMessageStartingWith("The run can't go on without time. Nobody publishes '/clock'");
+    }
+}
