@@ -1,6 +1,7 @@
 package rsal.ros2.system;
 
 import java.net.InetAddress;
+import java.net.URI;
 import java.security.SecureRandom;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -262,20 +263,24 @@ public final class Ros2Provider implements RobotSystemProvider {
         return () -> new RosbridgeLink(new WebSocketTransport(options.address()), options, scheduler.inRealTime());
     }
 
-    /// @throws IllegalArgumentException when the address is none, or settings of DDS are there, too
     static RosbridgeOptions rosbridge(Arguments settings) {
+        double rate = settings.get(ROSBRIDGE_RATE);
+        return new RosbridgeOptions(
+                rosbridgeAddress(settings),
+                settings.get(ROSBRIDGE_ENCODING).equals(CBOR) ? Encoding.CBOR : Encoding.JSON,
+                rate == 0 ? Duration.ZERO : Duration.ofMillis(Math.round(1_000 / rate)),
+                distribution(settings));
+    }
+
+    /// @throws IllegalArgumentException when it is none, or settings of DDS are there, too
+    static URI rosbridgeAddress(Arguments settings) {
         if (settings.get(DOMAIN) != FROM_ENVIRONMENT
                 || !settings.get(ADDRESS).isBlank()
                 || !settings.get(PEERS).isBlank()) {
             throw new IllegalArgumentException(
                     "'domain', 'address' and 'peers' are of DDS, which 'rosbridge' replaces. Remove them, or 'rosbridge'.");
         }
-        double rate = settings.get(ROSBRIDGE_RATE);
-        return new RosbridgeOptions(
-                RosbridgeAddress.parse(settings.get(ROSBRIDGE)),
-                settings.get(ROSBRIDGE_ENCODING).equals(CBOR) ? Encoding.CBOR : Encoding.JSON,
-                rate == 0 ? Duration.ZERO : Duration.ofMillis(Math.round(1_000 / rate)),
-                distribution(settings));
+        return RosbridgeAddress.parse(settings.get(ROSBRIDGE));
     }
 
     private static GripperSettings gripper(Arguments settings) {

@@ -7,6 +7,7 @@ import java.util.Optional;
 import rsal.ros2.link.RosEndpoint;
 import rsal.ros2.rosbridge.RosbridgeLink;
 import rsal.ros2.rosbridge.RosbridgeOptions;
+import rsal.ros2.rosbridge.RosbridgeOptions.Encoding;
 import rsal.ros2.rosbridge.WebSocketTransport;
 import rsal.settings.Arguments;
 import rsal.system.Diagnosis.Finding;
@@ -20,7 +21,8 @@ final class RosbridgeFindings {
 
     /// @param time to look
     static List<Finding> of(Arguments settings, Duration time) {
-        RosbridgeOptions options = Ros2Provider.rosbridge(settings);
+        var options = new RosbridgeOptions(
+                Ros2Provider.rosbridgeAddress(settings), Encoding.CBOR, Duration.ZERO, Optional.empty());
         var findings = new ArrayList<Finding>();
         try (var scheduler = new WallScheduler("doctor", Runnable::run)) {
             var opened = new ArrayList<RosbridgeLink>();

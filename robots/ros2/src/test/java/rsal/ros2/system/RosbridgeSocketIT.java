@@ -39,6 +39,7 @@ import rsal.ros2.rosbridge.RosbridgeTransport;
 import rsal.ros2.rosbridge.WebSocketTransport;
 import rsal.scene.Scene;
 import rsal.settings.Arguments;
+import rsal.system.Diagnosis.Finding;
 import rsal.system.RobotSystem;
 import rsal.system.RobotSystem.Change;
 import rsal.system.RobotSystemProvider.Config;
@@ -160,6 +161,29 @@ class RosbridgeSocketIT {
                 robot.find(DriveBase.class).orElseThrow().command(new Twist2d(speed, 0, 0));
             }
         });
+    }
+
+    @Test
+    void theDoctorFindsRobotsBehindAServer() throws Exception {
+        there.execute(this::robotIsThere);
+        URI address;
+        try (var server = new RosbridgeServer(rosbridge, 0, there)) {
+            address = server.address();
+            assertThat(diagnosed(address))
+                    .containsExactly(
+                            new Finding("rosbridge", true, "answers at '%s'".formatted(address), ""),
+                            new Finding("robot", true, "'/r1' has cmd_vel, odometry, scans", ""));
+        }
+        assertThat(diagnosed(address)).singleElement().satisfies(finding -> {
+            assertThat(finding.ok()).isFalse();
+            assertThat(finding.found()).contains(address.toString(), "nobody listens there");
+        });
+    }
+
+    private static List<Finding> diagnosed(URI address) {
+        var diagnosis = new Ros2Diagnosis();
+        Map<String, String> typed = Map.of("rosbridge", address.toString(), "time", "3");
+        return diagnosis.look(Arguments.parse(diagnosis.parameters(), typed));
     }
 
     private static final class Ears implements RosbridgeTransport.Receiver {
