@@ -107,7 +107,8 @@ final class RunLoop {
         this.operatorClock = operatorClock;
         this.helpers = Executors.newFixedThreadPool(
                 helpers, Thread.ofPlatform().daemon().name(name + "-helper-", 1).factory());
-        this.drivenTime = plan.isTimeDriven() ? Optional.of(new DrivenTime(this::timeWentBack)) : Optional.empty();
+        this.drivenTime = Optional.of(new DrivenTime(why -> breaksOnItsThread(new RunBroken(why))))
+                .filter(_ -> plan.isTimeDriven());
         this.scheduler = switch (plan.clock()) {
             case SIMULATED -> new LockstepScheduler(Instant.EPOCH, this.helpers, phaseTimes);
             case WALL -> new WallScheduler(name, this.helpers, this::breaksOnItsThread, phaseTimes, drivenTime);
@@ -324,11 +325,6 @@ final class RunLoop {
         if (!isSimulated()) {
             scheduler.inRealTime().every(plan.step(), Phase.OBSERVE, this::serve);
         }
-    }
-
-    /// The simulator whose time it follows was reset.
-    private void timeWentBack(String why) {
-        scheduler.execute(() -> breaks(new RunBroken(why)));
     }
 
     /// In real time: does what is wanted between two tasks.
