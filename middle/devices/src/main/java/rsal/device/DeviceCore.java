@@ -41,8 +41,8 @@ public abstract class DeviceCore implements Device {
         settle();
     }
 
-    /// For robot systems: how others report the device to be, such as the robot's own diagnostics. What they report
-    /// goes before what the driver sees, as it says why.
+    /// For robot systems: how others report the device to be, such as the robot's own diagnostics. The worse of what
+    /// they report and what the driver sees counts; where both are equally bad, what they report, as it says why.
     ///
     /// @param now empty when they report nothing
     public final void report(Optional<Health> now) {
@@ -51,11 +51,19 @@ public abstract class DeviceCore implements Device {
     }
 
     private void settle() {
-        Health now = reported.orElse(seen);
+        Health now = reported.filter(other -> severity(other) >= severity(seen)).orElse(seen);
         if (!now.equals(health)) {
             health = now;
             healthListeners.tell(now);
         }
+    }
+
+    private static int severity(Health health) {
+        return switch (health) {
+            case Health.Ok _ -> 0;
+            case Health.Stale _ -> 1;
+            case Health.Lost _ -> 2;
+        };
     }
 
     /// For drivers: what to do when a listener of this device throws.

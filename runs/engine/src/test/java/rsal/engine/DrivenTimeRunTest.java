@@ -108,7 +108,7 @@ class DrivenTimeRunTest {
         Metronome.beat(Instant.EPOCH);
         assertThatThrownBy(() -> Runs.result(run))
                 .isInstanceOf(RunBroken.class)
-                .hasMessage("The time of the simulator, which the run follows, went back from 2.0 s to 0.0 s."
+                .hasMessage("The time of the simulator, which the run follows, went back from 502.0 s to 0.0 s."
                         + " Start the run again after a reset.");
     }
 }

@@ -108,7 +108,7 @@ public final class Progress {
 
     /// @param isReal whether the robots of the run must be found first, while its time stands at 0
     static String line(Snapshot now, boolean isReal) {
-        if (isReal && now.time().isZero()) {
+        if (isReal && now.time().isZero() && now.robots().isEmpty()) {
             return "           waiting for robots";
         }
         if (now.paused()) {

@@ -16,6 +16,7 @@ import rsal.ros2.setting.RosSettings;
 /// device's name.
 final class BumperMaker implements RosParts.Maker {
     private static final String FLAG = "std_msgs/msg/Bool";
+    private static final int WAITING = 20; // messages: a short press is two of them
 
     @Override
     public boolean makes(Part part) {
@@ -59,7 +60,7 @@ final class BumperMaker implements RosParts.Maker {
                     .subscribe(
                             topic,
                             context.reliable(topic),
-                            context.inbox(FLAG, 1, (RosMessage message) -> bumper.take(number, message))));
+                            context.inbox(FLAG, WAITING, (RosMessage message) -> bumper.take(number, message))));
         }
         return new RosDevice(
                 bumper,

@@ -9,6 +9,7 @@ import rsal.device.camera.CameraKind;
 import rsal.robot.RobotModel.Part;
 import rsal.ros2.device.RosParts.Wanted;
 import rsal.ros2.health.ReportNames;
+import rsal.ros2.image.ImageDecoder;
 import rsal.ros2.link.RosLink.Subscribed;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.setting.RosSettings;
@@ -73,7 +74,14 @@ final class CameraMaker implements RosParts.Maker {
         RosTopic color = colors(info.name(), context.topics()).orElseThrow();
         Optional<RosTopic> depth = images(info.name(), context.topics(), true);
         double focal = CameraKind.focalLength(((Part.Registered) wanted.part()).arguments());
-        var camera = new RosCamera(info, color.name(), focal, depth.isPresent(), context.frames(), context.clock());
+        var camera = new RosCamera(
+                info,
+                color.name(),
+                focal,
+                depth.isPresent(),
+                new ImageDecoder(context.scheduler()),
+                context.frames(),
+                context.clock());
         boolean isCompressed = color.type().equals(COMPRESSED_IMAGE);
         Subscribed images = context.newest(color, isCompressed ? camera::takeCompressed : camera::takeColor);
         Optional<Subscribed> depths = depth.map(topic -> context.newest(topic, camera::takeDepth));

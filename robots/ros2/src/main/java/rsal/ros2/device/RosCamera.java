@@ -2,8 +2,6 @@ package rsal.ros2.device;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
-import java.time.Duration;
-import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.Comparator;
 import java.util.Deque;
@@ -12,17 +10,15 @@ import rsal.device.DeviceInfo;
 import rsal.device.camera.Camera;
 import rsal.device.camera.CameraImage;
 import rsal.ros2.cdr.RosMessage;
-import rsal.ros2.image.CompressedImage;
+import rsal.ros2.image.ImageDecoder;
 import rsal.ros2.image.ImageMessage;
 import rsal.ros2.message.RosMessages;
 
 /// A camera that publishes `sensor_msgs/Image` or `sensor_msgs/CompressedImage`, in color and, if it can, as depth. An
-/// image is one of color with the
-/// one of depth that was taken with it, which may come some images later, as depth takes time to compute. Its focal
-/// length is that of `sensor_msgs/CameraInfo`, or, as long as none has come, the model's.
+/// image is one of color with the one of depth that was taken with it, which may come some images later, as depth takes
+/// time to compute. Its focal length is that of `sensor_msgs/CameraInfo`, or, as long as none has come, the model's.
 final class RosCamera extends RosSensor<CameraImage> implements Camera {
     private static final Logger LOG = System.getLogger(RosCamera.class.getName());
-    private static final Duration DECODING = Duration.ofMillis(95); // from one compressed image to the next at least
     private static final long TOGETHER = 20_000_000; // ns, between color and depth of one image at most
     private static final int LONGEST_ENCODING = 40; // characters that are shown
     private static final int MOST_WAITING = 5; // images of color, and of depth
@@ -30,11 +26,11 @@ final class RosCamera extends RosSensor<CameraImage> implements Camera {
     private final String topic;
     private final double usualFocalLength; // px
     private final boolean hasDepth;
+    private final ImageDecoder decoder;
     private final Frames frames;
     private final RobotClock clock;
     private double focalLength; // px; 0 as long as nobody has told
     private long damaged; // images
-    private Instant decoded = Instant.MIN; // the newest compressed image
     private int toldWidth; // px, of images of that focal length
     private final Deque<Taken> colors = new ArrayDeque<>(); // without depth yet
     private final Deque<Taken> depths = new ArrayDeque<>(); // without color yet
@@ -49,11 +45,19 @@ final class RosCamera extends RosSensor<CameraImage> implements Camera {
     /// @param topic of its images in color
     /// @param focalLength of the model [px]
     /// @param hasDepth whether images of depth are to come
-    RosCamera(DeviceInfo info, String topic, double focalLength, boolean hasDepth, Frames frames, RobotClock clock) {
+    RosCamera(
+            DeviceInfo info,
+            String topic,
+            double focalLength,
+            boolean hasDepth,
+            ImageDecoder decoder,
+            Frames frames,
+            RobotClock clock) {
         super(info, info.id(), topic);
         this.topic = topic;
         this.usualFocalLength = focalLength;
         this.hasDepth = hasDepth;
+        this.decoder = decoder;
         this.frames = frames;
         this.clock = clock;
     }
@@ -71,20 +75,13 @@ final class RosCamera extends RosSensor<CameraImage> implements Camera {
         takeColor(taken(message));
     }
 
-    /// Decoding takes time, so that ten images a second are decoded at most.
-    ///
     /// @param message `sensor_msgs/CompressedImage`
     void takeCompressed(RosMessage message) {
-        if (decoded.plus(DECODING).isAfter(frames.now())) {
-            return;
-        }
-        decoded = frames.now();
-        try {
-            ImageMessage image = CompressedImage.read(message.get("data", byte[].class));
-            takeColor(Optional.of(new Taken(RosMessages.stamp(message.message("header")), image)));
-        } catch (CompressedImage.Unreadable e) {
-            damaged(String.valueOf(e.getMessage()));
-        }
+        long stamp = RosMessages.stamp(message.message("header"));
+        decoder.decode(
+                message.get("data", byte[].class),
+                image -> takeColor(Optional.of(new Taken(stamp, image))),
+                this::damaged);
     }
 
     private void takeColor(Optional<Taken> taken) {

@@ -35,8 +35,7 @@ import rsal.ros2.tf.TransformLookup.Reason;
 /// odometry begins on the map (TF from `map` to `odom`). In between, estimates go with the odometry, as long as the
 /// localizer is there: TF that stops coming is stale, and where only poses come, somebody must publish them.
 ///
-/// Each estimate is of the time of an odometry message. Where TF says also how the robot moves in `odom`, as a filter
-/// of
+/// Each estimate is of the time of an odometry message. Where TF says also how the robot moves in `odom`, as a filter of
 /// several sensors does, that counts and not the wheels; the estimate then waits for the TF of its time.
 final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
     private static final int REMEMBERED = 100; // odometry, to know where the robot was when it was localized
@@ -55,6 +54,8 @@ final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
     private final RosMessages messages = new RosMessages();
     private Optional<TransformLookup.Failure> late = Optional.empty(); // what the first that waits lacks
     private Instant waitingSince = Instant.MAX;
+    private Optional<TransformLookup.Failure> outdated = Optional.empty(); // what odometry lacked that was left out
+    private Instant outdatedSince = Instant.MAX;
     private long heard; // stamp of the last odometry [ns]
     private Optional<Pose> newest = Optional.empty();
     private Optional<Pose2d> mapFromOdom = Optional.empty(); // by poses, where TF does not tell
@@ -107,14 +108,23 @@ final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
         while (!waiting.isEmpty() && late.isEmpty()) {
             switch (frames.odomFromBase(waiting.getFirst())) {
                 case TransformLookup.Found(FrameTransform odomFromBase) -> locate(waiting.removeFirst(), odomFromBase);
-                case TransformLookup.Failure old when old.reason() == Reason.PAST -> waiting.removeFirst();
+                case TransformLookup.Failure old when old.reason() == Reason.PAST -> leaveOut(old);
                 case TransformLookup.Failure missing -> late = Optional.of(missing);
             }
         }
     }
 
+    private void leaveOut(TransformLookup.Failure old) {
+        waiting.removeFirst();
+        if (outdated.isEmpty()) {
+            outdatedSince = frames.now();
+        }
+        outdated = Optional.of(old);
+    }
+
     private void locate(OdometryMessage odometry, FrameTransform odomFromBase) {
         waitingSince = frames.now();
+        outdated = Optional.empty();
         driven.addLast(new Driven(odometry.stamp(), odomFromBase.planar()));
         if (driven.size() > REMEMBERED) {
             driven.removeFirst();
@@ -186,6 +196,9 @@ final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
             late.filter(_ -> waitingSince.plus(PATIENCE).isBefore(now))
                     .ifPresent(missing -> health(new Health.Stale(
                             "The odometry on '%s' waits for TF. %s".formatted(frames.odom(), missing.message()))));
+            outdated.filter(_ -> outdatedSince.plus(PATIENCE).isBefore(now))
+                    .ifPresent(old -> health(new Health.Stale(
+                            "The odometry on '%s' is older than TF. %s".formatted(frames.odom(), old.message()))));
         } else {
             health(new Health.Stale("TF from 'map' to '%s' has not come for more than %.1f s."
                     .formatted(frames.odom(), PATIENCE.toMillis() / 1e3)));

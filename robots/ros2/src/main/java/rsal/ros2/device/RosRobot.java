@@ -156,7 +156,7 @@ public final class RosRobot {
         return List.copyOf(without);
     }
 
-    /// It is part of the run from now on. Its emergency stop, if it has one, gets the state of its motors.
+    /// It is part of the run from now on, or again. Its emergency stop, if it has one, gets the state of its motors.
     public void join() {
         motors.tell(base.enabled());
     }

@@ -79,7 +79,7 @@ final class LifecycleNode {
             waits = false;
             state = 0;
         }
-        if (!waits && client.isAvailable() && (isDue || !asked.plus(AGAIN).isAfter(now))) {
+        if (!waits && (isDue || !asked.plus(AGAIN).isAfter(now)) && client.isAvailable()) {
             ask(client, now);
         }
     }

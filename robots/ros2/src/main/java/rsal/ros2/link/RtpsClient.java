@@ -85,6 +85,7 @@ final class RtpsClient {
         Guid here = reader().data().guid();
         Consumer<ParameterList.Writer> beside = list -> ServiceIdentity.put(list, here, UNKNOWN);
         long number = participant.write(requests, date.getAsLong(), Optional.of(beside), request);
+        bySample.remove(number - MOST_WAITING); // which nobody has answered
         return reply(number).whenComplete((_, _) -> bySample.remove(number));
     }
 

@@ -185,13 +185,13 @@ final class Ros2System implements RobotSystem {
     private void compare(RosRobot robot, boolean isThere) {
         boolean wasThere = present.getOrDefault(robot, false);
         if (isThere != wasThere && (present.containsKey(robot) || robot.isReady())) {
-            boolean hasJoined = present.put(robot, isThere) != null;
+            present.put(robot, isThere);
             Robot its = robot.robot();
             changes.tell(
                     isThere
                             ? new Change.Appeared(its)
                             : new Change.Gone(its.id(), "Nobody publishes its odometry any more."));
-            if (!hasJoined) {
+            if (isThere) { // also again: it may have missed that its motors were switched
                 robot.join();
             }
         }

@@ -180,6 +180,18 @@ class ReportedHealthTest extends RobotBench {
     }
 
     @Test
+    void theWorseOfAReportAndWhatTheDriverSeesCounts() {
+        bridge.close();
+        advance(1);
+        Health lost = laser();
+        assertThat(lost).isInstanceOf(Health.Lost.class);
+        report(STALE, "hokuyo: lidar", "no update", "r1");
+        assertThat(laser()).isEqualTo(lost);
+        report(ERROR, "hokuyo: lidar", "blocked", "r1");
+        assertThat(((Health.Lost) laser()).reason()).contains("blocked");
+    }
+
+    @Test
     void manyErrorsAndLongTextsAreBounded() {
         for (int i = 0; i < 1_500; i++) {
             diagnostics.publish(RosMessages.write(new CdrWriter(), run.instant())

@@ -204,6 +204,19 @@ class RosLocalizerTest {
     }
 
     @Test
+    void odometryThatIsOlderThanAllTfMakesItStale() {
+        find();
+        for (int i = 0; i < 30; i++) {
+            transform(stamp().plusSeconds(60), "map", "odom", Pose2d.ORIGIN);
+            transform(stamp().plusSeconds(60), "odom", "base_link", Pose2d.ORIGIN);
+            advance(0.05);
+        }
+        assertThat(localizer.health())
+                .isInstanceOfSatisfying(
+                        Health.Stale.class, stale -> assertThat(stale.reason()).contains("is older than TF"));
+    }
+
+    @Test
     void posesInAnotherFrameAreBroughtToTheMap() {
         Publication poses = poses();
         var estimate = new PoseEstimate(new Pose2d(1, 0, 0), SPREAD, List.of(), 1, Quality.LOCALIZED);

@@ -206,6 +206,7 @@ public final class Faults {
         @Override
         public void cancel() {
             over = true;
+            awaited.getOrDefault(target.robot(), new ArrayList<>()).remove(this);
             begun.ifPresent(Subscription::cancel);
         }
     }

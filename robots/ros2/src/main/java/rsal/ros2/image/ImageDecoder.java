@@ -1,0 +1,53 @@
+package rsal.ros2.image;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.function.Consumer;
+import rsal.time.Scheduler;
+
+/// Decodes compressed images beside the run's thread, which they would hold up: one of 1920 × 1080 pixels takes 50 ms.
+/// One is decoded at a time, and ten a second at most; others are left out. All calls on the run's thread.
+public final class ImageDecoder {
+    private static final Duration PERIOD = Duration.ofMillis(95); // from one to the next at least
+
+    private final Scheduler scheduler;
+    private Instant begun = Instant.MIN; // the newest
+    private boolean isBusy;
+
+    private sealed interface Decoded {
+        record Image(ImageMessage image) implements Decoded {}
+
+        record Damaged(String why) implements Decoded {}
+    }
+
+    public ImageDecoder(Scheduler scheduler) {
+        this.scheduler = scheduler;
+    }
+
+    /// @param data of `sensor_msgs/CompressedImage`; not changed any more
+    /// @param onImage gets the image
+    /// @param onDamage gets why there is none
+    public void decode(byte[] data, Consumer<ImageMessage> onImage, Consumer<String> onDamage) {
+        Instant now = scheduler.instant();
+        if (isBusy || begun.plus(PERIOD).isAfter(now)) {
+            return;
+        }
+        begun = now;
+        isBusy = true;
+        scheduler.compute(() -> decoded(data)).thenAccept(result -> {
+            isBusy = false;
+            switch (result) {
+                case Decoded.Image(ImageMessage image) -> onImage.accept(image);
+                case Decoded.Damaged(String why) -> onDamage.accept(why);
+            }
+        });
+    }
+
+    private static Decoded decoded(byte[] data) {
+        try {
+            return new Decoded.Image(CompressedImage.read(data));
+        } catch (CompressedImage.Unreadable e) {
+            return new Decoded.Damaged(String.valueOf(e.getMessage()));
+        }
+    }
+}
