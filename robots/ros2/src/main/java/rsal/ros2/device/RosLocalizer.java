@@ -108,13 +108,13 @@ final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
         while (!waiting.isEmpty() && late.isEmpty()) {
             switch (frames.odomFromBase(waiting.getFirst())) {
                 case TransformLookup.Found(FrameTransform odomFromBase) -> locate(waiting.removeFirst(), odomFromBase);
-                case TransformLookup.Failure old when old.reason() == Reason.PAST -> leaveOut(old);
+                case TransformLookup.Failure old when old.reason() == Reason.PAST -> outdate(old);
                 case TransformLookup.Failure missing -> late = Optional.of(missing);
             }
         }
     }
 
-    private void leaveOut(TransformLookup.Failure old) {
+    private void outdate(TransformLookup.Failure old) {
         waiting.removeFirst();
         if (outdated.isEmpty()) {
             outdatedSince = frames.now();
