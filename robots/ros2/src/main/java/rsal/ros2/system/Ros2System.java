@@ -187,6 +187,9 @@ final class Ros2System implements RobotSystem {
         if (isThere != wasThere && (present.containsKey(robot) || robot.isReady())) {
             boolean hasJoined = present.put(robot, isThere) != null;
             Robot its = robot.robot();
+            if (isThere && hasJoined) {
+                robot.appear();
+            }
             changes.tell(
                     isThere
                             ? new Change.Appeared(its)

@@ -140,10 +140,10 @@ class RosbridgeSocketIT {
             assertThat(laser.latest().orElseThrow().value().ranges()[1]).isGreaterThan(3); // infinite: nothing there
         }
         assertThat(changes.poll(20, TimeUnit.SECONDS)).isInstanceOf(Change.Gone.class);
-        commanded.set(Twist2d.STOP); // as a robot's watchdog does
         try (var server = new RosbridgeServer(rosbridge, port, there)) {
             assertThat(server.address().getPort()).isEqualTo(port);
             assertThat(changes.poll(30, TimeUnit.SECONDS)).isInstanceOf(Change.Appeared.class);
+            waitFor("it is stopped, as nobody could stop it meanwhile", () -> commanded.get().vx() == 0);
             double begin = x(robot);
             drive(robot, -0.5);
             waitFor("it drives back", () -> x(robot) < begin - 0.2);
