@@ -44,6 +44,7 @@ public final class FakeRosbridge {
     private final boolean isRos1;
     private final PythonMessages messages;
     private final List<Client> clients = new CopyOnWriteArrayList<>();
+    private final Map<String, String> goalIds = new HashMap<>(); // of the network, by those of all clients
     private boolean hasRosapi = true;
     private boolean isDown;
     private int goals;
@@ -130,7 +131,6 @@ public final class FakeRosbridge {
         private final Map<String, Publication> advertised = new LinkedHashMap<>(); // by topic
         private final Map<String, String> types = new HashMap<>(); // of advertised ones
         private final Map<String, Hearing> hearings = new LinkedHashMap<>(); // by topic
-        private final Map<String, String> goalIds = new HashMap<>(); // of the network, by those of the client
         private final Map<String, CompletableFuture<byte[]>> requests = new HashMap<>(); // to services of the client
         private final Map<String, RosLink.Served> served = new HashMap<>();
         private boolean isClosed;

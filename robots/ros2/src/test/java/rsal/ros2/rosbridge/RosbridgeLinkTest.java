@@ -416,6 +416,30 @@ class RosbridgeLinkTest {
         assertThat(heard.what).containsExactly("The connection to rosbridge was lost.");
     }
 
+    /// The server goes on with them.
+    @Test
+    void goalsThatWereLostAreCanceledWhenTheServerIsThereAgain() {
+        var canceled = new ArrayList<Byte>();
+        network.serve("/r1/spin/_action/cancel_goal", "action_msgs/srv/CancelGoal", request -> {
+            canceled.add(request[4 + 15]); // the last byte of its id
+            return new CompletableFuture<>();
+        });
+        serveSpin(true, new CompletableFuture<>());
+        send(open());
+        run(3);
+        server.down();
+        run(5);
+        assertThat(canceled).isEmpty();
+        server.up();
+        run(10);
+        assertThat(canceled).containsExactly((byte) 1);
+        server.down();
+        run(1);
+        server.up();
+        run(10);
+        assertThat(canceled).hasSize(1);
+    }
+
     @Test
     void goalsFailWhereNobodyServesThem() {
         Heard heard = send(open());
