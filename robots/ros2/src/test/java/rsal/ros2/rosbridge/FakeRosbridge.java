@@ -48,6 +48,7 @@ public final class FakeRosbridge {
     private boolean hasRosapi = true;
     private boolean isDown;
     private int goals;
+    private final Map<String, String> deliveries = new HashMap<>(); // by topic
 
     /// @param isRos1 a server of ROS 1; of ROS 2 Jazzy otherwise
     public FakeRosbridge(MemoryNetwork network, boolean isRos1) {
@@ -73,6 +74,11 @@ public final class FakeRosbridge {
 
     public boolean hasClients() {
         return !clients.isEmpty();
+    }
+
+    /// How the newest subscription of a topic is to be delivered: `throttle_rate` and `queue_length`.
+    String delivery(String topic) {
+        return deliveries.getOrDefault(topic, "not subscribed to");
     }
 
     /// Sends all clients whatever it is.
@@ -250,6 +256,12 @@ public final class FakeRosbridge {
                             .formatted(topic, each.topic().type(), type));
                 }
             }
+            deliveries.put(
+                    topic,
+                    "%d %d"
+                            .formatted(
+                                    in.path("throttle_rate").asInt(0),
+                                    in.path("queue_length").asInt(0)));
             boolean isNew = !hearings.containsKey(topic);
             Hearing hearing = hearings.computeIfAbsent(topic, _ -> new Hearing(type));
             hearing.ids.add(in.get("id").asString());

@@ -16,6 +16,7 @@ import java.util.concurrent.CompletionStage;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.LaserScan;
 import rsal.data.Odometry;
@@ -208,6 +209,28 @@ class RosbridgeLinkTest {
         assertThat(subscribed.publishers()).isEqualTo(1);
         assertThat(link.trouble()).isEmpty();
         assertThat(stops).containsExactly(stopped, stopped); // the server had forgotten it
+    }
+
+    /// Times and what comes in parts are needed whole.
+    @ParameterizedTest
+    @CsvSource({
+        "sensor_msgs/msg/LaserScan, SENSOR_DATA, 200 1",
+        "nav_msgs/msg/Odometry, SENSOR_DATA, 200 1",
+        "nav_msgs/msg/OccupancyGrid, LATCHED, 0 20",
+        "rosgraph_msgs/msg/Clock, SENSOR_DATA, 0 1",
+        "diagnostic_msgs/msg/DiagnosticArray, SENSOR_DATA, 0 100",
+        "sensor_msgs/msg/JointState, SENSOR_DATA, 0 100",
+        "lifecycle_msgs/msg/TransitionEvent, SENSOR_DATA, 0 20",
+        "tf2_msgs/msg/TFMessage, DEFAULT, 0 100"
+    })
+    void onlyReadingsOfSensorsComeLessOften(String type, Profile profile, String delivery) {
+        robot.advertise(ODOM, Profile.DEFAULT);
+        var slow = new RosbridgeOptions(
+                URI.create("ws://robot.local:9090"), Encoding.CBOR, Duration.ofMillis(200), Optional.empty());
+        RosbridgeLink link = open(server.transport(), slow);
+        run(2);
+        link.subscribe(new RosTopic("/topic", type), profile, _ -> {});
+        assertThat(server.delivery("/topic")).isEqualTo(delivery);
     }
 
     @Test
