@@ -2,10 +2,12 @@ package rsal.ros2.rosbridge;
 
 import java.nio.ByteBuffer;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
@@ -46,6 +48,7 @@ public final class FakeRosbridge {
     private final List<Client> clients = new CopyOnWriteArrayList<>();
     private final Map<String, String> goalIds = new HashMap<>(); // of the network, by those of all clients
     private boolean hasRosapi = true;
+    private final Set<String> refused = new HashSet<>();
     private boolean isDown;
     private int goals;
     private final Map<String, String> deliveries = new HashMap<>(); // by topic
@@ -60,6 +63,12 @@ public final class FakeRosbridge {
     /// The node `rosapi` is not there from now on.
     void withoutRosapi() {
         hasRosapi = false;
+    }
+
+    /// The node `rosapi` refuses these questions from now on, such as `node_details`, and no others.
+    public void refuse(Set<String> questions) {
+        refused.clear();
+        refused.addAll(questions);
     }
 
     /// All connections end, and none is accepted until [#up].
@@ -457,6 +466,9 @@ public final class FakeRosbridge {
         }
 
         private Optional<ObjectNode> rosapi(String question, JsonNode args) {
+            if (refused.contains(question)) {
+                return Optional.empty();
+            }
             ObjectNode answer = JsonNodeFactory.instance.objectNode();
             List<RosEndpoint> others = link.endpoints();
             switch (question) {
