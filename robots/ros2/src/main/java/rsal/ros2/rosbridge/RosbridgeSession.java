@@ -21,6 +21,7 @@ import org.jspecify.annotations.Nullable;
 import rsal.ros2.rosbridge.RosbridgeTransport.Connection;
 import rsal.ros2.rosbridge.RosbridgeTransport.Receiver;
 import rsal.time.Scheduler;
+import rsal.time.Task;
 import tools.jackson.core.JsonGenerator;
 
 /// A connection to a server that is made again whenever it is lost, and the calls of services that wait for
@@ -32,6 +33,7 @@ final class RosbridgeSession {
     private static final Duration LAST_RETRY = Duration.ofSeconds(8);
     private static final Duration SILENCE = Duration.ofSeconds(10); // of a server that is asked something all the time
     private static final int MOST_CALLS = 1_000; // that wait for their answers
+    private static final Duration ANSWER = Duration.ofSeconds(30); // to a call; some nodes never give one
     private static final int MOST_REPORTED = 100; // different messages of a server
 
     private final RosbridgeTransport transport;
@@ -259,8 +261,17 @@ final class RosbridgeSession {
         String id = number();
         var answer = new CompletableFuture<WireValue.Fields>();
         calls.put(id, answer);
+        Task limit = scheduler.after(ANSWER, () -> giveUp(id));
+        var _ = answer.whenComplete((_, _) -> limit.cancel());
         question.accept(id);
         return answer;
+    }
+
+    private void giveUp(String id) {
+        CompletableFuture<WireValue.Fields> call = calls.remove(id);
+        if (call != null) {
+            call.completeExceptionally(new IOException("No answer within %d s.".formatted(ANSWER.toSeconds())));
+        }
     }
 
     private void take(Attempt from, String operation, WireValue.Fields fields) {

@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -298,6 +299,25 @@ class RosbridgeLinkTest {
     }
 
     @Test
+    void callsThatNobodyAnswersAreGivenUp() {
+        network.serve("/r1/stop", SET_BOOL, _ -> new CompletableFuture<>());
+        ServiceClient client = open().client("/r1/stop", SET_BOOL);
+        List<CompletableFuture<byte[]>> first = calls(client);
+        run(29);
+        assertThat(first).noneMatch(CompletableFuture::isDone);
+        run(2);
+        assertThatThrownBy(first.getLast()::join).hasMessageContaining("No answer within 30 s.");
+        assertThat(calls(client)).noneMatch(CompletableFuture::isDone); // 1,000 may wait
+    }
+
+    private static List<CompletableFuture<byte[]>> calls(ServiceClient client) {
+        byte[] request = new CdrWriter().bool(true).toBytes();
+        return IntStream.range(0, 900)
+                .mapToObj(_ -> client.call(request).toCompletableFuture())
+                .toList();
+    }
+
+    @Test
     void othersCallItsOwnServices() {
         RosbridgeLink link = open();
         var served = link.serve(
@@ -448,7 +468,7 @@ class RosbridgeLinkTest {
             return new CompletableFuture<>();
         });
         serveSpin(true, new CompletableFuture<>());
-        send(open());
+        var _ = send(open());
         run(3);
         server.down();
         run(5);
