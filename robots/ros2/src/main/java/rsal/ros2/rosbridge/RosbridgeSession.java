@@ -152,7 +152,7 @@ final class RosbridgeSession {
                             ? "no connection"
                             : String.valueOf(ResponseMessages.reason(error).getMessage()));
         } else if (isOld(of)) {
-            made.close();
+            made.abort();
         } else {
             if (trouble.isPresent()) {
                 LOG.log(Level.INFO, () -> "rosbridge at '%s' is connected again.".formatted(address));
@@ -196,7 +196,7 @@ final class RosbridgeSession {
         if (connection.isPresent() && heard.plus(SILENCE).isBefore(scheduler.instant())) {
             Connection silent = connection.get();
             attempt.ifPresent(now -> lose(now, "it has sent nothing for %d s".formatted(SILENCE.toSeconds())));
-            silent.close();
+            silent.abort(); // as nobody reads its last words
         }
     }
 

@@ -25,8 +25,12 @@ public interface RosbridgeTransport extends AutoCloseable {
         /// @param key unique for what must not be replaced
         void send(String key, String message);
 
-        /// Ends it when all that waits is sent, but soon. The receiver hears nothing more.
+        /// Ends it when all that waits is sent, but soon; the caller waits for that. The receiver hears nothing
+        /// more.
         void close();
+
+        /// Ends it at once, whatever waits to be sent. The receiver hears nothing more.
+        void abort();
     }
 
     /// What comes from the server.

@@ -121,6 +121,11 @@ public final class FakeRosbridge {
                     public void close() {
                         client.close();
                     }
+
+                    @Override
+                    public void abort() {
+                        client.close();
+                    }
                 });
             }
 

@@ -367,6 +367,11 @@ class RosbridgeLinkTest {
                             public void close() {
                                 connections.add("closed");
                             }
+
+                            @Override
+                            public void abort() {
+                                connections.add("aborted");
+                            }
                         });
                     }
 
@@ -380,7 +385,7 @@ class RosbridgeLinkTest {
         assertThat(connections).containsExactly("opened");
         assertThat(link.trouble().orElse("")).contains("/rosapi/topics", "No answer within 5.0 s");
         run(10);
-        assertThat(connections).startsWith("opened", "closed", "opened");
+        assertThat(connections).startsWith("opened", "aborted", "opened");
     }
 
     private static final class Heard implements ActionClient.Listener {
