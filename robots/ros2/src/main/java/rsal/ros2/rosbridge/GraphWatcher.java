@@ -32,6 +32,7 @@ final class GraphWatcher {
     private static final Duration PAUSE = Duration.ofSeconds(1); // between two looks
     private static final Duration ANSWER = Duration.ofSeconds(5); // to a question
     private static final int MOST_NODES = 500;
+    private static final int KEPT = 3; // rounds for which an older answer stands in for one that is refused
     private static final String BRIDGE = "rosbridge_websocket"; // the server's own node
 
     private final RosbridgeSession session;
@@ -40,6 +41,8 @@ final class GraphWatcher {
     private final Used used;
     private final Consumer<MessageValues> onKnown;
     private final Map<String, String> actionTypes = new HashMap<>(); // empty where the server does not say
+    private final Map<String, Known> nodes = new HashMap<>(); // what they told last, by name
+    private Known actionServers = Known.NONE;
     private Map<String, String> types = Map.of(); // of topics, as they were told last
     private Optional<Task> next = Optional.empty();
     private boolean isWatching;
@@ -48,6 +51,19 @@ final class GraphWatcher {
     private Optional<RosVersion> version = Optional.empty();
     private volatile Graph graph = Graph.EMPTY;
     private volatile List<RosEndpoint> endpoints = List.of();
+
+    /// An answer, and for how many rounds it has stood in for newer ones: busy servers refuse some questions.
+    private record Known(WireValue.Fields answer, int rounds) {
+        static final Known NONE = new Known(new WireValue.Fields(Map.of()), KEPT);
+
+        static Known fresh(WireValue.Fields answer) {
+            return new Known(answer, 0);
+        }
+
+        Known older() {
+            return rounds < KEPT ? new Known(answer, rounds + 1) : NONE;
+        }
+    }
 
     /// What this program uses through the server, whose node has it then.
     interface Used {
@@ -94,6 +110,8 @@ final class GraphWatcher {
         isWatching = false;
         round++;
         next.ifPresent(Task::cancel);
+        nodes.clear();
+        actionServers = Known.NONE;
         found(Graph.EMPTY);
     }
 
@@ -113,7 +131,7 @@ final class GraphWatcher {
         var draft = new Draft();
         ask("topics", _ -> {})
                 .thenCompose(topics -> know(topics).thenCompose(_ -> ask("nodes", _ -> {})))
-                .thenCompose(nodes -> details(nodes.texts("nodes"), 0, draft))
+                .thenCompose(answer -> details(answer.texts("nodes"), draft))
                 .thenCompose(_ -> actions(draft))
                 .whenComplete((_, error) -> {
                     if (!isWatching || of != round) {
@@ -187,16 +205,24 @@ final class GraphWatcher {
                 .orElse(Distribution.JAZZY);
     }
 
-    /// A node that is gone meanwhile has none.
-    private CompletionStage<Void> details(List<String> nodes, int i, Draft draft) {
-        if (i >= Math.min(nodes.size(), MOST_NODES)) {
+    private CompletionStage<Void> details(List<String> names, Draft draft) {
+        List<String> all = names.subList(0, Math.min(names.size(), MOST_NODES));
+        nodes.keySet().retainAll(Set.copyOf(all));
+        return details(all, 0, draft);
+    }
+
+    private CompletionStage<Void> details(List<String> names, int i, Draft draft) {
+        if (i >= names.size()) {
             return CompletableFuture.completedStage(null);
         }
-        String node = nodes.get(i);
+        String node = names.get(i);
         return tryTo("node_details", out -> out.writeStringProperty("node", node))
                 .thenCompose(answer -> {
-                    answer.ifPresent(its -> draft.add(node, its));
-                    return details(nodes, i + 1, draft);
+                    Known its = answer.map(Known::fresh)
+                            .orElseGet(() -> nodes.getOrDefault(node, Known.NONE).older());
+                    nodes.put(node, its);
+                    draft.add(node, its.answer);
+                    return details(names, i + 1, draft);
                 });
     }
 
@@ -206,8 +232,10 @@ final class GraphWatcher {
             return CompletableFuture.completedStage(null);
         }
         return tryTo("action_servers", _ -> {})
-                .thenCompose(answer -> actionTypes(
-                        answer.map(its -> its.texts("action_servers")).orElse(List.of()), 0, draft));
+                .thenCompose(answer -> {
+                    actionServers = answer.map(Known::fresh).orElseGet(actionServers::older);
+                    return actionTypes(actionServers.answer.texts("action_servers"), 0, draft);
+                });
     }
 
     private CompletionStage<Void> actionTypes(List<String> names, int i, Draft draft) {

@@ -10,6 +10,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
@@ -386,6 +387,33 @@ class RosbridgeLinkTest {
         assertThat(link.trouble().orElse("")).contains("/rosapi/topics", "No answer within 5.0 s");
         run(10);
         assertThat(connections).startsWith("opened", "aborted", "opened");
+    }
+
+    @Test
+    void whatWasFoundStaysWhileAnAnswerOrTwoAreRefused() {
+        var odom = robot.advertise(ODOM, Profile.DEFAULT);
+        serveSpin(true, new CompletableFuture<>());
+        RosbridgeLink link = open();
+        List<RosEndpoint> found = link.endpoints();
+        assertThat(found).hasSize(2);
+        server.refuse(Set.of("node_details", "action_servers"));
+        run(2.5);
+        assertThat(link.endpoints()).isSameAs(found);
+        assertThat(link.client("/r1/spin/_action/send_goal", "nav2_msgs/action/Spin_SendGoal")
+                        .isAvailable())
+                .isTrue();
+        server.refuse(Set.of());
+        run(3);
+        assertThat(link.endpoints()).isSameAs(found);
+        server.refuse(Set.of("node_details", "action_servers"));
+        run(6);
+        assertThat(link.endpoints()).isEmpty();
+        server.refuse(Set.of());
+        run(2);
+        assertThat(link.endpoints()).isEqualTo(found);
+        odom.close(); // and what rosapi says does count
+        run(2);
+        assertThat(link.endpoints()).hasSize(1);
     }
 
     private static final class Heard implements ActionClient.Listener {
