@@ -20,6 +20,7 @@ import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.link.RosLink.ServiceClient;
 import rsal.ros2.link.RosLink.Subscribed;
 import rsal.ros2.link.RosTopic;
+import rsal.ros2.type.InvalidDefinition;
 import rsal.time.Scheduler;
 
 /// Actions through a server. In ROS 2, an action is three services and a topic in its namespace `_action`; a
@@ -121,7 +122,11 @@ final class BridgedActions {
 
             @Override
             public CompletionStage<byte[]> call(byte[] request) {
-                return answering.apply(request);
+                try {
+                    return answering.apply(request);
+                } catch (InvalidDefinition e) { // the server's distribution does not have the action
+                    return CompletableFuture.failedStage(new IOException(e.getMessage(), e));
+                }
             }
 
             @Override

@@ -40,7 +40,8 @@ final class GraphWatcher {
     private final Optional<Distribution> wanted;
     private final Used used;
     private final Consumer<MessageValues> onKnown;
-    private final Map<String, String> actionTypes = new HashMap<>(); // empty where the server does not say
+    private final Map<String, String> actionTypes = new HashMap<>(); // by name; empty where nobody knows it
+    private final Map<String, Integer> untyped = new HashMap<>(); // how often that was refused, by name
     private final Map<String, Known> nodes = new HashMap<>(); // what they told last, by name
     private Known actionServers = Known.NONE;
     private Map<String, String> types = Map.of(); // of topics, as they were told last
@@ -234,7 +235,10 @@ final class GraphWatcher {
         return tryTo("action_servers", _ -> {})
                 .thenCompose(answer -> {
                     actionServers = answer.map(Known::fresh).orElseGet(actionServers::older);
-                    return actionTypes(actionServers.answer.texts("action_servers"), 0, draft);
+                    List<String> names = actionServers.answer.texts("action_servers");
+                    actionTypes.keySet().retainAll(Set.copyOf(names));
+                    untyped.keySet().retainAll(Set.copyOf(names));
+                    return actionTypes(names, 0, draft);
                 });
     }
 
@@ -249,20 +253,29 @@ final class GraphWatcher {
         }
         return tryTo("action_type", out -> out.writeStringProperty("action", name))
                 .thenCompose(answer -> {
-                    actionTypes.put(
-                            name, answer.flatMap(its -> its.text("type")).orElseGet(() -> guessed(name)));
-                    return actionTypes(names, i, draft);
+                    String type = answer.flatMap(its -> its.text("type"))
+                            .filter(its -> !its.isEmpty())
+                            .orElseGet(() -> guessed(name));
+                    draft.action(name, type);
+                    if (answer.isPresent() || untyped.merge(name, 1, Integer::sum) > KEPT) {
+                        actionTypes.put(name, type);
+                    }
+                    return actionTypes(names, i + 1, draft);
                 });
     }
 
     /// Older servers don't say which type an action has. Those of Nav2 are named after it: `navigate_to_pose`
-    /// is a `NavigateToPose`.
-    private static String guessed(String name) {
+    /// is a `NavigateToPose`. Empty where the server's distribution has no such type.
+    private String guessed(String name) {
         String type = Arrays.stream(name.substring(name.lastIndexOf('/') + 1).split("_", -1))
                 .filter(word -> !word.isEmpty())
                 .map(word -> Character.toUpperCase(word.charAt(0)) + word.substring(1))
                 .collect(Collectors.joining());
-        return "nav2_msgs/action/" + type;
+        String whole = "nav2_msgs/action/" + type;
+        boolean isKnown = distribution
+                .flatMap(its -> TypeLibrary.of(its).find(whole + "_Goal"))
+                .isPresent();
+        return isKnown ? whole : "";
     }
 
     /// What is found, as long as not all is.

@@ -48,6 +48,7 @@ public final class FakeRosbridge {
     private final List<Client> clients = new CopyOnWriteArrayList<>();
     private final Map<String, String> goalIds = new HashMap<>(); // of the network, by those of all clients
     private boolean hasRosapi = true;
+    private String distribution = "jazzy";
     private final Set<String> refused = new HashSet<>();
     private boolean isDown;
     private int goals;
@@ -58,6 +59,11 @@ public final class FakeRosbridge {
         this.network = network;
         this.isRos1 = isRos1;
         messages = new PythonMessages(TypeLibrary.of(Distribution.JAZZY), isRos1);
+    }
+
+    /// What it says of its distribution. Its types stay the same.
+    void distribution(String distribution) {
+        this.distribution = distribution;
     }
 
     /// The node `rosapi` is not there from now on.
@@ -535,7 +541,7 @@ public final class FakeRosbridge {
                     if (isRos1) {
                         return Optional.empty();
                     }
-                    answer.put("version", 2).put("distro", "jazzy");
+                    answer.put("version", 2).put("distro", distribution);
                 }
                 default -> {
                     return Optional.empty();

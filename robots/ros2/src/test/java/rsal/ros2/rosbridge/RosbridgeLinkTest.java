@@ -416,6 +416,18 @@ class RosbridgeLinkTest {
         assertThat(link.endpoints()).hasSize(1);
     }
 
+    @Test
+    void aTypeThatIsNotToldAtOnceIsAskedForAgain() {
+        String type = "control_msgs/action/GripperCommand_FeedbackMessage";
+        robot.advertise(new RosTopic("/r1/gripper_cmd/_action/feedback", type), Profile.DEFAULT);
+        server.refuse(Set.of("action_type"));
+        RosbridgeLink link = open();
+        assertThat(link.endpoints()).isEmpty();
+        server.refuse(Set.of());
+        run(2);
+        assertThat(link.endpoints()).extracting(each -> each.topic().type()).containsExactly(type);
+    }
+
     private static final class Heard implements ActionClient.Listener {
         private final List<String> what = new ArrayList<>();
 
@@ -470,6 +482,32 @@ class RosbridgeLinkTest {
         Heard heard = send(open());
         run(0.1);
         assertThat(heard.what).containsExactly("refused");
+    }
+
+    /// Humble's rosapi does not say which types actions have, and Humble has no docking.
+    @Test
+    void actionsThatTheServersDistributionDoesNotHaveFail() {
+        server.distribution("humble");
+        server.refuse(Set.of("action_type"));
+        serveSpin(true, new CompletableFuture<>());
+        String dock = "nav2_msgs/action/DockRobot";
+        robot.advertise(new RosTopic("/r1/dock_robot/_action/feedback", dock + "_FeedbackMessage"), Profile.DEFAULT);
+        robot.advertise(ODOM, Profile.DEFAULT);
+        RosbridgeLink link = open();
+        assertThat(link.distribution()).contains(Distribution.HUMBLE);
+        assertThat(link.endpoints())
+                .extracting(each -> each.topic().name())
+                .containsExactly("/r1/odom", "/r1/spin/_action/feedback");
+        var request = new byte[200];
+        var goal = link.client("/r1/dock_robot/_action/send_goal", dock + "_SendGoal")
+                .call(request);
+        var result = link.client("/r1/dock_robot/_action/get_result", dock + "_GetResult")
+                .call(request);
+        var answer = link.client("/r1/load", "nav2_msgs/srv/ReloadDockDatabase").call(request);
+        for (CompletionStage<byte[]> each : List.of(goal, result, answer)) {
+            assertThatThrownBy(() -> each.toCompletableFuture().join())
+                    .hasMessageContaining("There is no definition of 'nav2_msgs/");
+        }
     }
 
     @Test
