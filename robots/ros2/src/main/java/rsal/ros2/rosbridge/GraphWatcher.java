@@ -51,6 +51,7 @@ final class GraphWatcher {
     private volatile Optional<Distribution> distribution = Optional.empty();
     private Optional<RosVersion> version = Optional.empty();
     private volatile Graph graph = Graph.EMPTY;
+    private volatile boolean isComplete; // that graph, as the server has answered all questions
     private volatile List<RosEndpoint> endpoints = List.of();
 
     /// An answer, and for how many rounds it has stood in for newer ones: busy servers refuse some questions.
@@ -96,6 +97,11 @@ final class GraphWatcher {
         return endpoints;
     }
 
+    /// Whether the server has answered all questions since it was connected.
+    boolean isComplete() {
+        return isComplete;
+    }
+
     /// Whose types the messages have; empty before the server has answered.
     Optional<Distribution> distribution() {
         return distribution;
@@ -113,6 +119,7 @@ final class GraphWatcher {
         next.ifPresent(Task::cancel);
         nodes.clear();
         actionServers = Known.NONE;
+        isComplete = false;
         found(Graph.EMPTY);
     }
 
@@ -141,6 +148,7 @@ final class GraphWatcher {
                     if (error == null) {
                         session.noTrouble();
                         found(draft.toGraph());
+                        isComplete = true;
                     } else {
                         fail(error);
                     }

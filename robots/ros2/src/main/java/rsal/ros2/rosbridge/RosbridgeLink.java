@@ -50,6 +50,11 @@ public final class RosbridgeLink implements RosLink {
         return bridge.watcher().endpoints();
     }
 
+    /// Whether the server has told which topics there are, since it was connected.
+    public boolean hasAnswered() {
+        return bridge.watcher().isComplete();
+    }
+
     @Override
     public Optional<Distribution> distribution() {
         return bridge.watcher().distribution();

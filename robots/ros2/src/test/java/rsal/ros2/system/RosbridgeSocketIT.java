@@ -180,6 +180,17 @@ class RosbridgeSocketIT {
         });
     }
 
+    @Test
+    void theDoctorSaysThatAServerDoesNotAnswer() throws Exception {
+        try (var server = new RosbridgeServer(rosbridge, 0, _ -> {})) {
+            URI address = server.address();
+            assertThat(diagnosed(address)).singleElement().satisfies(finding -> {
+                assertThat(finding.ok()).isFalse();
+                assertThat(finding.found()).isEqualTo("'%s' does not answer within 3 s".formatted(address));
+            });
+        }
+    }
+
     private static List<Finding> diagnosed(URI address) {
         var diagnosis = new Ros2Diagnosis();
         Map<String, String> typed = Map.of("rosbridge", address.toString(), "time", "3");
