@@ -65,6 +65,11 @@ public final class RosbridgeLink implements RosLink {
         return bridge.session().trouble();
     }
 
+    @Override
+    public String suspicion() {
+        return "do the robot's drivers run beside rosbridge?";
+    }
+
     private <T extends AutoCloseable> T opened(T made) {
         open.add(made);
         return made;

@@ -300,12 +300,14 @@ final class Ros2System implements RobotSystem {
                                 each.getValue(),
                                 String.join(", ", lacking),
                                 topics.words(),
-                                all.isEmpty()
-                                        ? "Nothing of ROS 2 was found at all; maybe another 'domain' or 'address'?"
-                                        : "");
+                                all.isEmpty() ? nothing() : "");
             }
         }
         return "A robot publishes no odometry, though it has a topic for it.";
+    }
+
+    private String nothing() {
+        return "Nothing of ROS 2 was found at all; " + Objects.requireNonNull(link).suspicion();
     }
 
     @Override
