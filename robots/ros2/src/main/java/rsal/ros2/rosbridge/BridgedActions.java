@@ -237,9 +237,9 @@ final class BridgedActions {
             goal.result.complete(fields(Map.of("status", message.find("status").orElse(SUCCEEDED), "result", its)));
         } else if (its instanceof WireValue.Text(String why) && why.contains("rejected")) {
             goal.accept(false);
-            goal.fail(why);
+            goal.fail(PeerText.shown(why));
         } else {
-            goal.fail(its instanceof WireValue.Text(String why) ? why : its.words());
+            goal.fail(its instanceof WireValue.Text(String why) ? PeerText.shown(why) : its.words());
         }
     }
 

@@ -122,7 +122,7 @@ final class RosbridgeSession {
             LOG.log(
                     Level.WARNING,
                     () -> "A message of rosbridge at '%s' is malformed and ignored. Further ones are counted only: %s"
-                            .formatted(address, e.getMessage()));
+                            .formatted(address, PeerText.shown(String.valueOf(e.getMessage()))));
         }
     }
 
@@ -172,7 +172,7 @@ final class RosbridgeSession {
         attempt = Optional.empty();
         boolean wasConnected = connection.isPresent();
         connection = Optional.empty();
-        String words = "rosbridge at '%s' can't be reached: %s.".formatted(address, why);
+        String words = "rosbridge at '%s' can't be reached: %s.".formatted(address, PeerText.shown(why));
         if (trouble.isEmpty()) {
             LOG.log(Level.WARNING, () -> words + " It is tried again and again.");
         }
@@ -300,14 +300,14 @@ final class RosbridgeSession {
         switch (values) {
             case WireValue.Fields response when !isFailure -> call.complete(response);
             case WireValue.Null _ when !isFailure -> call.complete(new WireValue.Fields(Map.of()));
-            case WireValue.Text(String why) -> call.completeExceptionally(new IOException(why));
+            case WireValue.Text(String why) -> call.completeExceptionally(new IOException(PeerText.shown(why)));
             default -> call.completeExceptionally(new IOException("The service failed: " + values.words()));
         }
     }
 
     /// A status is what the server thinks of an operation.
     private void report(WireValue.Fields fields) {
-        String text = fields.text("msg").orElse("");
+        String text = PeerText.shown(fields.text("msg").orElse(""));
         String level = fields.text("level").orElse("");
         boolean isBad = level.equals("error") || level.equals("warning");
         if (isBad && reported.size() < MOST_REPORTED && reported.add(text)) {

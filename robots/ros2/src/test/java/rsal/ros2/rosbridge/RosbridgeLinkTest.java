@@ -15,6 +15,7 @@ import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.stream.IntStream;
+import org.assertj.core.api.InstanceOfAssertFactories;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -316,6 +317,26 @@ class RosbridgeLinkTest {
         return IntStream.range(0, 900)
                 .mapToObj(_ -> client.call(request).toCompletableFuture())
                 .toList();
+    }
+
+    @Test
+    void whatAServerSaysIsOneShortLine() {
+        network.serve(
+                "/r1/stop",
+                SET_BOOL,
+                _ -> CompletableFuture.failedStage(
+                        new IllegalStateException("\u001b[31mjammed\r\nERROR: " + "x".repeat(1 << 20))));
+        RosbridgeLink link = open();
+        var failed = link.client("/r1/stop", SET_BOOL)
+                .call(new CdrWriter().bool(true).toBytes())
+                .toCompletableFuture();
+        run(0.1);
+        assertThatThrownBy(failed::join)
+                .cause()
+                .hasMessageStartingWith("[31mjammed ERROR: xxx")
+                .hasMessageEndingWith("xxx…")
+                .extracting(Throwable::getMessage, InstanceOfAssertFactories.STRING)
+                .hasSizeBetween(190, 201);
     }
 
     @Test
