@@ -5,7 +5,7 @@ import java.util.concurrent.CompletionStage;
 
 /// How messages of rosbridge come and go: WebSocket, or a test's memory. Safe for several threads.
 public interface RosbridgeTransport extends AutoCloseable {
-    /// Largest message that is taken [B]: a map of 8,000 × 8,000 cells.
+    /// Largest message that is taken [B]: a map of 8,000 × 8,000 cells in CBOR, or half as wide and high in JSON.
     int MOST_BYTES = 64 << 20;
 
     /// Opens a connection.
