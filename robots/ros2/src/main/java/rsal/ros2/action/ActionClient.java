@@ -32,7 +32,7 @@ public final class ActionClient {
 
     private static final int FEEDBACK_WAITING = 10;
     private static final int ID = 16; // bytes
-    private static final Duration ANSWER = Duration.ofSeconds(5); // to a goal: yes or no
+    private static final Duration ANSWER = Duration.ofSeconds(5); // to a goal: yes or no; in real time
     private static final Duration SILENCE = Duration.ofSeconds(10); // of one that tells how goals get on
 
     private final String name;
@@ -49,19 +49,23 @@ public final class ActionClient {
     /// A goal under way, as it is known here.
     private static final class Pursuit {
         private final Listener listener;
+        private final Instant sent; // in real time, as programs answer in it even while a simulator is slow
         private boolean isAccepted;
         private boolean hasFeedback;
         private Instant heard; // the newest of it, or when it was sent
 
-        Pursuit(Listener listener, Instant sent) {
+        Pursuit(Listener listener, Instant sent, Instant heard) {
             this.listener = listener;
-            this.heard = sent;
+            this.sent = sent;
+            this.heard = heard;
         }
 
         /// Why it is lost; empty as long as it is not. Servers need not tell how a goal gets on.
-        Optional<String> loss(Instant now) {
+        ///
+        /// @param real now in real time
+        Optional<String> loss(Instant now, Instant real) {
             Duration silence = Duration.between(heard, now);
-            if (!isAccepted && silence.compareTo(ANSWER) > 0) {
+            if (!isAccepted && Duration.between(sent, real).compareTo(ANSWER) > 0) {
                 return Optional.of("The robot did not answer within %d s.".formatted(ANSWER.toSeconds()));
             }
             return hasFeedback && listener.tellsSteadily() && silence.compareTo(SILENCE) > 0
@@ -137,7 +141,7 @@ public final class ActionClient {
         var id = new byte[ID];
         random.nextBytes(id);
         var sent = new Goal(HexFormat.of().formatHex(id));
-        var pursuit = new Pursuit(listener, scheduler.instant());
+        var pursuit = new Pursuit(listener, scheduler.inRealTime().instant(), scheduler.instant());
         pursuits.put(sent.id, pursuit); // feedback may come before the response
         CdrWriter request = new CdrWriter().int8s(id);
         goal.accept(request);
@@ -169,9 +173,10 @@ public final class ActionClient {
 
     /// Ends goals of which nothing is heard any more.
     public void look(Instant now) {
+        Instant real = scheduler.inRealTime().instant();
         Map.copyOf(pursuits)
                 .forEach((id, pursuit) ->
-                        pursuit.loss(now).ifPresent(why -> finish(new Goal(id), lost -> lost.onFailure(why))));
+                        pursuit.loss(now, real).ifPresent(why -> finish(new Goal(id), lost -> lost.onFailure(why))));
     }
 
     private void answer(CompletionStage<byte[]> call, MessageCodec codec, Goal goal, Consumer<RosMessage> receiver) {

@@ -23,6 +23,7 @@ import rsal.ros2.setting.Safety;
 final class RosBase extends RosSensor<Odometry> implements DriveBase {
     private static final Duration AGAIN = Duration.ofMillis(100);
     private static final Duration STOPPING = Duration.ofMillis(500);
+    private static final Duration STOPPING_AGAIN = Duration.ofSeconds(2); // new connections are not heard at once
     private static final int LAST_WORDS = 5; // stops, of which one will arrive
     private static final Duration STALL = Duration.ofMillis(300); // longer than robots take to begin
     private static final double SLOWEST = 0.01; // m/s, rad/s
@@ -43,6 +44,7 @@ final class RosBase extends RosSensor<Odometry> implements DriveBase {
     private Instant stoppingUntil = Instant.MIN;
     private Instant blockedSince = Instant.MAX;
     private boolean mayMove; // since it was held last
+    private boolean isUsed; // was told something, be it a stop
     private Instant heldUntil = Instant.MIN; // in real time
     private Pose2d reported = Pose2d.ORIGIN;
     private Pose2d odomFromTheirs = Pose2d.ORIGIN; // others may use the robot's odometry: it is not set, but ours is
@@ -131,6 +133,14 @@ final class RosBase extends RosSensor<Odometry> implements DriveBase {
         send(Twist2d.STOP);
     }
 
+    /// Stops it again when it is back, unless it is driven: what it was told meanwhile was lost, and it may still
+    /// go on with the last velocity that it heard. One that was never told anything is left to others.
+    void appear() {
+        if (isUsed && wanted.isEmpty()) {
+            stoppingUntil = frames.now().plus(STOPPING_AGAIN);
+        }
+    }
+
     /// Has it stand while the run's time does, without forgetting what is wanted: once time goes on, that is sent again
     /// if
     /// it is still fresh by the run's time. A simulator that is paused must not change what happens.
@@ -149,6 +159,7 @@ final class RosBase extends RosSensor<Odometry> implements DriveBase {
 
     private void send(Twist2d velocity) {
         mayMove |= isMotion(velocity);
+        isUsed = true;
         sentAt = frames.now();
         commands.publish(
                 isStamped

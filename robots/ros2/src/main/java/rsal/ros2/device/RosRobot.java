@@ -175,6 +175,11 @@ public final class RosRobot {
         return driven.publishers() > 0;
     }
 
+    /// It is there again, and was not for a while. It stops, unless it is driven.
+    public void appear() {
+        base.appear();
+    }
+
     /// Keeps it where it is while the run's time stands: nobody who could stop it does anything then.
     ///
     /// @param now in real time

@@ -30,6 +30,11 @@ public interface RosLink extends RosPublisher, AutoCloseable {
         return Optional.empty();
     }
 
+    /// What may be wrong where nothing of others is found, for people.
+    default String suspicion() {
+        return "maybe another 'domain' or 'address'?";
+    }
+
     /// Opens or closes many things, of any node, of which others then hear once. What other threads open
     /// meanwhile waits for that, too.
     default void together(Runnable opening) {

@@ -20,6 +20,7 @@ import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.link.RosLink.ServiceClient;
 import rsal.ros2.link.RosLink.Subscribed;
 import rsal.ros2.link.RosTopic;
+import rsal.ros2.type.InvalidDefinition;
 import rsal.time.Scheduler;
 
 /// Actions through a server. In ROS 2, an action is three services and a topic in its namespace `_action`; a
@@ -42,6 +43,7 @@ final class BridgedActions {
     private final Scheduler scheduler;
     private final Supplier<Optional<MessageValues>> values;
     private final Map<String, Goal> goals = new HashMap<>(); // under way, or with a result that nobody has asked for
+    private final Map<String, String> lost = new HashMap<>(); // actions of goals that a server may still pursue, by id
     private final List<Hearing> hearings = new CopyOnWriteArrayList<>();
 
     BridgedActions(RosbridgeSession session, Scheduler scheduler, Supplier<Optional<MessageValues>> values) {
@@ -53,8 +55,10 @@ final class BridgedActions {
     /// @param topic of its feedback
     private record Hearing(RosTopic topic, Consumer<ByteBuffer> listener) {}
 
+    /// @param action its name
     /// @param type of the action
-    private record Goal(String type, CompletableFuture<WireValue> accepted, CompletableFuture<WireValue> result) {
+    private record Goal(
+            String action, String type, CompletableFuture<WireValue> accepted, CompletableFuture<WireValue> result) {
         void accept(boolean isAccepted) {
             accepted.complete(fields(Map.of("accepted", new WireValue.Bool(isAccepted))));
         }
@@ -118,7 +122,11 @@ final class BridgedActions {
 
             @Override
             public CompletionStage<byte[]> call(byte[] request) {
-                return answering.apply(request);
+                try {
+                    return answering.apply(request);
+                } catch (InvalidDefinition e) { // the server's distribution does not have the action
+                    return CompletableFuture.failedStage(new IOException(e.getMessage(), e));
+                }
             }
 
             @Override
@@ -146,7 +154,7 @@ final class BridgedActions {
         RosMessage message = its.ofCdr(type + "_Request", request);
         String id = id(message.message("goal_id"));
         String actionType = type.substring(0, type.lastIndexOf('_'));
-        var goal = new Goal(actionType, new CompletableFuture<>(), new CompletableFuture<>());
+        var goal = new Goal(action, actionType, new CompletableFuture<>(), new CompletableFuture<>());
         goals.put(id, goal);
         session.send("send_action_goal", out -> {
             out.writeStringProperty("id", id);
@@ -178,13 +186,16 @@ final class BridgedActions {
     private CompletionStage<byte[]> cancel(String action, String type, byte[] request) {
         values.get().ifPresent(its -> {
             RosMessage goal = its.ofCdr(type + "_Request", request).message("goal_info");
-            String id = id(goal.message("goal_id"));
-            session.send("cancel_action_goal", out -> {
-                out.writeStringProperty("id", id);
-                out.writeStringProperty("action", action);
-            });
+            cancel(id(goal.message("goal_id")), action);
         });
         return failed("rosbridge does not report whether a goal was canceled.");
+    }
+
+    private void cancel(String id, String action) {
+        session.send("cancel_action_goal", out -> {
+            out.writeStringProperty("id", id);
+            out.writeStringProperty("action", action);
+        });
     }
 
     /// @param message `action_feedback`
@@ -226,9 +237,9 @@ final class BridgedActions {
             goal.result.complete(fields(Map.of("status", message.find("status").orElse(SUCCEEDED), "result", its)));
         } else if (its instanceof WireValue.Text(String why) && why.contains("rejected")) {
             goal.accept(false);
-            goal.fail(why);
+            goal.fail(PeerText.shown(why));
         } else {
-            goal.fail(its instanceof WireValue.Text(String why) ? why : its.words());
+            goal.fail(its instanceof WireValue.Text(String why) ? PeerText.shown(why) : its.words());
         }
     }
 
@@ -240,10 +251,21 @@ final class BridgedActions {
         }
     }
 
-    /// The server has forgotten all goals.
+    /// The server goes on with goals whose client has gone, and nobody hears of them any more.
     void onDisconnected() {
+        goals.forEach((id, goal) -> {
+            if (!goal.result.isDone()) {
+                lost.put(id, goal.action);
+            }
+        });
         List<Goal> all = List.copyOf(goals.values());
         goals.clear();
         all.forEach(goal -> goal.fail("The connection to rosbridge was lost."));
+    }
+
+    /// Calls off what was lost: the server knows the goals of all of its clients, and ignores what it does not know.
+    void onConnected() {
+        lost.forEach(this::cancel);
+        lost.clear();
     }
 }

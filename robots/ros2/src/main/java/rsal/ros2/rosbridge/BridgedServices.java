@@ -9,9 +9,11 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.link.RosLink.Served;
 import rsal.ros2.link.RosLink.Server;
 import rsal.ros2.link.RosLink.ServiceClient;
+import rsal.ros2.type.InvalidDefinition;
 import tools.jackson.core.JsonGenerator;
 
 /// Services of others that this program calls through a server, and its own ones.
@@ -45,7 +47,12 @@ final class BridgedServices {
                             new IOException(session.trouble().orElse("The server has not answered yet.")));
                 }
                 MessageValues its = values.get().get();
-                var fields = its.ofCdr(type + REQUEST, request);
+                RosMessage fields;
+                try {
+                    fields = its.ofCdr(type + REQUEST, request);
+                } catch (InvalidDefinition e) { // the server's distribution does not have the service
+                    return CompletableFuture.failedStage(new IOException(e.getMessage(), e));
+                }
                 return ResponseMessages.toCdr(session.call(name, out -> its.write(fields, out)), its, type + RESPONSE);
             }
 

@@ -19,8 +19,6 @@ import rsal.ros2.link.RosTopic;
 /// Topics that this program subscribes to and publishes through a server, which hears of them whenever there
 /// is a connection. Safe for several threads.
 final class BridgedTopics {
-    private static final int WAITING = 10; // messages of reliable topics that wait at the server, for slow networks
-
     private final RosbridgeSession session;
     private final RosbridgeOptions options;
     private final Supplier<Optional<MessageValues>> values;
@@ -125,16 +123,15 @@ final class BridgedTopics {
     }
 
     private void announce(Hearing hearing, MessageValues its) {
-        boolean isSensor = hearing.profile == Profile.SENSOR_DATA;
+        Delivery delivery = Delivery.of(hearing.topic, hearing.profile, options.throttle());
         boolean isCbor = options.encoding() == RosbridgeOptions.Encoding.CBOR && its.isForCbor(hearing.topic.type());
         session.send("subscribe", out -> {
             out.writeStringProperty("id", hearing.id);
             out.writeStringProperty("topic", hearing.topic.name());
             out.writeStringProperty("type", its.version().wire(hearing.topic.type()));
             out.writeStringProperty("compression", isCbor ? "cbor" : "none");
-            out.writeNumberProperty(
-                    "throttle_rate", isSensor ? options.throttle().toMillis() : 0);
-            out.writeNumberProperty("queue_length", isSensor ? 1 : WAITING);
+            out.writeNumberProperty("throttle_rate", delivery.throttle().toMillis());
+            out.writeNumberProperty("queue_length", delivery.waiting());
         });
     }
 

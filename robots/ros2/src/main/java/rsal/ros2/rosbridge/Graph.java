@@ -14,7 +14,7 @@ import rsal.ros2.link.RosTopic;
 /// @param publishers how many nodes publish a topic
 /// @param subscribed topics that nodes subscribe to
 /// @param services names of those that are served
-/// @param actions types of those that are served, by name
+/// @param actions types of those that are served, by name; empty where nobody knows it
 record Graph(
         Map<RosTopic, Integer> publishers,
         Set<RosTopic> subscribed,
@@ -39,7 +39,11 @@ record Graph(
         var all = new ArrayList<RosEndpoint>();
         publishers.keySet().forEach(topic -> all.add(endpoint(topic, true)));
         subscribed.forEach(topic -> all.add(endpoint(topic, false)));
-        actions.forEach((name, type) -> all.add(endpoint(BridgedActions.feedback(name, type), true)));
+        actions.forEach((name, type) -> {
+            if (!type.isEmpty()) {
+                all.add(endpoint(BridgedActions.feedback(name, type), true));
+            }
+        });
         all.sort(java.util.Comparator.comparing(
                 each -> each.topic().name() + each.topic().type() + each.isPublisher()));
         return List.copyOf(all);

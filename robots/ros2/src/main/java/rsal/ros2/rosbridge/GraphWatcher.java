@@ -32,6 +32,7 @@ final class GraphWatcher {
     private static final Duration PAUSE = Duration.ofSeconds(1); // between two looks
     private static final Duration ANSWER = Duration.ofSeconds(5); // to a question
     private static final int MOST_NODES = 500;
+    private static final int KEPT = 3; // rounds for which an older answer stands in for one that is refused
     private static final String BRIDGE = "rosbridge_websocket"; // the server's own node
 
     private final RosbridgeSession session;
@@ -39,7 +40,10 @@ final class GraphWatcher {
     private final Optional<Distribution> wanted;
     private final Used used;
     private final Consumer<MessageValues> onKnown;
-    private final Map<String, String> actionTypes = new HashMap<>(); // empty where the server does not say
+    private final Map<String, String> actionTypes = new HashMap<>(); // by name; empty where nobody knows it
+    private final Map<String, Integer> untyped = new HashMap<>(); // how often that was refused, by name
+    private final Map<String, Known> nodes = new HashMap<>(); // what they told last, by name
+    private Known actionServers = Known.NONE;
     private Map<String, String> types = Map.of(); // of topics, as they were told last
     private Optional<Task> next = Optional.empty();
     private boolean isWatching;
@@ -47,7 +51,21 @@ final class GraphWatcher {
     private volatile Optional<Distribution> distribution = Optional.empty();
     private Optional<RosVersion> version = Optional.empty();
     private volatile Graph graph = Graph.EMPTY;
+    private volatile boolean isComplete; // that graph, as the server has answered all questions
     private volatile List<RosEndpoint> endpoints = List.of();
+
+    /// An answer, and for how many rounds it has stood in for newer ones: busy servers refuse some questions.
+    private record Known(WireValue.Fields answer, int rounds) {
+        static final Known NONE = new Known(new WireValue.Fields(Map.of()), KEPT);
+
+        static Known fresh(WireValue.Fields answer) {
+            return new Known(answer, 0);
+        }
+
+        Known older() {
+            return rounds < KEPT ? new Known(answer, rounds + 1) : NONE;
+        }
+    }
 
     /// What this program uses through the server, whose node has it then.
     interface Used {
@@ -79,6 +97,11 @@ final class GraphWatcher {
         return endpoints;
     }
 
+    /// Whether the server has answered all questions since it was connected.
+    boolean isComplete() {
+        return isComplete;
+    }
+
     /// Whose types the messages have; empty before the server has answered.
     Optional<Distribution> distribution() {
         return distribution;
@@ -94,6 +117,9 @@ final class GraphWatcher {
         isWatching = false;
         round++;
         next.ifPresent(Task::cancel);
+        nodes.clear();
+        actionServers = Known.NONE;
+        isComplete = false;
         found(Graph.EMPTY);
     }
 
@@ -113,7 +139,7 @@ final class GraphWatcher {
         var draft = new Draft();
         ask("topics", _ -> {})
                 .thenCompose(topics -> know(topics).thenCompose(_ -> ask("nodes", _ -> {})))
-                .thenCompose(nodes -> details(nodes.texts("nodes"), 0, draft))
+                .thenCompose(answer -> details(answer.texts("nodes"), draft))
                 .thenCompose(_ -> actions(draft))
                 .whenComplete((_, error) -> {
                     if (!isWatching || of != round) {
@@ -122,6 +148,7 @@ final class GraphWatcher {
                     if (error == null) {
                         session.noTrouble();
                         found(draft.toGraph());
+                        isComplete = true;
                     } else {
                         fail(error);
                     }
@@ -187,16 +214,24 @@ final class GraphWatcher {
                 .orElse(Distribution.JAZZY);
     }
 
-    /// A node that is gone meanwhile has none.
-    private CompletionStage<Void> details(List<String> nodes, int i, Draft draft) {
-        if (i >= Math.min(nodes.size(), MOST_NODES)) {
+    private CompletionStage<Void> details(List<String> names, Draft draft) {
+        List<String> all = names.subList(0, Math.min(names.size(), MOST_NODES));
+        nodes.keySet().retainAll(Set.copyOf(all));
+        return details(all, 0, draft);
+    }
+
+    private CompletionStage<Void> details(List<String> names, int i, Draft draft) {
+        if (i >= names.size()) {
             return CompletableFuture.completedStage(null);
         }
-        String node = nodes.get(i);
+        String node = names.get(i);
         return tryTo("node_details", out -> out.writeStringProperty("node", node))
                 .thenCompose(answer -> {
-                    answer.ifPresent(its -> draft.add(node, its));
-                    return details(nodes, i + 1, draft);
+                    Known its = answer.map(Known::fresh)
+                            .orElseGet(() -> nodes.getOrDefault(node, Known.NONE).older());
+                    nodes.put(node, its);
+                    draft.add(node, its.answer);
+                    return details(names, i + 1, draft);
                 });
     }
 
@@ -206,8 +241,13 @@ final class GraphWatcher {
             return CompletableFuture.completedStage(null);
         }
         return tryTo("action_servers", _ -> {})
-                .thenCompose(answer -> actionTypes(
-                        answer.map(its -> its.texts("action_servers")).orElse(List.of()), 0, draft));
+                .thenCompose(answer -> {
+                    actionServers = answer.map(Known::fresh).orElseGet(actionServers::older);
+                    List<String> names = actionServers.answer.texts("action_servers");
+                    actionTypes.keySet().retainAll(Set.copyOf(names));
+                    untyped.keySet().retainAll(Set.copyOf(names));
+                    return actionTypes(names, 0, draft);
+                });
     }
 
     private CompletionStage<Void> actionTypes(List<String> names, int i, Draft draft) {
@@ -221,20 +261,29 @@ final class GraphWatcher {
         }
         return tryTo("action_type", out -> out.writeStringProperty("action", name))
                 .thenCompose(answer -> {
-                    actionTypes.put(
-                            name, answer.flatMap(its -> its.text("type")).orElseGet(() -> guessed(name)));
-                    return actionTypes(names, i, draft);
+                    String type = answer.flatMap(its -> its.text("type"))
+                            .filter(its -> !its.isEmpty())
+                            .orElseGet(() -> guessed(name));
+                    draft.action(name, type);
+                    if (answer.isPresent() || untyped.merge(name, 1, Integer::sum) > KEPT) {
+                        actionTypes.put(name, type);
+                    }
+                    return actionTypes(names, i + 1, draft);
                 });
     }
 
     /// Older servers don't say which type an action has. Those of Nav2 are named after it: `navigate_to_pose`
-    /// is a `NavigateToPose`.
-    private static String guessed(String name) {
+    /// is a `NavigateToPose`. Empty where the server's distribution has no such type.
+    private String guessed(String name) {
         String type = Arrays.stream(name.substring(name.lastIndexOf('/') + 1).split("_", -1))
                 .filter(word -> !word.isEmpty())
                 .map(word -> Character.toUpperCase(word.charAt(0)) + word.substring(1))
                 .collect(Collectors.joining());
-        return "nav2_msgs/action/" + type;
+        String whole = "nav2_msgs/action/" + type;
+        boolean isKnown = distribution
+                .flatMap(its -> TypeLibrary.of(its).find(whole + "_Goal"))
+                .isPresent();
+        return isKnown ? whole : "";
     }
 
     /// What is found, as long as not all is.

@@ -13,6 +13,7 @@ import rsal.ros2.type.Element;
 import rsal.ros2.type.Field;
 import rsal.ros2.type.FieldType;
 import rsal.ros2.type.FieldType.Repeat;
+import rsal.ros2.type.InvalidDefinition;
 import rsal.ros2.type.Primitive;
 import rsal.ros2.type.RosType;
 import rsal.ros2.type.TypeLibrary;
@@ -52,13 +53,15 @@ final class MessageValues {
     byte[] toCdr(String type, WireValue value) throws InvalidMessage {
         try {
             return codec(type).write(read(types.get(type), value));
-        } catch (IllegalArgumentException e) {
-            throw new InvalidMessage(String.valueOf(e.getMessage()), e); // arrays of another length
+        } catch (IllegalArgumentException | InvalidDefinition e) {
+            // arrays of another length, and types that the server's distribution does not have
+            throw new InvalidMessage(String.valueOf(e.getMessage()), e);
         }
     }
 
     /// @param type in full
     /// @throws IllegalArgumentException when the bytes are no such message
+    /// @throws InvalidDefinition when the server's distribution does not have this type
     RosMessage ofCdr(String type, byte[] bytes) {
         try {
             return codec(type).read(bytes);
@@ -201,7 +204,9 @@ final class MessageValues {
     ///
     /// @param type in full
     boolean isForCbor(String type) {
-        return types.get(type).fields().stream().allMatch(field -> isForCbor(field.type()));
+        return types.find(type).stream()
+                .flatMap(known -> known.fields().stream())
+                .allMatch(field -> isForCbor(field.type()));
     }
 
     private boolean isForCbor(FieldType field) {

@@ -60,6 +60,7 @@ final class Rosbridge implements RosbridgeSession.Listener {
 
     @Override
     public void onConnected() {
+        actions.onConnected();
         values.ifPresent(its -> {
             topics.announceAll(its);
             services.announceAll(its);

@@ -50,6 +50,11 @@ public final class RosbridgeLink implements RosLink {
         return bridge.watcher().endpoints();
     }
 
+    /// Whether the server has told which topics there are, since it was connected.
+    public boolean hasAnswered() {
+        return bridge.watcher().isComplete();
+    }
+
     @Override
     public Optional<Distribution> distribution() {
         return bridge.watcher().distribution();
@@ -58,6 +63,11 @@ public final class RosbridgeLink implements RosLink {
     @Override
     public Optional<String> trouble() {
         return bridge.session().trouble();
+    }
+
+    @Override
+    public String suspicion() {
+        return "do the robot's drivers run beside rosbridge?";
     }
 
     private <T extends AutoCloseable> T opened(T made) {

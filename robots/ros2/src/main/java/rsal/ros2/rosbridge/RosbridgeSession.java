@@ -21,6 +21,7 @@ import org.jspecify.annotations.Nullable;
 import rsal.ros2.rosbridge.RosbridgeTransport.Connection;
 import rsal.ros2.rosbridge.RosbridgeTransport.Receiver;
 import rsal.time.Scheduler;
+import rsal.time.Task;
 import tools.jackson.core.JsonGenerator;
 
 /// A connection to a server that is made again whenever it is lost, and the calls of services that wait for
@@ -32,6 +33,7 @@ final class RosbridgeSession {
     private static final Duration LAST_RETRY = Duration.ofSeconds(8);
     private static final Duration SILENCE = Duration.ofSeconds(10); // of a server that is asked something all the time
     private static final int MOST_CALLS = 1_000; // that wait for their answers
+    private static final Duration ANSWER = Duration.ofSeconds(30); // to a call; some nodes never give one
     private static final int MOST_REPORTED = 100; // different messages of a server
 
     private final RosbridgeTransport transport;
@@ -120,7 +122,7 @@ final class RosbridgeSession {
             LOG.log(
                     Level.WARNING,
                     () -> "A message of rosbridge at '%s' is malformed and ignored. Further ones are counted only: %s"
-                            .formatted(address, e.getMessage()));
+                            .formatted(address, PeerText.shown(String.valueOf(e.getMessage()))));
         }
     }
 
@@ -150,7 +152,7 @@ final class RosbridgeSession {
                             ? "no connection"
                             : String.valueOf(ResponseMessages.reason(error).getMessage()));
         } else if (isOld(of)) {
-            made.close();
+            made.abort();
         } else {
             if (trouble.isPresent()) {
                 LOG.log(Level.INFO, () -> "rosbridge at '%s' is connected again.".formatted(address));
@@ -170,7 +172,7 @@ final class RosbridgeSession {
         attempt = Optional.empty();
         boolean wasConnected = connection.isPresent();
         connection = Optional.empty();
-        String words = "rosbridge at '%s' can't be reached: %s.".formatted(address, why);
+        String words = "rosbridge at '%s' can't be reached: %s.".formatted(address, PeerText.shown(why));
         if (trouble.isEmpty()) {
             LOG.log(Level.WARNING, () -> words + " It is tried again and again.");
         }
@@ -194,7 +196,7 @@ final class RosbridgeSession {
         if (connection.isPresent() && heard.plus(SILENCE).isBefore(scheduler.instant())) {
             Connection silent = connection.get();
             attempt.ifPresent(now -> lose(now, "it has sent nothing for %d s".formatted(SILENCE.toSeconds())));
-            silent.close();
+            silent.abort(); // as nobody reads its last words
         }
     }
 
@@ -259,8 +261,17 @@ final class RosbridgeSession {
         String id = number();
         var answer = new CompletableFuture<WireValue.Fields>();
         calls.put(id, answer);
+        Task limit = scheduler.after(ANSWER, () -> giveUp(id));
+        var _ = answer.whenComplete((_, _) -> limit.cancel());
         question.accept(id);
         return answer;
+    }
+
+    private void giveUp(String id) {
+        CompletableFuture<WireValue.Fields> call = calls.remove(id);
+        if (call != null) {
+            call.completeExceptionally(new IOException("No answer within %d s.".formatted(ANSWER.toSeconds())));
+        }
     }
 
     private void take(Attempt from, String operation, WireValue.Fields fields) {
@@ -289,14 +300,14 @@ final class RosbridgeSession {
         switch (values) {
             case WireValue.Fields response when !isFailure -> call.complete(response);
             case WireValue.Null _ when !isFailure -> call.complete(new WireValue.Fields(Map.of()));
-            case WireValue.Text(String why) -> call.completeExceptionally(new IOException(why));
+            case WireValue.Text(String why) -> call.completeExceptionally(new IOException(PeerText.shown(why)));
             default -> call.completeExceptionally(new IOException("The service failed: " + values.words()));
         }
     }
 
     /// A status is what the server thinks of an operation.
     private void report(WireValue.Fields fields) {
-        String text = fields.text("msg").orElse("");
+        String text = PeerText.shown(fields.text("msg").orElse(""));
         String level = fields.text("level").orElse("");
         boolean isBad = level.equals("error") || level.equals("warning");
         if (isBad && reported.size() < MOST_REPORTED && reported.add(text)) {

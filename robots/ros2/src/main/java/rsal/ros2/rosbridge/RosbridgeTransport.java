@@ -5,7 +5,7 @@ import java.util.concurrent.CompletionStage;
 
 /// How messages of rosbridge come and go: WebSocket, or a test's memory. Safe for several threads.
 public interface RosbridgeTransport extends AutoCloseable {
-    /// Largest message that is taken [B]: a map of 8,000 × 8,000 cells.
+    /// Largest message that is taken [B]: a map of 8,000 × 8,000 cells in CBOR, or half as wide and high in JSON.
     int MOST_BYTES = 64 << 20;
 
     /// Opens a connection.
@@ -25,8 +25,12 @@ public interface RosbridgeTransport extends AutoCloseable {
         /// @param key unique for what must not be replaced
         void send(String key, String message);
 
-        /// Ends it when all that waits is sent, but soon. The receiver hears nothing more.
+        /// Ends it when all that waits is sent, but soon; the caller waits for that. The receiver hears nothing
+        /// more.
         void close();
+
+        /// Ends it at once, whatever waits to be sent. The receiver hears nothing more.
+        void abort();
     }
 
     /// What comes from the server.

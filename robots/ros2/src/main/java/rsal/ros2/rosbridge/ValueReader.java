@@ -17,6 +17,8 @@ import tools.jackson.dataformat.cbor.CBORParser;
 
 /// Reads what a server sends. Its JSON is Python's, which may have `NaN` and `Infinity`.
 final class ValueReader {
+    private static final int MOST_OBJECTS = 200_000; // in a message; a cloud has four for each particle
+
     private static final StreamReadConstraints LIMITS = StreamReadConstraints.builder()
             .maxNestingDepth(64)
             .maxStringLength(RosbridgeTransport.MOST_BYTES)
@@ -29,6 +31,7 @@ final class ValueReader {
             CBORFactory.builder().streamReadConstraints(LIMITS).build();
 
     private final JsonParser parser;
+    private int objects;
 
     private ValueReader(JsonParser parser) {
         this.parser = parser;
@@ -65,6 +68,10 @@ final class ValueReader {
         return switch (token) {
             case null -> throw new InvalidMessage("It is empty.");
             case START_OBJECT -> {
+                objects++;
+                if (objects > MOST_OBJECTS) {
+                    throw new InvalidMessage("It has more than %d objects.".formatted(MOST_OBJECTS));
+                }
                 Map<String, WireValue> fields = new LinkedHashMap<>();
                 while (parser.nextToken() == JsonToken.PROPERTY_NAME) {
                     String name = parser.currentName();

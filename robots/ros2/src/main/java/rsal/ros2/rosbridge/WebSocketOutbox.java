@@ -106,4 +106,14 @@ final class WebSocketOutbox implements Connection {
         }
         socket.abort();
     }
+
+    @Override
+    public void abort() {
+        onEnd.accept("");
+        synchronized (this) {
+            isClosed = true;
+            waiting.clear();
+        }
+        socket.abort();
+    }
 }

@@ -54,7 +54,7 @@ sealed interface WireValue {
             case Bool(boolean isTrue) -> String.valueOf(isTrue);
             case Int(long value) -> String.valueOf(value);
             case Real(double value) -> String.valueOf(value);
-            case Text(String value) -> "'%s'".formatted(value.length() > 80 ? value.substring(0, 80) + "…" : value);
+            case Text(String value) -> "'%s'".formatted(PeerText.shown(value, 80));
             case Many(List<WireValue> values) -> "a list of %d".formatted(values.size());
             case Numbers(int _, ByteBuffer bytes) -> "an array of %d bytes".formatted(bytes.remaining());
             case Fields(Map<String, WireValue> _) -> "an object";

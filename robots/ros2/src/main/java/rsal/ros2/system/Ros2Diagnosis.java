@@ -88,6 +88,10 @@ public final class Ros2Diagnosis implements Diagnosis {
     @Override
     public List<Finding> look(Arguments settings) {
         if (!settings.get(Ros2Provider.ROSBRIDGE).isBlank()) {
+            if (!settings.get(TOPIC).isBlank() || !settings.get(DEFINITIONS).isBlank()) {
+                throw new IllegalArgumentException(
+                        "'topic' and 'definitions' need DDS, which 'rosbridge' replaces. Remove them, or 'rosbridge'.");
+            }
             return RosbridgeFindings.of(settings, settings.seconds(TIME));
         }
         UdpParticipant.Options options = Ros2Provider.network(settings, NODE);

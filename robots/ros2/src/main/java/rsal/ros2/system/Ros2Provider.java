@@ -37,7 +37,8 @@ import rsal.system.RobotSystemProvider;
 import rsal.system.RobotSystemProvider.InvalidRobots.Problem;
 import rsal.time.Scheduler;
 
-/// Robots of ROS 2, real ones or those of another simulator. They follow real time.
+/// Robots of ROS 2, real ones or those of another simulator, by DDS or rosbridge. They have real time, or that of
+/// their simulator.
 public final class Ros2Provider implements RobotSystemProvider {
     private static final String NODE = "rsal";
     private static final Pattern NAMESPACE = Pattern.compile("/|(/[A-Za-z_][A-Za-z0-9_]*)+");
@@ -148,7 +149,7 @@ public final class Ros2Provider implements RobotSystemProvider {
 
     @Override
     public String description() {
-        return "Connects to robots of ROS 2 over the network (DDS). This machine needs no ROS.";
+        return "Connects to robots of ROS 2 by DDS or rosbridge, and to those of ROS 1 by rosbridge. This machine needs no ROS.";
     }
 
     @Override

@@ -187,6 +187,9 @@ final class Ros2System implements RobotSystem {
         if (isThere != wasThere && (present.containsKey(robot) || robot.isReady())) {
             present.put(robot, isThere);
             Robot its = robot.robot();
+            if (isThere && hasJoined) {
+                robot.appear();
+            }
             changes.tell(
                     isThere
                             ? new Change.Appeared(its)
@@ -297,12 +300,14 @@ final class Ros2System implements RobotSystem {
                                 each.getValue(),
                                 String.join(", ", lacking),
                                 topics.words(),
-                                all.isEmpty()
-                                        ? "Nothing of ROS 2 was found at all; maybe another 'domain' or 'address'?"
-                                        : "");
+                                all.isEmpty() ? nothing() : "");
             }
         }
         return "A robot publishes no odometry, though it has a topic for it.";
+    }
+
+    private String nothing() {
+        return "Nothing of ROS 2 was found at all; " + Objects.requireNonNull(link).suspicion();
     }
 
     @Override

@@ -31,7 +31,7 @@ final class RosbridgeFindings {
             RosbridgeLink link = opened.getFirst();
             try {
                 Thread.sleep(time);
-                findings.addAll(of(link, options));
+                findings.addAll(of(link, options, time));
             } finally {
                 scheduler.exclusively(link::close);
             }
@@ -41,7 +41,7 @@ final class RosbridgeFindings {
         return findings;
     }
 
-    private static List<Finding> of(RosbridgeLink link, RosbridgeOptions options) {
+    private static List<Finding> of(RosbridgeLink link, RosbridgeOptions options, Duration time) {
         Optional<String> trouble = link.trouble();
         if (trouble.isPresent()) {
             return List.of(new Finding(
@@ -49,6 +49,13 @@ final class RosbridgeFindings {
                     false,
                     trouble.get(),
                     "On the robot: ros2 launch rosbridge_server rosbridge_websocket_launch.xml"));
+        }
+        if (!link.hasAnswered()) {
+            return List.of(new Finding(
+                    "rosbridge",
+                    false,
+                    "'%s' does not answer within %.0f s".formatted(options.address(), time.toMillis() / 1e3),
+                    "Is it rosbridge? Slow robots need more time: --set time=20"));
         }
         var findings = new ArrayList<Finding>();
         findings.add(new Finding("rosbridge", true, "answers at '%s'".formatted(options.address()), ""));

@@ -20,6 +20,7 @@ final class SimulatorClock {
     private static final RosTopic TOPIC = new RosTopic("/clock", "rosgraph_msgs/msg/Clock");
     private static final Duration QUIET = Duration.ofSeconds(5); // of standing, before people learn of it
 
+    private final RosLink link;
     private final String network;
     private final Subscribed subscribed;
     private final Consumer<? super Instant> listener;
@@ -34,6 +35,7 @@ final class SimulatorClock {
     /// @param network for people: `domain 5`
     /// @param listener gets each new time, on a thread of the link
     SimulatorClock(RosLink link, String network, Consumer<? super Instant> listener) {
+        this.link = link;
         this.network = network;
         this.listener = listener;
         subscribed = link.subscribe(TOPIC, Profile.SENSOR_DATA, this::take);
@@ -65,15 +67,17 @@ final class SimulatorClock {
             movedAt = now;
             hasReported = false;
         }
-        if (subscribed.publishers() > 0 || publishedAt.equals(Instant.MAX)) {
+        boolean isPublished = movedAt.equals(now) || subscribed.publishers() > 0;
+        if (isPublished || link.trouble().isPresent() || publishedAt.equals(Instant.MAX)) {
             publishedAt = now;
         }
         if (hasBegun() && !hasReported && standing(now).compareTo(QUIET) > 0) {
             hasReported = true;
             LOG.log(
                     Level.WARNING,
-                    "No new time has come on /clock for {0} s: the run stands still. Maybe the simulator is paused?",
-                    QUIET.toSeconds());
+                    "No new time has come on /clock for {0} s: the run stands still. {1}",
+                    QUIET.toSeconds(),
+                    link.trouble().orElse("Maybe the simulator is paused?"));
         }
     }
 
@@ -84,7 +88,8 @@ final class SimulatorClock {
         return movedAt.isBefore(now) ? Duration.between(movedAt, now) : Duration.ZERO;
     }
 
-    /// For how long nobody has published it.
+    /// For how long nobody has published it, since a new time came last, or what keeps the link from hearing others
+    /// was over.
     ///
     /// @param now in real time
     Duration unpublished(Instant now) {

@@ -2,10 +2,12 @@ package rsal.ros2.rosbridge;
 
 import java.nio.ByteBuffer;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
@@ -44,9 +46,13 @@ public final class FakeRosbridge {
     private final boolean isRos1;
     private final PythonMessages messages;
     private final List<Client> clients = new CopyOnWriteArrayList<>();
+    private final Map<String, String> goalIds = new HashMap<>(); // of the network, by those of all clients
     private boolean hasRosapi = true;
+    private String distribution = "jazzy";
+    private final Set<String> refused = new HashSet<>();
     private boolean isDown;
     private int goals;
+    private final Map<String, String> deliveries = new HashMap<>(); // by topic
 
     /// @param isRos1 a server of ROS 1; of ROS 2 Jazzy otherwise
     public FakeRosbridge(MemoryNetwork network, boolean isRos1) {
@@ -55,9 +61,20 @@ public final class FakeRosbridge {
         messages = new PythonMessages(TypeLibrary.of(Distribution.JAZZY), isRos1);
     }
 
+    /// What it says of its distribution. Its types stay the same.
+    void distribution(String distribution) {
+        this.distribution = distribution;
+    }
+
     /// The node `rosapi` is not there from now on.
     void withoutRosapi() {
         hasRosapi = false;
+    }
+
+    /// The node `rosapi` refuses these questions from now on, such as `node_details`, and no others.
+    public void refuse(Set<String> questions) {
+        refused.clear();
+        refused.addAll(questions);
     }
 
     /// All connections end, and none is accepted until [#up].
@@ -72,6 +89,11 @@ public final class FakeRosbridge {
 
     public boolean hasClients() {
         return !clients.isEmpty();
+    }
+
+    /// How the newest subscription of a topic is to be delivered: `throttle_rate` and `queue_length`.
+    String delivery(String topic) {
+        return deliveries.getOrDefault(topic, "not subscribed to");
     }
 
     /// Sends all clients whatever it is.
@@ -105,6 +127,11 @@ public final class FakeRosbridge {
                     public void close() {
                         client.close();
                     }
+
+                    @Override
+                    public void abort() {
+                        client.close();
+                    }
                 });
             }
 
@@ -130,7 +157,6 @@ public final class FakeRosbridge {
         private final Map<String, Publication> advertised = new LinkedHashMap<>(); // by topic
         private final Map<String, String> types = new HashMap<>(); // of advertised ones
         private final Map<String, Hearing> hearings = new LinkedHashMap<>(); // by topic
-        private final Map<String, String> goalIds = new HashMap<>(); // of the network, by those of the client
         private final Map<String, CompletableFuture<byte[]>> requests = new HashMap<>(); // to services of the client
         private final Map<String, RosLink.Served> served = new HashMap<>();
         private boolean isClosed;
@@ -250,6 +276,12 @@ public final class FakeRosbridge {
                             .formatted(topic, each.topic().type(), type));
                 }
             }
+            deliveries.put(
+                    topic,
+                    "%d %d"
+                            .formatted(
+                                    in.path("throttle_rate").asInt(0),
+                                    in.path("queue_length").asInt(0)));
             boolean isNew = !hearings.containsKey(topic);
             Hearing hearing = hearings.computeIfAbsent(topic, _ -> new Hearing(type));
             hearing.ids.add(in.get("id").asString());
@@ -445,6 +477,9 @@ public final class FakeRosbridge {
         }
 
         private Optional<ObjectNode> rosapi(String question, JsonNode args) {
+            if (refused.contains(question)) {
+                return Optional.empty();
+            }
             ObjectNode answer = JsonNodeFactory.instance.objectNode();
             List<RosEndpoint> others = link.endpoints();
             switch (question) {
@@ -506,7 +541,7 @@ public final class FakeRosbridge {
                     if (isRos1) {
                         return Optional.empty();
                     }
-                    answer.put("version", 2).put("distro", "jazzy");
+                    answer.put("version", 2).put("distro", distribution);
                 }
                 default -> {
                     return Optional.empty();

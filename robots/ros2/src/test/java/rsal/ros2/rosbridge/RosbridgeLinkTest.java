@@ -10,12 +10,16 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import java.util.stream.IntStream;
+import org.assertj.core.api.InstanceOfAssertFactories;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.LaserScan;
 import rsal.data.Odometry;
@@ -210,6 +214,28 @@ class RosbridgeLinkTest {
         assertThat(stops).containsExactly(stopped, stopped); // the server had forgotten it
     }
 
+    /// Times and what comes in parts are needed whole.
+    @ParameterizedTest
+    @CsvSource({
+        "sensor_msgs/msg/LaserScan, SENSOR_DATA, 200 1",
+        "nav_msgs/msg/Odometry, SENSOR_DATA, 200 1",
+        "nav_msgs/msg/OccupancyGrid, LATCHED, 0 20",
+        "rosgraph_msgs/msg/Clock, SENSOR_DATA, 0 1",
+        "diagnostic_msgs/msg/DiagnosticArray, SENSOR_DATA, 0 100",
+        "sensor_msgs/msg/JointState, SENSOR_DATA, 0 100",
+        "lifecycle_msgs/msg/TransitionEvent, SENSOR_DATA, 0 20",
+        "tf2_msgs/msg/TFMessage, DEFAULT, 0 100"
+    })
+    void onlyReadingsOfSensorsComeLessOften(String type, Profile profile, String delivery) {
+        robot.advertise(ODOM, Profile.DEFAULT);
+        var slow = new RosbridgeOptions(
+                URI.create("ws://robot.local:9090"), Encoding.CBOR, Duration.ofMillis(200), Optional.empty());
+        RosbridgeLink link = open(server.transport(), slow);
+        run(2);
+        link.subscribe(new RosTopic("/topic", type), profile, _ -> {});
+        assertThat(server.delivery("/topic")).isEqualTo(delivery);
+    }
+
     @Test
     void malformedMessagesHarmNoOthers() {
         var odom = robot.advertise(ODOM, Profile.DEFAULT);
@@ -275,6 +301,45 @@ class RosbridgeLinkTest {
     }
 
     @Test
+    void callsThatNobodyAnswersAreGivenUp() {
+        network.serve("/r1/stop", SET_BOOL, _ -> new CompletableFuture<>());
+        ServiceClient client = open().client("/r1/stop", SET_BOOL);
+        List<CompletableFuture<byte[]>> first = calls(client);
+        run(29);
+        assertThat(first).noneMatch(CompletableFuture::isDone);
+        run(2);
+        assertThatThrownBy(first.getLast()::join).hasMessageContaining("No answer within 30 s.");
+        assertThat(calls(client)).noneMatch(CompletableFuture::isDone); // 1,000 may wait
+    }
+
+    private static List<CompletableFuture<byte[]>> calls(ServiceClient client) {
+        byte[] request = new CdrWriter().bool(true).toBytes();
+        return IntStream.range(0, 900)
+                .mapToObj(_ -> client.call(request).toCompletableFuture())
+                .toList();
+    }
+
+    @Test
+    void whatAServerSaysIsOneShortLine() {
+        network.serve(
+                "/r1/stop",
+                SET_BOOL,
+                _ -> CompletableFuture.failedStage(
+                        new IllegalStateException("\u001b[31mjammed\r\nERROR: " + "x".repeat(1 << 20))));
+        RosbridgeLink link = open();
+        var failed = link.client("/r1/stop", SET_BOOL)
+                .call(new CdrWriter().bool(true).toBytes())
+                .toCompletableFuture();
+        run(0.1);
+        assertThatThrownBy(failed::join)
+                .cause()
+                .hasMessageStartingWith("[31mjammed ERROR: xxx")
+                .hasMessageEndingWith("xxx…")
+                .extracting(Throwable::getMessage, InstanceOfAssertFactories.STRING)
+                .hasSizeBetween(190, 201);
+    }
+
+    @Test
     void othersCallItsOwnServices() {
         RosbridgeLink link = open();
         var served = link.serve(
@@ -324,6 +389,11 @@ class RosbridgeLinkTest {
                             public void close() {
                                 connections.add("closed");
                             }
+
+                            @Override
+                            public void abort() {
+                                connections.add("aborted");
+                            }
                         });
                     }
 
@@ -337,7 +407,46 @@ class RosbridgeLinkTest {
         assertThat(connections).containsExactly("opened");
         assertThat(link.trouble().orElse("")).contains("/rosapi/topics", "No answer within 5.0 s");
         run(10);
-        assertThat(connections).startsWith("opened", "closed", "opened");
+        assertThat(connections).startsWith("opened", "aborted", "opened");
+    }
+
+    @Test
+    void whatWasFoundStaysWhileAnAnswerOrTwoAreRefused() {
+        var odom = robot.advertise(ODOM, Profile.DEFAULT);
+        serveSpin(true, new CompletableFuture<>());
+        RosbridgeLink link = open();
+        List<RosEndpoint> found = link.endpoints();
+        assertThat(found).hasSize(2);
+        server.refuse(Set.of("node_details", "action_servers"));
+        run(2.5);
+        assertThat(link.endpoints()).isSameAs(found);
+        assertThat(link.client("/r1/spin/_action/send_goal", "nav2_msgs/action/Spin_SendGoal")
+                        .isAvailable())
+                .isTrue();
+        server.refuse(Set.of());
+        run(3);
+        assertThat(link.endpoints()).isSameAs(found);
+        server.refuse(Set.of("node_details", "action_servers"));
+        run(6);
+        assertThat(link.endpoints()).isEmpty();
+        server.refuse(Set.of());
+        run(2);
+        assertThat(link.endpoints()).isEqualTo(found);
+        odom.close(); // and what rosapi says does count
+        run(2);
+        assertThat(link.endpoints()).hasSize(1);
+    }
+
+    @Test
+    void aTypeThatIsNotToldAtOnceIsAskedForAgain() {
+        String type = "control_msgs/action/GripperCommand_FeedbackMessage";
+        robot.advertise(new RosTopic("/r1/gripper_cmd/_action/feedback", type), Profile.DEFAULT);
+        server.refuse(Set.of("action_type"));
+        RosbridgeLink link = open();
+        assertThat(link.endpoints()).isEmpty();
+        server.refuse(Set.of());
+        run(2);
+        assertThat(link.endpoints()).extracting(each -> each.topic().type()).containsExactly(type);
     }
 
     private static final class Heard implements ActionClient.Listener {
@@ -396,6 +505,32 @@ class RosbridgeLinkTest {
         assertThat(heard.what).containsExactly("refused");
     }
 
+    /// Humble's rosapi does not say which types actions have, and Humble has no docking.
+    @Test
+    void actionsThatTheServersDistributionDoesNotHaveFail() {
+        server.distribution("humble");
+        server.refuse(Set.of("action_type"));
+        serveSpin(true, new CompletableFuture<>());
+        String dock = "nav2_msgs/action/DockRobot";
+        robot.advertise(new RosTopic("/r1/dock_robot/_action/feedback", dock + "_FeedbackMessage"), Profile.DEFAULT);
+        robot.advertise(ODOM, Profile.DEFAULT);
+        RosbridgeLink link = open();
+        assertThat(link.distribution()).contains(Distribution.HUMBLE);
+        assertThat(link.endpoints())
+                .extracting(each -> each.topic().name())
+                .containsExactly("/r1/odom", "/r1/spin/_action/feedback");
+        var request = new byte[200];
+        var goal = link.client("/r1/dock_robot/_action/send_goal", dock + "_SendGoal")
+                .call(request);
+        var result = link.client("/r1/dock_robot/_action/get_result", dock + "_GetResult")
+                .call(request);
+        var answer = link.client("/r1/load", "nav2_msgs/srv/ReloadDockDatabase").call(request);
+        for (CompletionStage<byte[]> each : List.of(goal, result, answer)) {
+            assertThatThrownBy(() -> each.toCompletableFuture().join())
+                    .hasMessageContaining("There is no definition of 'nav2_msgs/");
+        }
+    }
+
     @Test
     void goalsEndWithTheirStatus() {
         byte[] aborted = new CdrWriter().int8((byte) 6).int32(1).int32(2).toBytes();
@@ -414,6 +549,30 @@ class RosbridgeLinkTest {
         server.down();
         run(0.1);
         assertThat(heard.what).containsExactly("The connection to rosbridge was lost.");
+    }
+
+    /// The server goes on with them.
+    @Test
+    void goalsThatWereLostAreCanceledWhenTheServerIsThereAgain() {
+        var canceled = new ArrayList<Byte>();
+        network.serve("/r1/spin/_action/cancel_goal", "action_msgs/srv/CancelGoal", request -> {
+            canceled.add(request[4 + 15]); // the last byte of its id
+            return new CompletableFuture<>();
+        });
+        serveSpin(true, new CompletableFuture<>());
+        var _ = send(open());
+        run(3);
+        server.down();
+        run(5);
+        assertThat(canceled).isEmpty();
+        server.up();
+        run(10);
+        assertThat(canceled).containsExactly((byte) 1);
+        server.down();
+        run(1);
+        server.up();
+        run(10);
+        assertThat(canceled).hasSize(1);
     }
 
     @Test

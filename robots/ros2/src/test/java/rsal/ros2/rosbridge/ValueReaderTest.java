@@ -14,6 +14,15 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /// CBOR, with examples of RFC 8949, appendix A.
 class ValueReaderTest {
+    /// As each object becomes a message, which takes a hundred times as much memory.
+    @Test
+    void tooManyObjectsAreRefused() throws InvalidMessage {
+        assertThat(ValueReader.json("[" + "{},".repeat(199_999) + "{}]")).isInstanceOf(WireValue.Many.class);
+        assertThatThrownBy(() -> ValueReader.json("[" + "{},".repeat(200_000) + "{}]"))
+                .isInstanceOf(InvalidMessage.class)
+                .hasMessage("It has more than 200000 objects.");
+    }
+
     private static WireValue read(String hex) throws InvalidMessage {
         return ValueReader.cbor(ByteBuffer.wrap(HexFormat.of().parseHex(hex)));
     }

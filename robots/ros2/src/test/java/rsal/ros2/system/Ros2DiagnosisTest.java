@@ -1,13 +1,17 @@
 package rsal.ros2.system;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.tuple;
 
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import rsal.rtps.discovery.BuiltinEndpoint;
 import rsal.rtps.discovery.EndpointData;
 import rsal.rtps.discovery.ParticipantData;
@@ -16,6 +20,7 @@ import rsal.rtps.wire.EntityId;
 import rsal.rtps.wire.Guid;
 import rsal.rtps.wire.GuidPrefix;
 import rsal.rtps.wire.Locator;
+import rsal.settings.Arguments;
 import rsal.system.Diagnosis.Finding;
 
 class Ros2DiagnosisTest {
@@ -46,6 +51,18 @@ class Ros2DiagnosisTest {
         assertThat(findings).hasSize(1);
         assertThat(findings.getFirst().ok()).isFalse();
         assertThat(findings.getFirst().remedy()).contains("domain", "--set peers");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"topic", "definitions"})
+    void whatRosbridgeDoesNotHaveIsRefused(String name) {
+        var diagnosis = new Ros2Diagnosis();
+        Arguments settings =
+                Arguments.parse(diagnosis.parameters(), Map.of("rosbridge", "ws://127.0.0.1:9", name, "scan"));
+        assertThatThrownBy(() -> diagnosis.look(settings))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("'topic' and 'definitions' need DDS, which 'rosbridge' replaces. Remove them, or"
+                        + " 'rosbridge'.");
     }
 
     @Test

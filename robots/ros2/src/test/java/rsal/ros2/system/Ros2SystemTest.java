@@ -167,6 +167,38 @@ class Ros2SystemTest {
         assertThat(commanded).last().isEqualTo(Twist2d.STOP);
     }
 
+    /// It may drive on with what it heard last, as after an outage of a network.
+    @Test
+    void aRobotThatIsThereAgainIsStoppedUnlessItIsDriven() {
+        robotIsThere("geometry_msgs/msg/Twist");
+        try (Ros2System system = system()) {
+            DriveBase base = found(system).require(DriveBase.class);
+            comesAgain(); // and nobody has used it
+            assertThat(commanded).isEmpty();
+            base.command(new Twist2d(0.3, 0, 0));
+            comesAgain();
+            assertThat(commanded).hasSizeGreaterThan(5).containsOnly(Twist2d.STOP);
+            comesAgain();
+            base.command(new Twist2d(0.3, 0, 0));
+            commanded.clear();
+            advance(0.3, true);
+            assertThat(commanded).isNotEmpty().containsOnly(new Twist2d(0.3, 0, 0));
+            advance(4, true);
+            commanded.clear();
+            advance(1, true);
+            assertThat(commanded).isEmpty();
+        }
+    }
+
+    /// After 5 s.
+    private void comesAgain() {
+        odometry.close();
+        advance(5, false);
+        commanded.clear();
+        odometry = there.advertise(new RosTopic("/r1/odom", "nav_msgs/msg/Odometry"), Profile.DEFAULT);
+        advance(0.5, true);
+    }
+
     @Test
     void readingsHaveTheTimeOfTheRunAndThePlaceOfTf() {
         robotIsThere("geometry_msgs/msg/Twist");

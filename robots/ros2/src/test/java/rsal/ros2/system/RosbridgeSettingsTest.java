@@ -83,6 +83,19 @@ class RosbridgeSettingsTest {
     void aServerThatIsNotThereIsNamed() {
         var rosbridge = new FakeRosbridge(new MemoryNetwork(), false);
         rosbridge.down();
+        assertThatThrownBy(() -> find(rosbridge))
+                .hasMessageContaining("rosbridge at 'ws://robot.local:9090' can't be reached: nobody listens there")
+                .hasMessageContaining("Is rosbridge_server running there?");
+    }
+
+    /// And DDS is not blamed.
+    @Test
+    void aServerWithoutARobotIsNamed() {
+        assertThatThrownBy(() -> find(new FakeRosbridge(new MemoryNetwork(), false)))
+                .hasMessageContaining("Nothing of ROS 2 was found at all; do the robot's drivers run beside rosbridge?");
+    }
+
+    private void find(FakeRosbridge rosbridge) {
         RosbridgeOptions options = Ros2Provider.rosbridge(settings(Map.of()));
         var system = new Ros2System(
                 Map.of(OneRobot.spec(Map.of()), "/r1"),
@@ -102,9 +115,7 @@ class RosbridgeSettingsTest {
         for (int i = 0; i < 400 && !found.isDone(); i++) {
             run.advance(Duration.ofMillis(50));
         }
-        assertThatThrownBy(found::join)
-                .hasMessageContaining("rosbridge at 'ws://robot.local:9090' can't be reached: nobody listens there")
-                .hasMessageContaining("Is rosbridge_server running there?");
         system.close();
+        found.join();
     }
 }

@@ -140,10 +140,10 @@ class RosbridgeSocketIT {
             assertThat(laser.latest().orElseThrow().value().ranges()[1]).isGreaterThan(3); // infinite: nothing there
         }
         assertThat(changes.poll(20, TimeUnit.SECONDS)).isInstanceOf(Change.Gone.class);
-        commanded.set(Twist2d.STOP); // as a robot's watchdog does
         try (var server = new RosbridgeServer(rosbridge, port, there)) {
             assertThat(server.address().getPort()).isEqualTo(port);
             assertThat(changes.poll(30, TimeUnit.SECONDS)).isInstanceOf(Change.Appeared.class);
+            waitFor("it is stopped, as nobody could stop it meanwhile", () -> commanded.get().vx() == 0);
             double begin = x(robot);
             drive(robot, -0.5);
             waitFor("it drives back", () -> x(robot) < begin - 0.2);
@@ -178,6 +178,17 @@ class RosbridgeSocketIT {
             assertThat(finding.ok()).isFalse();
             assertThat(finding.found()).contains(address.toString(), "nobody listens there");
         });
+    }
+
+    @Test
+    void theDoctorSaysThatAServerDoesNotAnswer() throws Exception {
+        try (var server = new RosbridgeServer(rosbridge, 0, _ -> {})) {
+            URI address = server.address();
+            assertThat(diagnosed(address)).singleElement().satisfies(finding -> {
+                assertThat(finding.ok()).isFalse();
+                assertThat(finding.found()).isEqualTo("'%s' does not answer within 3 s".formatted(address));
+            });
+        }
     }
 
     private static List<Finding> diagnosed(URI address) {

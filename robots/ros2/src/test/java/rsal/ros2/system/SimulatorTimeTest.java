@@ -12,8 +12,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CompletionStage;
-import java.util.function.Supplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -23,6 +21,7 @@ import rsal.data.Twist2d;
 import rsal.device.DriveBase;
 import rsal.robot.Robot;
 import rsal.ros2.MemoryNetwork;
+import rsal.ros2.TwoTimes;
 import rsal.ros2.cdr.CdrReader;
 import rsal.ros2.cdr.InvalidCdr;
 import rsal.ros2.link.Profile;
@@ -35,9 +34,6 @@ import rsal.ros2.setting.RosSettings;
 import rsal.ros2.setting.Safety;
 import rsal.system.RealRobots.Waiting;
 import rsal.time.LockstepScheduler;
-import rsal.time.Phase;
-import rsal.time.Scheduler;
-import rsal.time.Task;
 
 /// Robots of another simulator, whose clock the test is.
 class SimulatorTimeTest {
@@ -68,7 +64,7 @@ class SimulatorTimeTest {
                 new RosSettings(
                         new Safety(Duration.ofMillis(500), true, "", ""), GripperSettings.USUAL, List.of(), true, true),
                 Waiting.USUAL,
-                new TwoTimes(),
+                new TwoTimes(real, ofSimulator),
                 new SplittableRandom(1));
         system.onTime(times::add);
     }
@@ -102,39 +98,6 @@ class SimulatorTimeTest {
                     simulated, new Odometry(Pose2d.ORIGIN, Twist2d.STOP, false), "odom", "base_link"));
             ofSimulator.advance(Duration.ofNanos(Math.round(pace * STEP.toNanos())));
             real.advance(STEP);
-        }
-    }
-
-    /// A run that follows the simulator's time.
-    private final class TwoTimes implements Scheduler {
-        @Override
-        public Scheduler inRealTime() {
-            return real;
-        }
-
-        @Override
-        public Instant instant() {
-            return ofSimulator.instant();
-        }
-
-        @Override
-        public void execute(Runnable task) {
-            real.execute(task);
-        }
-
-        @Override
-        public Task after(Duration delay, Phase phase, Runnable task) {
-            return ofSimulator.after(delay, phase, task);
-        }
-
-        @Override
-        public Task every(Duration period, Phase phase, Runnable task) {
-            return ofSimulator.every(period, phase, task);
-        }
-
-        @Override
-        public <T> CompletionStage<T> compute(Supplier<T> work) {
-            return ofSimulator.compute(work);
         }
     }
 
