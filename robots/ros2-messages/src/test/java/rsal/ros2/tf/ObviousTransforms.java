@@ -12,9 +12,8 @@ import java.util.stream.Collectors;
 import rsal.ros2.message.FrameTransform;
 import rsal.ros2.message.FrameTransform.Quaternion;
 
-/// What [TransformBuffer] answers, found the slow way: all transforms in a list, frames as a graph that is searched,
-/// and
-/// rotations as matrices which turn about an axis. Without limits, and for trees without loops.
+/// What [TransformBuffer] answers, found the slow way: all transforms in a list, frames as a graph that is
+/// searched, and rotations as matrices which turn about an axis. Without limits, and for trees without loops.
 final class ObviousTransforms {
     private final long history; // ns
     private final List<StampedTransform> moving = new ArrayList<>();

@@ -13,9 +13,9 @@ import rsal.device.Gripper.Result;
 import rsal.ros2.action.ActionClient;
 import rsal.ros2.cdr.RosMessage;
 
-/// Paddles or a lift behind an action of type `control_msgs/GripperCommand`, between two positions: 0 (open, down) and
-/// 1
-/// (closed, up). While its robot's motors are off, its goals wait, and one under way is canceled and sent again.
+/// Paddles or a lift behind an action of type `control_msgs/GripperCommand`, between two positions: 0 (open,
+/// down) and 1 (closed, up). While its robot's motors are off, its goals wait, and one under way is canceled
+/// and sent again.
 final class GripperJoint {
     private static final Duration PATIENCE = Duration.ofSeconds(15);
 

@@ -141,9 +141,9 @@ final class RosBase extends RosSensor<Odometry> implements DriveBase {
         }
     }
 
-    /// Has it stand while the run's time does, without forgetting what is wanted: once time goes on, that is sent again
-    /// if
-    /// it is still fresh by the run's time. A simulator that is paused must not change what happens.
+    /// Has it stand while the run's time does, without forgetting what is wanted: once time goes on, that is
+    /// sent again if it is still fresh by the run's time. A simulator that is paused must not change what
+    /// happens.
     ///
     /// @param now in real time
     void hold(Instant now) {

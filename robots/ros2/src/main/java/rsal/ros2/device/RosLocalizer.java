@@ -35,8 +35,9 @@ import rsal.ros2.tf.TransformLookup.Reason;
 /// odometry begins on the map (TF from `map` to `odom`). In between, estimates go with the odometry, as long as the
 /// localizer is there: TF that stops coming is stale, and where only poses come, somebody must publish them.
 ///
-/// Each estimate is of the time of an odometry message. Where TF says also how the robot moves in `odom`, as a filter of
-/// several sensors does, that counts and not the wheels; the estimate then waits for the TF of its time.
+/// Each estimate is of the time of an odometry message. Where TF says also how the robot moves in `odom`, as a
+/// filter of several sensors does, that counts and not the wheels; the estimate then waits for the TF of its
+/// time.
 final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
     private static final int REMEMBERED = 100; // odometry, to know where the robot was when it was localized
     private static final double SURE = 0.5; // m, rad: with deviations of less a robot is localized

@@ -204,9 +204,8 @@ final class RosPlanner extends DeviceCore implements Planner {
         return Optional.ofNullable(latest);
     }
 
-    /// Looks whether there is still somebody who serves the action, and answers. After three requests in a row without
-    /// an
-    /// answer, those that wait get none either: each of them would wait as long.
+    /// Looks whether there is still somebody who serves the action, and answers. After three requests in a row
+    /// without an answer, those that wait get none either: each of them would wait as long.
     void look(Instant now) {
         action.look(now);
         Request late = pending;

@@ -21,8 +21,9 @@ import rsal.ros2.link.RosNetwork;
 /// that is not repeated for 5 s does not count any more.
 ///
 /// Names of reports are free (`hokuyo: Hokuyo Status`), so they are compared by their words. A report concerns the
-/// device all of whose name's words it has; of several the one with the most words. Where it names none, it concerns the
-/// device that is the only one of which it has a usual word, such as `lidar`. All others concern no device.
+/// device all of whose name's words it has; of several the one with the most words. Where it names none,
+/// it concerns the device that is the only one of which it has a usual word, such as `lidar`. All others concern no
+/// device.
 public final class RobotReports {
     private static final Duration VALID = Duration.ofSeconds(5); // programs publish once a second
     private static final int ERROR = 2; // diagnostic_msgs/DiagnosticStatus

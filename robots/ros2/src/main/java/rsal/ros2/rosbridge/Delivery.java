@@ -31,8 +31,8 @@ record Delivery(Duration throttle, int waiting) {
     /// A time that comes less often makes all that follows it go in steps.
     private static final String CLOCK = "rosgraph_msgs/msg/Clock";
 
-    private static final Set<String> PARTS = Set.of(
-            "diagnostic_msgs/msg/DiagnosticArray", "sensor_msgs/msg/JointState", "tf2_msgs/msg/TFMessage");
+    private static final Set<String> PARTS =
+            Set.of("diagnostic_msgs/msg/DiagnosticArray", "sensor_msgs/msg/JointState", "tf2_msgs/msg/TFMessage");
 
     /// @param throttle of readings of sensors
     static Delivery of(RosTopic topic, Profile profile, Duration throttle) {

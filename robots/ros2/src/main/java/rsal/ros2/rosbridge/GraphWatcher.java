@@ -228,7 +228,8 @@ final class GraphWatcher {
         return tryTo("node_details", out -> out.writeStringProperty("node", node))
                 .thenCompose(answer -> {
                     Known its = answer.map(Known::fresh)
-                            .orElseGet(() -> nodes.getOrDefault(node, Known.NONE).older());
+                            .orElseGet(
+                                    () -> nodes.getOrDefault(node, Known.NONE).older());
                     nodes.put(node, its);
                     draft.add(node, its.answer);
                     return details(names, i + 1, draft);
@@ -240,14 +241,13 @@ final class GraphWatcher {
         if (version.equals(Optional.of(RosVersion.ROS_1))) {
             return CompletableFuture.completedStage(null);
         }
-        return tryTo("action_servers", _ -> {})
-                .thenCompose(answer -> {
-                    actionServers = answer.map(Known::fresh).orElseGet(actionServers::older);
-                    List<String> names = actionServers.answer.texts("action_servers");
-                    actionTypes.keySet().retainAll(Set.copyOf(names));
-                    untyped.keySet().retainAll(Set.copyOf(names));
-                    return actionTypes(names, 0, draft);
-                });
+        return tryTo("action_servers", _ -> {}).thenCompose(answer -> {
+            actionServers = answer.map(Known::fresh).orElseGet(actionServers::older);
+            List<String> names = actionServers.answer.texts("action_servers");
+            actionTypes.keySet().retainAll(Set.copyOf(names));
+            untyped.keySet().retainAll(Set.copyOf(names));
+            return actionTypes(names, 0, draft);
+        });
     }
 
     private CompletionStage<Void> actionTypes(List<String> names, int i, Draft draft) {

@@ -307,7 +307,8 @@ final class Ros2System implements RobotSystem {
     }
 
     private String nothing() {
-        return "Nothing of ROS 2 was found at all; " + Objects.requireNonNull(link).suspicion();
+        return "Nothing of ROS 2 was found at all; "
+                + Objects.requireNonNull(link).suspicion();
     }
 
     @Override

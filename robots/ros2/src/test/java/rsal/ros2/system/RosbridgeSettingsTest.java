@@ -92,7 +92,8 @@ class RosbridgeSettingsTest {
     @Test
     void aServerWithoutARobotIsNamed() {
         assertThatThrownBy(() -> find(new FakeRosbridge(new MemoryNetwork(), false)))
-                .hasMessageContaining("Nothing of ROS 2 was found at all; do the robot's drivers run beside rosbridge?");
+                .hasMessageContaining(
+                        "Nothing of ROS 2 was found at all; do the robot's drivers run beside rosbridge?");
     }
 
     private void find(FakeRosbridge rosbridge) {

@@ -143,7 +143,9 @@ class RosbridgeSocketIT {
         try (var server = new RosbridgeServer(rosbridge, port, there)) {
             assertThat(server.address().getPort()).isEqualTo(port);
             assertThat(changes.poll(30, TimeUnit.SECONDS)).isInstanceOf(Change.Appeared.class);
-            waitFor("it is stopped, as nobody could stop it meanwhile", () -> commanded.get().vx() == 0);
+            waitFor(
+                    "it is stopped, as nobody could stop it meanwhile",
+                    () -> commanded.get().vx() == 0);
             double begin = x(robot);
             drive(robot, -0.5);
             waitFor("it drives back", () -> x(robot) < begin - 0.2);

@@ -6,9 +6,8 @@ import java.util.function.Supplier;
 import rsal.engine.report.Answer;
 import rsal.engine.report.Link;
 
-/// Who hears whom, looked for once in each second of a run, however often that is asked. What is as it was before is
-/// the
-/// same object. On the run's thread.
+/// Who hears whom, looked for once in each second of a run, however often that is asked. What is as it was
+/// before is the same object. On the run's thread.
 public final class LinkSampler {
     private long second = -1;
     private Answer.Linked links = Answer.Linked.NONE;
