@@ -30,8 +30,8 @@ public interface Scheduler extends InstantSource, Executor {
     }
 
     /// The same thread's, by real time: for what must go on while the run's time stands, as it may where another
-    /// program drives it ([DrivenTime]). That is what keeps motors safe, finds robots and answers people; all else has
-    /// the run's time. Itself where the run's time is real, or simulated here.
+    /// program drives it ([DrivenTime]). That is what keeps motors safe, finds robots and answers people; all
+    /// else has the run's time. Itself where the run's time is real, or simulated here.
     default Scheduler inRealTime() {
         return this;
     }

@@ -185,9 +185,9 @@ final class Ros2System implements RobotSystem {
     private void compare(RosRobot robot, boolean isThere) {
         boolean wasThere = present.getOrDefault(robot, false);
         if (isThere != wasThere && (present.containsKey(robot) || robot.isReady())) {
-            present.put(robot, isThere);
+            boolean wasKnown = present.put(robot, isThere) != null;
             Robot its = robot.robot();
-            if (isThere && hasJoined) {
+            if (isThere && wasKnown) {
                 robot.appear();
             }
             changes.tell(
