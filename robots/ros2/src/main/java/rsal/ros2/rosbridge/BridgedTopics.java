@@ -123,7 +123,7 @@ final class BridgedTopics {
     }
 
     private void announce(Hearing hearing, MessageValues its) {
-        Delivery delivery = Delivery.of(hearing.topic, hearing.profile, options.throttle());
+        TopicDelivery delivery = TopicDelivery.of(hearing.topic, hearing.profile, options.throttle());
         boolean isCbor = options.encoding() == RosbridgeOptions.Encoding.CBOR && its.isForCbor(hearing.topic.type());
         session.send("subscribe", out -> {
             out.writeStringProperty("id", hearing.id);

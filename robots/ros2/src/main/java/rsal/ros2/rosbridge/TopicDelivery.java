@@ -9,7 +9,7 @@ import rsal.ros2.link.RosTopic;
 ///
 /// @param throttle between two messages, at least; zero for all of them
 /// @param waiting how many wait at the server at most, the newest ones
-record Delivery(Duration throttle, int waiting) {
+record TopicDelivery(Duration throttle, int waiting) {
     private static final int WAITING = 20; // of topics that are to arrive, as updates of maps
     private static final int MANY = 100; // of topics on which several nodes publish a part each
 
@@ -35,13 +35,13 @@ record Delivery(Duration throttle, int waiting) {
             Set.of("diagnostic_msgs/msg/DiagnosticArray", "sensor_msgs/msg/JointState", "tf2_msgs/msg/TFMessage");
 
     /// @param throttle of readings of sensors
-    static Delivery of(RosTopic topic, Profile profile, Duration throttle) {
+    static TopicDelivery of(RosTopic topic, Profile profile, Duration throttle) {
         if (profile == Profile.SENSOR_DATA && READINGS.contains(topic.type())) {
-            return new Delivery(throttle, 1);
+            return new TopicDelivery(throttle, 1);
         }
         if (topic.type().equals(CLOCK)) {
-            return new Delivery(Duration.ZERO, 1);
+            return new TopicDelivery(Duration.ZERO, 1);
         }
-        return new Delivery(Duration.ZERO, PARTS.contains(topic.type()) ? MANY : WAITING);
+        return new TopicDelivery(Duration.ZERO, PARTS.contains(topic.type()) ? MANY : WAITING);
     }
 }
