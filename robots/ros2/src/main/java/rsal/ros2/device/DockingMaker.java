@@ -13,7 +13,7 @@ final class DockingMaker implements RosParts.Maker {
 
     @Override
     public boolean makes(Part part) {
-        return part instanceof Part.Own own && own.makes().equals(Docking.class);
+        return RosParts.isOwn(part, Docking.class);
     }
 
     @Override

@@ -18,7 +18,7 @@ final class LocalizerMaker implements RosParts.Maker {
 
     @Override
     public boolean makes(Part part) {
-        return part instanceof Part.Own own && own.makes().equals(Localizer.class);
+        return RosParts.isOwn(part, Localizer.class);
     }
 
     @Override

@@ -15,7 +15,7 @@ final class MapMaker implements RosParts.Maker {
 
     @Override
     public boolean makes(Part part) {
-        return part instanceof Part.Own own && own.makes().equals(Mapper.class);
+        return RosParts.isOwn(part, Mapper.class);
     }
 
     @Override

@@ -16,7 +16,7 @@ final class NavigatorMaker implements RosParts.Maker {
 
     @Override
     public boolean makes(Part part) {
-        return part instanceof Part.Own own && own.makes().equals(Navigator.class);
+        return RosParts.isOwn(part, Navigator.class);
     }
 
     @Override

@@ -13,7 +13,7 @@ final class PlannerMaker implements RosParts.Maker {
 
     @Override
     public boolean makes(Part part) {
-        return part instanceof Part.Own own && own.makes().equals(Planner.class);
+        return RosParts.isOwn(part, Planner.class);
     }
 
     @Override

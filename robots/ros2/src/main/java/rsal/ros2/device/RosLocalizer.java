@@ -55,8 +55,7 @@ final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
     private final RosMessages messages = new RosMessages();
     private Optional<TransformLookup.Failure> late = Optional.empty(); // what the first that waits lacks
     private Instant waitingSince = Instant.MAX;
-    private Optional<TransformLookup.Failure> outdated = Optional.empty(); // what odometry lacked that was left out
-    private Instant outdatedSince = Instant.MAX;
+    private Optional<Outdated> outdated = Optional.empty(); // since odometry was located last
     private long heard; // stamp of the last odometry [ns]
     private Optional<Pose> newest = Optional.empty();
     private Optional<Pose2d> mapFromOdom = Optional.empty(); // by poses, where TF does not tell
@@ -66,6 +65,11 @@ final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
 
     /// Where odometry had the robot.
     private record Driven(long stamp, Pose2d odomFromBase) {}
+
+    /// Odometry that is older than all TF is left out.
+    ///
+    /// @param why of the newest
+    private record Outdated(TransformLookup.Failure why, Instant since) {}
 
     /// Where the localizer had it.
     private record Pose(long stamp, PoseEstimate estimate) {}
@@ -117,10 +121,7 @@ final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
 
     private void outdate(TransformLookup.Failure old) {
         waiting.removeFirst();
-        if (outdated.isEmpty()) {
-            outdatedSince = frames.now();
-        }
-        outdated = Optional.of(old);
+        outdated = Optional.of(new Outdated(old, outdated.map(Outdated::since).orElseGet(frames::now)));
     }
 
     private void locate(OdometryMessage odometry, FrameTransform odomFromBase) {
@@ -197,9 +198,9 @@ final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
             late.filter(_ -> waitingSince.plus(PATIENCE).isBefore(now))
                     .ifPresent(missing -> health(new Health.Stale(
                             "The odometry on '%s' waits for TF. %s".formatted(frames.odom(), missing.message()))));
-            outdated.filter(_ -> outdatedSince.plus(PATIENCE).isBefore(now))
-                    .ifPresent(old -> health(new Health.Stale(
-                            "The odometry on '%s' is older than TF. %s".formatted(frames.odom(), old.message()))));
+            outdated.filter(left -> left.since.plus(PATIENCE).isBefore(now))
+                    .ifPresent(left -> health(new Health.Stale(
+                            "The odometry on '%s' is older than TF. %s".formatted(frames.odom(), left.why.message()))));
         } else {
             health(new Health.Stale("TF from 'map' to '%s' has not come for more than %.1f s."
                     .formatted(frames.odom(), PATIENCE.toMillis() / 1e3)));

@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import rsal.device.Device;
 import rsal.device.DeviceInfo;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Part;
@@ -29,6 +30,11 @@ final class RosParts {
             new MapMaker());
 
     private RosParts() {}
+
+    /// Whether a part is a device that the robot's own programs make.
+    static boolean isOwn(Part part, Class<? extends Device> type) {
+        return part instanceof Part.Own own && own.makes().equals(type);
+    }
 
     /// Makes devices of one kind of parts.
     interface Maker {

@@ -15,6 +15,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import rsal.device.Health;
 import rsal.ros2.cdr.RosMessage;
+import rsal.ros2.link.PeerText;
 import rsal.ros2.link.RosNetwork;
 
 /// What the diagnostics of a robot report of its devices: errors, and what is stale. Warnings harm no device. A report
@@ -29,7 +30,6 @@ public final class RobotReports {
     private static final int ERROR = 2; // diagnostic_msgs/DiagnosticStatus
     private static final int STALE = 3;
     private static final int MOST_REPORTS = 1_000; // of what is bad
-    private static final int LONGEST = 200; // characters that are shown
 
     private final String namespace;
     private final InstantSource clock;
@@ -68,7 +68,8 @@ public final class RobotReports {
         bad.remove(name);
         if ((level == ERROR || level == STALE) && bad.size() < MOST_REPORTS) {
             concerned(without(name, status.text("hardware_id"))).ifPresent(device -> {
-                String reason = "'%s' reports: %s".formatted(shown(name), shown(status.text("message")));
+                String reason =
+                        "'%s' reports: %s".formatted(PeerText.shown(name), PeerText.shown(status.text("message")));
                 Health health = level == ERROR ? new Health.Lost(reason) : new Health.Stale(reason);
                 bad.put(name, new Report(device, health, clock.instant()));
             });
@@ -96,11 +97,6 @@ public final class RobotReports {
                     return meant.size() == 1 ? Optional.of(meant.getFirst()) : Optional.empty();
                 })
                 .map(Named::name);
-    }
-
-    private static String shown(String text) {
-        String line = text.replaceAll("\\p{Cntrl}+", " ").strip();
-        return line.length() <= LONGEST ? line : line.substring(0, LONGEST) + "…";
     }
 
     /// How a device is reported to be; empty where nothing bad is.

@@ -17,6 +17,7 @@ import java.util.function.Function;
 import java.util.function.IntSupplier;
 import java.util.function.Supplier;
 import rsal.ros2.cdr.RosMessage;
+import rsal.ros2.link.PeerText;
 import rsal.ros2.link.RosLink.ServiceClient;
 import rsal.ros2.link.RosLink.Subscribed;
 import rsal.ros2.link.RosTopic;

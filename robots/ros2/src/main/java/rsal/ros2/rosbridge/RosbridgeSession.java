@@ -18,6 +18,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import rsal.ros2.link.PeerText;
 import rsal.ros2.rosbridge.RosbridgeTransport.Connection;
 import rsal.ros2.rosbridge.RosbridgeTransport.Receiver;
 import rsal.time.Scheduler;

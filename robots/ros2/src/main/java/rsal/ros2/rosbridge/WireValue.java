@@ -4,6 +4,7 @@ import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import rsal.ros2.link.PeerText;
 
 /// A value of JSON or CBOR.
 sealed interface WireValue {

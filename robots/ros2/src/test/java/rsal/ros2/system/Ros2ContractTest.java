@@ -1,18 +1,13 @@
 package rsal.ros2.system;
 
-import static org.assertj.core.api.Assertions.assertThat;
-
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Nested;
-import org.junit.jupiter.api.Test;
-import rsal.device.Mapper;
 import rsal.system.RobotSystemProvider;
 import rsal.testkit.contract.BatteryContract;
 import rsal.testkit.contract.BlobFinderContract;
 import rsal.testkit.contract.BumperContract;
 import rsal.testkit.contract.CameraContract;
-import rsal.testkit.contract.DeviceContract;
 import rsal.testkit.contract.DockingContract;
 import rsal.testkit.contract.DriveBaseContract;
 import rsal.testkit.contract.GripperContract;
@@ -94,28 +89,10 @@ class Ros2ContractTest {
     }
 
     @Nested
-    class OwnMap extends DeviceContract<Mapper> {
-        OwnMap() {
-            super(Mapper.class);
-        }
-
+    class OwnMap extends OwnMapContract {
         @Override
         protected RobotSystemProvider provider() {
             return new OverRos();
-        }
-
-        @Override
-        protected Map<String, String> parts() {
-            return Map.of("map", "own-map");
-        }
-
-        @Test
-        void isTheWholeMapAsItIsTold() {
-            advance(1);
-            assertThat(device().latest().orElseThrow().value())
-                    .usingRecursiveComparison()
-                    .isEqualTo(WORLD.grid());
-            assertThat(device().isComplete()).isTrue();
         }
     }
 

@@ -1,15 +1,11 @@
 package rsal.ros2.system;
 
-import static org.assertj.core.api.Assertions.assertThat;
-
 import java.net.URI;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Nested;
-import org.junit.jupiter.api.Test;
-import rsal.device.Mapper;
 import rsal.robot.DeviceDriver;
 import rsal.ros2.rosbridge.FakeRosbridge;
 import rsal.ros2.rosbridge.RosbridgeLink;
@@ -21,7 +17,6 @@ import rsal.system.RobotSystemProvider;
 import rsal.testkit.contract.BatteryContract;
 import rsal.testkit.contract.BlobFinderContract;
 import rsal.testkit.contract.CameraContract;
-import rsal.testkit.contract.DeviceContract;
 import rsal.testkit.contract.DriveBaseContract;
 import rsal.testkit.contract.GripperContract;
 import rsal.testkit.contract.ImuContract;
@@ -115,28 +110,10 @@ class RosbridgeContractTest {
     }
 
     @Nested
-    class OwnMap extends DeviceContract<Mapper> {
-        OwnMap() {
-            super(Mapper.class);
-        }
-
+    class OwnMap extends OwnMapContract {
         @Override
         protected RobotSystemProvider provider() {
             return over(new SimProvider());
-        }
-
-        @Override
-        protected Map<String, String> parts() {
-            return Map.of("map", "own-map");
-        }
-
-        @Test
-        void isTheWholeMapAsItIsTold() {
-            advance(1);
-            assertThat(device().latest().orElseThrow().value())
-                    .usingRecursiveComparison()
-                    .isEqualTo(WORLD.grid());
-            assertThat(device().isComplete()).isTrue();
         }
     }
 
