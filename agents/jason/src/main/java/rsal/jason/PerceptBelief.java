@@ -59,7 +59,7 @@ enum PerceptBelief {
         this.functor = functor;
         this.arity = arity;
         this.device = device;
-        this.watch = (self, robot, now) -> tell(self, robot.require(device), literals, now);
+        this.watch = (self, robot, now) -> publish(self, robot.require(device), literals, now);
     }
 
     /// What beliefs of it are called.
@@ -94,7 +94,7 @@ enum PerceptBelief {
         void begin(AgentContext self, Robot robot, Consumer<List<Literal>> now);
     }
 
-    private static <T> void tell(
+    private static <T> void publish(
             AgentContext self, Sensor<T> sensor, Function<T, List<Literal>> literals, Consumer<List<Literal>> now) {
         sensor.latest().ifPresent(reading -> now.accept(literals.apply(reading.value())));
         self.subscribe(sensor, reading -> now.accept(literals.apply(reading.value())));

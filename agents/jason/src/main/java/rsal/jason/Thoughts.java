@@ -109,9 +109,9 @@ final class Thoughts {
 
     /// Whose source is told only when that is another.
     private static String goal(Literal own) {
-        Literal told = own.copy();
-        told.delSource(BeliefBase.ASelf);
-        return Terms.written(told);
+        Literal reported = own.copy();
+        reported.delSource(BeliefBase.ASelf);
+        return Terms.written(reported);
     }
 
     /// Of the plans under way, the outermost first.

@@ -49,15 +49,15 @@ final class Compiler {
     }
 
     static Map<String, byte[]> compile(Sources sources, JavaCompiler compiler) {
-        var told = new DiagnosticCollector<JavaFileObject>();
+        var reported = new DiagnosticCollector<JavaFileObject>();
         List<MemoryFiles.Source> units = sources.texts().entrySet().stream()
                 .map(file -> new MemoryFiles.Source(file.getKey(), file.getValue()))
                 .toList();
-        try (var standard = compiler.getStandardFileManager(told, Locale.ENGLISH, StandardCharsets.UTF_8);
+        try (var standard = compiler.getStandardFileManager(reported, Locale.ENGLISH, StandardCharsets.UTF_8);
                 var files = new MemoryFiles(standard)) {
-            if (!compiler.getTask(Writer.nullWriter(), files, told, options(), null, units)
+            if (!compiler.getTask(Writer.nullWriter(), files, reported, options(), null, units)
                     .call()) {
-                throw mistakes(sources, told.getDiagnostics());
+                throw mistakes(sources, reported.getDiagnostics());
             }
             return files.compiled();
         } catch (IOException e) {
@@ -102,9 +102,9 @@ final class Compiler {
         }
     }
 
-    private static InvalidSettings mistakes(Sources sources, List<Diagnostic<? extends JavaFileObject>> told) {
+    private static InvalidSettings mistakes(Sources sources, List<Diagnostic<? extends JavaFileObject>> reported) {
         var problems = new Problems(MOST_PROBLEMS);
-        for (Diagnostic<? extends JavaFileObject> one : told) {
+        for (Diagnostic<? extends JavaFileObject> one : reported) {
             if (one.getKind() == Diagnostic.Kind.ERROR) {
                 String message = one.getMessage(Locale.ENGLISH);
                 problems.add(
@@ -120,40 +120,40 @@ final class Compiler {
         return new InvalidSettings(Location.of(sources.path()), "Java can't compile this.", "");
     }
 
-    private static Location at(Sources sources, Diagnostic<? extends JavaFileObject> told) {
-        String file = fileOf(sources, told);
-        return told.getLineNumber() == Diagnostic.NOPOS
+    private static Location at(Sources sources, Diagnostic<? extends JavaFileObject> reported) {
+        String file = fileOf(sources, reported);
+        return reported.getLineNumber() == Diagnostic.NOPOS
                 ? Location.of(file)
-                : new Location(file, (int) told.getLineNumber(), (int) told.getColumnNumber());
+                : new Location(file, (int) reported.getLineNumber(), (int) reported.getColumnNumber());
     }
 
     /// The path of the file in which it is, as its author knows it.
-    private static String fileOf(Sources sources, Diagnostic<? extends JavaFileObject> told) {
-        if (told.getSource() instanceof MemoryFiles.Source source) {
+    private static String fileOf(Sources sources, Diagnostic<? extends JavaFileObject> reported) {
+        if (reported.getSource() instanceof MemoryFiles.Source source) {
             return source.path();
         }
         // Eclipse's compiler says the file only where that is on disk. It is the one that has what is wrong at that
         // place.
         return sources.texts().entrySet().stream()
-                .max(Comparator.comparingInt(file -> evidence(file.getValue(), told)))
+                .max(Comparator.comparingInt(file -> evidence(file.getValue(), reported)))
                 .map(Map.Entry::getKey)
                 .orElseThrow();
     }
 
     /// How well a mistake fits to a text: 0 where its line is another one, 2 where its message has the words of the
     /// text.
-    private static int evidence(String text, Diagnostic<?> told) {
-        long start = told.getStartPosition();
-        long end = told.getEndPosition() + 1;
+    private static int evidence(String text, Diagnostic<?> reported) {
+        long start = reported.getStartPosition();
+        long end = reported.getEndPosition() + 1;
         if (start < 0 || end < start || end > text.length()) {
             return 0;
         }
         long line = 1
                 + text.substring(0, (int) start).chars().filter(c -> c == '\n').count();
-        if (line != told.getLineNumber()) {
+        if (line != reported.getLineNumber()) {
             return 0;
         }
-        return told.getMessage(Locale.ENGLISH).contains(text.substring((int) start, (int) end)) ? 2 : 1;
+        return reported.getMessage(Locale.ENGLISH).contains(text.substring((int) start, (int) end)) ? 2 : 1;
     }
 
     private static String remedy(String message) {

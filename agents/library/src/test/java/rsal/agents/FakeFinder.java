@@ -18,14 +18,14 @@ public final class FakeFinder extends SensorCore<Fiducials> implements FiducialF
     }
 
     public void sees(OptionalInt id, double ahead, double left, Instant now) {
-        tell(List.of(new Fiducial(id, new Pose2d(ahead, left, 0))), now);
+        publish(List.of(new Fiducial(id, new Pose2d(ahead, left, 0))), now);
     }
 
     public void seesNothing(Instant now) {
-        tell(List.of(), now);
+        publish(List.of(), now);
     }
 
-    private void tell(List<Fiducial> fiducials, Instant now) {
+    private void publish(List<Fiducial> fiducials, Instant now) {
         var reading = new Fiducials(Pose2d.ORIGIN, Math.PI, 8, fiducials);
         deliver(new Stamped<>(now, info().robot() + "/base_link", reading));
     }

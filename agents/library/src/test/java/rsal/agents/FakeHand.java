@@ -15,7 +15,7 @@ import rsal.device.SensorCore;
 
 /// A gripper that is there at once, and grips something when the test says that there is something.
 public final class FakeHand extends SensorCore<GripperState> implements Gripper {
-    public final List<String> told = new ArrayList<>();
+    public final List<String> reported = new ArrayList<>();
     public boolean somethingIsThere;
     private boolean closed;
     private boolean raised;
@@ -45,7 +45,7 @@ public final class FakeHand extends SensorCore<GripperState> implements Gripper 
     }
 
     private GoalHandle<GripperState, Result> done(String what) {
-        told.add(what);
+        reported.add(what);
         feel();
         var goal = new GoalSource<GripperState, Result>(() -> {});
         goal.end(new Result.Reached(state()));

@@ -39,16 +39,16 @@ public final class FakeMapper extends SensorCore<OccupancyGrid> implements Mappe
     /// Has drawn a map that ends there.
     public void draws(List<End> newest, Instant now) {
         ends = newest;
-        tell(now);
+        publish(now);
     }
 
     /// Has looked whether anything is left to map.
     public void isComplete(boolean value, Instant now) {
         complete = value;
-        tell(now);
+        publish(now);
     }
 
-    private void tell(Instant now) {
+    private void publish(Instant now) {
         var map = new OccupancyGrid(1, 1, 1, 0, 0, new byte[1]);
         deliver(new Stamped<>(now, "map", map));
     }

@@ -141,7 +141,7 @@ public final class Main implements Runnable {
         try {
             return commandLine.execute(args);
         } catch (OutOfMemoryError lack) { // what took it is not held any more
-            return tellNoMemory(commandLine.getErr(), lack);
+            return printNoMemory(commandLine.getErr(), lack);
         }
     }
 
@@ -182,12 +182,12 @@ public final class Main implements Runnable {
                 .setUsageHelpWidth(110)
                 .setUsageHelpLongOptionsMaxWidth(30)
                 .setExitCodeExceptionMapper(_ -> Exit.INTERNAL)
-                .setParameterExceptionHandler((mistake, _) -> tellMistake(mistake))
-                .setExecutionExceptionHandler(Main::tellFailure);
+                .setParameterExceptionHandler((mistake, _) -> printError(mistake))
+                .setExecutionExceptionHandler(Main::printFailure);
     }
 
     /// @param lack of the heap, or of something else that more of it would not help, as of threads
-    private static int tellNoMemory(PrintWriter err, OutOfMemoryError lack) {
+    private static int printNoMemory(PrintWriter err, OutOfMemoryError lack) {
         String what = String.valueOf(lack.getMessage());
         if (what.contains("heap") || what.contains("GC overhead")) {
             long most = Runtime.getRuntime().maxMemory() >> 20;
@@ -210,7 +210,7 @@ public final class Main implements Runnable {
         return List.copyOf(spec.subcommands().keySet());
     }
 
-    private static int tellMistake(ParameterException mistake) {
+    private static int printError(ParameterException mistake) {
         CommandLine command = mistake.getCommandLine();
         String message = mistake instanceof UnmatchedArgumentException unmatched
                 ? aboutUnmatched(command, unmatched.getUnmatched().getFirst())
@@ -241,7 +241,7 @@ public final class Main implements Runnable {
         return "'%s' is more than '%s' takes.".formatted(word, spec.qualifiedName());
     }
 
-    private static int tellFailure(Exception failure, CommandLine command, ParseResult typed) throws IOException {
+    private static int printFailure(Exception failure, CommandLine command, ParseResult typed) throws IOException {
         PrintWriter err = command.getErr();
         return switch (failure) {
             case InvalidSettings mistakes -> {
@@ -259,7 +259,7 @@ public final class Main implements Runnable {
             }
             case RunBroken broken
             when RunBroken.lackOfMemory(broken).isPresent() ->
-                tellNoMemory(err, RunBroken.lackOfMemory(broken).get());
+                printNoMemory(err, RunBroken.lackOfMemory(broken).get());
             case RunBroken broken
             when OwnCode.hasFailed(broken) && !typed.originalArgs().contains("--debug") -> {
                 err.println("rsal: The run ended, because code of yours failed. " + broken.getMessage());
@@ -272,7 +272,7 @@ public final class Main implements Runnable {
                 yield Exit.INTERNAL;
             }
             default -> {
-                tellInternal(failure, command, typed.originalArgs());
+                printInternal(failure, command, typed.originalArgs());
                 yield Exit.INTERNAL;
             }
         };
@@ -286,7 +286,7 @@ public final class Main implements Runnable {
                 .map(Throwable::getMessage);
     }
 
-    private static void tellInternal(Exception failure, CommandLine command, List<String> typed) throws IOException {
+    private static void printInternal(Exception failure, CommandLine command, List<String> typed) throws IOException {
         PrintWriter err = command.getErr();
         String what = failure instanceof RunBroken broken ? String.valueOf(broken.getMessage()) : failure.toString();
         err.println("rsal: Something went wrong: " + what);

@@ -98,7 +98,7 @@ final class NewCommand extends Subcommand {
         }
         texts.put(README, readme(own, template, texts));
         write(folder, texts);
-        tell(own, folder, template, List.copyOf(texts.keySet()));
+        print(own, folder, template, List.copyOf(texts.keySet()));
         return Exit.SUCCESS;
     }
 
@@ -248,7 +248,7 @@ final class NewCommand extends Subcommand {
         return new InvalidSettings(Location.of(folder.toString()), "This is there already.", "Choose another name.");
     }
 
-    private void tell(String own, Path folder, Template template, List<String> files) {
+    private void print(String own, Path folder, Template template, List<String> files) {
         Path run = folder.resolve(Scenario.fileIn(own));
         List<String> all =
                 files.stream().map(file -> folder.resolve(file).toString()).toList();

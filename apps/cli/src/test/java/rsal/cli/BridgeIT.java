@@ -86,8 +86,8 @@ class BridgeIT {
         try (BufferedReader out = process.inputReader();
                 BufferedReader err = process.errorReader()) {
             assertThat(err.readLine()).startsWith("Watch it at http://127.0.0.1:");
-            JsonNode told = JsonMapper.shared().readTree(out.readLine());
-            int port = told.get("offers").get(0).get("port").asInt();
+            JsonNode reported = JsonMapper.shared().readTree(out.readLine());
+            int port = reported.get("offers").get(0).get("port").asInt();
             try (var socket = new Socket(InetAddress.getLoopbackAddress(), port)) {
                 assertThat(new String(socket.getInputStream().readNBytes(6), US_ASCII))
                         .isEqualTo("Player");
@@ -101,9 +101,9 @@ class BridgeIT {
     void aPlayerClientFindsEachRobotAtAPortAndDrivesIt() throws Exception {
         Process process = new Rsal(folder).start("bridge", "player", "teleop", "--port", "0", "--json", "--speed", "4");
         try (BufferedReader out = process.inputReader()) {
-            JsonNode told = JsonMapper.shared().readTree(out.readLine());
+            JsonNode reported = JsonMapper.shared().readTree(out.readLine());
             Map<Integer, List<String>> names = new LinkedHashMap<>(); // by port
-            told.get("offers")
+            reported.get("offers")
                     .forEach(offer -> names.computeIfAbsent(offer.get("port").asInt(), _ -> new ArrayList<>())
                             .add(offer.get("name").asString()));
             assertThat(names).hasSize(2);
@@ -137,8 +137,8 @@ class BridgeIT {
         Process process =
                 new Rsal(folder).start("bridge", "player", "teleop", "--port", "0", "--json", "--speed", "max");
         try (BufferedReader out = process.inputReader()) {
-            JsonNode told = JsonMapper.shared().readTree(out.readLine());
-            int port = told.get("offers").get(0).get("port").asInt();
+            JsonNode reported = JsonMapper.shared().readTree(out.readLine());
+            int port = reported.get("offers").get(0).get("port").asInt();
             try (var socket = new Socket(InetAddress.getLoopbackAddress(), port)) {
                 socket.setSoTimeout(20_000);
                 var from = new DataInputStream(socket.getInputStream());
@@ -166,8 +166,8 @@ class BridgeIT {
     void clientsOfPlayer30AreServedByAnotherName() throws Exception {
         Process process = new Rsal(folder).start("bridge", "player-3.0", "teleop", "--port", "0", "--json");
         try (BufferedReader out = process.inputReader()) {
-            JsonNode told = JsonMapper.shared().readTree(out.readLine());
-            int port = told.get("offers").get(0).get("port").asInt();
+            JsonNode reported = JsonMapper.shared().readTree(out.readLine());
+            int port = reported.get("offers").get(0).get("port").asInt();
             try (var socket = new Socket(InetAddress.getLoopbackAddress(), port)) {
                 assertThat(new String(socket.getInputStream().readNBytes(32), US_ASCII))
                         .startsWith("Player v.3.0");

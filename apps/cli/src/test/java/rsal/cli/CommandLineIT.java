@@ -969,9 +969,9 @@ class CommandLineIT {
         assertThat(refused.code()).isEqualTo(Exit.USAGE);
         assertThat(refused.out()).isEmpty();
         assertThat(refused.err()).contains("A world has no end of its own: without a page, say --for SECONDS.");
-        Ended told = rsal.run("run", "endless.world", "--headless", "--speed", "max", "--for", "1", "--json");
-        assertThat(told.code()).as(told.err()).isZero();
-        assertThat(told.out())
+        Ended reported = rsal.run("run", "endless.world", "--headless", "--speed", "max", "--for", "1", "--json");
+        assertThat(reported.code()).as(reported.err()).isZero();
+        assertThat(reported.out())
                 .contains("\"metrics\":{\"distance.c1\":0.0,\"collisions\":0.0,\"wallCollisions\":0.0}")
                 .contains("\"endPoses\":{\"c1\":{\"x\":0.0,\"y\":0.0,\"theta\":0.0}}");
         Ended ends = rsal.run("run", "ends.world", "--headless", "--speed", "max", "--json");
@@ -1309,9 +1309,9 @@ class CommandLineIT {
         assertThat(image).hasContent("precious");
 
         Ended forced = rsal.run("convert", "hall.world", "own.world.yaml", "--force", "--json");
-        JsonNode told = JsonMapper.shared().readTree(forced.out());
-        assertThat(told.get("files").get(1).stringValue()).isEqualTo("own-1.png");
-        assertThat(told.get("warnings").get(0).get("line").intValue()).isEqualTo(8);
+        JsonNode reported = JsonMapper.shared().readTree(forced.out());
+        assertThat(reported.get("files").get(1).stringValue()).isEqualTo("own-1.png");
+        assertThat(reported.get("warnings").get(0).get("line").intValue()).isEqualTo(8);
         assertThat(ImageIO.read(image.toFile()).getWidth()).isEqualTo(120);
     }
 

@@ -71,10 +71,10 @@ class ListenIT {
         Process run = rsal.inEnvironment(
                         Map.of("RSAL_TOKEN_FILE", folder.resolve("tokens").toString()))
                 .start(listening(port).toArray(String[]::new));
-        try (BufferedReader told = run.errorReader()) {
-            String line = told.readLine();
+        try (BufferedReader reported = run.errorReader()) {
+            String line = reported.readLine();
             while (line != null && !line.startsWith("From other machines:")) {
-                line = told.readLine();
+                line = reported.readLine();
             }
             assertThat(line).startsWith("From other machines: https://127.0.0.1:%d/#token=".formatted(port));
             String address = "https://127.0.0.1:" + port;

@@ -45,11 +45,11 @@ class LocalizeIT {
                 "--json");
 
         assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
-        JsonNode told = new JsonMapper().readTree(ended.out());
-        assertThat(told.path("summary").path("converged10").asDouble()).isEqualTo(1);
-        assertThat(told.path("summary").path("rmse").asDouble()).isLessThan(0.08);
-        assertThat(told.path("runs").size()).isEqualTo(3);
-        JsonNode step = told.path("runs").path(0).path("steps").path(5);
+        JsonNode reported = new JsonMapper().readTree(ended.out());
+        assertThat(reported.path("summary").path("converged10").asDouble()).isEqualTo(1);
+        assertThat(reported.path("summary").path("rmse").asDouble()).isLessThan(0.08);
+        assertThat(reported.path("runs").size()).isEqualTo(3);
+        JsonNode step = reported.path("runs").path(0).path("steps").path(5);
         assertThat(step.path("covariance").size()).isEqualTo(6);
         assertThat(step.path("confidence").asDouble()).isBetween(0.0, 1.0);
         assertThat(step.path("quality").asString()).isEqualTo("localized");
@@ -93,8 +93,8 @@ class LocalizeIT {
         Ended ended = rsal.run("localize", "raw.log", "--reference", "room.log", "--map-from-half", "--json");
 
         assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
-        JsonNode told = new JsonMapper().readTree(ended.out());
-        assertThat(told.path("runs").path(0).path("judged").asInt()).isPositive();
+        JsonNode reported = new JsonMapper().readTree(ended.out());
+        assertThat(reported.path("runs").path(0).path("judged").asInt()).isPositive();
     }
 
     @Test
@@ -167,8 +167,8 @@ class LocalizeIT {
         Ended ended = rsal.run("localize", "room.log", "--map", "large.yaml");
         assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.INVALID);
         assertThat(ended.err()).contains("large.yaml", "24990000 m²", "90000 m²", "--pose", "100.0 m");
-        String[] told = {"localize", "room.log", "--map", "large.yaml", "--pose", "50", "50", "0", "--scans", "20"};
-        assertThat(rsal.run(told).code()).isEqualTo(Exit.SUCCESS);
+        String[] reported = {"localize", "room.log", "--map", "large.yaml", "--pose", "50", "50", "0", "--scans", "20"};
+        assertThat(rsal.run(reported).code()).isEqualTo(Exit.SUCCESS);
     }
 
     @Test

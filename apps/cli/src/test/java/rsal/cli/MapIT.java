@@ -41,13 +41,13 @@ class MapIT {
         Ended ended = rsal.run("map", "room.log", "--odometry-noise", "0.05,2,3", "--out", "room", "--json");
 
         assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
-        JsonNode told = new JsonMapper().readTree(ended.out());
-        JsonNode log = told.path("logs").path(0);
+        JsonNode reported = new JsonMapper().readTree(ended.out());
+        JsonNode log = reported.path("logs").path(0);
         assertThat(log.path("scans").asInt()).isEqualTo(41);
         assertThat(log.path("next").path("meters").asDouble()).isLessThan(0.02);
         assertThat(log.path("next").path("degrees").asDouble()).isLessThan(0.5);
         assertThat(log.path("odometry").path("degrees").asDouble()).isGreaterThan(0.5);
-        JsonNode strain = told.path("strain");
+        JsonNode strain = reported.path("strain");
         assertThat(strain.path("tooMuch").asBoolean(true)).isFalse();
         assertThat(strain.path("wheels").path("deviations").asDouble()).isPositive();
         assertThat(strain.path("steps").asInt()).isEqualTo(log.path("kept").asInt() - 1);
@@ -97,11 +97,12 @@ class MapIT {
         assertThat(turns.path("opposed").asInt())
                 .isGreaterThan(turns.path("count").asInt() * 3 / 4);
         Ended right = rsal.run("map", "mirrored.log", "--out", "right", "--upside-down", "--json");
-        JsonNode told = new JsonMapper().readTree(right.out());
+        JsonNode reported = new JsonMapper().readTree(right.out());
         assertThat(right.err()).doesNotContain("probably");
-        assertThat(told.path("logs").path(0).path("turns").path("opposed").asInt(-1))
+        assertThat(reported.path("logs").path(0).path("turns").path("opposed").asInt(-1))
                 .isZero();
-        assertThat(told.path("contradiction").path("tooMuch").asBoolean(true)).isFalse();
+        assertThat(reported.path("contradiction").path("tooMuch").asBoolean(true))
+                .isFalse();
     }
 
     @Test
@@ -182,17 +183,17 @@ class MapIT {
         Ended ended = rsal.run("map", "room.log", "other.log", "--out", "both", "--json");
 
         assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
-        JsonNode told = new JsonMapper().readTree(ended.out());
-        assertThat(told.path("logs").size()).isEqualTo(2);
-        assertThat(told.path("merged").size()).isEqualTo(1);
-        JsonNode merged = told.path("merged").path(0);
+        JsonNode reported = new JsonMapper().readTree(ended.out());
+        assertThat(reported.path("logs").size()).isEqualTo(2);
+        assertThat(reported.path("merged").size()).isEqualTo(1);
+        JsonNode merged = reported.path("merged").path(0);
         assertThat(merged.path("log").asString()).isEqualTo("other.log");
         assertThat(Math.hypot(merged.path("x").asDouble(), merged.path("y").asDouble()))
                 .isGreaterThan(10);
         assertThat(merged.path("squareMeters").asDouble()).isGreaterThan(10);
         assertThat(merged.path("against").isNumber()).isTrue();
         assertThat(merged.path("against").asDouble()).isLessThan(0.03);
-        assertThat(told.path("columns").asInt() * 0.05).isBetween(9.0, 11.0);
+        assertThat(reported.path("columns").asInt() * 0.05).isBetween(9.0, 11.0);
         assertThat(folder.resolve("both/trajectory-2.txt")).isNotEmptyFile();
     }
 
@@ -263,11 +264,11 @@ class MapIT {
             assertThat(rsal.run("map", log + ".log", "--out", log).code()).isEqualTo(Exit.SUCCESS);
             Pose2d right = lastOf("all/trajectory-%d.txt".formatted(i + 2))
                     .compose(lastOf(log + "/trajectory.txt").inverse());
-            JsonNode told = merged.path(i);
+            JsonNode reported = merged.path(i);
             var pose = new Pose2d(
-                    told.path("x").asDouble(),
-                    told.path("y").asDouble(),
-                    Math.toRadians(told.path("degrees").asDouble()));
+                    reported.path("x").asDouble(),
+                    reported.path("y").asDouble(),
+                    Math.toRadians(reported.path("degrees").asDouble()));
             assertThat(pose.isNear(right, 1e-5, 1e-6))
                     .as("%s told, %s written", pose, right)
                     .isTrue();

@@ -44,10 +44,12 @@ class OwnFolderIT {
         OwnFolder own = OwnFolder.of(Files.readString(HOW_TO.resolve("another-bridge.md")), folder);
         Process bridge = new Rsal(folder, own.classes().toString())
                 .start("bridge", "text", "teleop", "--no-agents", "--port", "0", "--json");
-        try (var told = bridge.inputReader();
+        try (var reported = bridge.inputReader();
                 var client = new DatagramSocket()) {
-            JsonNode offer =
-                    JsonMapper.shared().readTree(told.readLine()).get("offers").get(0);
+            JsonNode offer = JsonMapper.shared()
+                    .readTree(reported.readLine())
+                    .get("offers")
+                    .get(0);
             client.connect(InetAddress.getLoopbackAddress(), offer.get("port").asInt());
             client.setSoTimeout(10_000);
             assertThat(ask(client, "robot-9 0.3 0")).startsWith("error: There is no robot 'robot-9', but robot-1");

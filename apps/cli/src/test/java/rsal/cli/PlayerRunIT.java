@@ -56,9 +56,9 @@ class PlayerRunIT {
     }
 
     /// Of those robots, by their numbers from 0.
-    private static String servers(BufferedReader told, int... robots) throws Exception {
+    private static String servers(BufferedReader reported, int... robots) throws Exception {
         Set<String> ports = new LinkedHashSet<>();
-        JsonNode json = JsonMapper.shared().readTree(told.readLine());
+        JsonNode json = JsonMapper.shared().readTree(reported.readLine());
         json.get("offers")
                 .forEach(offer -> ports.add("localhost:" + offer.get("port").asInt()));
         List<String> all = List.copyOf(ports);
@@ -75,10 +75,10 @@ class PlayerRunIT {
         var served = new ArrayList<>(List.of(scenario, "--seed", Integer.toString(seed)));
         served.addAll(arguments);
         Process real = serve(served, 0);
-        try (BufferedReader told = real.inputReader()) {
+        try (BufferedReader reported = real.inputReader()) {
             var driven =
                     new ArrayList<>(List.of("run", scenario + ":" + configuration, "--headless", "--arm", "--json"));
-            driven.addAll(List.of("--seed", Integer.toString(seed), "--set", "servers=" + servers(told, robots)));
+            driven.addAll(List.of("--seed", Integer.toString(seed), "--set", "servers=" + servers(reported, robots)));
             driven.addAll(arguments);
             Process agents = new Rsal(folder).start(driven.toArray(String[]::new));
             try (BufferedReader out = agents.inputReader()) {
@@ -127,8 +127,8 @@ class PlayerRunIT {
         int port = threeFree();
         Process robots = serve(served, port);
         String servers;
-        try (BufferedReader told = robots.inputReader()) {
-            servers = servers(told, 0, 1, 2);
+        try (BufferedReader reported = robots.inputReader()) {
+            servers = servers(reported, 0, 1, 2);
         }
         var options = RunOptions.NONE.withConfiguration("real").withSeed(7).withArguments(Map.of("servers", servers));
         try (LiveRun hunt = LiveRun.start(Scenario.load("hunt-and-prey").plan(options))) {
@@ -166,8 +166,8 @@ class PlayerRunIT {
     void aRobotGoesByItsServersOwnLocalizerAndPlanner() throws Exception {
         Process robots = serve(List.of(ROOM.resolve("room.cfg").toString()), 0);
         String servers;
-        try (BufferedReader told = robots.inputReader()) {
-            servers = servers(told, 0);
+        try (BufferedReader reported = robots.inputReader()) {
+            servers = servers(reported, 0);
         }
         var options = RunOptions.NONE.withArguments(Map.of("servers", servers));
         var scenario = Scenario.load(ROOM.resolve("own-planner.yaml").toString());
@@ -221,8 +221,8 @@ class PlayerRunIT {
     void standInsShowWhereRealRobotsAre() throws Exception {
         Process robots = serve(List.of("teleop", "--seed", "5"), 0);
         String servers;
-        try (BufferedReader told = robots.inputReader()) {
-            servers = servers(told, 0, 1);
+        try (BufferedReader reported = robots.inputReader()) {
+            servers = servers(reported, 0, 1);
         }
         var options =
                 RunOptions.NONE.withConfiguration("display").withSeed(5).withArguments(Map.of("servers", servers));

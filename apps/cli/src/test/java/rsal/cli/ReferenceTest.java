@@ -46,10 +46,10 @@ class ReferenceTest {
 
     @Test
     void forgetsNothing() throws IOException {
-        var told = new ArrayList<String>();
+        var reported = new ArrayList<String>();
         for (Path page : pages()) {
-            SECTION.matcher(Files.readString(page)).results().forEach(section -> told.add(section.group(2)));
+            SECTION.matcher(Files.readString(page)).results().forEach(section -> reported.add(section.group(2)));
         }
-        assertThat(told).doesNotHaveDuplicates().containsAll(Reference.names());
+        assertThat(reported).doesNotHaveDuplicates().containsAll(Reference.names());
     }
 }

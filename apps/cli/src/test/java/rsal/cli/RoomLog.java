@@ -95,8 +95,10 @@ public final class RoomLog {
                         rays.range(pose.compose(new Pose2d(0, 0, Math.toRadians(upsideDown ? 90 - beam : beam - 90))));
                 log.append(String.format(Locale.ROOT, " %.3f", Math.min(range, 81.91)));
             }
-            Pose2d told = shift.compose(pose);
-            log.append(at(correction.compose(told))).append(at(told)).append(" %d h %d\n".formatted(i + 1, i + 1));
+            Pose2d reported = shift.compose(pose);
+            log.append(at(correction.compose(reported)))
+                    .append(at(reported))
+                    .append(" %d h %d\n".formatted(i + 1, i + 1));
         }
         return log.toString();
     }

@@ -41,8 +41,8 @@ class Ros2RunIT {
         var bridge = new ArrayList<>(List.of("bridge", "ros2", scenario, "--no-agents", "--json"));
         bridge.addAll(settings);
         Process robots = rsal().start(bridge.toArray(String[]::new));
-        try (BufferedReader told = robots.inputReader()) {
-            JsonNode offers = JsonMapper.shared().readTree(told.readLine()).get("offers");
+        try (BufferedReader reported = robots.inputReader()) {
+            JsonNode offers = JsonMapper.shared().readTree(reported.readLine()).get("offers");
             assertThat(offers.valueStream().map(offer -> offer.get("name").asString()))
                     .containsAll(offered);
             var command = new ArrayList<>(List.of("run", scenario + ":ros2", "--headless", "--arm", "--json"));

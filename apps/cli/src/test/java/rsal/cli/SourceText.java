@@ -42,10 +42,10 @@ record SourceText(String about, List<Method> methods, Map<String, String> parame
             }
             Matcher method = METHOD.matcher(line);
             if (text.startsWith("public ") && text.contains(" " + type.getSimpleName()) && about.isEmpty()) {
-                about = told(doc);
+                about = reported(doc);
                 parameters = parameters(doc);
             } else if (method.matches() && (type.isInterface() || "public ".equals(method.group(1)))) {
-                methods.add(new Method(method.group(2), Markdown.firstSentence(told(doc))));
+                methods.add(new Method(method.group(2), Markdown.firstSentence(reported(doc))));
             }
             doc.clear();
         }
@@ -85,7 +85,7 @@ record SourceText(String about, List<Method> methods, Map<String, String> parame
     }
 
     /// The words of a doc comment, with names of other types as code.
-    private static String told(List<String> doc) {
+    private static String reported(List<String> doc) {
         return joined(doc.stream().takeWhile(line -> !line.startsWith("@")));
     }
 

@@ -59,7 +59,7 @@ final class Client implements MessageSink {
     // of the server's thread
     private final List<Offer> opened = new ArrayList<>(); // and not yet advertised
     private Set<Integer> ofEvents = Set.of(); // channels
-    private List<Subscription> toldEvents = List.of(); // those that are being told
+    private List<Subscription> reportedEvents = List.of(); // those that are being told
     private long event; // the number of that which is told
     private long time = Long.MIN_VALUE; // [ns]
 
@@ -104,26 +104,27 @@ final class Client implements MessageSink {
                 wantsMap = false;
                 encoder.map(map);
             }
-            tell(state);
+            send(state);
         }
     }
 
     /// Tells the events that it wants and has not been told.
-    void tellEvents(RecentEvents past) throws IOException {
+    void publishEvents(RecentEvents past) throws IOException {
         if (ofEvents.isEmpty()) {
             ofEvents = encoder.openEvents();
             advertise();
         }
-        toldEvents = ofEvents.stream()
+        reportedEvents = ofEvents.stream()
                 .map(subscriptions::get)
                 .filter(Objects::nonNull)
                 .toList();
-        long next = toldEvents.stream().mapToLong(each -> each.nextEvent).min().orElse(past.next());
+        long next =
+                reportedEvents.stream().mapToLong(each -> each.nextEvent).min().orElse(past.next());
         for (event = Math.max(next, past.first()); event < past.next(); event++) {
             if (line.underWay() > MOST_UNDER_WAY) {
                 return;
             }
-            tell(past.event(event));
+            send(past.event(event));
         }
     }
 
@@ -135,11 +136,11 @@ final class Client implements MessageSink {
             isNew = true; // as it has missed something
             return false;
         }
-        tell(entry);
+        send(entry);
         return true;
     }
 
-    private void tell(Entry entry) throws IOException {
+    private void send(Entry entry) throws IOException {
         entry.write(encoder);
         advertise();
     }
@@ -180,7 +181,7 @@ final class Client implements MessageSink {
     /// Whether it has not been told the event; then it is now. One that began while events are told waits until they
     /// are told again, or it would miss those before.
     private boolean isDue(Subscription subscription) {
-        boolean due = subscription.nextEvent <= event && toldEvents.contains(subscription);
+        boolean due = subscription.nextEvent <= event && reportedEvents.contains(subscription);
         if (due) {
             subscription.nextEvent = event + 1;
         }

@@ -83,12 +83,12 @@ public final class ClientSocket extends Session.Listener.AbstractAutoDemanding i
                 case "advertise" -> request.path("channels").forEach(this::advertised);
                 case "unadvertise" -> request.path("channelIds").forEach(id -> published.remove(id.asLong(-1)));
                 default ->
-                    tell(Status.warning("This server doesn't know the request '%s'."
+                    send(Status.warning("This server doesn't know the request '%s'."
                             .formatted(
                                     PublishedGoal.shortened(request.path("op").asString("")))));
             }
         } catch (JacksonException _) {
-            tell(Status.error("This is not JSON: '%s'.".formatted(PublishedGoal.shortened(message))));
+            send(Status.error("This is not JSON: '%s'.".formatted(PublishedGoal.shortened(message))));
         }
     }
 
@@ -96,7 +96,7 @@ public final class ClientSocket extends Session.Listener.AbstractAutoDemanding i
         int id = wanted.path("id").asInt(-1);
         int channel = wanted.path("channelId").asInt(-1);
         if (id < 0 || !client.subscribe(id, channel)) {
-            tell(Status.error(
+            send(Status.error(
                     "Subscription '%d' of channel '%d' can't be had: there is no such channel, or one of them is in use."
                             .formatted(id, channel)));
         }
@@ -107,12 +107,12 @@ public final class ClientSocket extends Session.Listener.AbstractAutoDemanding i
         String topic = channel.path("topic").asString("");
         Optional<PublishedGoal> wish = PublishedGoal.of(topic);
         if (!mayPublish) {
-            tell(Status.error("To publish needs the run's token: open the address that was printed at start."));
+            send(Status.error("To publish needs the run's token: open the address that was printed at start."));
         } else if (!channel.path("encoding").asString("").equals("json")) {
-            tell(Status.error(
+            send(Status.error(
                     "What is published here is JSON; '%s' is not.".formatted(PublishedGoal.shortened(topic))));
         } else if (wish.isEmpty()) {
-            tell(Status.warning("'%s' means nothing here. Publish to %s."
+            send(Status.warning("'%s' means nothing here. Publish to %s."
                     .formatted(PublishedGoal.shortened(topic), PublishedGoal.TOPICS)));
         } else if (published.size() < MOST_PUBLISHED) {
             published.put(channel.path("id").asLong(-1), wish.get());
@@ -123,13 +123,13 @@ public final class ClientSocket extends Session.Listener.AbstractAutoDemanding i
     public void onWebSocketBinary(ByteBuffer message, Callback taken) {
         ByteBuffer bytes = message.slice().order(ByteOrder.LITTLE_ENDIAN);
         if (bytes.remaining() < 1 + Integer.BYTES || bytes.get() != PUBLISHED) {
-            tell(Status.error("This is nothing that was published."));
+            send(Status.error("This is nothing that was published."));
         } else {
             PublishedGoal wish = published.get(Integer.toUnsignedLong(bytes.getInt()));
             byte[] pose = new byte[bytes.remaining()];
             bytes.get(pose);
             if (wish == null) {
-                tell(Status.error("To publish a channel, advertise it before; %s are understood."
+                send(Status.error("To publish a channel, advertise it before; %s are understood."
                         .formatted(PublishedGoal.TOPICS)));
             } else {
                 fulfil(wish, pose);
@@ -141,7 +141,7 @@ public final class ClientSocket extends Session.Listener.AbstractAutoDemanding i
     private void fulfil(PublishedGoal wish, byte[] message) {
         Optional<String> heldBack = server.heldBack();
         if (heldBack.isPresent()) {
-            tell(Status.error(heldBack.get()));
+            send(Status.error(heldBack.get()));
             return;
         }
         try {
@@ -152,7 +152,7 @@ public final class ClientSocket extends Session.Listener.AbstractAutoDemanding i
                     ? run.operator().goTo(robot, pose)
                     : run.operator().place(robot, pose);
             var _ = answer.handle((said, failure) -> {
-                tell(
+                send(
                         switch (said) {
                             case Answer.Refused refused -> Status.error(refused.why());
                             case null -> Status.error("It failed: " + failure);
@@ -168,7 +168,7 @@ public final class ClientSocket extends Session.Listener.AbstractAutoDemanding i
                 return said;
             });
         } catch (Unclear e) {
-            tell(Status.error(String.valueOf(e.getMessage())));
+            send(Status.error(String.valueOf(e.getMessage())));
         }
     }
 
@@ -203,7 +203,7 @@ public final class ClientSocket extends Session.Listener.AbstractAutoDemanding i
         getSession().close(status, reason, Callback.NOOP);
     }
 
-    private void tell(Status status) {
+    private void send(Status status) {
         if (underWay.get() <= Client.MOST_UNDER_WAY) {
             send(ServerMessages.json(status));
         }

@@ -20,21 +20,21 @@ final class FoxgloveAccess {
     }
 
     /// Whether who knows a token is who should.
-    boolean knows(@Nullable String told) {
-        return told != null && MessageDigest.isEqual(token, told.getBytes(StandardCharsets.UTF_8));
+    boolean knows(@Nullable String reported) {
+        return reported != null && MessageDigest.isEqual(token, reported.getBytes(StandardCharsets.UTF_8));
     }
 
     /// Why somebody may not come in, in a sentence; empty when they may.
     ///
-    /// @param told the token as the address has it
-    Optional<String> refuse(@Nullable String host, @Nullable String origin, @Nullable String told) {
+    /// @param reported the token as the address has it
+    Optional<String> refuse(@Nullable String host, @Nullable String origin, @Nullable String reported) {
         if (host == null || !hosts.contains(host)) {
             return Optional.of("This server answers only as one of %s, not as '%s'.".formatted(hosts, host));
         }
-        if (told != null && !knows(told)) {
+        if (reported != null && !knows(reported)) {
             return Optional.of("That is not this run's token. Open the address that was printed at start.");
         }
-        if (origin != null && told == null) {
+        if (origin != null && reported == null) {
             return Optional.of(
                     "Pages need the run's token. Open the address that was printed at start, with ?token=….");
         }

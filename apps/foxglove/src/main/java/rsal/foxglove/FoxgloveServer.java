@@ -80,7 +80,7 @@ public final class FoxgloveServer implements AutoCloseable {
         // of the shower's thread
         private final RecentEvents past = new RecentEvents();
         private Optional<Entry> state = Optional.empty(); // the newest
-        private Duration told = Duration.ZERO; // its time
+        private Duration reported = Duration.ZERO; // its time
 
         Showing(Origin origin, Backlog backlog, String session) {
             this.origin = origin;
@@ -104,14 +104,14 @@ public final class FoxgloveServer implements AutoCloseable {
         /// How everything stands, where that is not older than what was told.
         private Optional<Entry> asked() {
             return run().map(LiveRun::snapshot)
-                    .filter(now -> now.time().compareTo(told) >= 0)
+                    .filter(now -> now.time().compareTo(reported) >= 0)
                     .map(Backlog::asked);
         }
 
         private void note(Optional<Entry> next) {
             next.flatMap(Entry::seen).ifPresent(time -> {
                 state = next;
-                told = time;
+                reported = time;
             });
         }
     }
@@ -292,7 +292,7 @@ public final class FoxgloveServer implements AutoCloseable {
     private static void show(Showing showing, Optional<Entry> next, ClientSocket connection) {
         Client client = connection.client();
         try {
-            client.tellEvents(showing.past);
+            client.publishEvents(showing.past);
             if (next.isPresent() && !next.get().isEvent()) {
                 client.write(next.get());
             }

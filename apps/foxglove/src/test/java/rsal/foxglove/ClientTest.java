@@ -65,35 +65,35 @@ class ClientTest {
         assertThat(events).hasSize(6);
         var past = new RecentEvents();
         var client = new Client(line, 0, plan.map());
-        client.tellEvents(past);
+        client.publishEvents(past);
         assertThat(line.texts).singleElement().asString().contains("\"/events\"", "\"/log\"");
 
         events.subList(0, 2).forEach(past::add);
-        client.tellEvents(past);
+        client.publishEvents(past);
         assertThat(client.subscribe(7, 1)).isTrue();
-        client.tellEvents(past);
-        client.tellEvents(past);
+        client.publishEvents(past);
+        client.publishEvents(past);
         assertThat(line.of(7)).isEqualTo(2);
 
         line.isStuck = true;
         events.subList(2, 5).forEach(past::add);
-        client.tellEvents(past);
+        client.publishEvents(past);
         assertThat(line.of(7)).isEqualTo(2);
         line.isStuck = false;
-        client.tellEvents(past);
+        client.publishEvents(past);
         assertThat(line.of(7)).isEqualTo(5);
 
         line.meanwhile = () -> assertThat(client.subscribe(8, 2)).isTrue(); // between an event's two messages
         past.add(events.getLast());
-        client.tellEvents(past);
+        client.publishEvents(past);
         assertThat(line.of(8)).isZero();
-        client.tellEvents(past);
+        client.publishEvents(past);
         assertThat(line.of(7)).isEqualTo(6);
         assertThat(line.of(8)).isEqualTo(6);
 
         client.unsubscribe(7);
         assertThat(client.subscribe(9, 1)).isTrue(); // as if it had come just now
-        client.tellEvents(past);
+        client.publishEvents(past);
         assertThat(line.of(9)).isEqualTo(6);
         assertThat(line.of(8)).isEqualTo(6);
     }

@@ -140,13 +140,13 @@ class CommunicationApiTest {
     @Test
     void tellsWhichRobotsHearEachOther() throws Exception {
         advanceTo(5);
-        JsonNode told = get("/api/links?robot=nobody");
-        assertThat(told.get("ofChosen").asBoolean()).isFalse();
-        assertThat(each(told.get("links")))
+        JsonNode reported = get("/api/links?robot=nobody");
+        assertThat(reported.get("ofChosen").asBoolean()).isFalse();
+        assertThat(each(reported.get("links")))
                 .extracting(link ->
                         link.get("one").asString() + " " + link.get("other").asString())
                 .containsExactlyInAnyOrder("courier-1 courier-2", "courier-1 prey", "courier-2 prey");
-        assertThat(each(told.get("links")))
+        assertThat(each(reported.get("links")))
                 .allMatch(link ->
                         link.get("there").asBoolean() && link.get("back").asBoolean());
     }
@@ -304,10 +304,10 @@ class CommunicationApiTest {
             Response response = RawHttp.get(port, "/api/readings?robot=prey", host);
             assertThat(response.status()).as(response.body()).isEqualTo(503);
             assertThat(response.body()).contains("did not answer in time");
-            Response told = RawHttp.post(
+            Response reported = RawHttp.post(
                     port, "/api/run/remove", "{\"name\": \"prey\"}", host, "Authorization: Bearer " + TOKEN);
-            assertThat(told.status()).as(told.body()).isEqualTo(503);
-            assertThat(told.body()).contains("did not answer in time");
+            assertThat(reported.status()).as(reported.body()).isEqualTo(503);
+            assertThat(reported.body()).contains("did not answer in time");
         } finally {
             free.countDown();
         }

@@ -93,8 +93,8 @@ class ControlApiTest {
                 .isEqualTo(401);
         Response kept = RawHttp.put(port, CONTROL, "{}", host, WITH_TOKEN, as("a"));
         assertThat(Json.read(kept.body(), Control.class).mine()).isTrue();
-        Response told = RawHttp.put(port, CONTROL, "{}", host, WITH_TOKEN, as("b"));
-        assertThat(Json.read(told.body(), Control.class)).isEqualTo(new Control(Optional.of("Ann"), false));
+        Response reported = RawHttp.put(port, CONTROL, "{}", host, WITH_TOKEN, as("b"));
+        assertThat(Json.read(reported.body(), Control.class)).isEqualTo(new Control(Optional.of("Ann"), false));
         RawHttp.delete(port, CONTROL, host, WITH_TOKEN, as("a"));
         RawHttp.put(port, CONTROL, "{}", host, WITH_TOKEN, as("a"));
         assertThat(seenBy("a").holder())

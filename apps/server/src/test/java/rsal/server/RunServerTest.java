@@ -139,16 +139,16 @@ class RunServerTest {
         @Test
         void getsWhatPlacesCostARobot() throws Exception {
             OccupancyGrid map = server.run().plan().map();
-            ByteBuffer told =
+            ByteBuffer reported =
                     ByteBuffer.wrap(unpacked("/api/costs?robot=courier-1")).order(ByteOrder.LITTLE_ENDIAN);
-            assertThat(told.getInt()).isEqualTo(map.width());
-            assertThat(told.getInt()).isEqualTo(map.height());
-            assertThat(List.of(told.getDouble(), told.getDouble(), told.getDouble()))
+            assertThat(reported.getInt()).isEqualTo(map.width());
+            assertThat(reported.getInt()).isEqualTo(map.height());
+            assertThat(List.of(reported.getDouble(), reported.getDouble(), reported.getDouble()))
                     .containsExactly(map.resolution(), map.originX(), map.originY());
-            assertThat(told.remaining()).isEqualTo(map.cells().length);
+            assertThat(reported.remaining()).isEqualTo(map.cells().length);
             int free = 0;
             for (byte cell : map.cells()) {
-                byte cost = told.get();
+                byte cost = reported.get();
                 if (cell == OccupancyGrid.OCCUPIED) {
                     assertThat(cost).isEqualTo(OccupancyGrid.OCCUPIED);
                 }
@@ -471,7 +471,7 @@ class RunServerTest {
         }
 
         @Test
-        void tellWhenARobotCannotGetWhereItWasSent() throws Exception {
+        void reportWhenARobotCannotGetWhereItWasSent() throws Exception {
             String inACorner = "{\"robot\":\"courier-1\",\"x\":18.4,\"y\":-6.4,\"heading\":0}";
             assertThat(post("goal", inACorner).status()).isEqualTo(200);
             RunEvent event = awaitEvent(server.run(), "unreached");

@@ -305,13 +305,13 @@ class RunSlotsTest {
     void endsTheRunThatIsClosedAndTellsItsViewers() throws Exception {
         open("{}");
         LiveRun second = run(2);
-        var told = new CompletableFuture<String>();
+        var reported = new CompletableFuture<String>();
         try (HttpClient http = HttpClient.newHttpClient()) {
             WebSocket viewer = http.newWebSocketBuilder()
-                    .buildAsync(java.net.URI.create("ws://127.0.0.1:" + port + "/beside/2/api/live"), closing(told))
+                    .buildAsync(java.net.URI.create("ws://127.0.0.1:" + port + "/beside/2/api/live"), closing(reported))
                     .get();
             assertThat(close(2).status()).isEqualTo(200);
-            assertThat(told.get()).isEqualTo(Live.CLOSED + " This run was closed.");
+            assertThat(reported.get()).isEqualTo(Live.CLOSED + " This run was closed.");
             assertThat(second.result().toCompletableFuture().get().outcome()).isEqualTo("stopped");
             viewer.abort();
         }
@@ -320,11 +320,11 @@ class RunSlotsTest {
         assertThat(server.run().result().toCompletableFuture()).isNotDone();
     }
 
-    private static WebSocket.Listener closing(CompletableFuture<String> told) {
+    private static WebSocket.Listener closing(CompletableFuture<String> reported) {
         return new WebSocket.Listener() {
             @Override
             public CompletionStage<?> onClose(WebSocket socket, int status, String reason) {
-                told.complete(status + " " + reason);
+                reported.complete(status + " " + reason);
                 return CompletableFuture.completedFuture(null);
             }
         };

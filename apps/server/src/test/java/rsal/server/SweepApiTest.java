@@ -156,15 +156,15 @@ class SweepApiTest {
                 .contains("rsal sweep ", "--configuration long,short --vary guards=1,2 --seeds=1-3 --jobs 1 --out ");
         Findings findings = Findings.read(Errand.sweeps(directory).resolve("guard-1"));
         for (int i = 0; i < 4; i++) {
-            SweepCombination told = ended.combinations().get(i);
+            SweepCombination reported = ended.combinations().get(i);
             Mean mean = findings.measurements(findings.manifest().metrics().getFirst())
                     .mean(findings.design().combinations().get(i))
                     .orElseThrow();
-            assertThat(told.ended()).isEqualTo(3);
-            assertThat(told.metrics().get("way").mean()).isEqualTo(mean.value());
-            assertThat(told.metrics().get("way").low())
+            assertThat(reported.ended()).isEqualTo(3);
+            assertThat(reported.metrics().get("way").mean()).isEqualTo(mean.value());
+            assertThat(reported.metrics().get("way").low())
                     .hasValue(mean.interval().orElseThrow().low());
-            assertThat(told.outcomes())
+            assertThat(reported.outcomes())
                     .extracting(share -> share.outcome() + " " + share.count())
                     .containsExactly(i < 2 ? "success 3" : "success 0", i < 2 ? "timeout 0" : "timeout 3");
         }
@@ -372,7 +372,7 @@ class SweepApiTest {
             real   | guards=1        | 3      |     | runs in real time
             nobody | guards=1        | 3      |     | nobody
             """)
-    void saysWhatIsWrong(String configuration, String argument, String seeds, String limit, String told)
+    void saysWhatIsWrong(String configuration, String argument, String seeds, String limit, String reported)
             throws IOException {
         List<String> words = Stream.of(argument.split("=", 2)).toList();
         var wish = new SweepWish(
@@ -384,7 +384,7 @@ class SweepApiTest {
                 Optional.empty());
         Response refused = post("", wish);
         assertThat(refused.status()).isEqualTo(422);
-        assertThat(refused.body()).contains(told).doesNotContain("--");
+        assertThat(refused.body()).contains(reported).doesNotContain("--");
         assertThat(Errand.sweeps(directory)).doesNotExist();
     }
 

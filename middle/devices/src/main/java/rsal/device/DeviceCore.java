@@ -54,7 +54,7 @@ public abstract class DeviceCore implements Device {
         Health now = reported.filter(other -> severity(other) >= severity(seen)).orElse(seen);
         if (!now.equals(health)) {
             health = now;
-            healthListeners.tell(now);
+            healthListeners.publish(now);
         }
     }
 

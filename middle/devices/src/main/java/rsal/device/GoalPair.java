@@ -29,7 +29,7 @@ final class GoalPair<F, R> {
     }
 
     private void follow(GoalHandle<F, R> goal) {
-        goal.onFeedback(both::tell);
+        goal.onFeedback(both::publish);
     }
 
     private void cancel() {

@@ -38,9 +38,9 @@ public final class GoalSource<F, R> implements GoalHandle<F, R> {
         }
     }
 
-    public void tell(Stamped<F> progress) {
+    public void publish(Stamped<F> progress) {
         if (!ended()) {
-            feedback.tell(progress);
+            feedback.publish(progress);
         }
     }
 

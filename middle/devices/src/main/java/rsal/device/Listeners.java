@@ -9,7 +9,7 @@ import java.util.function.Consumer;
 public final class Listeners<T> {
     private final List<Entry<T>> entries = new ArrayList<>();
     private final Consumer<? super RuntimeException> onFailure;
-    private List<Entry<T>> told = List.of();
+    private List<Entry<T>> reported = List.of();
     private boolean changed;
 
     /// @param onFailure told what a listener threw
@@ -28,12 +28,12 @@ public final class Listeners<T> {
     }
 
     /// Those who come while it tells are told from the next time on; those who go are told no more.
-    public void tell(T value) {
+    public void publish(T value) {
         if (changed) {
-            told = List.copyOf(entries);
+            reported = List.copyOf(entries);
             changed = false;
         }
-        List<Entry<T>> now = told; // a listener may make us tell again
+        List<Entry<T>> now = reported; // a listener may make us tell again
         for (int i = 0; i < now.size(); i++) {
             Entry<T> entry = now.get(i);
             if (entry.cancelled) {

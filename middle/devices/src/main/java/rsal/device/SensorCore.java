@@ -29,6 +29,6 @@ public abstract class SensorCore<T> extends DeviceCore implements Sensor<T> {
     protected final void deliver(Stamped<T> reading) {
         latest = reading;
         health(Health.ok());
-        listeners.tell(reading);
+        listeners.publish(reading);
     }
 }

@@ -25,7 +25,7 @@ public final class FaultyLocalizer extends SensorCore<PoseEstimate> implements L
         this.localizer = localizer;
         localizer.latest().ifPresent(this::show);
         localizer.subscribe(this::show);
-        localizer.onHealth(this::told);
+        localizer.onHealth(this::reported);
     }
 
     /// The other one, with which nothing is wrong.
@@ -50,7 +50,7 @@ public final class FaultyLocalizer extends SensorCore<PoseEstimate> implements L
     }
 
     /// While it shows nothing it is not well because the other one is.
-    private void told(Health health) {
+    private void reported(Health health) {
         if (!(health.equals(Health.ok()) && faults.areDeadly())) {
             health(health);
         }

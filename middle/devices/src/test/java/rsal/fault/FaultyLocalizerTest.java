@@ -18,12 +18,12 @@ import rsal.device.Localizer;
 import rsal.device.SensorCore;
 
 class FaultyLocalizerTest {
-    private final Told told = new Told();
-    private final FaultyLocalizer localizer = new FaultyLocalizer(told);
+    private final Reported reported = new Reported();
+    private final FaultyLocalizer localizer = new FaultyLocalizer(reported);
 
     /// Believes what it is told.
-    private static final class Told extends SensorCore<PoseEstimate> implements Localizer {
-        Told() {
+    private static final class Reported extends SensorCore<PoseEstimate> implements Localizer {
+        Reported() {
             super(new DeviceInfo("r1", "localizer", "told"));
         }
 
@@ -53,10 +53,10 @@ class FaultyLocalizerTest {
 
     @Test
     void standsInThePlaceOfTheOther() {
-        told.say(1, 5);
+        reported.say(1, 5);
         assertThat(x()).isEqualTo(5);
-        assertThat(localizer.info()).isEqualTo(told.info());
-        told.fail();
+        assertThat(localizer.info()).isEqualTo(reported.info());
+        reported.fail();
         assertThat(localizer.health()).isEqualTo(new Health.Lost("It failed."));
         localizer.relocalize(PoseEstimate.of(new Pose2d(7, 0, 0), Covariance2d.ofDeviations(1, 1, 1)));
         assertThat(x()).isEqualTo(7);
@@ -66,38 +66,38 @@ class FaultyLocalizerTest {
     @Test
     void biasedItIsAheadOfTheOther() {
         localizer.begin(new Fault.Biased(0.5, 0), new SplittableRandom(1));
-        told.say(1, 5);
+        reported.say(1, 5);
         assertThat(x()).isEqualTo(5.5);
     }
 
     @Test
     void deadItTurnsStaleAfterASecondAndIsWellAgainAfterwards() {
-        told.say(1, 5);
+        reported.say(1, 5);
         var dead = localizer.begin(new Fault.Dead(), new SplittableRandom(1));
         var health = new ArrayList<Health>();
         localizer.onHealth(health::add);
-        told.say(1.9, 6);
+        reported.say(1.9, 6);
         assertThat(health).isEmpty();
-        told.say(2, 7);
+        reported.say(2, 7);
         assertThat(health).singleElement().isInstanceOf(Health.Stale.class);
         assertThat(x()).isEqualTo(5);
         dead.cancel();
-        told.say(3, 8);
+        reported.say(3, 8);
         assertThat(localizer.health()).isEqualTo(Health.ok());
         assertThat(x()).isEqualTo(8);
     }
 
     @Test
     void deadItIsNotWellWhenTheOtherIs() {
-        told.say(1, 5);
+        reported.say(1, 5);
         localizer.begin(new Fault.Dead(), new SplittableRandom(1));
-        told.fail();
+        reported.fail();
         var health = new ArrayList<Health>();
         localizer.onHealth(health::add);
-        told.recover();
-        told.say(1.5, 6);
+        reported.recover();
+        reported.say(1.5, 6);
         assertThat(health).isEmpty();
-        told.say(3, 7);
+        reported.say(3, 7);
         assertThat(health).singleElement().isInstanceOf(Health.Stale.class);
     }
 }

@@ -218,7 +218,7 @@ public final class McapFile implements Closeable {
         }
         all.sort(Comparator.comparingLong(Place::time)); // stable
         for (Place place : all) {
-            tell(place.records(), place.at(), place.next(), visitor);
+            visit(place.records(), place.at(), place.next(), visitor);
         }
     }
 
@@ -231,7 +231,7 @@ public final class McapFile implements Closeable {
         if (isInOrder(records)) {
             each(records, (at, next) -> {
                 if (wanted.has(records, at)) {
-                    tell(records, at, next, visitor);
+                    visit(records, at, next, visitor);
                 }
             });
             return;
@@ -244,7 +244,7 @@ public final class McapFile implements Closeable {
         });
         all.sort(Comparator.comparingLong(Place::time)); // stable
         for (Place place : all) {
-            tell(records, place.at(), place.next(), visitor);
+            visit(records, place.at(), place.next(), visitor);
         }
     }
 
@@ -301,7 +301,7 @@ public final class McapFile implements Closeable {
         }
     }
 
-    private void tell(ByteBuffer records, int at, int next, MessageVisitor visitor) throws IOException {
+    private void visit(ByteBuffer records, int at, int next, MessageVisitor visitor) throws IOException {
         int content = at + Opcode.PREFIX;
         Channel channel = contents.channels.get(Short.toUnsignedInt(records.getShort(content)));
         if (channel != null) {

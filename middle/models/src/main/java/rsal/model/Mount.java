@@ -27,14 +27,17 @@ record Mount(Pose2d baseFromDevice, OptionalDouble height, Optional<String> on, 
         var mounts = new LinkedHashMap<String, Mount>();
         for (String device : section.names()) {
             if (section.find(device).filter(Value.Mapping.class::isInstance).isPresent()) {
-                Section told = section.section(device);
-                String on = told.text("actuator");
-                read(told, "pose", Optional.of(on).filter(name -> !name.isEmpty()), told.locationOf("actuator"))
+                Section reported = section.section(device);
+                String on = reported.text("actuator");
+                read(reported, "pose", Optional.of(on).filter(name -> !name.isEmpty()), reported.locationOf("actuator"))
                         .ifPresent(mount -> mounts.put(device, mount));
-                if (!told.has("pose")) {
-                    told.problem(told.location(), "'%s' is missing: where it stands.".formatted(told.path("pose")), "");
+                if (!reported.has("pose")) {
+                    reported.problem(
+                            reported.location(),
+                            "'%s' is missing: where it stands.".formatted(reported.path("pose")),
+                            "");
                 }
-                told.done();
+                reported.done();
             } else {
                 read(section, device, Optional.empty(), section.locationOf(device))
                         .ifPresent(mount -> mounts.put(device, mount));

@@ -342,15 +342,15 @@ public final class Section {
             return;
         }
         var names = new ArrayList<>(missing.keySet());
-        var told = new ArrayList<>(missing.values());
+        var reported = new ArrayList<>(missing.values());
         leftOut.forEach((key, groups) -> groups.forEach(group -> {
             if (!group.missing.isEmpty()) {
                 names.add(key);
-                told.addAll(group.missing.values());
+                reported.addAll(group.missing.values());
             }
         }));
         if (names.size() > 1) {
-            told.forEach(problems::withdraw);
+            reported.forEach(problems::withdraw);
             leftOut.clear();
             missing.clear();
             var whole = new Problem(

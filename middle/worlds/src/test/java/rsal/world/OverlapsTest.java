@@ -58,25 +58,25 @@ class OverlapsTest {
             List<Overlap> overlaps = Overlaps.of(walls, things, robots);
             var before = new ArrayList<>(things);
             for (Entity robot : robots) {
-                Optional<Overlap> told =
+                Optional<Overlap> reported =
                         overlaps.stream().filter(o -> o.robot().equals(robot)).findFirst();
                 double inWalls = common(robot, walls.getFirst());
                 double most = inWalls;
                 for (Entity other : before) {
                     most = Math.max(most, common(robot, other));
                 }
-                assertThat(told.isPresent() || most < 1e-3)
+                assertThat(reported.isPresent() || most < 1e-3)
                         .as("seed %d, %s", seed, robot.name())
                         .isTrue();
-                if (told.isPresent()) {
-                    double common = told.get()
+                if (reported.isPresent()) {
+                    double common = reported.get()
                             .other()
                             .map(other -> common(robot, other))
                             .orElse(inWalls);
                     barely += common == 0 ? 1 : 0;
                 }
                 apart += most == 0 ? 1 : 0;
-                found += told.isPresent() ? 1 : 0;
+                found += reported.isPresent() ? 1 : 0;
                 before.add(robot);
             }
         }

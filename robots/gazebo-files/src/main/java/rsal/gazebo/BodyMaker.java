@@ -80,45 +80,45 @@ final class BodyMaker {
 
     private List<Prism> prisms(XmlElement shape, Transform in, double height) {
         Optional<XmlElement> geometry =
-                shape.first("geometry").flatMap(told -> told.children().stream().findFirst());
+                shape.first("geometry").flatMap(node -> node.children().stream().findFirst());
         if (geometry.isEmpty()) {
             return List.of();
         }
-        XmlElement told = geometry.get();
-        return switch (told.name()) {
+        XmlElement node = geometry.get();
+        return switch (node.name()) {
             case "box" -> {
-                double[] size = sizes(told, "size", 3);
+                double[] size = sizes(node, "size", 3);
                 Point half = new Point(size[0] / 2, size[1] / 2, size[2] / 2);
-                noteTilt(told, Shadow.isSquare(in));
-                yield seen(told, Shadow.box(in, new Point(-half.x(), -half.y(), -half.z()), half));
+                noteTilt(node, Shadow.isSquare(in));
+                yield seen(node, Shadow.box(in, new Point(-half.x(), -half.y(), -half.z()), half));
             }
             case "cylinder", "capsule", "cone" -> {
-                noteTilt(told, Shadow.isUpright(in) || Shadow.isLevel(in));
-                boolean round = told.name().equals("capsule");
-                yield seen(told, Shadow.cylinder(in, size(told, "radius"), size(told, "length"), round));
+                noteTilt(node, Shadow.isUpright(in) || Shadow.isLevel(in));
+                boolean round = node.name().equals("capsule");
+                yield seen(node, Shadow.cylinder(in, size(node, "radius"), size(node, "length"), round));
             }
             case "sphere" -> {
-                double radius = size(told, "radius");
-                yield seen(told, Shadow.ellipsoid(in, radius, radius, radius));
+                double radius = size(node, "radius");
+                yield seen(node, Shadow.ellipsoid(in, radius, radius, radius));
             }
             case "ellipsoid" -> {
-                double[] radii = sizes(told, "radii", 3);
-                noteTilt(told, Shadow.isSquare(in));
-                yield seen(told, Shadow.ellipsoid(in, radii[0], radii[1], radii[2]));
+                double[] radii = sizes(node, "radii", 3);
+                noteTilt(node, Shadow.isSquare(in));
+                yield seen(node, Shadow.ellipsoid(in, radii[0], radii[1], radii[2]));
             }
             case "polyline" ->
                 polylines(shape.first("geometry").orElseThrow().all("polyline").toList(), in);
-            case "mesh" -> mesh(told, in);
+            case "mesh" -> mesh(node, in);
             case "plane" -> {
-                notePlane(told, in, height + in.z());
+                notePlane(node, in, height + in.z());
                 yield List.of();
             }
             case "empty" -> List.of();
             default -> {
                 notes.add(
-                        "geometry " + told.name(),
-                        told.location(),
-                        "A shape of kind '%s' is left out.".formatted(SdfText.shortened(told.name())),
+                        "geometry " + node.name(),
+                        node.location(),
+                        "A shape of kind '%s' is left out.".formatted(SdfText.shortened(node.name())),
                         "Boxes, cylinders, spheres, polylines and meshes can be read.");
                 yield List.of();
             }
@@ -153,7 +153,7 @@ final class BodyMaker {
     }
 
     private void notePlane(XmlElement plane, Transform in, double height) {
-        double[] normal = plane.first("normal").map(told -> told.numbers(3)).orElse(new double[] {0, 0, 1});
+        double[] normal = plane.first("normal").map(node -> node.numbers(3)).orElse(new double[] {0, 0, 1});
         if (Math.abs(in.upwards(normal)) < 0.99) {
             notes.add(
                     "plane",
@@ -212,7 +212,7 @@ final class BodyMaker {
 
     private List<Prism> mesh(XmlElement mesh, Transform in) {
         String uri = mesh.first("uri").map(XmlElement::text).orElse("");
-        double[] scale = mesh.first("scale").map(told -> told.numbers(3)).orElse(new double[] {1, 1, 1});
+        double[] scale = mesh.first("scale").map(node -> node.numbers(3)).orElse(new double[] {1, 1, 1});
         Optional<MeshBounds> bounds =
                 meshes.computeIfAbsent(mesh.location().file() + " " + uri, _ -> bounds(mesh, uri));
         if (bounds.isEmpty()) {
@@ -254,14 +254,14 @@ final class BodyMaker {
 
     /// Lengths, of which none is negative.
     private static double[] sizes(XmlElement shape, String name, int count) {
-        XmlElement told = shape.first(name)
+        XmlElement node = shape.first(name)
                 .orElseThrow(() -> new InvalidSettings(
                         shape.location(), "This '%s' has no '%s'.".formatted(shape.name(), name), ""));
-        double[] sizes = told.numbers(count);
+        double[] sizes = node.numbers(count);
         for (double size : sizes) {
             if (size < 0 || size > 1e5) {
                 throw new InvalidSettings(
-                        told.location(), "'%s' must be from 0 to 100000 m, not %s.".formatted(name, size), "");
+                        node.location(), "'%s' must be from 0 to 100000 m, not %s.".formatted(name, size), "");
             }
         }
         return sizes;

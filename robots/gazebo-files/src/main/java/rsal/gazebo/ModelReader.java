@@ -56,10 +56,10 @@ final class ModelReader {
         }
         boolean included = place.name().equals("include");
         String make = model.attribute("name");
-        String told = included ? place.first("name").map(XmlElement::text).orElse(make) : make;
+        String reported = included ? place.first("name").map(XmlElement::text).orElse(make) : make;
         List<SdfModel> inner = models(model, depth + 1);
         return new SdfModel(
-                free(told.isEmpty() ? "model" : told, names),
+                free(reported.isEmpty() ? "model" : reported, names),
                 make,
                 model,
                 place.location(),
@@ -78,7 +78,9 @@ final class ModelReader {
     }
 
     private static boolean isStatic(XmlElement element) {
-        return element.first("static").filter(told -> Poses.isTrue(told.text())).isPresent();
+        return element.first("static")
+                .filter(reported -> Poses.isTrue(reported.text()))
+                .isPresent();
     }
 
     /// As Gazebo does with a name that there is already.

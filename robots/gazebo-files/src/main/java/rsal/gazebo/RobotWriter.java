@@ -252,9 +252,9 @@ final class RobotWriter {
     }
 
     private void laser(String device, Part.Laser laser, RobotModel model, String topic) {
-        Double told = model.heights().get(device);
-        double height = told == null ? model.body().top() + ABOVE : told;
-        if (told != null && told < model.body().top()) {
+        Double written = model.heights().get(device);
+        double height = written == null ? model.body().top() + ABOVE : written;
+        if (written != null && written < model.body().top()) {
             notes.add("A laser below the top of its robot may see the robot itself in Gazebo.");
         }
         xml.open("sensor", "name", device.isEmpty() ? "laser" : device, "type", "gpu_lidar");

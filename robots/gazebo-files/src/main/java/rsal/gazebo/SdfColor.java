@@ -28,11 +28,11 @@ final class SdfColor {
 
     /// Empty when a visual tells none.
     static Optional<Rgb> of(Optional<XmlElement> visual) {
-        Optional<XmlElement> material = visual.flatMap(told -> told.first("material"));
-        return material.flatMap(told -> told.first("diffuse"))
-                .or(() -> material.flatMap(told -> told.first("ambient")))
+        Optional<XmlElement> material = visual.flatMap(reported -> reported.first("material"));
+        return material.flatMap(reported -> reported.first("diffuse"))
+                .or(() -> material.flatMap(reported -> reported.first("ambient")))
                 .flatMap(SdfColor::read)
-                .or(() -> material.flatMap(told -> told.first("script", "name"))
+                .or(() -> material.flatMap(reported -> reported.first("script", "name"))
                         .flatMap(name ->
                                 Optional.ofNullable(MATERIALS.get(name.text().toLowerCase(Locale.ROOT)))));
     }

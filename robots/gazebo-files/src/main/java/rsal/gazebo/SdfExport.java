@@ -104,9 +104,9 @@ public final class SdfExport implements SceneExport {
         }
 
         private Entity body(RobotSpec robot) {
-            Entity told = scene.robotBodies().get(robot.id());
-            if (told != null) {
-                return told;
+            Entity reported = scene.robotBodies().get(robot.id());
+            if (reported != null) {
+                return reported;
             }
             Rgb color = Rgb.parse(robot.color()).orElse(Surface.PLAIN.color());
             return new Entity(

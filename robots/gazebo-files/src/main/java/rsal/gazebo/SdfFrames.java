@@ -54,7 +54,8 @@ final class SdfFrames {
     ///
     /// @param usual frame that it is relative to when it says nothing
     Transform place(Optional<XmlElement> pose, String usual) {
-        String relative = pose.map(told -> told.attribute("relative_to")).orElse("");
+        String relative =
+                pose.map(reported -> reported.attribute("relative_to")).orElse("");
         Transform in = relative.isEmpty() && usual.isEmpty()
                 ? Transform.NONE
                 : find(relative.isEmpty() ? usual : relative, pose.map(XmlElement::location));

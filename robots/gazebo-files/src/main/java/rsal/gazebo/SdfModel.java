@@ -43,7 +43,7 @@ record SdfModel(
         Transform place(XmlElement part) {
             Optional<XmlElement> pose = part.first("pose");
             boolean elsewhere = pose.filter(
-                            told -> !told.attribute("relative_to").isEmpty())
+                            reported -> !reported.attribute("relative_to").isEmpty())
                     .isPresent();
             return elsewhere ? modelFromOwner.compose(frames.place(pose, "")) : modelFromLink.compose(Poses.of(pose));
         }

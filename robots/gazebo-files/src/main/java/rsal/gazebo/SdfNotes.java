@@ -13,7 +13,7 @@ final class SdfNotes {
     private static final int MOST = 200; // kinds
 
     private final Map<String, Note> notes = new LinkedHashMap<>();
-    private int untold;
+    private int omitted;
 
     private static final class Note {
         private final Problem first;
@@ -42,15 +42,15 @@ final class SdfNotes {
         } else if (notes.size() < MOST) {
             notes.put(kind, new Note(new Problem(at, message, remedy)));
         } else {
-            untold++;
+            omitted++;
         }
     }
 
     /// @param file the world's, for what is said of all of it
     List<Problem> all(String file) {
         var all = new ArrayList<>(notes.values().stream().map(Note::problem).toList());
-        if (untold > 0) {
-            all.add(new Problem(Location.of(file), "There are %d more notes.".formatted(untold), ""));
+        if (omitted > 0) {
+            all.add(new Problem(Location.of(file), "There are %d more notes.".formatted(omitted), ""));
         }
         return List.copyOf(all);
     }

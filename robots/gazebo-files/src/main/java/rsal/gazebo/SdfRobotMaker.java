@@ -73,7 +73,7 @@ final class SdfRobotMaker {
     /// The robot that a model is; empty for one that drives nowhere, or not in a way that is known.
     Optional<Made> robot(SdfModel model) {
         Optional<XmlElement> plugin = model.all("plugin").stream()
-                .filter(told -> Kind.of(told).isPresent())
+                .filter(reported -> Kind.of(reported).isPresent())
                 .findFirst();
         Optional<Kind> kind = plugin.flatMap(Kind::of);
         if (model.isStatic() || kind.isEmpty() || kind.get() == Kind.CAR) {
@@ -164,7 +164,8 @@ final class SdfRobotMaker {
         Interval turnRate = limits(plugin, "angular_velocity", "velocity", USUAL_TURN_RATE);
         var forward = new Axis(speed, limits(plugin, "linear_acceleration", "acceleration", speed.most()));
         var turn = new Axis(turnRate, limits(plugin, "angular_acceleration", "acceleration", 2 * turnRate.most()));
-        if (plugin.children().stream().noneMatch(told -> told.name().matches("max_.*(velocity|acceleration)"))) {
+        if (plugin.children().stream()
+                .noneMatch(reported -> reported.name().matches("max_.*(velocity|acceleration)"))) {
             notes.add(
                     "limits",
                     plugin.location(),
@@ -217,8 +218,8 @@ final class SdfRobotMaker {
             Map<String, Part> parts,
             Map<String, Double> heights) {
         Optional<XmlElement> lidar = sensor.first("lidar").or(() -> sensor.first("ray"));
-        Optional<XmlElement> level = lidar.flatMap(told -> told.first("scan", "horizontal"));
-        Optional<XmlElement> range = lidar.flatMap(told -> told.first("range"));
+        Optional<XmlElement> level = lidar.flatMap(reported -> reported.first("scan", "horizontal"));
+        Optional<XmlElement> range = lidar.flatMap(reported -> reported.first("range"));
         if (level.isEmpty() || range.isEmpty() || !Shadow.isUpright(baseFromLaser)) {
             notes.add(
                     "laser",

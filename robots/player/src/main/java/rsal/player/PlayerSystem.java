@@ -123,12 +123,12 @@ final class PlayerSystem implements RobotSystem {
                 return false;
             }
             if (error == null) {
-                changes.tell(new Change.Appeared(robot));
+                changes.publish(new Change.Appeared(robot));
                 return true;
             }
             String why = "It can't join: " + RemoteServer.words(error);
             if (!why.equals(reported)) {
-                changes.tell(new Change.Gone(spec.id(), why));
+                changes.publish(new Change.Gone(spec.id(), why));
             }
             scheduler.after(RETRY, () -> {
                 if (!closed) {
@@ -215,9 +215,9 @@ final class PlayerSystem implements RobotSystem {
     /// It is there as long as all of its servers are.
     private void changed(Robot robot, List<RemoteServer> its, Optional<String> lost) {
         if (lost.isPresent()) {
-            changes.tell(new Change.Gone(robot.id(), lost.get()));
+            changes.publish(new Change.Gone(robot.id(), lost.get()));
         } else if (its.stream().allMatch(RemoteServer::isConnected)) {
-            changes.tell(new Change.Appeared(robot));
+            changes.publish(new Change.Appeared(robot));
         }
     }
 

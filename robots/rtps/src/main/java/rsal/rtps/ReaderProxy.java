@@ -57,7 +57,7 @@ final class ReaderProxy {
     }
 
     /// Was told what there is; is told again later if it does not answer.
-    void told(long now) {
+    void reported(long now) {
         if (isReliable) {
             heartbeatAt = now + patience;
             patience = Math.min(2 * patience, LAST_HEARTBEAT);
@@ -67,7 +67,7 @@ final class ReaderProxy {
     /// Something new was written.
     void expectAnswer(long now) {
         patience = FIRST_HEARTBEAT;
-        told(now);
+        reported(now);
     }
 
     /// @param isFinal false also for the first answers of readers that have had no heartbeat yet

@@ -83,10 +83,10 @@ final class GripperMotion {
         return arrived() ? Optional.empty() : Optional.of(direction() > 0 ? up : down);
     }
 
-    void told(Stamped<GripperState> reading) {
+    void reported(Stamped<GripperState> reading) {
         GoalSource<GripperState, Result> now = goal;
         if (now != null && now == underWay) { // a listener may have begun another
-            now.tell(reading);
+            now.publish(reading);
             if (now == goal && arrived()) {
                 end(new Result.Reached(reading.value()));
             }

@@ -165,10 +165,10 @@ final class SimActuator extends SimActuatedDevice<ActuatorState> implements Actu
     }
 
     @Override
-    void told(Stamped<ActuatorState> reading) {
+    void reported(Stamped<ActuatorState> reading) {
         GoalSource<ActuatorState, Result> now = goal;
         if (now != null && now == underWay) { // a listener may have begun another
-            now.tell(reading);
+            now.publish(reading);
             if (arrived && now == goal) {
                 stop(new Result.Reached(position));
             } else if (stop != null && now == goal) {

@@ -246,9 +246,9 @@ final class SimGripper extends SimActuatedDevice<GripperState> implements Grippe
     }
 
     @Override
-    void told(Stamped<GripperState> reading) {
-        paddles.told(reading);
-        lift.told(reading);
+    void reported(Stamped<GripperState> reading) {
+        paddles.reported(reading);
+        lift.reported(reading);
     }
 
     @Override

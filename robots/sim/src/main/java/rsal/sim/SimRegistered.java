@@ -25,7 +25,7 @@ final class SimRegistered<T> extends SimActuatedDevice<T> {
     }
 
     @Override
-    void told(Stamped<T> reading) {
+    void reported(Stamped<T> reading) {
         sensor.show(reading);
     }
 

@@ -29,7 +29,7 @@ final class SimRegisteredEye<T> extends SimRangeSensor<T> {
     }
 
     @Override
-    void told(Stamped<T> reading) {
+    void reported(Stamped<T> reading) {
         sensor.show(reading);
     }
 

@@ -52,13 +52,13 @@ abstract class SimSensor<T> extends SensorCore<T> {
         Stamped<T> reading = taken;
         if (reading != null) {
             taken = null;
-            faults.shown(reading).ifPresentOrElse(this::tell, () -> isSilent(reading.time()));
+            faults.shown(reading).ifPresentOrElse(this::publish, () -> isSilent(reading.time()));
         }
     }
 
-    private void tell(Stamped<T> reading) {
+    private void publish(Stamped<T> reading) {
         deliver(reading);
-        told(reading);
+        reported(reading);
     }
 
     private void isSilent(Instant now) {
@@ -81,7 +81,7 @@ abstract class SimSensor<T> extends SensorCore<T> {
     }
 
     /// What else to do with a reading that was told.
-    void told(Stamped<T> reading) {}
+    void reported(Stamped<T> reading) {}
 
     void close(Health.Lost why) {
         taken = null; // the one that closed may have been told by another device of this very robot

@@ -63,8 +63,8 @@ final class SimSystem implements RobotSystem {
         this.touch = touch;
         this.team = new SimulatedRobots(robots);
         this.charging = new EnergyTransfer(team, things);
-        this.control = new SimControl(world, things, team, recruiting, touches, changes::tell);
-        this.absence = new Absence(world, team, touches, changes::tell);
+        this.control = new SimControl(world, things, team, recruiting, touches, changes::publish);
+        this.absence = new Absence(world, team, touches, changes::publish);
         this.faults = new SimFaults(team, absence);
     }
 

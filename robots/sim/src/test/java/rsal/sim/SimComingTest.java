@@ -114,11 +114,11 @@ class SimComingTest {
         assertThat(run.simulation.truth("b")).isEmpty();
         assertThat(run.simulation.body("b")).isEmpty();
         assertThat(run.simulation.removeRobot("b")).isFalse();
-        var told = new ArrayList<Object>();
-        b.require(DriveBase.class).subscribe(told::add);
+        var reported = new ArrayList<Object>();
+        b.require(DriveBase.class).subscribe(reported::add);
         b.require(DriveBase.class).command(Twist2d.drive(0.3, 0));
         drive(run.robot("a"), 1);
-        assertThat(told).isEmpty();
+        assertThat(reported).isEmpty();
         assertThat(run.truth("a").x()).isGreaterThan(2.1);
     }
 

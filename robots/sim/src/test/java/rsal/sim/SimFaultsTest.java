@@ -102,25 +102,25 @@ class SimFaultsTest {
     @Test
     void aFrozenLaserLooksWellAndShowsWhatItSawBefore() {
         run.advance(0.1);
-        var told = new ArrayList<Stamped<LaserScan>>();
+        var reported = new ArrayList<Stamped<LaserScan>>();
         var health = new ArrayList<Health>();
-        laser().subscribe(told::add);
+        laser().subscribe(reported::add);
         laser().onHealth(health::add);
         begin("laser", new Fault.Frozen());
         drive(Twist2d.drive(0.4, 0));
         assertThat(run.truth("r1").x()).isGreaterThan(2.5);
         assertThat(ahead()).isCloseTo(5.8, within(1e-6));
-        assertThat(told).hasSize(50);
-        assertThat(told.getLast().time()).isEqualTo(run.scheduler.instant());
+        assertThat(reported).hasSize(50);
+        assertThat(reported.getLast().time()).isEqualTo(run.scheduler.instant());
         assertThat(health).isEmpty();
     }
 
     @Test
     void aDeadLaserTurnsStaleAndIsWellAgainAfterwards() {
         run.advance(0.1);
-        var told = new ArrayList<Object>();
+        var reported = new ArrayList<Object>();
         var health = new ArrayList<Health>();
-        laser().subscribe(told::add);
+        laser().subscribe(reported::add);
         laser().onHealth(health::add);
         var dead = begin("laser", new Fault.Dead());
         run.advance(0.2);
@@ -128,10 +128,10 @@ class SimFaultsTest {
         run.advance(0.1);
         assertThat(health).containsExactly(new Health.Stale("No reading for 300 ms."));
         run.advance(1);
-        assertThat(told).isEmpty();
+        assertThat(reported).isEmpty();
         dead.cancel();
         run.advance(0.1);
-        assertThat(told).hasSize(1);
+        assertThat(reported).hasSize(1);
         assertThat(laser().health()).isEqualTo(Health.ok());
     }
 
@@ -277,11 +277,11 @@ class SimFaultsTest {
         begin(two, "r2", "", new Fault.Gone(false));
         assertThat(changes).containsExactly(new Change.Gone("r2", "It has vanished."));
         assertThat(two.robot("r2").devices()).extracting(Device::health).hasOnlyElementsOfType(Health.Lost.class);
-        var told = new ArrayList<Object>();
-        two.base("r2").subscribe(told::add);
-        two.robot("r2").require(LaserScanner.class).subscribe(told::add);
+        var reported = new ArrayList<Object>();
+        two.base("r2").subscribe(reported::add);
+        two.robot("r2").require(LaserScanner.class).subscribe(reported::add);
         drive(two, "r1", Twist2d.drive(0.8, 0), 5);
-        assertThat(told).isEmpty();
+        assertThat(reported).isEmpty();
         assertThat(two.truth("r1").x()).isGreaterThan(4.5); // through where it was
         assertThat(two.simulation.contacts()).isEmpty();
         assertThat(ahead(two)).isCloseTo(7.8 - two.truth("r1").x(), within(1e-4));

@@ -131,11 +131,11 @@ class SimSystemTest {
     void whoeverHoldsADeviceIsToldWhenTheSimulationCloses() {
         var run = SimRun.of(SimRun.room(8, 4), robot("r1", Models.box(), new Pose2d(2, 2, 0)));
         run.advance(1);
-        var told = new ArrayList<Health>();
-        run.robot("r1").devices().forEach(device -> device.onHealth(told::add));
-        run.simulation.onHealth(told::add);
+        var reported = new ArrayList<Health>();
+        run.robot("r1").devices().forEach(device -> device.onHealth(reported::add));
+        run.simulation.onHealth(reported::add);
         run.system.close();
-        assertThat(told).hasSize(4).containsOnly(new Health.Lost("The simulation was closed."));
+        assertThat(reported).hasSize(4).containsOnly(new Health.Lost("The simulation was closed."));
         assertThat(run.system.discover().toCompletableFuture()).isCompletedExceptionally();
     }
 

@@ -112,10 +112,10 @@ public final class RobotMaker {
     /// @param carrier the actuator that the model stands on
     /// @return what the models use while they work [W]
     private double collect(
-            StageModel model, Placement told, Optional<String> carrier, List<Piece> body, PartMaker parts) {
+            StageModel model, Placement reported, Optional<String> carrier, List<Piece> body, PartMaker parts) {
         Placement robotFromModel = model.traits().kind() instanceof ModelKind.Actuator actuator
-                ? told.compose(PartMaker.atStart(actuator))
-                : told;
+                ? reported.compose(PartMaker.atStart(actuator))
+                : reported;
         Optional<String> carrierOfChildren = parts.add(model, robotFromModel, carrier);
         pieces.of(model, robotFromModel).forEach(piece -> body.add(piece.on(carrierOfChildren)));
         double use = model.traits().energy().use();

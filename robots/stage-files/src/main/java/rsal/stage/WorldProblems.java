@@ -23,15 +23,15 @@ public final class WorldProblems {
 
     private final List<Problem> errors = new ArrayList<>();
     private final List<Problem> warnings = new ArrayList<>();
-    private final Set<Object> told = new HashSet<>();
+    private final Set<Object> reported = new HashSet<>();
     private final Set<Location> spoiled = new HashSet<>();
-    private int untold;
+    private int omitted;
     private int guesses;
 
     /// @throws InvalidSettings with all errors so far when there are too many to go on
     public void error(Location location, String message, String remedy) {
         var problem = new Problem(location, message, remedy);
-        if (!spoiled.contains(location) && told.add(problem)) {
+        if (!spoiled.contains(location) && reported.add(problem)) {
             errors.add(problem);
         }
         if (errors.size() >= MAX_ERRORS) {
@@ -56,11 +56,11 @@ public final class WorldProblems {
 
     public void warn(Location location, String message, String remedy) {
         var problem = new Problem(location, message, remedy);
-        if (told.size() < 100 * MAX_WARNINGS && told.add(problem)) {
+        if (reported.size() < 100 * MAX_WARNINGS && reported.add(problem)) {
             if (warnings.size() < MAX_WARNINGS) {
                 warnings.add(problem);
             } else {
-                untold++;
+                omitted++;
             }
         }
     }
@@ -111,8 +111,8 @@ public final class WorldProblems {
     /// @param file the world's, for what is said of all of it
     public List<Problem> warnings(String file) {
         var all = new ArrayList<>(warnings);
-        if (untold > 0) {
-            all.add(new Problem(Location.of(file), "There are %d more warnings.".formatted(untold), ""));
+        if (omitted > 0) {
+            all.add(new Problem(Location.of(file), "There are %d more warnings.".formatted(omitted), ""));
         }
         return List.copyOf(all);
     }

@@ -57,6 +57,6 @@ final class Snapshots {
         wanted = false;
         made = clock.getAsLong();
         newest = maker.apply(newest.sequence() + 1);
-        viewers.tell();
+        viewers.publish();
     }
 }

@@ -165,15 +165,15 @@ class BridgeControlTest {
     void stepsAreMadeAndCounted() {
         pause();
         Duration then = elapsed();
-        var told = new ArrayList<Long>();
+        var reported = new ArrayList<Long>();
         var ended = new CompletableFuture<Long>();
         ask(paused -> {
             GoalHandle<Long, Long> steps = paused.step(5);
-            steps.onFeedback(made -> told.add(made.value()));
+            steps.onFeedback(made -> reported.add(made.value()));
             return steps.result().thenAccept(ended::complete);
         });
         assertThat(await(ended)).isEqualTo(5);
-        assertThat(told).containsExactly(1L, 2L, 3L, 4L, 5L);
+        assertThat(reported).containsExactly(1L, 2L, 3L, 4L, 5L);
         assertThat(elapsed().minus(then)).isEqualTo(run.plan().step().multipliedBy(5));
         assertThat(is(RunControl::isPaused)).isTrue();
     }

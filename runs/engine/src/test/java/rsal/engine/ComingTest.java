@@ -159,7 +159,7 @@ class ComingTest {
         Pose2d truth = before.robots().getFirst().truth().orElseThrow();
         assertThat(truth.distanceTo(THERE)).isGreaterThan(3);
         assertThat(answer(run.operator().believe("prey", THERE))).isEqualTo(DONE);
-        Snapshot told = await(now -> now.robots()
+        Snapshot reported = await(now -> now.robots()
                         .getFirst()
                         .estimate()
                         .orElseThrow()
@@ -167,7 +167,7 @@ class ComingTest {
                         .mapFromBase()
                         .distanceTo(THERE)
                 < 1);
-        assertThat(told.robots().getFirst().truth().orElseThrow().distanceTo(truth))
+        assertThat(reported.robots().getFirst().truth().orElseThrow().distanceTo(truth))
                 .isLessThan(2);
         assertThat(run.events(0)).extracting(RunEvent::text).contains("told that it is at (-8.00, -1.00, 0°)");
     }

@@ -112,7 +112,7 @@ class DrawnPlansTest {
             super(new DeviceInfo("r1", "localizer", "oracle"));
         }
 
-        void tell(Pose2d mapFromBase, String frame) {
+        void publish(Pose2d mapFromBase, String frame) {
             var estimate = PoseEstimate.of(mapFromBase, Covariance2d.ofDeviations(0.1, 0.1, 0.1));
             deliver(new Stamped<>(time.instant(), frame, estimate));
         }
@@ -143,13 +143,13 @@ class DrawnPlansTest {
     @Test
     void theWayIsDrawnAsTheRobotSeesItAndMovesAlong() {
         guide.way = new Path2d(List.of(new Point2d(1, 1), new Point2d(1, 3)));
-        oracle.tell(Pose2d.ofDegrees(1, 1, 90), "map");
+        oracle.publish(Pose2d.ofDegrees(1, 1, 90), "map");
         beat();
         assertThat(paper.shown.getLast().strokes())
                 .singleElement()
                 .satisfies(stroke -> assertThat(stroke.color()).isEqualTo(new Rgb(255, 128, 0)));
         assertPoints(new Point2d(0, 0), new Point2d(2, 0));
-        oracle.tell(Pose2d.ofDegrees(1, 2, 90), "map");
+        oracle.publish(Pose2d.ofDegrees(1, 2, 90), "map");
         beat();
         assertPoints(new Point2d(-1, 0), new Point2d(1, 0));
         guide.way = Path2d.EMPTY;
@@ -169,7 +169,7 @@ class DrawnPlansTest {
         guide.way = new Path2d(List.of(new Point2d(1, 1), new Point2d(1, 3)));
         beat();
         assertThat(paper.points()).isEmpty();
-        oracle.tell(Pose2d.ORIGIN, "r1/map");
+        oracle.publish(Pose2d.ORIGIN, "r1/map");
         beat();
         assertThat(paper.points()).isEmpty();
     }
@@ -181,7 +181,7 @@ class DrawnPlansTest {
             points.add(new Point2d(i * 0.1, 0));
         }
         guide.way = new Path2d(points);
-        oracle.tell(Pose2d.ORIGIN, "map");
+        oracle.publish(Pose2d.ORIGIN, "map");
         beat();
         assertThat(paper.points())
                 .hasSizeBetween(250, 501)

@@ -188,7 +188,7 @@ class RadioTalkTest {
         radio(seed);
         var random = new SplittableRandom(seed);
         var seen = new ArrayList<Visit>();
-        var told = new ArrayList<String>();
+        var reported = new ArrayList<String>();
         var allotted = new ArrayList<String>();
         var teams = new ArrayList<Team>();
         for (String name : List.of("amy", "bob", "eve", "ian")) {
@@ -197,7 +197,7 @@ class RadioTalkTest {
         start("zoe", YARD.place('z'), self -> {
             var team = new Team(self, Rules.DEFAULT.withTries(0), event -> {
                 switch (event) {
-                    case Team.Event.Done _ -> told.add(event.job().name());
+                    case Team.Event.Done _ -> reported.add(event.job().name());
                     case Team.Event.Allotted _ -> allotted.add(event.job().name());
                     default -> {}
                 }
@@ -215,7 +215,7 @@ class RadioTalkTest {
         }
         advance(600);
         assertThat(teams.getFirst().jobs()).as("seed %d", seed).isEmpty();
-        assertThat(told)
+        assertThat(reported)
                 .as("seed %d", seed)
                 .containsExactlyInAnyOrderElementsOf(
                         jobs.stream().map(Visit::name).toList());

@@ -35,9 +35,9 @@ class SeedRangeTest {
             1-1000001                                  | at most 1000000
             -9223372036854775808-9223372036854775807   | at most 1000000
             """)
-    void saysWhatIsWrong(String typed, String told) {
+    void saysWhatIsWrong(String typed, String reported) {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> SeedRange.parse(typed))
-                .withMessageContaining(told);
+                .withMessageContaining(reported);
     }
 }

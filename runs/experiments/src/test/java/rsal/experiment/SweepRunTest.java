@@ -244,19 +244,19 @@ class SweepRunTest {
 
     @Test
     void isClosedByWhoeverIsToldOfARow() throws Exception {
-        var told = new ArrayList<Row>();
+        var reported = new ArrayList<Row>();
         try (var opened = create(sweep)) {
             var self = new SweepRun[1];
             self[0] = new SweepRun(sweep, opened, 1, row -> {
-                told.add(row);
+                reported.add(row);
                 self[0].close();
             });
             self[0].run();
         }
-        assertThat(told).hasSize(1);
+        assertThat(reported).hasSize(1);
         assertThat(SweepFolder.rows(out))
                 .extracting(Row::run)
-                .containsExactly(told.getFirst().run());
+                .containsExactly(reported.getFirst().run());
     }
 
     private Scenario withAgent(String type) {

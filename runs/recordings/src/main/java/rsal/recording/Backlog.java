@@ -155,21 +155,21 @@ public final class Backlog implements RunObserver {
     @Override
     public void looksInto(Duration time, Map<String, Mind.View> minds) {
         if (!minds.isEmpty()) {
-            tell(new Minds(time, Map.copyOf(minds)));
+            visit(new Minds(time, Map.copyOf(minds)));
         }
     }
 
     @Override
     public void happened(RunEvent event, String hash) {
-        tell(new Event(event, hash));
+        visit(new Event(event, hash));
     }
 
     @Override
     public void heard(SentMessage message, Object content) {
-        tell(new Heard(message, content));
+        visit(new Heard(message, content));
     }
 
-    private void tell(Entry entry) {
+    private void visit(Entry entry) {
         lock.lock();
         try {
             while (waiting.size() >= MOST_OTHERS && isOpen()) {

@@ -76,7 +76,7 @@ final class Decoder {
     private record Recorded(DeviceView view, String topic) {}
 
     /// What devices of a robot told last: what is drawn of it, and all of it.
-    private record Told(
+    private record Reported(
             Optional<Stamped<Odometry>> odometry,
             Optional<Stamped<PoseEstimate>> estimate,
             Optional<Stamped<LaserScan>> scan,
@@ -234,7 +234,7 @@ final class Decoder {
                 .flatMap(state -> state.all("robots").stream()
                         .filter(one -> one.text("id").equals(robot))
                         .findFirst())
-                .map(one -> told(one, robot, held, devices, start.plus(time)).readings)
+                .map(one -> reported(one, robot, held, devices, start.plus(time)).readings)
                 .orElse(List.of());
         before = now;
         return readings;
@@ -305,7 +305,7 @@ final class Decoder {
     private RobotView robot(MessageFields robot, RobotSpec spec, Held held, List<Recorded> devices, Duration time) {
         String id = spec.id();
         Instant when = start.plus(time);
-        Told told = told(robot, id, held, devices, when);
+        Reported reported = reported(robot, id, held, devices, when);
         return new RobotView(
                 id,
                 spec.role(),
@@ -314,8 +314,8 @@ final class Decoder {
                 robot.flag("gone"),
                 Optional.of(duration(robot, "gone_for")).filter(Duration::isPositive),
                 robot.pose("truth"),
-                told.odometry,
-                told.estimate,
+                reported.odometry,
+                reported.estimate,
                 reading(
                         held,
                         id,
@@ -323,9 +323,9 @@ final class Decoder {
                         robot.texts("lacks"),
                         Foxglove.POINT_CLOUD,
                         Decoder::particles),
-                told.scan,
-                told.ranges,
-                told.map,
+                reported.scan,
+                reported.ranges,
+                reported.map,
                 path(held, id, ChannelNames.PATH),
                 path(held, id, ChannelNames.LOCAL_PATH),
                 robot.pose("goal"),
@@ -334,7 +334,7 @@ final class Decoder {
                 robot.text("driver"),
                 Optional.of(robot)
                         .filter(has -> has.flag("has_gripper"))
-                        .map(has -> gripper(told.readings)
+                        .map(has -> gripper(reported.readings)
                                 .orElseGet(() -> new Stamped<>(when, id + "/gripper", gripper(has)))),
                 robot.flag("stopped"),
                 robot.flag("switched_off"),
@@ -344,10 +344,10 @@ final class Decoder {
                         .filter(all -> all.flag("real") || all.pose("stand_in").isPresent())
                         .map(Decoder::real),
                 devices.stream().map(Recorded::view).toList(),
-                told.readings);
+                reported.readings);
     }
 
-    private Told told(MessageFields robot, String id, Held held, List<Recorded> devices, Instant when) {
+    private Reported reported(MessageFields robot, String id, Held held, List<Recorded> devices, Instant when) {
         List<String> lacks = robot.texts("lacks");
         Optional<Stamped<Odometry>> odometry = robot.pose("odometry")
                 .map(pose -> new Odometry(
@@ -380,26 +380,34 @@ final class Decoder {
         for (Recorded device : devices) {
             String topic = device.topic().isEmpty() ? usualTopic(id, device, devices) : device.topic();
             Optional<? extends Stamped<?>> value = drawn.get(topic);
-            (value == null ? told(held, device, lacks) : value)
-                    .map(told -> new Reading(device.view().name(), told, Duration.between(told.time(), when)))
+            (value == null ? reported(held, device, lacks) : value)
+                    .map(reported ->
+                            new Reading(device.view().name(), reported, Duration.between(reported.time(), when)))
                     .ifPresent(readings::add);
         }
-        return new Told(odometry, estimate, scan, ranges, map, readings);
+        return new Reported(odometry, estimate, scan, ranges, map, readings);
     }
 
     /// What a device told that has a topic of its own kind.
-    private <T> Optional<Stamped<T>> drawn(Held held, String robot, String what, List<String> lacks, Class<T> told) {
+    private <T> Optional<Stamped<T>> drawn(
+            Held held, String robot, String what, List<String> lacks, Class<T> reported) {
         ReadingType<?> type = types.get(ChannelNames.of(robot, what));
-        return type == null || !type.told().equals(told)
+        return type == null || !type.reported().equals(reported)
                 ? Optional.empty()
-                : reading(held, robot, what, lacks, type.message(), (fields, taken) -> type.read(fields, taken, told))
+                : reading(
+                                held,
+                                robot,
+                                what,
+                                lacks,
+                                type.message(),
+                                (fields, taken) -> type.read(fields, taken, reported))
                         .map(one -> one.value() instanceof LaserScan
                                 ? new Stamped<>(one.time(), robot + "/laser", one.value())
                                 : one);
     }
 
     /// What a device told for itself alone.
-    private Optional<? extends Stamped<?>> told(Held held, Recorded device, List<String> lacks) {
+    private Optional<? extends Stamped<?>> reported(Held held, Recorded device, List<String> lacks) {
         ReadingType<?> type = types.get(device.topic());
         return type == null
                         || lacks.contains(ChannelNames.DEVICE + device.view().name())
@@ -427,8 +435,8 @@ final class Decoder {
     private static Optional<Stamped<GripperState>> gripper(List<Reading> readings) {
         return readings.stream()
                 .map(Reading::value)
-                .filter(told -> told.value() instanceof GripperState)
-                .map(told -> new Stamped<>(told.time(), told.frame(), (GripperState) told.value()))
+                .filter(reported -> reported.value() instanceof GripperState)
+                .map(reported -> new Stamped<>(reported.time(), reported.frame(), (GripperState) reported.value()))
                 .findFirst();
     }
 

@@ -24,12 +24,12 @@ final class Differences {
     /// is now, with all digits. Of many lines the first [#MOST]. Empty when only what was said differs.
     static List<String> between(Snapshot recorded, Snapshot now) {
         List<String> all = Stream.concat(
-                        differing(recorded.robots(), now.robots(), RobotView::id, Differences::told),
+                        differing(recorded.robots(), now.robots(), RobotView::id, Differences::reported),
                         differing(
                                 recorded.agents(),
                                 now.agents(),
                                 agent -> agent.view().agent().name(),
-                                Differences::told))
+                                Differences::reported))
                 .toList();
         if (all.size() <= MOST) {
             return all;
@@ -40,16 +40,16 @@ final class Differences {
     }
 
     private static <T> Stream<String> differing(
-            List<T> recorded, List<T> now, Function<T, String> name, Function<T, Map<String, String>> told) {
+            List<T> recorded, List<T> now, Function<T, String> name, Function<T, Map<String, String>> reported) {
         var before = new LinkedHashMap<String, Map<String, String>>();
-        recorded.forEach(one -> before.put(name.apply(one), told.apply(one)));
+        recorded.forEach(one -> before.put(name.apply(one), reported.apply(one)));
         var lines = new ArrayList<String>();
         for (T one : now) {
             Optional<Map<String, String>> same = Optional.ofNullable(before.remove(name.apply(one)));
             if (same.isEmpty()) {
                 lines.add("%s: not recorded, there now".formatted(name.apply(one)));
             } else {
-                told.apply(one).entrySet().stream()
+                reported.apply(one).entrySet().stream()
                         .filter(value ->
                                 !Objects.equals(value.getValue(), same.get().get(value.getKey())))
                         .findFirst()
@@ -65,7 +65,7 @@ final class Differences {
         return lines.stream();
     }
 
-    private static Map<String, String> told(RobotView robot) {
+    private static Map<String, String> reported(RobotView robot) {
         var values = new LinkedHashMap<String, String>();
         values.put("gone", Boolean.toString(robot.gone()));
         values.put("true pose", words(robot.truth()));
@@ -76,7 +76,7 @@ final class Differences {
         return values;
     }
 
-    private static Map<String, String> told(AgentView agent) {
+    private static Map<String, String> reported(AgentView agent) {
         var values = new LinkedHashMap<String, String>();
         values.put("status", agent.view().status().name());
         values.put("state", "'" + agent.view().state() + "'");

@@ -195,13 +195,13 @@ public final class Encoder {
         links(now.links(), time);
     }
 
-    private void links(Answer.Linked told, long time) throws IOException {
-        if (!isNewOrGone(ChannelNames.LINKS, told, Answer.Linked.NONE)) {
+    private void links(Answer.Linked reported, long time) throws IOException {
+        if (!isNewOrGone(ChannelNames.LINKS, reported, Answer.Linked.NONE)) {
             return;
         }
         out.clear();
         timestamp(1, time);
-        for (Link link : told.links()) {
+        for (Link link : reported.links()) {
             int begun = out.begin(2);
             out.string(1, link.one());
             out.string(2, link.other());
@@ -211,7 +211,7 @@ public final class Encoder {
             out.bool(6, link.back().used());
             out.end(begun);
         }
-        out.bool(3, told.ofChosen());
+        out.bool(3, reported.ofChosen());
         write(ChannelNames.LINKS, Own.LINKS, time, time, Map.of());
     }
 
@@ -298,10 +298,11 @@ public final class Encoder {
 
     private void silentDevices(RobotView robot) {
         if (robot.readings().size() < robot.devices().size()) {
-            Set<String> telling = robot.readings().stream().map(Reading::device).collect(Collectors.toSet());
+            Set<String> publishing =
+                    robot.readings().stream().map(Reading::device).collect(Collectors.toSet());
             robot.devices().stream()
                     .map(DeviceView::name)
-                    .filter(device -> !telling.contains(device))
+                    .filter(device -> !publishing.contains(device))
                     .forEach(device -> lacks(robot.id(), ChannelNames.DEVICE + device, Optional.empty()));
         }
     }
@@ -330,11 +331,11 @@ public final class Encoder {
     private void readings(RobotView robot, long time) throws IOException {
         String id = robot.id();
         if (robot.scan().isPresent() && isNew(id + " scan", robot.scan().get().time())) {
-            tell(id, ChannelNames.of(id, ChannelNames.SCAN), robot.scan().get(), time);
+            publish(id, ChannelNames.of(id, ChannelNames.SCAN), robot.scan().get(), time);
         }
         if (robot.ranges().isPresent()
                 && isNew(id + " ranges", robot.ranges().get().time())) {
-            tell(id, ChannelNames.of(id, ChannelNames.RANGES), robot.ranges().get(), time);
+            publish(id, ChannelNames.of(id, ChannelNames.RANGES), robot.ranges().get(), time);
         }
         if (robot.estimate().isPresent()
                 && isNew(id + " estimate", robot.estimate().get().time())) {
@@ -372,7 +373,7 @@ public final class Encoder {
             String own = ChannelNames.DEVICE + reading.device();
             if (topic.equals(ChannelNames.of(id, own))
                     && isNew(id + " " + own, reading.value().time())) {
-                tell(id, topic, reading.value(), time);
+                publish(id, topic, reading.value(), time);
             }
         }
         if (isNew(id + " devices", robot.devices()) || moved) {
@@ -388,39 +389,39 @@ public final class Encoder {
     /// Where what a device tells is written; empty when it is not.
     private static String topic(RobotView robot, Reading reading) {
         String id = robot.id();
-        Stamped<?> told = reading.value();
-        if (is(robot.odometry(), told)) {
+        Stamped<?> reported = reading.value();
+        if (is(robot.odometry(), reported)) {
             return ChannelNames.STATE;
-        } else if (is(robot.scan(), told)) {
+        } else if (is(robot.scan(), reported)) {
             return ChannelNames.of(id, ChannelNames.SCAN);
-        } else if (is(robot.ranges(), told)) {
+        } else if (is(robot.ranges(), reported)) {
             return ChannelNames.of(id, ChannelNames.RANGES);
-        } else if (is(robot.estimate(), told)) {
+        } else if (is(robot.estimate(), reported)) {
             return ChannelNames.of(id, ChannelNames.ESTIMATE);
-        } else if (is(robot.map(), told)) {
+        } else if (is(robot.map(), reported)) {
             return ChannelNames.of(id, ChannelNames.MAP);
         }
-        boolean says = !(recorded(told.value()) instanceof Quantities(var numbers)) || !numbers.isEmpty();
+        boolean says = !(recorded(reported.value()) instanceof Quantities(var numbers)) || !numbers.isEmpty();
         return says ? ChannelNames.of(id, ChannelNames.DEVICE + reading.device()) : "";
     }
 
-    private static boolean is(Optional<? extends Stamped<?>> one, Stamped<?> told) {
-        return one.isPresent() && one.get().equals(told);
+    private static boolean is(Optional<? extends Stamped<?>> one, Stamped<?> reported) {
+        return one.isPresent() && one.get().equals(reported);
     }
 
     /// As it is recorded: of a kind that nobody thought of here, the numbers in it.
-    private static Object recorded(Object told) {
-        return ReadingType.of(told).isPresent() ? told : Quantities.of(told);
+    private static Object recorded(Object reported) {
+        return ReadingType.of(reported).isPresent() ? reported : Quantities.of(reported);
     }
 
-    private void tell(String id, String topic, Stamped<?> told, long time) throws IOException {
-        Object value = recorded(told.value());
+    private void publish(String id, String topic, Stamped<?> reported, long time) throws IOException {
+        Object value = recorded(reported.value());
         ReadingType<?> type = ReadingType.of(value).orElseThrow();
-        long taken = nanos(told.time());
+        long taken = nanos(reported.time());
         boolean mounted = value instanceof LaserScan || value instanceof RangeArray; // poses say where on the base
         out.clear();
         timestamp(1, taken);
-        out.string(2, mounted ? frame(id) : told.frame());
+        out.string(2, mounted ? frame(id) : reported.frame());
         type.write(out, value);
         boolean first = !channels.containsKey(topic);
         write(
@@ -509,8 +510,8 @@ public final class Encoder {
 
     private void agent(AgentView agent, long time) throws IOException {
         var view = agent.view();
-        var told = List.of(view.status(), view.state(), view.beliefs());
-        if (!isNew(ChannelNames.about(ChannelNames.AGENTS, view.agent().name()), told)) {
+        var reported = List.of(view.status(), view.state(), view.beliefs());
+        if (!isNew(ChannelNames.about(ChannelNames.AGENTS, view.agent().name()), reported)) {
             return;
         }
         out.clear();

@@ -287,8 +287,8 @@ public final class Playback implements Closeable {
     /// What devices of a robot had told last.
     ///
     /// @param time since the run's start, when a state was recorded
-    public record Told(Duration time, List<Reading> readings) {
-        public Told {
+    public record Reported(Duration time, List<Reading> readings) {
+        public Reported {
             readings = List.copyOf(readings);
         }
     }
@@ -298,14 +298,14 @@ public final class Playback implements Closeable {
     ///
     /// @param from which does not belong to it
     /// @param spacing between them, at least
-    public synchronized List<Told> told(String robot, Duration from, Duration until, Duration spacing)
+    public synchronized List<Reported> reported(String robot, Duration from, Duration until, Duration spacing)
             throws IOException {
         int next = count == 0 ? 0 : firstAfter(log(from));
         int end = count == 0 ? 0 : firstAfter(log(until));
         if (next >= end) {
             return List.of();
         }
-        var telling = new Telling(
+        var publishing = new Telling(
                 robot, next, end, spacing.toNanos(), held(states[next]).copy());
         recording
                 .file()
@@ -314,11 +314,11 @@ public final class Playback implements Closeable {
                         states[end - 1],
                         channel -> isAbout(channel.topic(), robot),
                         (channel, _, logTime, publishTime, data) -> {
-                            telling.passTo(logTime);
-                            take(telling.held, channel, publishTime, data);
+                            publishing.passTo(logTime);
+                            take(publishing.held, channel, publishTime, data);
                         });
-        telling.passTo(Long.MAX_VALUE);
-        return telling.told;
+        publishing.passTo(Long.MAX_VALUE);
+        return publishing.reported;
     }
 
     /// Where robots were.
@@ -359,7 +359,7 @@ public final class Playback implements Closeable {
         private final int end;
         private final long spacing;
         private final Held held;
-        private final List<Told> told = new ArrayList<>();
+        private final List<Reported> reported = new ArrayList<>();
         private int next; // which state
         private long last = Long.MIN_VALUE / 2; // log time of the one that was told
 
@@ -377,7 +377,7 @@ public final class Playback implements Closeable {
                 if (states[next] - last >= spacing) {
                     last = states[next];
                     Duration time = sinceStart(last);
-                    told.add(new Told(time, aside.readings(held, time, robot)));
+                    reported.add(new Reported(time, aside.readings(held, time, robot)));
                 }
             }
         }

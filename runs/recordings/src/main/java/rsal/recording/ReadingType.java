@@ -41,12 +41,12 @@ import rsal.robot.DeviceKinds;
 /// How what a device tells is written and read again. Names of fields and their meanings are those of the records, and
 /// of scans Foxglove's.
 ///
-/// @param told what the device tells
+/// @param reported what the device tells
 /// @param message which has a timestamp, a frame, and its own fields from 3 on
 /// @param writer of these
 /// @param reader of these
 record ReadingType<T>(
-        Class<T> told, MessageType message, BiConsumer<ProtoWriter, T> writer, Function<MessageFields, T> reader) {
+        Class<T> reported, MessageType message, BiConsumer<ProtoWriter, T> writer, Function<MessageFields, T> reader) {
     private static final ReadingType<ActuatorState> ACTUATOR =
             new ReadingType<>(ActuatorState.class, Own.ACTUATOR_STATE, ReadingType::write, ReadingType::actuator);
     private static final ReadingType<BatteryState> BATTERY =
@@ -107,15 +107,15 @@ record ReadingType<T>(
                     WRITTEN.stream(), DeviceKinds.all().stream().map(kind -> of(kind.reads())))
             .toList();
 
-    private static <T> ReadingType<T> of(Class<T> told) {
-        RecordCodec<T> codec = RecordCodec.of(told, Own.reading(told.getName()), 3);
-        return new ReadingType<>(told, codec.message(), codec::write, codec::read);
+    private static <T> ReadingType<T> of(Class<T> reported) {
+        RecordCodec<T> codec = RecordCodec.of(reported, Own.reading(reported.getName()), 3);
+        return new ReadingType<>(reported, codec.message(), codec::write, codec::read);
     }
 
     /// Of what a device tells; empty when nobody thought of that here.
     static Optional<ReadingType<?>> of(Object value) {
         for (ReadingType<?> type : ALL) { // for each reading of a run: no stream
-            if (type.told.isInstance(value)) {
+            if (type.reported.isInstance(value)) {
                 return Optional.of(type);
             }
         }
@@ -159,7 +159,7 @@ record ReadingType<T>(
     }
 
     void write(ProtoWriter out, Object value) {
-        writer.accept(out, told.cast(value));
+        writer.accept(out, reported.cast(value));
     }
 
     /// @throws IllegalArgumentException when no device tells that
@@ -235,8 +235,8 @@ record ReadingType<T>(
         return new Odometry(mounted(fields), twist(fields), fields.flag("stalled"));
     }
 
-    private static void write(ProtoWriter out, Quantities told) {
-        for (RecordedQuantity quantity : told.all()) {
+    private static void write(ProtoWriter out, Quantities reported) {
+        for (RecordedQuantity quantity : reported.all()) {
             int begun = out.begin(3);
             out.string(1, quantity.name());
             out.string(2, quantity.title());

@@ -49,11 +49,11 @@ final class RecordCodec<T> {
     /// @param empty message to which fields are added
     /// @param first number of the first field
     /// @throws IllegalArgumentException when there is a component of which nobody knows how to write it
-    static <T> RecordCodec<T> of(Class<T> told, MessageType empty, int first) {
+    static <T> RecordCodec<T> of(Class<T> reported, MessageType empty, int first) {
         var fields = new ArrayList<Field>();
         var types = new ArrayList<Class<?>>();
         MessageType message = empty;
-        for (RecordComponent component : told.getRecordComponents()) {
+        for (RecordComponent component : reported.getRecordComponents()) {
             int number = first + fields.size();
             String name = component
                     .getName()
@@ -66,7 +66,7 @@ final class RecordCodec<T> {
         }
         try {
             return new RecordCodec<>(
-                    List.copyOf(fields), told.getDeclaredConstructor(types.toArray(Class<?>[]::new)), message);
+                    List.copyOf(fields), reported.getDeclaredConstructor(types.toArray(Class<?>[]::new)), message);
         } catch (NoSuchMethodException e) {
             throw new IllegalArgumentException(e);
         }

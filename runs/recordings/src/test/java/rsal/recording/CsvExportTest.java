@@ -112,11 +112,11 @@ class CsvExportTest {
 
     @Test
     void theWorldsMapIsWrittenAsRosReadsIt() throws Exception {
-        OccupancyGrid told = Recorded.plan(SCENARIO, 1, 20).map();
+        OccupancyGrid reported = Recorded.plan(SCENARIO, 1, 20).map();
         OccupancyGrid read = new Maps(FileSource.folder(folder)).read("map.yaml", Location.of("test"));
-        assertThat(read.cells()).isEqualTo(told.cells());
-        assertThat(read.resolution()).isEqualTo(told.resolution());
-        assertThat(read.originX()).isEqualTo(told.originX());
+        assertThat(read.cells()).isEqualTo(reported.cells());
+        assertThat(read.resolution()).isEqualTo(reported.resolution());
+        assertThat(read.originX()).isEqualTo(reported.originX());
         assertThat(table("map.csv")).hasSize(1);
     }
 

@@ -27,7 +27,7 @@ import rsal.engine.report.Snapshot;
 
 /// Sees of a run that each robot has more devices: a second one of kinds of which one is drawn, one of a kind that
 /// nobody knows, and one that tells no numbers. Each tells something ten times a second.
-record MoreDevices(RunObserver told) implements RunObserver {
+record MoreDevices(RunObserver reported) implements RunObserver {
     static final List<String> NAMES =
             List.of("rear", "more-sonars", "elsewhere", "trailer", "chart", "weather", "speech");
 
@@ -59,12 +59,12 @@ record MoreDevices(RunObserver told) implements RunObserver {
 
     @Override
     public Duration period() {
-        return told.period();
+        return reported.period();
     }
 
     @Override
     public void sees(Snapshot now, String hash) {
-        told.sees(
+        reported.sees(
                 new Snapshot(
                         now.sequence(),
                         now.time(),
@@ -89,9 +89,9 @@ record MoreDevices(RunObserver told) implements RunObserver {
         List<Object> values = values(time.toMillis() / 1e3);
         for (int i = 0; i < NAMES.size(); i++) {
             String name = NAMES.get(i);
-            var told = new Stamped<>(Instant.EPOCH.plus(time), robot.id() + "/" + name, values.get(i));
+            var reported = new Stamped<>(Instant.EPOCH.plus(time), robot.id() + "/" + name, values.get(i));
             devices.add(new DeviceView(name, "test", "Test", Health.ok()));
-            readings.add(new Reading(name, told, Duration.ZERO));
+            readings.add(new Reading(name, reported, Duration.ZERO));
         }
         return new RobotView(
                 robot.id(),
@@ -125,16 +125,16 @@ record MoreDevices(RunObserver told) implements RunObserver {
 
     @Override
     public void looksInto(Duration time, Map<String, Mind.View> minds) {
-        told.looksInto(time, minds);
+        reported.looksInto(time, minds);
     }
 
     @Override
     public void happened(RunEvent event, String hash) {
-        told.happened(event, hash);
+        reported.happened(event, hash);
     }
 
     @Override
     public void heard(SentMessage message, Object content) {
-        told.heard(message, content);
+        reported.heard(message, content);
     }
 }

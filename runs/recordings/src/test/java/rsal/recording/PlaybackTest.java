@@ -38,7 +38,7 @@ import rsal.engine.report.RunObserver;
 import rsal.engine.report.RunResult;
 import rsal.engine.report.SentMessage;
 import rsal.engine.report.Snapshot;
-import rsal.recording.Playback.Told;
+import rsal.recording.Playback.Reported;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
@@ -144,13 +144,14 @@ class PlaybackTest {
             for (Snapshot then : seen.snapshots) {
                 Snapshot now = playback.at(then.time());
                 for (int i = 0; i < then.robots().size(); i++) {
-                    List<Reading> told = then.robots().get(i).readings();
+                    List<Reading> reported = then.robots().get(i).readings();
                     List<Reading> read = now.robots().get(i).readings();
                     assertThat(read)
                             .extracting(Reading::device)
-                            .isEqualTo(told.stream().map(Reading::device).toList());
-                    assertThat(ofOwnTopics(read)).isEqualTo(ofOwnTopics(told));
-                    told.forEach(reading -> kinds.add(reading.value().value().getClass()));
+                            .isEqualTo(reported.stream().map(Reading::device).toList());
+                    assertThat(ofOwnTopics(read)).isEqualTo(ofOwnTopics(reported));
+                    reported.forEach(
+                            reading -> kinds.add(reading.value().value().getClass()));
                 }
             }
         }
@@ -182,25 +183,25 @@ class PlaybackTest {
             for (int tenth = 5; tenth < 30; tenth++) {
                 var time = Duration.ofMillis(100L * tenth);
                 RobotView robot = playback.at(time).robots().getFirst();
-                Map<String, Object> told = robot.readings().stream()
+                Map<String, Object> reported = robot.readings().stream()
                         .filter(reading -> reading.age().isZero())
                         .collect(Collectors.toMap(
                                 Reading::device, reading -> reading.value().value()));
                 List<Object> values = MoreDevices.values(tenth / 10.0);
                 for (int i = 0; i < 5; i++) {
-                    assertThat(told.get(MoreDevices.NAMES.get(i)))
+                    assertThat(reported.get(MoreDevices.NAMES.get(i)))
                             .usingRecursiveComparison()
                             .isEqualTo(values.get(i));
                 }
-                assertThat(told.get("weather"))
+                assertThat(reported.get("weather"))
                         .as("only the numbers")
                         .isEqualTo(new Quantities(List.of(
                                 new RecordedQuantity("wind.speed", "wind speed", "", tenth / 10.0),
                                 new RecordedQuantity("wind.angle", "wind angle", "rad", 1.5),
                                 new RecordedQuantity("pressure", "pressure", "", Double.NaN))));
-                assertThat(told).doesNotContainKey("speech");
+                assertThat(reported).doesNotContainKey("speech");
                 assertThat(robot.maps()).extracting(RobotView.Drawn::device).containsExactly("chart");
-                assertThat(robot.scan()).map(Stamped::value).isNotEqualTo(Optional.of(told.get("rear")));
+                assertThat(robot.scan()).map(Stamped::value).isNotEqualTo(Optional.of(reported.get("rear")));
             }
         }
     }
@@ -254,11 +255,11 @@ class PlaybackTest {
         String robot = "collector-1";
         try (Playback playback = open(file)) {
             playback.at(Duration.ofSeconds(11));
-            List<Told> told = playback.told(robot, from, until, Duration.ZERO);
-            assertThat(told).extracting(Told::time).hasSize(23).isSorted();
-            assertThat(told.getFirst().time()).isEqualTo(Duration.ofMillis(7_400));
-            assertThat(told.getLast().time()).isEqualTo(Duration.ofMillis(9_600));
-            for (Told one : told) {
+            List<Reported> reported = playback.reported(robot, from, until, Duration.ZERO);
+            assertThat(reported).extracting(Reported::time).hasSize(23).isSorted();
+            assertThat(reported.getFirst().time()).isEqualTo(Duration.ofMillis(7_400));
+            assertThat(reported.getLast().time()).isEqualTo(Duration.ofMillis(9_600));
+            for (Reported one : reported) {
                 assertThat(one.readings())
                         .hasSizeGreaterThan(5)
                         .usingRecursiveComparison()
@@ -268,14 +269,14 @@ class PlaybackTest {
                                 .orElseThrow()
                                 .readings());
             }
-            assertThat(playback.told(robot, from, until, Duration.ofSeconds(1)))
-                    .extracting(Told::time)
+            assertThat(playback.reported(robot, from, until, Duration.ofSeconds(1)))
+                    .extracting(Reported::time)
                     .containsExactly(Duration.ofMillis(7_400), Duration.ofMillis(8_400), Duration.ofMillis(9_400));
-            assertThat(playback.told(robot, until, from, Duration.ZERO)).isEmpty();
-            assertThat(playback.told("nobody", from, until, Duration.ZERO))
+            assertThat(playback.reported(robot, until, from, Duration.ZERO)).isEmpty();
+            assertThat(playback.reported("nobody", from, until, Duration.ZERO))
                     .hasSize(23)
                     .allMatch(one -> one.readings().isEmpty());
-            assertThat(playback.told(robot, Duration.ofSeconds(-9), Duration.ofDays(1), Duration.ZERO))
+            assertThat(playback.reported(robot, Duration.ofSeconds(-9), Duration.ofDays(1), Duration.ZERO))
                     .hasSize(120);
         }
     }
@@ -295,13 +296,13 @@ class PlaybackTest {
         Path file = folder.resolve("run.mcap");
         record(Recorded.plan(scenario.toString(), 1, 20), file);
         try (Playback playback = open(file)) {
-            assertThat(told(playback, 2)).contains("base", "laser", "pilot");
-            assertThat(told(playback, 4)).isEmpty();
-            assertThat(told(playback, 7)).contains("base", "laser", "pilot");
+            assertThat(reported(playback, 2)).contains("base", "laser", "pilot");
+            assertThat(reported(playback, 4)).isEmpty();
+            assertThat(reported(playback, 7)).contains("base", "laser", "pilot");
         }
     }
 
-    private static List<String> told(Playback playback, int second) throws IOException {
+    private static List<String> reported(Playback playback, int second) throws IOException {
         return playback.at(Duration.ofSeconds(second)).robots().getFirst().readings().stream()
                 .map(Reading::device)
                 .toList();

@@ -118,6 +118,6 @@ class RecordCodecTest {
         assertThat(DeviceKinds.all())
                 .isNotEmpty()
                 .allSatisfy(kind -> assertThat(ReadingType.named(kind.reads().getName()))
-                        .hasValueSatisfying(type -> assertThat(type.told()).isEqualTo(kind.reads())));
+                        .hasValueSatisfying(type -> assertThat(type.reported()).isEqualTo(kind.reads())));
     }
 }

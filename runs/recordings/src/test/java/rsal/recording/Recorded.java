@@ -29,9 +29,9 @@ public final class Recorded {
         return run(plan, plan, file);
     }
 
-    /// @param told what the recording says that it is of
-    static RunResult run(RunPlan plan, RunPlan told, Path file) throws Exception {
-        return run(plan, told, file, witness -> witness);
+    /// @param reported what the recording says that it is of
+    static RunResult run(RunPlan plan, RunPlan reported, Path file) throws Exception {
+        return run(plan, reported, file, witness -> witness);
     }
 
     /// With robots that have [MoreDevices].
@@ -39,9 +39,9 @@ public final class Recorded {
         return run(plan, plan, file, MoreDevices::new);
     }
 
-    private static RunResult run(RunPlan plan, RunPlan told, Path file, UnaryOperator<RunObserver> seen)
+    private static RunResult run(RunPlan plan, RunPlan reported, Path file, UnaryOperator<RunObserver> seen)
             throws Exception {
-        try (Recorder recorder = begin(told, file)) {
+        try (Recorder recorder = begin(reported, file)) {
             RunResult result = LiveRun.of(plan)
                     .observer(seen.apply(recorder.witness()))
                     .start()

@@ -198,7 +198,7 @@ final class AgentReader {
     ///
     /// @param drivers those before, by their robots; those of these are added
     private void checkDrivers(List<PlannedAgent> agents, boolean yields, Map<String, String> drivers, Location at) {
-        boolean told = false;
+        boolean reported = false;
         for (PlannedAgent agent : agents) {
             if (yields || agent.type().yields() || !agent.type().drives(agent.arguments())) {
                 continue;
@@ -206,8 +206,8 @@ final class AgentReader {
             String other = agent.robot()
                     .map(robot -> drivers.putIfAbsent(robot, agent.name()))
                     .orElse(null);
-            if (other != null && !told) { // one of a team says it all
-                told = true;
+            if (other != null && !reported) { // one of a team says it all
+                reported = true;
                 problems.add(
                         at,
                         "Agents '%s' and '%s' both drive robot '%s': each would take it from the other."

@@ -137,9 +137,9 @@ final class Destinations {
             List<Given> asked = given.stream()
                     .filter(places -> places.robots.stream().anyMatch(robot -> kind.equals(kinds.get(robot))))
                     .toList();
-            List<SortedMap<Integer, String>> told = ask(kind, from, asked);
+            List<SortedMap<Integer, String>> reported = ask(kind, from, asked);
             for (int i = 0; i < asked.size(); i++) {
-                SortedMap<Integer, String> now = told.get(i);
+                SortedMap<Integer, String> now = reported.get(i);
                 wrong.merge(asked.get(i), now, (before, _) -> {
                     before.keySet().retainAll(now.keySet());
                     return before;
@@ -177,7 +177,7 @@ final class Destinations {
         SortedMap<Integer, String> all = kind.driver.misplaced(
                 new DeviceDriver.Places(plan.map(), kind.model, from, places, within),
                 Arguments.of(kind.driver.parameters(), kind.options));
-        var told = new ArrayList<SortedMap<Integer, String>>();
+        var reported = new ArrayList<SortedMap<Integer, String>>();
         int first = 0;
         for (Given some : asked) {
             var own = new TreeMap<Integer, String>();
@@ -187,10 +187,10 @@ final class Destinations {
                     own.put(i, why);
                 }
             }
-            told.add(own);
+            reported.add(own);
             first += some.mapFromPlaces.size();
         }
-        return told;
+        return reported;
     }
 
     private static Optional<Problem> problem(Given places, SortedMap<Integer, String> wrong) {
@@ -198,11 +198,11 @@ final class Destinations {
             return Optional.empty();
         }
         String more = wrong.size() <= TOLD ? "" : " Nor to %d others.".formatted(wrong.size() - TOLD);
-        String told = wrong.values().stream().limit(TOLD).collect(Collectors.joining(" "));
+        String reported = wrong.values().stream().limit(TOLD).collect(Collectors.joining(" "));
         return Optional.of(new Problem(
                 places.at,
                 "%s: no robot gets to %d of %d. %s%s"
-                        .formatted(places.what, wrong.size(), places.mapFromPlaces.size(), told, more),
+                        .formatted(places.what, wrong.size(), places.mapFromPlaces.size(), reported, more),
                 ""));
     }
 

@@ -70,7 +70,7 @@ final class JadexHunt implements Hunting {
     }
 
     private void beat() {
-        localizer.latest().ifPresent(here -> tell(here.value().mapFromBase()));
+        localizer.latest().ifPresent(here -> publish(here.value().mapFromBase()));
         if (newest != null && heard.plus(MEMORY).isBefore(self.scheduler().instant())) {
             newest = null;
         }
@@ -79,7 +79,7 @@ final class JadexHunt implements Hunting {
         }
     }
 
-    private void tell(Pose2d mapFromBase) {
+    private void publish(Pose2d mapFromBase) {
         self.publish(PoseReport.TOPIC, new PoseReport(robot.id(), robot.role(), mapFromBase));
     }
 

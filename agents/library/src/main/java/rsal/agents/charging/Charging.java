@@ -79,7 +79,7 @@ public final class Charging {
                 onLevel.run();
             });
             self.subscribe(ChargerTaken.TOPIC, message -> note(message.content()));
-            self.scheduler().every(LOOK, this::tell);
+            self.scheduler().every(LOOK, this::publish);
         }
     }
 
@@ -150,7 +150,7 @@ public final class Charging {
         }
     }
 
-    private void tell() {
+    private void publish() {
         if (atIt && mapFromOwn != null) {
             self.publish(ChargerTaken.TOPIC, new ChargerTaken(robot, mapFromOwn.position()));
         }
@@ -175,7 +175,7 @@ public final class Charging {
                 .orElseThrow(); // not all are tried
         tried.add(mapFromCharger);
         mapFromOwn = mapFromCharger;
-        tell();
+        publish();
         self.state("going to the charger at " + AgentWords.place(mapFromCharger));
         driver.goTo(mapFromCharger, DOCKED, result -> arrived(mapFromCharger, result));
     }

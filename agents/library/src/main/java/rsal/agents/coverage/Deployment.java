@@ -165,7 +165,7 @@ final class Deployment {
             }
         });
         placeOf.keySet().retainAll(allotted.keySet());
-        tell();
+        publish();
     }
 
     /// Whether one that was at its place is there no more, as its own work or people took it elsewhere.
@@ -207,10 +207,10 @@ final class Deployment {
                 vain.computeIfAbsent(robot, _ -> new HashSet<>()).add(place);
             }
         }
-        tell();
+        publish();
     }
 
-    private void tell() {
+    private void publish() {
         long there = placeOf.keySet().stream().filter(arrived::contains).count();
         self.state("%d of %d robots have reached their place".formatted(there, placeOf.size()));
     }
@@ -239,8 +239,8 @@ final class Deployment {
 
         private Optional<double[]> costs(PoseReport report, ConversationResult<Costs> ending) {
             return switch (ending) {
-                case ConversationResult.Informed<Costs>(Costs told) ->
-                    Optional.of(told.costs().stream()
+                case ConversationResult.Informed<Costs>(Costs reported) ->
+                    Optional.of(reported.costs().stream()
                             .mapToDouble(Double::doubleValue)
                             .toArray());
                 case ConversationResult.Silent<Costs> _, ConversationResult.Cancelled<Costs> _ -> Optional.empty();

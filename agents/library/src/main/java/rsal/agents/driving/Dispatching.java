@@ -32,7 +32,7 @@ final class Dispatching {
     private final FailureDetector roll;
     private final Request<NewGoal, GoalReached> drives;
     private final Map<String, NewGoal> open = new TreeMap<>(); // newest of each robot that has not told its result
-    private final Set<String> told = new HashSet<>(); // robots of whose silence people know
+    private final Set<String> reported = new HashSet<>(); // robots of whose silence people know
     private final Set<String> ours = new HashSet<>(); // agents; the directory knows none that has ended
     private final SortedSet<String> answering = new TreeSet<>(); // robots
     private final SortedSet<String> silent = new TreeSet<>(); // robots
@@ -49,7 +49,7 @@ final class Dispatching {
     void begin() {
         self.subscribe(NewGoal.TOPIC, this::heard);
         roll.begin();
-        tell();
+        publish();
     }
 
     private void heard(Message<NewGoal> message) {
@@ -64,7 +64,7 @@ final class Dispatching {
                 .forEach(robot -> {
                     var own = new NewGoal(robot, order.mapFromGoal());
                     open.put(robot, own);
-                    told.remove(robot);
+                    reported.remove(robot);
                     ask(own);
                 });
     }
@@ -84,13 +84,13 @@ final class Dispatching {
         } else if (answering.contains(order.robot())) {
             ask(order); // only what it answers got lost
         } else {
-            tellOf(order);
+            publishOf(order);
         }
     }
 
     /// Once for each time that people send it.
-    private void tellOf(NewGoal order) {
-        if (told.add(order.robot())) {
+    private void publishOf(NewGoal order) {
+        if (reported.add(order.robot())) {
             self.publish(
                     GoalReached.TOPIC,
                     new GoalReached(order.robot(), order.mapFromGoal(), "silent", "Nothing is heard of it."));
@@ -118,19 +118,19 @@ final class Dispatching {
             case FailureDetector.Change.FellSilent _ -> {
                 answering.remove(robot);
                 silent.add(robot);
-                Optional.ofNullable(open.get(robot)).ifPresent(this::tellOf);
+                Optional.ofNullable(open.get(robot)).ifPresent(this::publishOf);
             }
             case FailureDetector.Change.Left _ -> {
                 ours.remove(agent);
                 answering.remove(robot);
                 silent.remove(robot);
-                Optional.ofNullable(open.remove(robot)).ifPresent(this::tellOf);
+                Optional.ofNullable(open.remove(robot)).ifPresent(this::publishOf);
             }
         }
-        tell();
+        publish();
     }
 
-    private void tell() {
+    private void publish() {
         if (answering.isEmpty() && silent.isEmpty()) {
             self.state("looking who is there");
         } else {

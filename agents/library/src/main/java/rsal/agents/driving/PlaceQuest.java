@@ -93,15 +93,15 @@ public final class PlaceQuest {
     private void ended(Wanted places, ConversationResult<Found> ending, List<String> agents) {
         conversation = null;
         switch (ending) {
-            case ConversationResult.Informed<Found>(Found told)
-            when told.mapFromPlaces().size() == places.count() -> {
+            case ConversationResult.Informed<Found>(Found reported)
+            when reported.mapFromPlaces().size() == places.count() -> {
                 found = true;
-                onFound.accept(told.mapFromPlaces());
+                onFound.accept(reported.mapFromPlaces());
                 return;
             }
-            case ConversationResult.Informed<Found>(Found told) ->
+            case ConversationResult.Informed<Found>(Found reported) ->
                 failure = "%d instead of %d were told"
-                        .formatted(told.mapFromPlaces().size(), places.count());
+                        .formatted(reported.mapFromPlaces().size(), places.count());
             case ConversationResult.Refused<Found>(String why) -> failure = why;
             case ConversationResult.Failed<Found>(String why) -> failure = why;
             case ConversationResult.NotUnderstood<Found>(String why) -> failure = why;

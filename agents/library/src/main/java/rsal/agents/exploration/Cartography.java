@@ -23,10 +23,10 @@ final class Cartography {
 
     private final AgentContext self;
     private final Team team;
-    private final Map<String, Told> told = new TreeMap<>(); // by robot
+    private final Map<String, Reported> reported = new TreeMap<>(); // by robot
     private List<Chart> jobs = List.of();
 
-    private record Told(List<MapEnds.End> ends, Instant when) {}
+    private record Reported(List<MapEnds.End> ends, Instant when) {}
 
     Cartography(AgentContext self) {
         this.self = self;
@@ -37,7 +37,8 @@ final class Cartography {
     void begin() {
         self.subscribe(MapEnds.TOPIC, message -> {
             MapEnds news = message.content();
-            told.put(news.robot(), new Told(news.ends(), self.scheduler().instant()));
+            reported.put(
+                    news.robot(), new Reported(news.ends(), self.scheduler().instant()));
             update();
         });
         team.begin();
@@ -46,7 +47,7 @@ final class Cartography {
 
     private void update() {
         Instant then = self.scheduler().instant().minus(MEMORY);
-        told.values().removeIf(one -> one.when.isBefore(then));
+        reported.values().removeIf(one -> one.when.isBefore(then));
         List<MapEnds.End> ends = ends();
         var open = new ArrayList<Chart>();
         for (Chart job : jobs) {
@@ -82,7 +83,7 @@ final class Cartography {
     /// As all tell them, each once.
     private List<MapEnds.End> ends() {
         var ends = new ArrayList<MapEnds.End>();
-        for (Told one : told.values()) {
+        for (Reported one : reported.values()) {
             for (MapEnds.End end : one.ends) {
                 if (ends.stream().noneMatch(other -> isSame(other.mapFromMiddle(), end))) {
                     ends.add(end);

@@ -40,10 +40,10 @@ public final class Charting implements Skill<Chart> {
 
     public void begin() {
         self.subscribe(mapper, _ -> {});
-        self.scheduler().every(REPEAT, this::tell);
+        self.scheduler().every(REPEAT, this::publish);
     }
 
-    private void tell() {
+    private void publish() {
         boolean common =
                 mapper.latest().filter(map -> map.frame().equals("map")).isPresent();
         if (common) { // a map of its own is no concern of others

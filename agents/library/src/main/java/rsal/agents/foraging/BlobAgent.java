@@ -82,7 +82,7 @@ public final class BlobAgent extends AgentTypeBase {
         void begin() {
             self.subscribe(Collected.TOPIC, message -> forget(message.content().goal()));
             List.copyOf(open).forEach(this::ask);
-            tell();
+            publish();
         }
 
         private void ask(CollectGoal thing) {
@@ -107,10 +107,10 @@ public final class BlobAgent extends AgentTypeBase {
 
         private void forget(CollectGoal thing) {
             open.removeIf(thing::isSame);
-            tell();
+            publish();
         }
 
-        private void tell() {
+        private void publish() {
             self.state("%d of %d fetched".formatted(all - open.size(), all));
         }
     }

@@ -79,7 +79,7 @@ final class Collecting implements Skill<Fetch> {
         } else {
             settle(given);
         }
-        self.scheduler().every(REPEAT, depots::tell);
+        self.scheduler().every(REPEAT, depots::publish);
     }
 
     private void standHere() {
@@ -98,7 +98,7 @@ final class Collecting implements Skill<Fetch> {
                 depotRadius);
         worker.begin();
         beFit();
-        depots.tell();
+        depots.publish();
     }
 
     private void beFit() {

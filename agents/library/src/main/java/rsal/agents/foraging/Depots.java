@@ -40,7 +40,7 @@ final class Depots {
     }
 
     /// Tells others where its own are, if it has any. To be repeated: they may have missed it.
-    void tell() {
+    void publish() {
         for (Depot depot : own) {
             note(depot);
             self.publish(Depot.TOPIC, depot);

@@ -50,18 +50,18 @@ final class Detections {
     private void ask(CollectGoal found) {
         Orders.master(self).ifPresent(master -> {
             asked.add(found);
-            tell();
+            publish();
             orders.ask(master, found, ending -> {
                 asked.remove(found); // when it still lies there, it will be seen again
                 if (ending instanceof ConversationResult.Refused) {
                     note(found);
                 }
-                tell();
+                publish();
             });
         });
     }
 
-    private void tell() {
+    private void publish() {
         self.show("things", asked.isEmpty() ? "none" : asked.size() + " to be fetched");
     }
 

@@ -104,8 +104,8 @@ final class Forager {
         }
         List<Point2d> mapFromDepots = given.isEmpty() ? List.of(here.get().position()) : given;
         depots.settle(Depots.numbered(robot.id(), mapFromDepots.size()), mapFromDepots, depotRadius);
-        depots.tell();
-        self.scheduler().every(REPEAT, depots::tell);
+        depots.publish();
+        self.scheduler().every(REPEAT, depots::publish);
         mind.begin(THINK);
     }
 
@@ -119,7 +119,7 @@ final class Forager {
         boolean inHand = haul != null && distance(there) < IN_FRONT;
         if (!isNone && !inHand) {
             finds.add(thing);
-            tell();
+            publish();
         }
     }
 
@@ -130,7 +130,7 @@ final class Forager {
                 .orElse(Double.POSITIVE_INFINITY);
     }
 
-    private void tell() {
+    private void publish() {
         known.set(finds.isEmpty() ? "none" : "%d to fetch".formatted(finds.size()));
     }
 
@@ -168,7 +168,7 @@ final class Forager {
             return;
         }
         finds.remove(thing);
-        tell();
+        publish();
         if (why.isEmpty()) {
             self.publish(Collected.TOPIC, new Collected(robot.id(), thing, mapFromDepot));
             doing.succeed();

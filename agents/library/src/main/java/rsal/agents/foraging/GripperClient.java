@@ -20,14 +20,14 @@ final class GripperClient {
     }
 
     void closeAndLift(Consumer<Result> onEnd) {
-        tell(gripper.closeAndLift(), onEnd);
+        publish(gripper.closeAndLift(), onEnd);
     }
 
     void lowerAndOpen(Consumer<Result> onEnd) {
-        tell(gripper.lowerAndOpen(), onEnd);
+        publish(gripper.lowerAndOpen(), onEnd);
     }
 
-    private void tell(GoalHandle<GripperState, Result> goal, Consumer<Result> onEnd) {
+    private void publish(GoalHandle<GripperState, Result> goal, Consumer<Result> onEnd) {
         goal.result().thenAccept(result -> self.scheduler().execute(() -> onEnd.accept(result)));
     }
 

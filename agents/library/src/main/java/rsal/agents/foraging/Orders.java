@@ -53,7 +53,7 @@ final class Orders {
         self.scheduler()
                 .every(REPEAT, () -> open.values().forEach(asked -> self.publish(CollectGoal.TOPIC, asked.what())));
         team.begin();
-        tell();
+        publish();
     }
 
     private void asked(Asked<CollectGoal, String> asked) {
@@ -66,7 +66,7 @@ final class Orders {
         open.put(job.name(), asked);
         self.publish(CollectGoal.TOPIC, asked.what());
         team.add(job);
-        tell();
+        publish();
     }
 
     private void note(Team.Event event) {
@@ -80,11 +80,11 @@ final class Orders {
     private Asked<CollectGoal, String> close(Team.Event event) {
         Asked<CollectGoal, String> asked =
                 Objects.requireNonNull(open.remove(event.job().name()));
-        tell();
+        publish();
         return asked;
     }
 
-    private void tell() {
+    private void publish() {
         self.state(open.isEmpty() ? "waiting for something to fetch" : open.size() + " to be fetched");
     }
 }

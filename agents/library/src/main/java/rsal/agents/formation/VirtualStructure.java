@@ -197,7 +197,7 @@ final class VirtualStructure {
             return;
         }
         way = Math.min(now.length(), way + share * speed * BEAT.toMillis() / 1e3);
-        tell(now, share);
+        publish(now, share);
     }
 
     private void allot(FormationCorridor now, NavigableMap<String, Pose2d> team) {
@@ -253,7 +253,7 @@ final class VirtualStructure {
         return slots;
     }
 
-    private void tell(FormationCorridor now, double share) {
+    private void publish(FormationCorridor now, double share) {
         int count = places.size();
         List<Pose2d> here = slots(now, way, count);
         List<Pose2d> later = slots(now, way + share * speed * AHEAD.toMillis() / 1e3, count);

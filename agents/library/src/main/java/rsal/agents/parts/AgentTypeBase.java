@@ -66,7 +66,7 @@ public abstract class AgentTypeBase implements AgentType {
         return new Agent() {
             @Override
             public void start(AgentContext self) {
-                Markers.tell(self);
+                Markers.publish(self);
                 begin(self, arguments);
                 Presence.begin(self);
             }

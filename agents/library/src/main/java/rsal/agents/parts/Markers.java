@@ -14,7 +14,7 @@ public final class Markers {
     private Markers() {}
 
     /// Tells which one the agent's robot wears, if any.
-    static void tell(AgentContext self) {
+    static void publish(AgentContext self) {
         self.robot()
                 .ifPresent(robot -> robot.marker()
                         .ifPresent(id -> self.offer(new ServiceDescription(NAME, Map.of(ID, Integer.toString(id))))));

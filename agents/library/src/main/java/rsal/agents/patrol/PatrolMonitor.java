@@ -79,7 +79,7 @@ final class PatrolMonitor {
     private void look() {
         wanted.filter(_ -> !quest.isFound()).ifPresent(places -> quest.want(places, List.copyOf(members.keySet())));
         sendNewcomers();
-        tell();
+        publish();
     }
 
     private void watch(List<Point2d> mapFromThem) {
@@ -146,7 +146,7 @@ final class PatrolMonitor {
             case Meet meet when event instanceof Team.Event.Done -> alarms.done(meet);
             default -> {} // they go on until they have met it or nobody sees it
         }
-        tell();
+        publish();
     }
 
     /// @param only id of the robot that alone goes there
@@ -174,7 +174,7 @@ final class PatrolMonitor {
         }
     }
 
-    private void tell() {
+    private void publish() {
         if (mapFromPlaces.isEmpty()) {
             return;
         }

@@ -63,8 +63,8 @@ final class Evasion {
 
     /// @param mapFromPrey where it is
     /// @param mapFromHunters where they are
-    /// @param told on the agent's lane: the way that it takes; empty when there is nowhere to run to
-    void flee(Pose2d mapFromPrey, Collection<Pose2d> mapFromHunters, Consumer<Optional<Path2d>> told) {
+    /// @param reported on the agent's lane: the way that it takes; empty when there is nowhere to run to
+    void flee(Pose2d mapFromPrey, Collection<Pose2d> mapFromHunters, Consumer<Optional<Path2d>> reported) {
         var own = new double[mapFromRefuges.size()];
         var theirs = new double[own.length]; // the nearest hunter's
         Arrays.fill(theirs, FAR);
@@ -81,7 +81,7 @@ final class Evasion {
                             .sorted(Comparator.comparingDouble(i -> FASTER * own[i] - theirs[i]))
                             .map(refuges::get)
                             .iterator();
-                    choose(mapFromPrey, mapFromHunters, byLead, told);
+                    choose(mapFromPrey, mapFromHunters, byLead, reported);
                 }
             }
         };
@@ -102,9 +102,9 @@ final class Evasion {
             Pose2d mapFromPrey,
             Collection<Pose2d> mapFromHunters,
             Iterator<Pose2d> refuges,
-            Consumer<Optional<Path2d>> told) {
+            Consumer<Optional<Path2d>> reported) {
         if (!refuges.hasNext()) {
-            told.accept(Optional.empty());
+            reported.accept(Optional.empty());
             return;
         }
         planner.plan(mapFromPrey, refuges.next())
@@ -112,24 +112,24 @@ final class Evasion {
                 .thenAccept(result -> self.scheduler().execute(() -> {
                     if (result.orElse(null) instanceof Planner.Result.Found found
                             && keepsClear(found.path(), mapFromHunters)) {
-                        told.accept(Optional.of(found.path()));
+                        reported.accept(Optional.of(found.path()));
                     } else {
-                        choose(mapFromPrey, mapFromHunters, refuges, told);
+                        choose(mapFromPrey, mapFromHunters, refuges, reported);
                     }
                 }));
     }
 
     /// Where a hunter gets to before a prey that takes a way, as early on it as can be.
     ///
-    /// @param told on the agent's lane; empty when there is no such place
-    void intercept(Pose2d mapFromHunter, Path2d way, Consumer<Optional<Pose2d>> told) {
+    /// @param reported on the agent's lane; empty when there is no such place
+    void intercept(Pose2d mapFromHunter, Path2d way, Consumer<Optional<Pose2d>> reported) {
         List<Pose2d> meetings = meetings(way);
         costs(mapFromHunter, meetings, costs -> {
             int first = 0;
             while (first < costs.size() && costs.get(first) > FASTER * STRIDE * (first + 1)) {
                 first++;
             }
-            told.accept(meetings.stream().skip(first).findFirst());
+            reported.accept(meetings.stream().skip(first).findFirst());
         });
     }
 
@@ -152,10 +152,10 @@ final class Evasion {
         return meetings;
     }
 
-    /// @param told on the agent's lane: what the ways cost [m]; +∞ where that is not known
-    private void costs(Pose2d mapFromStart, List<Pose2d> mapFromGoals, Consumer<List<Double>> told) {
+    /// @param reported on the agent's lane: what the ways cost [m]; +∞ where that is not known
+    private void costs(Pose2d mapFromStart, List<Pose2d> mapFromGoals, Consumer<List<Double>> reported) {
         ways.costs(mapFromStart, mapFromGoals)
-                .thenAccept(costs -> self.scheduler().execute(() -> told.accept(costs)));
+                .thenAccept(costs -> self.scheduler().execute(() -> reported.accept(costs)));
     }
 
     private static boolean keepsClear(Path2d way, Collection<Pose2d> mapFromHunters) {

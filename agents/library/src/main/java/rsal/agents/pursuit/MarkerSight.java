@@ -79,7 +79,7 @@ final class MarkerSight {
                 Markers.wearer(self.directory(), fiducial.id().getAsInt())
                         .map(agent -> sighting(agent, here.compose(fiducial.baseFromFiducial())))
                         .filter(sighting -> wanted.isEmpty() || sighting.isOf(wanted))
-                        .ifPresent(this::tell);
+                        .ifPresent(this::publish);
             }
         }
     }
@@ -88,7 +88,7 @@ final class MarkerSight {
         return new Sighting(agent.robot(), agent.robotRole(), mapFromRobot);
     }
 
-    private void tell(Sighting sighting) {
+    private void publish(Sighting sighting) {
         Instant now = self.scheduler().instant();
         if (!now.isBefore(due.getOrDefault(sighting.robot(), now))) {
             due.put(sighting.robot(), now.plus(PERIOD));

@@ -66,7 +66,7 @@ final class PursuitCoordinator {
             allottedAnew = now;
             team.reallot();
         }
-        tell();
+        publish();
     }
 
     private void see(String robot) {
@@ -77,7 +77,7 @@ final class PursuitCoordinator {
                 team.add(new Catch(robot, number), () -> urgency);
             }
             team.reallot();
-            tell();
+            publish();
         }
     }
 
@@ -105,10 +105,10 @@ final class PursuitCoordinator {
         for (int number = 1; number <= MOST; number++) {
             team.withdraw(new Catch(robot, number).name());
         }
-        tell();
+        publish();
     }
 
-    private void tell() {
+    private void publish() {
         var free = new TreeSet<>(seen.keySet());
         free.removeAll(caught);
         if (free.isEmpty()) {

@@ -39,7 +39,7 @@ public final class RescueMaster extends AgentTypeBase {
         void begin() {
             self.subscribe(VictimFound.TOPIC, message -> heard(message.sender(), message.content()));
             team.begin();
-            tell();
+            publish();
         }
 
         private void heard(String sender, VictimFound said) {
@@ -47,7 +47,7 @@ public final class RescueMaster extends AgentTypeBase {
                 self.send(sender, VictimHelped.TOPIC, new VictimHelped(said.victim())); // it has not heard
             } else if (found.add(said.victim())) {
                 team.add(new Help(said.victim(), said.mapFromVictim()));
-                tell();
+                publish();
             }
         }
 
@@ -55,11 +55,11 @@ public final class RescueMaster extends AgentTypeBase {
             if (event instanceof Team.Event.Done(Help job, var _, var _)) {
                 helped.add(job.victim());
                 self.publish(VictimHelped.TOPIC, new VictimHelped(job.victim()));
-                tell();
+                publish();
             }
         }
 
-        private void tell() {
+        private void publish() {
             self.state("%d %s found, %d helped"
                     .formatted(found.size(), found.size() == 1 ? "victim" : "victims", helped.size()));
         }

@@ -137,7 +137,7 @@ class CollectTest {
         scene.advance(0.5);
         near.body.navigator.reach();
         scene.advance(0.5);
-        assertThat(near.hand.told).containsExactly("close", "lift", "lower", "open");
+        assertThat(near.hand.reported).containsExactly("close", "lift", "lower", "open");
         assertThat(scene.state("near")).startsWith("aiming");
 
         near.camera.show(FakeCamera.GREEN, 0.8);
@@ -147,13 +147,13 @@ class CollectTest {
         near.hand.somethingIsThere = true;
         near.hand.feel();
         scene.advance(0.5);
-        assertThat(near.hand.told).endsWith("close", "lift");
+        assertThat(near.hand.reported).endsWith("close", "lift");
         assertThat(near.body.navigator.goals.getLast()).isEqualTo(new Pose2d(0, 0, 0));
         assertThat(scene.said("near", Collected.TOPIC)).isEmpty();
 
         near.body.navigator.reach();
         scene.advance(4);
-        assertThat(near.hand.told).endsWith("lower", "open");
+        assertThat(near.hand.reported).endsWith("lower", "open");
         assertThat(scene.said("near", Collected.TOPIC)).singleElement().satisfies(collected -> {
             assertThat(collected.robot()).isEqualTo("near");
             assertThat(collected.mapFromDepot().x()).isZero();

@@ -42,8 +42,8 @@ public final class BoardKeeper {
         BoardService.asking(self, board).answer(this::answer);
         BoardService.watching(self, board).answer(this::admit);
         self.offer(BoardService.capability(board));
-        self.directory().onDeparture(_ -> tell());
-        tell();
+        self.directory().onDeparture(_ -> publish());
+        publish();
     }
 
     private void write(Asked<BoardService.Writing, BoardService.Written> asked) {
@@ -60,7 +60,7 @@ public final class BoardKeeper {
             return;
         }
         asked.inform(new BoardService.Written(isNew ? take(asked.from(), said) : Map.of()));
-        tellSoon();
+        publishSoon();
     }
 
     private Map<Note.Name, String> take(String author, BoardService.Writing said) {
@@ -124,14 +124,14 @@ public final class BoardKeeper {
         watchers.add(watcher);
         subscriber.whenUnwanted(() -> {
             watchers.remove(watcher);
-            tell();
+            publish();
         });
         authors.find(watcher.query).forEach(note -> watcher.dirty.add(note.key()));
-        watcher.tellChanges();
-        tellSoon();
+        watcher.publishChanges();
+        publishSoon();
     }
 
-    private void tellSoon() {
+    private void publishSoon() {
         if (!beatIsDue) {
             beatIsDue = true;
             self.scheduler().after(BEAT, () -> {
@@ -144,16 +144,16 @@ public final class BoardKeeper {
     private void beat() {
         for (Watcher watcher : List.copyOf(watchers)) {
             if (!watcher.dirty.isEmpty()) {
-                watcher.tellChanges();
+                watcher.publishChanges();
             }
         }
         if (watchers.stream().anyMatch(watcher -> !watcher.dirty.isEmpty())) {
-            tellSoon();
+            publishSoon();
         }
-        tell();
+        publish();
     }
 
-    private void tell() {
+    private void publish() {
         List<String> keepers = BoardService.keepers(self.directory(), board);
         if (!keepers.isEmpty() && !keepers.getFirst().equals(self.name())) {
             self.state("standing by for '%s'".formatted(keepers.getFirst()));
@@ -183,7 +183,7 @@ public final class BoardKeeper {
         private final Subscriber<BoardService.Asking, BoardService.Changes> subscriber;
         private final Query<?> query;
         private final Set<Note.Key> dirty = new LinkedHashSet<>();
-        private final Set<Note.Key> told = new HashSet<>();
+        private final Set<Note.Key> reported = new HashSet<>();
         private boolean begun;
 
         Watcher(Subscriber<BoardService.Asking, BoardService.Changes> subscriber, Query<?> query) {
@@ -196,7 +196,7 @@ public final class BoardKeeper {
                     && subscriber.what().watch() == other.what().watch();
         }
 
-        void tellChanges() {
+        void publishChanges() {
             var notes = new ArrayList<Note<?>>();
             var gone = new ArrayList<Note.Key>();
             Iterator<Note.Key> next = dirty.iterator();
@@ -206,8 +206,8 @@ public final class BoardKeeper {
                 Optional<Note<?>> note = authors.read(key).filter(query::wants);
                 note.ifPresent(notes::add);
                 if (note.isPresent()) {
-                    told.add(key);
-                } else if (told.remove(key)) {
+                    reported.add(key);
+                } else if (reported.remove(key)) {
                     gone.add(key);
                 }
             }
@@ -215,8 +215,8 @@ public final class BoardKeeper {
                 subscriber.inform(new BoardService.Changes(!begun, notes, gone));
                 begun = true;
             }
-            if (told.size() > 2 * authors.size() + BoardService.MOST_AT_ONCE) {
-                told.removeIf(key -> authors.read(key).isEmpty()); // have faded there, too
+            if (reported.size() > 2 * authors.size() + BoardService.MOST_AT_ONCE) {
+                reported.removeIf(key -> authors.read(key).isEmpty()); // have faded there, too
             }
         }
     }

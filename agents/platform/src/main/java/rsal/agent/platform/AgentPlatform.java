@@ -158,15 +158,15 @@ public final class AgentPlatform implements AutoCloseable {
         var said = new Message<>(topic, sender, to, scheduler.instant(), message);
         traffic.forEach(listener -> listener.accept(said));
         carrier.ifPresentOrElse(
-                way -> way.carry(said, agent -> tell(said, telling -> channel.tell(telling, agent))),
-                () -> scheduler.execute(() -> tell(said, channel::tell)));
+                way -> way.carry(said, agent -> deliver(said, publishing -> channel.deliver(publishing, agent))),
+                () -> scheduler.execute(() -> deliver(said, channel::deliver)));
     }
 
-    private <M> void tell(Message<M> said, Consumer<MessageDispatch<M>> listeners) {
-        var telling = new MessageDispatch<>(said);
-        listeners.accept(telling);
-        if (telling.isHeard()) {
-            scheduler.execute(telling);
+    private <M> void deliver(Message<M> said, Consumer<MessageDispatch<M>> listeners) {
+        var publishing = new MessageDispatch<>(said);
+        listeners.accept(publishing);
+        if (publishing.isHeard()) {
+            scheduler.execute(publishing);
         }
     }
 
@@ -295,20 +295,20 @@ public final class AgentPlatform implements AutoCloseable {
 
     void changed(AgentRuntime member) {
         if (!changes.isEmpty()) {
-            changes.tell(member.view());
+            changes.publish(member.view());
         }
     }
 
     void printed(Print print) {
-        prints.tell(print);
+        prints.publish(print);
     }
 
     void measured(Metric metric) {
-        metrics.tell(metric);
+        metrics.publish(metric);
     }
 
     void unhandled(Unhandled goal) {
-        unhandled.tell(goal);
+        unhandled.publish(goal);
     }
 
     /// @param reason empty when it ended as it should
@@ -380,7 +380,7 @@ public final class AgentPlatform implements AutoCloseable {
 
         void offer(Entry agent, ServiceDescription capability) {
             offers.computeIfAbsent(agent.name(), _ -> new TreeMap<>()).put(capability.name(), capability);
-            listeners.tell(new Change.Offered(agent, capability));
+            listeners.publish(new Change.Offered(agent, capability));
         }
 
         /// @return whether it was offered
@@ -389,7 +389,7 @@ public final class AgentPlatform implements AutoCloseable {
             if (own == null || !own.remove(capability.name(), capability)) {
                 return false;
             }
-            listeners.tell(new Change.Withdrew(agent, capability));
+            listeners.publish(new Change.Withdrew(agent, capability));
             return true;
         }
 
@@ -397,7 +397,7 @@ public final class AgentPlatform implements AutoCloseable {
             var more = new ArrayList<>(agents);
             more.add(agent);
             agents = Collections.unmodifiableList(more);
-            listeners.tell(new Change.Came(agent));
+            listeners.publish(new Change.Came(agent));
         }
 
         void remove(Entry agent) {
@@ -407,8 +407,8 @@ public final class AgentPlatform implements AutoCloseable {
 
         void went(Entry agent, String reason) {
             var went = new Change.Went(agent, reason);
-            listeners.tell(went);
-            departures.tell(went);
+            listeners.publish(went);
+            departures.publish(went);
         }
     }
 }

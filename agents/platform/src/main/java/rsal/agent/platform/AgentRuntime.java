@@ -507,59 +507,59 @@ final class AgentRuntime implements AgentContext {
         private final Consumer<MessageDispatch<M>> taking = this::take;
 
         MessageListener(Interest<M> interest, Consumer<? super Message<M>> listener) {
-            super(told -> listener.accept(told.message()));
+            super(reported -> listener.accept(reported.message()));
             this.interest = interest;
         }
 
         @Override
-        public void accept(MessageDispatch<M> told) {
-            act(told, taking); // what it wants is decided by its own code
+        public void accept(MessageDispatch<M> reported) {
+            act(reported, taking); // what it wants is decided by its own code
         }
 
-        private void take(MessageDispatch<M> told) {
-            Message<M> message = told.message();
+        private void take(MessageDispatch<M> reported) {
+            Message<M> message = reported.message();
             boolean own = message.sender().equals(name());
             if ((own && message.isForAll()) || !wants(message)) {
                 return;
             }
             if (own) { // it talks to itself, which nothing disturbs
-                super.accept(told);
+                super.accept(reported);
                 return;
             }
             draw(message);
             if (copies.size() == 1 && copies.getFirst().isZero()) {
-                atOnce(told); // nearly always, so it costs no object
+                atOnce(reported); // nearly always, so it costs no object
             } else {
-                takeCopies(told);
+                takeCopies(reported);
             }
         }
 
-        private void takeCopies(MessageDispatch<M> told) {
-            Arrival drawn = arrival == null ? new Arrival(told.message()) : arrival;
+        private void takeCopies(MessageDispatch<M> reported) {
+            Arrival drawn = arrival == null ? new Arrival(reported.message()) : arrival;
             arrival = drawn;
             for (Duration late : copies) {
                 if (late.isZero()) {
-                    atOnceAs(told, at -> hear(at, drawn));
+                    atOnceAs(reported, at -> hear(at, drawn));
                 } else {
                     drawn.onTheirWay++;
-                    hostLane.after(late, Phase.THINK, () -> hearLate(told, drawn));
+                    hostLane.after(late, Phase.THINK, () -> hearLate(reported, drawn));
                 }
             }
         }
 
-        private void atOnce(MessageDispatch<M> told) {
+        private void atOnce(MessageDispatch<M> reported) {
             if (isOnRunsLane) {
-                told.add(this);
+                reported.add(this);
             } else {
-                hostLane.execute(() -> reach(told));
+                hostLane.execute(() -> reach(reported));
             }
         }
 
-        private void atOnceAs(MessageDispatch<M> told, MessageDispatch.Hearer<M> hearer) {
+        private void atOnceAs(MessageDispatch<M> reported, MessageDispatch.Hearer<M> hearer) {
             if (isOnRunsLane) {
-                told.addOnce(hearer);
+                reported.addOnce(hearer);
             } else {
-                hostLane.execute(() -> hearer.reach(told));
+                hostLane.execute(() -> hearer.reach(reported));
             }
         }
 
@@ -578,27 +578,27 @@ final class AgentRuntime implements AgentContext {
             return true;
         }
 
-        private void hearLate(MessageDispatch<M> told, Arrival drawn) {
+        private void hearLate(MessageDispatch<M> reported, Arrival drawn) {
             drawn.onTheirWay--;
             if (society.reaches(drawn.message, name())) {
-                hear(told, drawn);
+                hear(reported, drawn);
             } else {
                 drawn.noteInVain();
             }
         }
 
-        private void hear(MessageDispatch<M> told, Arrival drawn) {
+        private void hear(MessageDispatch<M> reported, Arrival drawn) {
             if (listens()) {
                 drawn.note();
-                actOn(told);
+                actOn(reported);
             }
         }
 
         @Override
-        public void reach(MessageDispatch<M> told) {
+        public void reach(MessageDispatch<M> reported) {
             if (listens()) {
-                note(told.message());
-                actOn(told);
+                note(reported.message());
+                actOn(reported);
             }
         }
     }

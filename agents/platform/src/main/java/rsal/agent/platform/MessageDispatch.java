@@ -15,14 +15,14 @@ import rsal.agent.Message;
 final class MessageDispatch<M> implements Runnable {
     private final Message<M> message;
     private List<Subscriber<M>> subscribers = List.of(); // in the order in which they are told, which never changes
-    private int told; // number of the subscriber that is told now
+    private int reported; // number of the subscriber that is told now
     private @Nullable BitSet hearing; // numbers of the subscribers that hear it, as long as no others do
     private List<Hearer<M>> hearers = List.of(); // else: they themselves
 
     /// One who hears it.
     @FunctionalInterface
     interface Hearer<M> {
-        void reach(MessageDispatch<M> told);
+        void reach(MessageDispatch<M> reported);
     }
 
     /// An entry of a channel's list.
@@ -45,14 +45,14 @@ final class MessageDispatch<M> implements Runnable {
 
     /// @param subscriber number of the one that is told next
     void tells(int subscriber) {
-        told = subscriber;
+        reported = subscriber;
     }
 
     /// Lets one hear it that is always the same for the subscriber that is told.
     void add(Hearer<M> hearer) {
         if (hearers.isEmpty() && !subscribers.isEmpty() && isTheSubscribers(hearer)) {
             BitSet noted = hearing == null ? new BitSet(subscribers.size()) : hearing;
-            noted.set(told);
+            noted.set(reported);
             hearing = noted;
         } else {
             addOnce(hearer);
@@ -60,11 +60,11 @@ final class MessageDispatch<M> implements Runnable {
     }
 
     private boolean isTheSubscribers(Hearer<M> hearer) {
-        Subscriber<M> subscriber = subscribers.get(told);
+        Subscriber<M> subscriber = subscribers.get(reported);
         if (subscriber.hearer == null) {
             subscriber.hearer = hearer;
         }
-        return hearer.equals(subscriber.hearer) && (hearing == null || !hearing.get(told));
+        return hearer.equals(subscriber.hearer) && (hearing == null || !hearing.get(reported));
     }
 
     /// Lets one hear it who is made for this.

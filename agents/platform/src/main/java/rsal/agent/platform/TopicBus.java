@@ -61,13 +61,13 @@ final class TopicBus<M> {
         return byAgent.containsKey(agent);
     }
 
-    void tell(MessageDispatch<M> said) {
+    void deliver(MessageDispatch<M> said) {
         Message<M> message = said.message();
         if (message.isForAll()) {
             said.begin(subscribers());
-            all.tell(said);
+            all.publish(said);
         } else {
-            tell(said, message.to());
+            deliver(said, message.to());
         }
     }
 
@@ -100,10 +100,10 @@ final class TopicBus<M> {
     }
 
     /// Tells one of those it is for.
-    void tell(MessageDispatch<M> said, String agent) {
+    void deliver(MessageDispatch<M> said, String agent) {
         Listeners<MessageDispatch<M>> own = byAgent.get(agent);
         if (own != null) {
-            own.tell(said);
+            own.publish(said);
         }
     }
 }

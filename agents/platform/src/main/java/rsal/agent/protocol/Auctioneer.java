@@ -63,7 +63,7 @@ final class Auctioneer implements Conversation {
 
     private void call() {
         wanted = false;
-        tellAll(Performative.CFP, price());
+        publishAll(Performative.CFP, price());
         roundEnd = scheduler.after(round, this::endRound);
     }
 
@@ -85,7 +85,7 @@ final class Auctioneer implements Conversation {
         double last = rising && leader.isPresent() ? price() - prices.step() : price();
         var sale = new Sale(leader.filter(_ -> last >= prices.reserve()), last);
         bidders.values().forEach(Dialogue::linger);
-        tellAll(Performative.INFORM, sale);
+        publishAll(Performative.INFORM, sale);
         seller.ended(sale);
     }
 
@@ -96,7 +96,7 @@ final class Auctioneer implements Conversation {
         }
     }
 
-    private void tellAll(Performative performative, Object content) {
+    private void publishAll(Performative performative, Object content) {
         bidders.values().stream()
                 .filter(bidder -> !bidder.isOver())
                 .forEach(bidder -> bidder.say(performative, content));
@@ -111,7 +111,7 @@ final class Auctioneer implements Conversation {
     public void cancel() {
         if (!over) {
             stop();
-            tellAll(Performative.CANCEL, "");
+            publishAll(Performative.CANCEL, "");
         }
     }
 

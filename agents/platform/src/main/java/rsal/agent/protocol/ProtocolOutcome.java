@@ -6,7 +6,7 @@ import java.util.function.Consumer;
 class ProtocolOutcome<A> implements Dialogue.Listener {
     private final Class<A> result;
     private final Consumer<? super ConversationResult<A>> onEnd;
-    private boolean told;
+    private boolean reported;
 
     ProtocolOutcome(Class<A> result, Consumer<? super ConversationResult<A>> onEnd) {
         this.result = result;
@@ -15,7 +15,7 @@ class ProtocolOutcome<A> implements Dialogue.Listener {
 
     @Override
     public void heard(Act act) {
-        if (told) {
+        if (reported) {
             return; // an answer to what was cancelled
         }
         switch (act.performative()) {
@@ -33,14 +33,14 @@ class ProtocolOutcome<A> implements Dialogue.Listener {
     }
 
     void end(ConversationResult<A> how) {
-        if (!told) {
-            told = true;
+        if (!reported) {
+            reported = true;
             onEnd.accept(how);
         }
     }
 
-    boolean isTold() {
-        return told;
+    boolean isReported() {
+        return reported;
     }
 
     static String words(Act act) {

@@ -43,7 +43,7 @@ public final class Subscribe<Q, A> {
             public void heard(Act act) {
                 if (act.performative() != Performative.INFORM) {
                     super.heard(act);
-                } else if (!isTold()) { // else it answers that it was cancelled
+                } else if (!isReported()) { // else it answers that it was cancelled
                     listener.accept(news.cast(act.content()));
                 }
             }
@@ -103,8 +103,8 @@ public final class Subscribe<Q, A> {
         }
 
         @Override
-        public void inform(A told) {
-            say(Performative.INFORM, told);
+        public void inform(A reported) {
+            say(Performative.INFORM, reported);
         }
     }
 }

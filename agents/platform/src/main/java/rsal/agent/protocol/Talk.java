@@ -21,7 +21,7 @@ record Talk<A>(Dialogue dialogue, ProtocolOutcome<A> outcome) implements Convers
 
     @Override
     public void cancel() {
-        if (!outcome.isTold()) {
+        if (!outcome.isReported()) {
             dialogue.say(Performative.CANCEL, "");
             outcome.end(new ConversationResult.Cancelled<>());
         }

@@ -195,8 +195,8 @@ public final class Worker {
             var all = new ArrayList<>(ways);
             all.addAll(own);
             all.add(before);
-            CompletionStage<?> told = CompletableFuture.allOf(all.toArray(CompletableFuture[]::new));
-            told.thenRun(() -> self.scheduler().execute(() -> bid(before.join(), values(own), values(ways))));
+            CompletionStage<?> reported = CompletableFuture.allOf(all.toArray(CompletableFuture[]::new));
+            reported.thenRun(() -> self.scheduler().execute(() -> bid(before.join(), values(own), values(ways))));
         }
 
         private CompletableFuture<Double> cost(Pose2d here, TaskRoute left) {

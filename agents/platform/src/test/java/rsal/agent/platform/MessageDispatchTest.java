@@ -32,33 +32,33 @@ class MessageDispatchTest {
         }
 
         /// Takes it, or not, or as copies.
-        void take(MessageDispatch<String> told, List<String> right) {
+        void take(MessageDispatch<String> reported, List<String> right) {
             if (random.nextInt(5) == 0) {
                 return;
             }
             switch (random.nextInt(ways)) {
                 case 1 -> {
                     for (int copy = 0; copy < 2; copy++) {
-                        told.addOnce(this);
-                        right.add(number + told.message().content());
+                        reported.addOnce(this);
+                        right.add(number + reported.message().content());
                     }
                 }
                 case 2 -> {
-                    told.add(this);
-                    told.add(this);
-                    right.add(number + told.message().content());
-                    right.add(number + told.message().content());
+                    reported.add(this);
+                    reported.add(this);
+                    right.add(number + reported.message().content());
+                    right.add(number + reported.message().content());
                 }
                 default -> {
-                    told.add(this);
-                    right.add(number + told.message().content());
+                    reported.add(this);
+                    right.add(number + reported.message().content());
                 }
             }
         }
 
         @Override
-        public void reach(MessageDispatch<String> told) {
-            heard.add(number + told.message().content());
+        public void reach(MessageDispatch<String> reported) {
+            heard.add(number + reported.message().content());
         }
     }
 
@@ -81,15 +81,15 @@ class MessageDispatchTest {
             for (int i = 0; i < 60; i++) {
                 if (random.nextInt(4) > 0) {
                     var listener = new Listener(number++, copies ? 8 : 1, random, heard);
-                    open.add(channel.add("a" + number, told -> listener.take(told, right)));
+                    open.add(channel.add("a" + number, reported -> listener.take(reported, right)));
                 } else if (!open.isEmpty()) {
                     open.remove(random.nextInt(open.size())).cancel();
                 }
                 int before = right.size();
-                var telling = new MessageDispatch<>(new Message<>(TOPIC, "x", "", Instant.EPOCH, "-" + i));
-                channel.tell(telling);
-                assertThat(telling.isHeard()).isEqualTo(right.size() > before);
-                waiting.add(telling);
+                var publishing = new MessageDispatch<>(new Message<>(TOPIC, "x", "", Instant.EPOCH, "-" + i));
+                channel.deliver(publishing);
+                assertThat(publishing.isHeard()).isEqualTo(right.size() > before);
+                waiting.add(publishing);
             }
             waiting.forEach(MessageDispatch::run);
             assertThat(heard).as("seed %d", seed).isEqualTo(right);

@@ -29,7 +29,7 @@ class AuctionTest {
     private static final Duration SHORT = Duration.ofMillis(300); // before what was lost is said again
 
     private final List<Sale> sales = new ArrayList<>();
-    private final Map<String, Sale> told = new TreeMap<>();
+    private final Map<String, Sale> reported = new TreeMap<>();
     private final Map<String, String> lost = new TreeMap<>();
 
     private static Auction<String> auction(AgentContext self, boolean english) {
@@ -47,7 +47,7 @@ class AuctionTest {
 
                     @Override
                     public void ended(String lot, Sale sale) {
-                        told.put(name, sale);
+                        reported.put(name, sale);
                     }
 
                     @Override
@@ -82,7 +82,7 @@ class AuctionTest {
         run.advance(30);
         var sale = new Sale(Optional.of("bob"), 17);
         assertThat(sales).containsExactly(sale);
-        assertThat(told).isEqualTo(Map.of("amy", sale, "bob", sale, "eve", sale));
+        assertThat(reported).isEqualTo(Map.of("amy", sale, "bob", sale, "eve", sale));
         assertThat(said)
                 .startsWith(
                         "zoe -> amy: inform: a vase",
@@ -107,7 +107,7 @@ class AuctionTest {
         sell(run, false, new Prices(30, -2, 10));
         run.advance(30);
         assertThat(sales).containsExactly(new Sale(Optional.of("bob"), 16));
-        assertThat(told).hasSize(3);
+        assertThat(reported).hasSize(3);
     }
 
     @Test
@@ -119,7 +119,7 @@ class AuctionTest {
         run.advance(1); // then it asks whether all have heard the end
         var sale = new Sale(Optional.of("amy"), 10);
         assertThat(sales).containsExactly(sale);
-        assertThat(told).isEqualTo(Map.of("amy", sale, "bob", sale, "eve", sale));
+        assertThat(reported).isEqualTo(Map.of("amy", sale, "bob", sale, "eve", sale));
         assertThat(said)
                 .containsExactly(
                         "zoe -> amy: inform: a vase",
@@ -162,7 +162,7 @@ class AuctionTest {
         sell(run, true, new Prices(10, 1, 0), SHORT);
         run.advance(60);
         assertThat(sales).extracting(Sale::winner).containsExactly(Optional.of("amy"));
-        assertThat(told).hasSize(3);
+        assertThat(reported).hasSize(3);
     }
 
     @Test
@@ -221,7 +221,7 @@ class AuctionTest {
         sell(run, true, new Prices(10, 1, 0));
         run.advance(30);
         assertThat(sales).extracting(Sale::winner).containsExactly(Optional.empty());
-        assertThat(told).containsOnlyKeys("bob");
+        assertThat(reported).containsOnlyKeys("bob");
     }
 
     private static Act answer(Message<Act> to, Performative what, int number, Object content) {
@@ -263,13 +263,13 @@ class AuctionTest {
             var storm = new Run();
             storm.deliverBy(new Weather(new SplittableRandom(seed), 0.2, 0.2, Duration.ofMillis(300)));
             sales.clear();
-            told.clear();
+            reported.clear();
             bidders(storm, english);
             sell(storm, english, english ? new Prices(10, 1, 0) : new Prices(30, -2, 10));
             storm.advance(60);
             assertThat(sales).as("seed %d", seed).hasSize(1);
-            assertThat(told).as("seed %d", seed).containsOnlyKeys("amy", "bob", "eve");
-            assertThat(told.values()).as("seed %d", seed).allMatch(sales.getFirst()::equals);
+            assertThat(reported).as("seed %d", seed).containsOnlyKeys("amy", "bob", "eve");
+            assertThat(reported.values()).as("seed %d", seed).allMatch(sales.getFirst()::equals);
             toTheBest += sales.getFirst().winner().equals(Optional.of("bob")) ? 1 : 0;
         }
         assertThat(toTheBest).isGreaterThan(english ? 95 : 66); // what is lost in a Dutch round comes too late for it

@@ -32,17 +32,17 @@ class SubscribeTest {
                         return;
                     }
                     subscriber.agree();
-                    tell(self, subscriber, 1, last);
+                    publish(self, subscriber, 1, last);
                 }));
     }
 
-    private static void tell(AgentContext self, Subscriber<String, Integer> subscriber, int number, int last) {
+    private static void publish(AgentContext self, Subscriber<String, Integer> subscriber, int number, int last) {
         self.scheduler().after(Duration.ofSeconds(1), () -> {
             if (number > last) {
                 subscriber.fail("that is all");
             } else {
                 subscriber.inform(number);
-                tell(self, subscriber, number + 1, last);
+                publish(self, subscriber, number + 1, last);
             }
         });
     }

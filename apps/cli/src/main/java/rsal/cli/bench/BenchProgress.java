@@ -11,8 +11,8 @@ final class BenchProgress {
 
     private final PrintWriter err;
     private final int wanted;
-    private final Thread atExit = new Thread(this::tellInterrupted, "interrupted");
-    private long told = System.nanoTime();
+    private final Thread atExit = new Thread(this::printInterrupted, "interrupted");
+    private long reported = System.nanoTime();
     private int measured;
 
     /// @param wanted how many results there will be at most
@@ -26,14 +26,14 @@ final class BenchProgress {
     synchronized void measured(String name) {
         measured++;
         err.println("%d/%d %s".formatted(measured, wanted, name));
-        told = System.nanoTime();
+        reported = System.nanoTime();
     }
 
     /// @param what `barn.dwa, worlds: 12 of 300`
     synchronized void reached(String what) {
         long now = System.nanoTime();
-        if (now - told >= PERIOD_NANOS) {
-            told = now;
+        if (now - reported >= PERIOD_NANOS) {
+            reported = now;
             err.println("  " + what);
         }
     }
@@ -43,7 +43,7 @@ final class BenchProgress {
         Runtime.getRuntime().removeShutdownHook(atExit);
     }
 
-    private void tellInterrupted() {
+    private void printInterrupted() {
         err.println("Interrupted: %d of %d were measured, and are lost.".formatted(measured, wanted));
     }
 }

@@ -97,7 +97,7 @@ public final class GradeCommand extends Subcommand {
                 }
             }
             check(!runs.isEmpty() || !missing.isEmpty(), "'%s' has no folder of a student.".formatted(folder));
-            List<SeededTrials.Trial> trials = all(new SeededTrials(limits).all(runs, _ -> {}, this::tell), missing);
+            List<SeededTrials.Trial> trials = all(new SeededTrials(limits).all(runs, _ -> {}, this::print), missing);
             results.write(Map.of(
                     ROWS, rows(trials).getBytes(StandardCharsets.UTF_8),
                     SUMMARY, summary(trials).getBytes(StandardCharsets.UTF_8)));
@@ -137,7 +137,7 @@ public final class GradeCommand extends Subcommand {
 
     // ── What is told ──────────────────────────────────────────────────────────────────────────────────────────────
 
-    private void tell(SeededTrials.Trial trial) {
+    private void print(SeededTrials.Trial trial) {
         err().println("%s: %d of %d"
                 .formatted(trial.who(), trial.successes(), trial.results().size()));
         err().flush();

@@ -53,8 +53,8 @@ final class SeededTrials {
     ///
     /// @param runs by whose they are
     /// @param ran is given each result as soon as it is there, on any thread
-    /// @param told is given each person's results, in their order, as soon as they are there
-    List<Trial> all(Map<String, SeparateRun> runs, Consumer<SeparateRun.Result> ran, Consumer<Trial> told)
+    /// @param reported is given each person's results, in their order, as soon as they are there
+    List<Trial> all(Map<String, SeparateRun> runs, Consumer<SeparateRun.Result> ran, Consumer<Trial> reported)
             throws IOException, InterruptedException {
         Logging.begin();
         var ending = new ClosedAtExit(SeparateRun::endAll);
@@ -77,7 +77,7 @@ final class SeededTrials {
             for (var each : begun.entrySet()) {
                 var trial = new Trial(each.getKey(), results(each.getValue()));
                 trials.add(trial);
-                told.accept(trial);
+                reported.accept(trial);
             }
             ending.checkNoSignal();
             return trials;

@@ -88,11 +88,11 @@ record SeparateRun(List<String> java, Path folder, String scenario, Path logs, D
             FutureTask<String> err = reading(process.getErrorStream());
             boolean ended = process.waitFor(longest.toMillis(), TimeUnit.MILLISECONDS);
             end(process);
-            String told = text(err);
+            String reported = text(err);
             Files.createDirectories(logs);
-            Files.writeString(logs.resolve("seed-%d.log".formatted(seed)), told);
+            Files.writeString(logs.resolve("seed-%d.log".formatted(seed)), reported);
             return ended
-                    ? result(seed, process.exitValue(), text(out), told)
+                    ? result(seed, process.exitValue(), text(out), reported)
                     : Result.failed(seed, "time limit", "It did not end within %d s.".formatted(longest.toSeconds()));
         } finally {
             end(process);

@@ -50,7 +50,7 @@ public final class TestAgentCommand extends Subcommand {
             SeparateRun run = limits.run(Path.of("").toAbsolutePath(), scenario, logs);
             var ended = new AtomicInteger();
             SeededTrials.Trial trial = new SeededTrials(limits)
-                    .all(Map.of(scenario, run), result -> tell(result, ended.incrementAndGet()), _ -> {})
+                    .all(Map.of(scenario, run), result -> print(result, ended.incrementAndGet()), _ -> {})
                     .getFirst();
             print(trial, logs);
             boolean success = trial.successes() == trial.results().size();
@@ -64,7 +64,7 @@ public final class TestAgentCommand extends Subcommand {
     }
 
     /// Progress, as some runs take long.
-    private void tell(SeparateRun.Result result, int ended) {
+    private void print(SeparateRun.Result result, int ended) {
         err().println("%d of %d: seed %d, %s"
                 .formatted(ended, limits.seeds.seeds().size(), result.seed(), result.outcome()));
         err().flush();

@@ -58,7 +58,7 @@ public final class ConvertCommand extends Subcommand {
                 .filter(each -> each.accepts(file, target))
                 .findFirst()
                 .orElseThrow(() -> unknown());
-        tell(conversion.convert(new Conversion.Request(file, target, force, seed, spec.commandLine())));
+        print(conversion.convert(new Conversion.Request(file, target, force, seed, spec.commandLine())));
         return Exit.SUCCESS;
     }
 
@@ -74,7 +74,7 @@ public final class ConvertCommand extends Subcommand {
                         .collect(Collectors.joining("; ", "What can be converted: ", ".")));
     }
 
-    private void tell(Conversion.Result result) {
+    private void print(Conversion.Result result) {
         if (json) {
             printJson(result.json());
             return;

@@ -196,7 +196,7 @@ public final class LocalizeCommand extends Subcommand {
             runs.add(run);
             verdicts.add(verdict);
             if (!json) {
-                report.tell(run, seeds == 1);
+                report.print(run, seeds == 1);
             }
         }
         Summary summary = Summary.of(runs, Verdict.pooled(verdicts));
@@ -205,17 +205,17 @@ public final class LocalizeCommand extends Subcommand {
                     file,
                     map.map == null ? "from half" : map.map,
                     course.stops().size(),
-                    course.untold(),
+                    course.omitted(),
                     log.skipped().counts(),
                     summary,
                     runs));
         } else {
-            LogOptions.tellSkipped(err(), file, log);
-            report.tell(summary);
+            LogOptions.printSkipped(err(), file, log);
+            report.print(summary);
         }
-        LogOptions.tellWandering(err(), file, log);
-        LogOptions.tellOddities(err(), file, log);
-        report.tellDoubts(file, course, runs);
+        LogOptions.printWandering(err(), file, log);
+        LogOptions.printOddities(err(), file, log);
+        report.printDoubts(file, course, runs);
         return Exit.SUCCESS;
     }
 

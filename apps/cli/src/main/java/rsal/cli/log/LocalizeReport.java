@@ -23,7 +23,7 @@ final class LocalizeReport {
     }
 
     /// @param steps whether each step is told, too
-    void tell(RunView run, boolean steps) {
+    void print(RunView run, boolean steps) {
         if (steps) {
             out.println(
                     "      time        x        y     deg  ± m ± deg   confidence             particles      ms  error m");
@@ -85,13 +85,13 @@ final class LocalizeReport {
     }
 
     /// What nobody should miss who looks at the last poses only.
-    void tellDoubts(String file, Course course, List<RunView> runs) {
-        if (course.untold() > 0) {
+    void printDoubts(String file, Course course, List<RunView> runs) {
+        if (course.omitted() > 0) {
             err.println("%s: %d of %d scans were skipped: the log has no odometry for them."
                     .formatted(
                             file,
-                            course.untold(),
-                            course.untold() + course.stops().size()));
+                            course.omitted(),
+                            course.omitted() + course.stops().size()));
         }
         double lost = runs.stream().mapToDouble(RunView::lost).average().orElse(0);
         if (lost > MOSTLY) {
@@ -104,7 +104,7 @@ final class LocalizeReport {
         err.flush();
     }
 
-    void tell(Summary summary) {
+    void print(Summary summary) {
         if (summary.seeds() > 1 && summary.judged() > 0) {
             out.println(("%d runs: %.0f%% converged within 10 scans, %.0f%% at all; from there on rmse %s m, of the"
                             + " worst run %s m, 95%% below %s m, heading %s°; falsely sure at %.2f%% of scans; %.2f ms"

@@ -14,13 +14,13 @@ import rsal.navigation.replay.Verdict;
 
 /// What `rsal localize` found, as it is printed as JSON.
 ///
-/// @param untold scans left out since nothing tells where the wheels had brought the robot
+/// @param omitted scans left out since nothing tells where the wheels had brought the robot
 /// @param skipped messages of the log that were not used, by reason
 record LocalizeResult(
         String log,
         String map,
         int scans,
-        int untold,
+        int omitted,
         Map<String, Integer> skipped,
         Summary summary,
         List<RunView> runs) {

@@ -60,8 +60,8 @@ public final class LogConversion implements Conversion {
                         Counted.of(written.scans(), "scan"),
                         Counted.of(written.motions(), "message") + " of odometry"));
         var notes = new StringWriter();
-        LogOptions.tellSkipped(new PrintWriter(notes, true), request.file(), log);
-        LogOptions.tellOddities(new PrintWriter(notes, true), request.file(), log);
+        LogOptions.printSkipped(new PrintWriter(notes, true), request.file(), log);
+        LogOptions.printOddities(new PrintWriter(notes, true), request.file(), log);
         if (written.leftOut() > 0) {
             lines.add(
                     "Left out: %s without odometry before and after.".formatted(Counted.of(written.leftOut(), "scan")));

@@ -101,11 +101,11 @@ final class LogMapper {
     private Slam mapped(Robot robot) {
         var slam = new Slam(Slam.Settings.DEFAULT.within(maxRange));
         List<Course.Stop> stops = robot.course().stops();
-        long told = System.nanoTime();
+        long reported = System.nanoTime();
         for (Course.Stop stop : stops) {
             robot.located().add(slam.add(stop.odomFromBase(), stop.scan()));
-            if (System.nanoTime() - told > TOLD_EVERY) {
-                told = System.nanoTime();
+            if (System.nanoTime() - reported > TOLD_EVERY) {
+                reported = System.nanoTime();
                 err.println("%s: %d of %d scans, %d kept, %d places known again so far"
                         .formatted(robot.file(), robot.located().size(), stops.size(), slam.frameCount(), loops(slam)));
             }
@@ -207,7 +207,7 @@ final class LogMapper {
         return new Drawn(
                 robot.file(),
                 stops.size(),
-                robot.course().untold(),
+                robot.course().omitted(),
                 robot.log().skipped().counts(),
                 slam.frameCount(),
                 loops(slam),
@@ -242,8 +242,8 @@ final class LogMapper {
     static String residuals(Slam slam) {
         var text = new StringBuilder("from,to,source,x,y,degrees,meters_off,degrees_off,deviations_off\n");
         for (Relation relation : slam.relations()) {
-            Pose2d told = relation.fromFromTo();
-            Pose2d off = told.inverse()
+            Pose2d reported = relation.fromFromTo();
+            Pose2d off = reported.inverse()
                     .compose(slam.poses()
                             .get(relation.from())
                             .inverse()
@@ -253,9 +253,9 @@ final class LogMapper {
                             relation.from(),
                             relation.to(),
                             relation.source().name().toLowerCase(Locale.ROOT),
-                            told.x(),
-                            told.y(),
-                            Math.toDegrees(told.theta()),
+                            reported.x(),
+                            reported.y(),
+                            Math.toDegrees(reported.theta()),
                             Math.hypot(off.x(), off.y()),
                             Math.toDegrees(off.theta()),
                             slam.residual(relation)));

@@ -216,7 +216,7 @@ final class LogOptions {
     }
 
     /// Tells people whose scans of a bag were read.
-    private static void tellTopic(PrintWriter err, String file, RobotLog log) {
+    private static void printTopic(PrintWriter err, String file, RobotLog log) {
         log.topic()
                 .filter(topic -> !topic.others().isEmpty())
                 .ifPresent(topic -> err.println(
@@ -235,8 +235,8 @@ final class LogOptions {
 
     /// Tells people whose scans of a log were read and what was not used, and makes sure that they see when it
     /// is much.
-    static void tellSkipped(PrintWriter err, String file, RobotLog log) {
-        tellTopic(err, file, log);
+    static void printSkipped(PrintWriter err, String file, RobotLog log) {
+        printTopic(err, file, log);
         if (log.skipped().total() == 0) {
             return;
         }
@@ -248,7 +248,7 @@ final class LogOptions {
     }
 
     /// What of a log is so odd that what comes of it is probably wrong.
-    static void tellOddities(PrintWriter err, String file, RobotLog log) {
+    static void printOddities(PrintWriter err, String file, RobotLog log) {
         log.oneTime()
                 .ifPresent(time -> err.println(
                         ("All %d scans of '%s' have one time (%.3f s): what comes of it has no times either, and ODOM can't tell"
@@ -278,7 +278,7 @@ final class LogOptions {
     }
 
     /// What of a log was read otherwise than it stands there.
-    static void tellWandering(PrintWriter err, String file, RobotLog log) {
+    static void printWandering(PrintWriter err, String file, RobotLog log) {
         log.wandering()
                 .ifPresent(by ->
                         err.println(("'%s' tells poses of the laser that move about on the robot, by up to (%.2f m)"

@@ -131,13 +131,13 @@ public final class MapCommand extends Subcommand {
                 contents.keySet().stream()
                         .map(f -> folder.resolve(f).toString())
                         .toList());
-        robots.forEach(robot -> tellOfLog(robot.file(), robot.log()));
+        robots.forEach(robot -> printOfLog(robot.file(), robot.log()));
         var report = new MapReport(out(), err());
         report.warn(result, made.slam(), strain, contradiction);
         if (json) {
             printJson(result);
         } else {
-            report.tell(result);
+            report.print(result);
         }
         return Exit.SUCCESS;
     }
@@ -189,10 +189,10 @@ public final class MapCommand extends Subcommand {
         check(!recorded.hasReference() || files.size() == 1, "--reference goes with one log.");
     }
 
-    private void tellOfLog(String file, RobotLog log) {
-        LogOptions.tellSkipped(err(), file, log);
-        LogOptions.tellWandering(err(), file, log);
-        LogOptions.tellOddities(err(), file, log);
+    private void printOfLog(String file, RobotLog log) {
+        LogOptions.printSkipped(err(), file, log);
+        LogOptions.printWandering(err(), file, log);
+        LogOptions.printOddities(err(), file, log);
     }
 
     private String trajectoryName(int log) {

@@ -33,14 +33,14 @@ final class MapReport {
         strain.tooMuch().ifPresent(step -> warn(step, slam));
     }
 
-    void tell(MapResult result) {
+    void print(MapResult result) {
         for (Drawn log : result.logs()) {
             out.println("%s: %s, %d kept, %s known again"
                     .formatted(
                             log.log(), Counted.of(log.scans(), "scan"), log.kept(), Counted.of(log.loops(), "place")));
-            tell("wheels, scan to scan", log.odometry());
-            tell("map, scan to scan", log.next());
-            tell("map, scans within %.0f m".formatted(MapResult.NEAR), log.near());
+            print("wheels, scan to scan", log.odometry());
+            print("map, scan to scan", log.next());
+            print("map, scans within %.0f m".formatted(MapResult.NEAR), log.near());
         }
         for (Merged one : result.merged()) {
             out.println(
@@ -64,7 +64,7 @@ final class MapReport {
             }
         }
         if (result.strain() != null) {
-            tell(result.strain());
+            print(result.strain());
         }
         if (result.contradiction() != null) {
             out.println("  %-24s %.0f%% of the beams (scan %d to %d)"
@@ -121,24 +121,24 @@ final class MapReport {
                 .formatted(from.x(), from.y(), to.x(), to.y(), most.from(), most.to(), 100 * most.share()));
     }
 
-    private void tell(Strained strain) {
-        tell("wheels, at most", strain.wheels());
-        tell("scans, at most", strain.scans());
-        tell("all of them, at least", strain.all());
+    private void print(Strained strain) {
+        print("wheels, at most", strain.wheels());
+        print("scans, at most", strain.scans());
+        print("all of them, at least", strain.all());
         if (strain.blind() > 0) {
             out.println("  no scan confirms %d of %d steps: there the map is only as accurate as the odometry"
                     .formatted(strain.blind(), strain.steps()));
         }
     }
 
-    private void tell(String what, @Nullable Bent bent) {
+    private void print(String what, @Nullable Bent bent) {
         if (bent != null) {
             out.println("  %-24s bent by %.2f m, %.1f°, %.1f deviations (scan %d to %d)"
                     .formatted(what, bent.meters(), bent.degrees(), bent.deviations(), bent.from(), bent.to()));
         }
     }
 
-    private void tell(String what, @Nullable Errors errors) {
+    private void print(String what, @Nullable Errors errors) {
         if (errors != null) {
             out.println("  %-24s off %.3f m, %.2f° (%d relations)"
                     .formatted(what, errors.meters(), errors.degrees(), errors.relations()));

@@ -57,7 +57,7 @@ record MapResult(
     record Drawn(
             String log,
             int scans,
-            int untold,
+            int omitted,
             Map<String, Integer> skipped,
             int kept,
             long loops,
@@ -71,7 +71,7 @@ record MapResult(
             return new Drawn(
                     file,
                     course.stops().size(),
-                    course.untold(),
+                    course.omitted(),
                     log.skipped().counts(),
                     course.stops().size(),
                     0,

@@ -84,7 +84,7 @@ public final class CertificateCommand extends Subcommand {
                     pem(
                             "PRIVATE KEY",
                             made.getKey("rsal", password.toCharArray()).getEncoded()));
-            tell(folder, fingerprint(certificate));
+            print(folder, fingerprint(certificate));
             return Exit.SUCCESS;
         } catch (IOException | GeneralSecurityException e) {
             throw new Unreachable("No certificate can be made: %s.".formatted(e));
@@ -122,9 +122,9 @@ public final class CertificateCommand extends Subcommand {
         builder.environment().put(PASSWORD, password);
         Process keytool = builder.start();
         keytool.getOutputStream().close();
-        String told = new String(keytool.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        String reported = new String(keytool.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         if (keytool.waitFor() != 0) {
-            throw new IOException("keytool says: " + told.strip());
+            throw new IOException("keytool says: " + reported.strip());
         }
     }
 
@@ -147,7 +147,7 @@ public final class CertificateCommand extends Subcommand {
                 .formatHex(MessageDigest.getInstance("SHA-256").digest(certificate));
     }
 
-    private void tell(Destination folder, String fingerprint) {
+    private void print(Destination folder, String fingerprint) {
         String certificate = folder.resolve(CERTIFICATE).toString();
         String key = folder.resolve(KEY).toString();
         if (json) {

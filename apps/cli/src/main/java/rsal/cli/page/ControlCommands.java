@@ -153,10 +153,10 @@ public final class ControlCommands {
 
         final JsonNode command(String command, Object message) throws InterruptedException {
             if (!takesControl || !isControlled()) { // where nobody has it, all may act
-                return timed(() -> tell(command, message));
+                return timed(() -> send(command, message));
             }
             takeControl();
-            return andThen(() -> timed(() -> tell(command, message)), this::giveControlBack);
+            return andThen(() -> timed(() -> send(command, message)), this::giveControlBack);
         }
 
         interface Ending {
@@ -221,10 +221,10 @@ public final class ControlCommands {
         @Override
         protected int run() throws InterruptedException {
             if (robot.isPresent()) {
-                timed(() -> tellAtOnce("motors", motors(robot.get(), false)));
+                timed(() -> printAtOnce("motors", motors(robot.get(), false)));
                 confirm("Motors of '%s' are off".formatted(robot.get()), Map.of("robot", robot.get()));
             } else {
-                int robots = timed(() -> tellAtOnce("estop", Map.of()))
+                int robots = timed(() -> printAtOnce("estop", Map.of()))
                         .path("robots")
                         .asInt();
                 confirm("Motors of %s are off".formatted(Counted.of(robots, "robot")), Map.of("robots", robots));
@@ -357,13 +357,13 @@ public final class ControlCommands {
     }
 
     /// A goal as `/api/status` tells it.
-    private record SentTo(JsonNode told) {
-        static SentTo of(JsonNode told) {
-            return new SentTo(told);
+    private record SentTo(JsonNode reported) {
+        static SentTo of(JsonNode reported) {
+            return new SentTo(reported);
         }
 
         int number() {
-            return told.path("id").asInt();
+            return reported.path("id").asInt();
         }
 
         boolean isUnderWay() {
@@ -375,11 +375,11 @@ public final class ControlCommands {
         }
 
         private String status() {
-            return told.path("status").asString();
+            return reported.path("status").asString();
         }
 
         private double seconds() {
-            return told.path("ended").asDouble() - told.path("sent").asDouble();
+            return reported.path("ended").asDouble() - reported.path("sent").asDouble();
         }
 
         Map<String, Object> json() {
@@ -389,11 +389,11 @@ public final class ControlCommands {
                     "goal",
                     number(),
                     "robot",
-                    told.path("robot").asString(),
+                    reported.path("robot").asString(),
                     "status",
                     status(),
                     "why",
-                    told.path("why").asString(),
+                    reported.path("why").asString(),
                     "seconds",
                     seconds());
         }
@@ -401,21 +401,21 @@ public final class ControlCommands {
         /// `Goal 3 of 'robot-1' aborted after 12.0 s: A box is ahead.`
         @Override
         public String toString() {
-            String why = told.path("why").asString("");
+            String why = reported.path("why").asString("");
             return isUnderWay()
                     ? String.format(
                             Locale.ROOT,
                             "goal %d: '%s' drives to (%.2f, %.2f, %.0f°)",
                             number(),
-                            told.path("robot").asString(),
-                            told.path("x").asDouble(),
-                            told.path("y").asDouble(),
-                            Math.toDegrees(told.path("heading").asDouble()))
+                            reported.path("robot").asString(),
+                            reported.path("x").asDouble(),
+                            reported.path("y").asDouble(),
+                            Math.toDegrees(reported.path("heading").asDouble()))
                     : String.format(
                             Locale.ROOT,
                             "Goal %d of '%s' %s after %.1f s%s",
                             number(),
-                            told.path("robot").asString(),
+                            reported.path("robot").asString(),
                             status(),
                             seconds(),
                             why.isEmpty() ? "." : ": " + why);

@@ -92,7 +92,7 @@ public final class LogsCommand extends Subcommand {
         long read = 0;
         do {
             if (Files.exists(path)) { // it has become FILE.1, and the new one is not there yet
-                read = tell(path, Files.size(path) < read ? 0 : read);
+                read = print(path, Files.size(path) < read ? 0 : read);
                 out().flush();
             }
             if (follow) {
@@ -100,7 +100,7 @@ public final class LogsCommand extends Subcommand {
             }
         } while (follow);
         if (!hasFound) {
-            tellNothing();
+            printNothing();
         }
         return Exit.SUCCESS;
     }
@@ -108,7 +108,7 @@ public final class LogsCommand extends Subcommand {
     /// An empty answer looks like a run without events: a name may be mistyped.
     ///
     /// @throws InvalidSettings when the log has nothing of a name that was asked for
-    private void tellNothing() {
+    private void printNothing() {
         filters().forEach((key, wanted) -> {
             SortedSet<String> names = known.getOrDefault(key, new TreeSet<>());
             boolean isThere =
@@ -145,7 +145,7 @@ public final class LogsCommand extends Subcommand {
     /// Tells what is behind a place, up to the last whole line.
     ///
     /// @return where that ends
-    private long tell(Path path, long from) throws IOException {
+    private long print(Path path, long from) throws IOException {
         try (var input = new RandomAccessFile(path.toFile(), "r")) {
             input.seek(from);
             long end = from;
@@ -157,7 +157,7 @@ public final class LogsCommand extends Subcommand {
                 int begin = 0;
                 for (int i = rest.length; i < all.length; i++) {
                     if (all[i] == '\n') {
-                        tell(new String(all, begin, i - begin, StandardCharsets.UTF_8));
+                        print(new String(all, begin, i - begin, StandardCharsets.UTF_8));
                         end += i + 1 - begin;
                         begin = i + 1;
                     }
@@ -168,7 +168,7 @@ public final class LogsCommand extends Subcommand {
         }
     }
 
-    private void tell(String line) {
+    private void print(String line) {
         JsonNode entry;
         try {
             entry = JsonMapper.shared().readTree(line);

@@ -116,7 +116,7 @@ public final class PageChoices {
     private void keepLog(String file) {
         LogLevels levels = Objects.requireNonNull(logLevels);
         if (file.equals(STDERR)) {
-            Logging.tellAsJson(levels);
+            Logging.printAsJson(levels);
         } else {
             Logging.keep(Destination.path(file), levels);
         }

@@ -64,7 +64,7 @@ public abstract class PageCommand extends Subcommand {
     /// @return what it says of it
     /// @throws Unreachable when nobody is there or answers in time, or it is not the same person's run
     /// @throws ParameterException when it is refused, with the reason
-    final JsonNode tell(String command, Object message) throws InterruptedException {
+    final JsonNode send(String command, Object message) throws InterruptedException {
         return post("/api/run/" + command, message);
     }
 
@@ -75,7 +75,7 @@ public abstract class PageCommand extends Subcommand {
 
     /// Has control of the run from now on, for as long as the server gives it at once, also from somebody else.
     ///
-    /// @throws Unreachable as [#tell] does
+    /// @throws Unreachable as [#send] does
     final void takeControl() throws InterruptedException {
         String name = "'%s' at a terminal".formatted(spec.qualifiedName());
         post("/api/control", Map.of("name", name, "over", true));
@@ -86,11 +86,11 @@ public abstract class PageCommand extends Subcommand {
         send(page(), asOperator("/api/control").DELETE());
     }
 
-    /// As [#tell] does, of what can't wait.
+    /// As [#send] does, of what can't wait.
     ///
     /// @return what the server says of it
     /// @throws Unreachable when nobody confirms it within 3 s
-    final JsonNode tellAtOnce(String command, Object message) throws InterruptedException {
+    final JsonNode printAtOnce(String command, Object message) throws InterruptedException {
         return send(new PageClient(port(), EMERGENCY), posted("/api/run/" + command, message));
     }
 

@@ -124,7 +124,7 @@ public final class PageRuns {
             if (endpoints.port() == null && server.url().getPort() != DEFAULT_PORT) {
                 err.println(otherPort(server.url().getPort()));
             }
-            endpoints.listening().ifPresent(listening -> tellListening(listening, server.token(), err));
+            endpoints.listening().ifPresent(listening -> printListening(listening, server.token(), err));
             while (true) {
                 LiveRun run = runs.take();
                 eye.began(run);
@@ -148,7 +148,7 @@ public final class PageRuns {
                 .formatted(DEFAULT_PORT, port, port);
     }
 
-    private static void tellListening(Listening listening, String token, PrintWriter err) {
+    private static void printListening(Listening listening, String token, PrintWriter err) {
         ReachableHosts.of(listening)
                 .forEach(host -> err.println("From other machines: https://%s:%d/#token=%s"
                         .formatted(host, listening.address().getPort(), token)));

@@ -44,20 +44,20 @@ final class RunLog {
     static void follow(LiveRun run) {
         if (LOG.isWarnEnabled()) {
             var log = new RunLog(run);
-            run.onEvents(log::tell);
-            run.result().whenComplete((_, _) -> log.tell());
+            run.onEvents(log::print);
+            run.result().whenComplete((_, _) -> log.print());
         }
     }
 
     /// On threads of the run and of who asks, one at a time.
-    private synchronized void tell() {
+    private synchronized void print() {
         for (RunEvent event : run.events(last)) {
             last = event.sequence();
-            tell(event);
+            print(event);
         }
     }
 
-    private void tell(RunEvent event) {
+    private void print(RunEvent event) {
         LoggingEventBuilder entry = LOG.atLevel(level(event.kind()))
                 .addKeyValue("run", name)
                 .addKeyValue("simulatedSeconds", event.time().toNanos() / 1e9)

@@ -56,10 +56,10 @@ public final class TellCommand extends ControlCommands.Controlled {
                                                 .toList()))));
         Arguments arguments = arguments(command);
         JsonNode answer = command.isSafe().test(arguments)
-                ? timed(() -> tellAtOnce(command.name(), arguments.written()))
+                ? timed(() -> printAtOnce(command.name(), arguments.written()))
                 : command(command.name(), arguments.written());
-        var told = new LinkedHashMap<String, Object>();
-        answer.properties().forEach(each -> told.put(each.getKey(), each.getValue()));
+        var reported = new LinkedHashMap<String, Object>();
+        answer.properties().forEach(each -> reported.put(each.getKey(), each.getValue()));
         String facts = answer.properties().stream()
                 .map(each -> ", %s %s"
                         .formatted(
@@ -68,7 +68,7 @@ public final class TellCommand extends ControlCommands.Controlled {
                                         ? "'" + each.getValue().asString() + "'"
                                         : each.getValue()))
                 .collect(Collectors.joining());
-        confirm("'%s' is done%s".formatted(command.name(), facts), told);
+        confirm("'%s' is done%s".formatted(command.name(), facts), reported);
         return Exit.SUCCESS;
     }
 

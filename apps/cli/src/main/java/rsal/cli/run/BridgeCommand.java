@@ -130,7 +130,7 @@ public final class BridgeCommand extends Subcommand {
         RunPlan asked = reference.load().plan(options(reference.configuration()));
         RunPlan plan = noAgents ? asked.unmanned() : asked;
         checkServices(plan);
-        tellNotes(plan);
+        printNotes(plan);
         return RunCommand.exit(page ? runWithPage(plan, provider, at) : run(plan, provider, at));
     }
 
@@ -140,7 +140,7 @@ public final class BridgeCommand extends Subcommand {
             offer(run, provider, at);
             RunResult result = new Progress(err(), false).await(run);
             ending.checkNoSignal();
-            tell(plan, result);
+            printResult(plan, result);
             return result;
         }
     }
@@ -154,13 +154,13 @@ public final class BridgeCommand extends Subcommand {
 
             @Override
             public void ended(LiveRun run, RunResult result) {
-                tell(run.plan(), result);
+                printResult(run.plan(), result);
             }
         });
     }
 
     private void offer(LiveRun run, BridgeProvider provider, InetSocketAddress at) throws Exception {
-        tell(
+        printAnswer(
                 at,
                 run.operator()
                         .bridge(provider, at, timeout.limit())
@@ -168,7 +168,7 @@ public final class BridgeCommand extends Subcommand {
                         .get());
     }
 
-    private void tell(RunPlan plan, RunResult result) {
+    private void printResult(RunPlan plan, RunResult result) {
         if (!json) { // that is what was offered
             print(plan, result);
         }
@@ -215,7 +215,7 @@ public final class BridgeCommand extends Subcommand {
         }
     }
 
-    private void tell(InetSocketAddress at, Answer answer) {
+    private void printAnswer(InetSocketAddress at, Answer answer) {
         switch (answer) {
             case Answer.Bridged(List<ExportedDevice> offers) -> {
                 if (json) {

@@ -122,7 +122,7 @@ public final class RunCommand extends Subcommand {
     protected int run() throws Exception {
         ScenarioReference reference = ScenarioReference.parse(scenario);
         RunPlan plan = reference.load().plan(options(reference.configuration()));
-        tellNotes(plan);
+        printNotes(plan);
         if (headless && plan.scenario().isWorld() && plan.stops().isEmpty() && limit == null) {
             throw new ParameterException(
                     spec.commandLine(), "A world has no end of its own: without a page, say --for SECONDS.");

@@ -70,7 +70,7 @@ public final class ValidateCommand extends Subcommand {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         } catch (InvalidSettings mistakes) {
-            tell(String.valueOf(mistakes.getMessage()));
+            print(String.valueOf(mistakes.getMessage()));
             return Checked.wrong(file, mistakes);
         }
     }
@@ -84,17 +84,17 @@ public final class ValidateCommand extends Subcommand {
                     RunOptions.NONE.withConfiguration(reference.configuration().get()));
             found.addAll(plan.scene().warnings());
             found.addAll(plan.notes());
-            tell(file + ": valid");
+            print(file + ": valid");
         } else {
             scenario.check(plan -> {
                 found.addAll(plan.scene().warnings());
                 found.addAll(plan.notes());
             });
             int configurations = scenario.configurations().size();
-            tell("%s: valid, %d configuration%s".formatted(file, configurations, configurations == 1 ? "" : "s"));
+            print("%s: valid, %d configuration%s".formatted(file, configurations, configurations == 1 ? "" : "s"));
         }
         var notes = List.copyOf(found);
-        notes.forEach(note -> tell(Mistake.note(note)));
+        notes.forEach(note -> print(Mistake.note(note)));
         return Checked.right(file, notes);
     }
 
@@ -114,8 +114,8 @@ public final class ValidateCommand extends Subcommand {
             case RECORDING -> RecordingFile.open(file, true).close();
             case LOG, BAG, IMAGE, WORLD -> throw kind.refusal(file);
         }
-        tell("%s: valid, %s".formatted(file, what));
-        warnings.forEach(warning -> tell(Mistake.note(warning)));
+        print("%s: valid, %s".formatted(file, what));
+        warnings.forEach(warning -> print(Mistake.note(warning)));
         return Checked.right(file, warnings);
     }
 
@@ -125,7 +125,7 @@ public final class ValidateCommand extends Subcommand {
         if (!scene.robots().isEmpty()) {
             Scenario.load(file).check();
         }
-        tell("%s: valid, a world with %s"
+        print("%s: valid, a world with %s"
                 .formatted(
                         file,
                         switch (scene.robots().size()) {
@@ -133,11 +133,11 @@ public final class ValidateCommand extends Subcommand {
                             case 1 -> "1 robot";
                             default -> scene.robots().size() + " robots";
                         }));
-        scene.warnings().forEach(warning -> tell(ShownWorld.line(warning)));
+        scene.warnings().forEach(warning -> print(ShownWorld.line(warning)));
         return Checked.right(file, scene.warnings());
     }
 
-    private void tell(String text) {
+    private void print(String text) {
         if (!json) {
             out().println(text);
             out().flush();

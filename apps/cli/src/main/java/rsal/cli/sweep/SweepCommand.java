@@ -135,7 +135,7 @@ public final class SweepCommand extends Subcommand {
                 "Say either SCENARIO:CONFIGURATION or --configuration.");
         Scenario loaded = reference.load();
         Sweep sweep = Sweep.of(loaded, design(loaded, reference.configuration()));
-        tellNotes(sweep);
+        printNotes(sweep);
         Path folder = Destination.path(out);
         try (SweepFolder opened = open(folder, sweep, reference.nameOrFile())) {
             runAll(sweep, opened, record ? new SweepRecordings(folder, String.join(" ", command())) : Recordings.NONE);
@@ -239,7 +239,7 @@ public final class SweepCommand extends Subcommand {
         return range.seeds();
     }
 
-    private void tellNotes(Sweep sweep) {
+    private void printNotes(Sweep sweep) {
         sweep.notes().forEach(note -> err().println(Mistake.note(note)));
     }
 

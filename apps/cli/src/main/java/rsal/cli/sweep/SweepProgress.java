@@ -21,7 +21,7 @@ final class SweepProgress {
     private final int wanted;
     private final boolean terminal = Terminal.showsProgress();
     private long began;
-    private long told;
+    private long reported;
     private int before; // had ended in an earlier session
     private int ended;
     private int broken;
@@ -39,7 +39,7 @@ final class SweepProgress {
         ended = before;
         broken = (int) there.stream().filter(Row::isBroken).count();
         began = System.nanoTime();
-        told = began;
+        reported = began;
         err.println(
                 before == 0
                         ? "%s, %d at once; Ctrl-C breaks it off.".formatted(Counted.of(wanted, "run"), jobs)
@@ -58,8 +58,8 @@ final class SweepProgress {
         long now = System.nanoTime();
         if (terminal) {
             draw();
-        } else if (now - told >= PERIOD_NANOS) {
-            told = now;
+        } else if (now - reported >= PERIOD_NANOS) {
+            reported = now;
             err.println(line(ended, before, wanted, broken, Duration.ofNanos(now - began)));
         }
     }

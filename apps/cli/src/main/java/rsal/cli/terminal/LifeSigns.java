@@ -6,7 +6,7 @@ import java.util.concurrent.TimeUnit;
 /// nobody waits in doubt and what runs for days leaves no long log.
 public final class LifeSigns {
     private long next = TimeUnit.SECONDS.toNanos(10);
-    private boolean toldPause;
+    private boolean reportedPause;
 
     /// @param passed since it began [ns]
     public boolean isDue(long passed) {
@@ -21,8 +21,8 @@ public final class LifeSigns {
     ///
     /// @param passed since it began [ns]
     public boolean isDue(long passed, boolean paused) {
-        boolean due = isDue(passed) && !(paused && toldPause);
-        toldPause = paused && (toldPause || due);
+        boolean due = isDue(passed) && !(paused && reportedPause);
+        reportedPause = paused && (reportedPause || due);
         return due;
     }
 }

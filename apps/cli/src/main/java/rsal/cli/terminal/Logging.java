@@ -87,7 +87,7 @@ public final class Logging extends ContextAwareBase implements Configurator {
     }
 
     /// Tells everything our own code has to say from now on.
-    static void tellMore() {
+    static void printMore() {
         FOR_PEOPLE.setLevel(Level.DEBUG.toString());
         WITHOUT_OWN_CODE.stop();
         context().getLogger(OURS).setLevel(Level.DEBUG);
@@ -128,7 +128,7 @@ public final class Logging extends ContextAwareBase implements Configurator {
     }
 
     /// Writes logs to stderr as [JsonLines] from now on, as containers collect them.
-    public static void tellAsJson(LogLevels levels) {
+    public static void printAsJson(LogLevels levels) {
         STDERR.stop();
         STDERR.setEncoder(jsonLines());
         STDERR.clearAllFilters(); // the levels alone decide

@@ -35,7 +35,7 @@ public abstract class Subcommand implements Callable<Integer> {
     @Override
     public final Integer call() throws Exception {
         if (debug) {
-            Logging.tellMore();
+            Logging.printMore();
         }
         return run();
     }
@@ -48,7 +48,7 @@ public abstract class Subcommand implements Callable<Integer> {
     }
 
     /// Tells what of a run may not be meant.
-    protected final void tellNotes(RunPlan plan) {
+    protected final void printNotes(RunPlan plan) {
         plan.scene().warnings().forEach(warning -> err().println(warning));
         plan.notes().forEach(note -> err().println(Mistake.note(note)));
     }

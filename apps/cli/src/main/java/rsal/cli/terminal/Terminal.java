@@ -24,9 +24,9 @@ public final class Terminal {
     /// @param property `true`, or `ask` where the launcher can't tell
     @SuppressWarnings("SystemConsoleNull") // since JDK 25, it returns null again where there is none (JDK-8351435)
     private static boolean isOn(String property) {
-        String told = System.getProperty(property, "");
-        if (!told.equals("ask")) {
-            return Boolean.parseBoolean(told);
+        String reported = System.getProperty(property, "");
+        if (!reported.equals("ask")) {
+            return Boolean.parseBoolean(reported);
         }
         Console console = System.console();
         return console != null && console.isTerminal();

@@ -25,7 +25,7 @@ class LogOptionsTest {
     @TempDir
     Path folder;
 
-    private String told(String command, String log) throws IOException {
+    private String reported(String command, String log) throws IOException {
         Path file = Files.writeString(folder.resolve("room.log"), log);
         var err = new StringWriter();
         var rsal = Main.commandLine(new ByteArrayOutputStream());
@@ -43,7 +43,7 @@ class LogOptionsTest {
     @ValueSource(strings = {"map", "localize"})
     void tellsThatHeadingsAreDegrees(String command) throws IOException {
         String degrees = HEADINGS.matcher(RoomLog.whole()).replaceAll(LogOptionsTest::inDegrees);
-        assertThat(told(command, degrees).lines().filter(line -> line.contains("probably degrees")))
+        assertThat(reported(command, degrees).lines().filter(line -> line.contains("probably degrees")))
                 .singleElement()
                 .satisfies(line -> assertThat(line).contains("room.log", "179.5", "multiply them by π / 180"));
     }
@@ -62,7 +62,7 @@ class LogOptionsTest {
     @ValueSource(strings = {"map", "localize"})
     void tellsThatAllScansHaveOneTime(String command) throws IOException {
         String oneTime = RoomLog.whole().replaceAll("(?m) \\S+ h \\S+$", " 12.5 h 12.5");
-        assertThat(told(command, oneTime).lines().filter(line -> line.contains("one time")))
+        assertThat(reported(command, oneTime).lines().filter(line -> line.contains("one time")))
                 .singleElement()
                 .satisfies(line -> assertThat(line).contains("All 41 scans", "room.log", "12.500 s"));
     }
@@ -70,6 +70,6 @@ class LogOptionsTest {
     @ParameterizedTest
     @ValueSource(strings = {"map", "localize"})
     void saysNothingOfAnOrdinaryLog(String command) throws IOException {
-        assertThat(told(command, RoomLog.whole())).doesNotContain("degrees", "one time");
+        assertThat(reported(command, RoomLog.whole())).doesNotContain("degrees", "one time");
     }
 }

@@ -16,13 +16,13 @@ import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 
 class RobotRecordingsTest {
-    private final StringWriter told = new StringWriter();
+    private final StringWriter reported = new StringWriter();
 
     @TempDir
     private Path folder;
 
     private void run(Optional<String> recorded) throws Exception {
-        try (var recordings = new RobotRecordings("ros2", recorded, false, new PrintWriter(told))) {
+        try (var recordings = new RobotRecordings("ros2", recorded, false, new PrintWriter(reported))) {
             RunBuilder builder = LiveRun.of(Scenario.load("hunt-and-prey")
                     .plan(RunOptions.NONE.withSpeed(Double.POSITIVE_INFINITY).withLimit(Duration.ofSeconds(1))));
             recordings.begin().ifPresent(builder::recorder);
@@ -37,13 +37,13 @@ class RobotRecordingsTest {
     @Test
     void whatIsNotRecordedIsNotReported() throws Exception {
         run(Optional.empty());
-        assertThat(told.toString()).isEmpty();
+        assertThat(reported.toString()).isEmpty();
     }
 
     @Test
     void theFolderOfARecordingIsReported() throws Exception {
         String bag = folder.resolve("bag").toString();
         run(Optional.of(bag));
-        assertThat(told.toString()).isEqualTo("Recorded to " + bag + System.lineSeparator());
+        assertThat(reported.toString()).isEqualTo("Recorded to " + bag + System.lineSeparator());
     }
 }

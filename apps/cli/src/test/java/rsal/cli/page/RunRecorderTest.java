@@ -21,7 +21,7 @@ import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
 
 class RunRecorderTest {
-    private final StringWriter told = new StringWriter();
+    private final StringWriter reported = new StringWriter();
 
     @TempDir
     Path folder;
@@ -34,14 +34,15 @@ class RunRecorderTest {
         Path next = folder.resolve("run-2.mcap");
         RunPlan plan = Scenario.load("hunt-and-prey")
                 .plan(RunOptions.NONE.withSpeed(Double.POSITIVE_INFINITY).withLimit(Duration.ofSeconds(3)));
-        try (RunRecorder recorder = RunRecorder.to(Optional.of(file.toString()), false, true, new PrintWriter(told))) {
+        try (RunRecorder recorder =
+                RunRecorder.to(Optional.of(file.toString()), false, true, new PrintWriter(reported))) {
             LiveRun first = record(plan, recorder);
             LiveRun second = record(plan, recorder);
-            assertThat(told.toString()).contains("Recorded to " + file);
+            assertThat(reported.toString()).contains("Recorded to " + file);
             recorder.end(first);
-            assertThat(told.toString()).doesNotContain(next.toString());
+            assertThat(reported.toString()).doesNotContain(next.toString());
             recorder.end(second);
-            assertThat(told.toString()).contains("Recorded to " + next);
+            assertThat(reported.toString()).contains("Recorded to " + next);
             assertThat(recorder.tally()).contains(new Recorder.Tally(Files.size(file) + Files.size(next), 0, 0));
         }
         for (Path each : new Path[] {file, next}) {

@@ -16,7 +16,7 @@ class TellCommandTest {
     private final StringWriter out = new StringWriter();
     private final StringWriter err = new StringWriter();
 
-    private int tell(String... words) {
+    private int send(String... words) {
         return new CommandLine(new TellCommand())
                 .setOut(new PrintWriter(out))
                 .setErr(new PrintWriter(err))
@@ -25,7 +25,7 @@ class TellCommandTest {
 
     @Test
     void listsAllCommandsWithTheirParameters() {
-        assertThat(tell()).isEqualTo(Exit.SUCCESS);
+        assertThat(send()).isEqualTo(Exit.SUCCESS);
         assertThat(OperatorCommands.ALL).hasSizeGreaterThan(20);
         for (OperatorCommand command : OperatorCommands.ALL) {
             assertThat(out.toString()).contains(command.name() + " ", command.description());
@@ -43,7 +43,7 @@ class TellCommandTest {
             pause now                   | A parameter is NAME=VALUE, not 'now'.
             """)
     void saysWhatIsWrongBeforeAnybodyIsAsked(String words, String why) {
-        assertThat(tell(words.split(" ", -1))).isEqualTo(Exit.USAGE);
+        assertThat(send(words.split(" ", -1))).isEqualTo(Exit.USAGE);
         assertThat(err.toString()).contains(why);
         assertThat(out.toString()).isEmpty();
     }

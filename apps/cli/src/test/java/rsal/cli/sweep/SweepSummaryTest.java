@@ -8,8 +8,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 class SweepSummaryTest {
     @ParameterizedTest
     @CsvSource({"0, false", "1, false", "2, true", "4, true", "5, false", "10, false"})
-    void saysWhyIntervalsOfFewRunsAreWide(int runs, boolean told) {
+    void saysWhyIntervalsOfFewRunsAreWide(int runs, boolean reported) {
         assertThat(SweepSummary.aboutFewRuns(runs).contains("only %d runs".formatted(runs)))
-                .isEqualTo(told);
+                .isEqualTo(reported);
     }
 }

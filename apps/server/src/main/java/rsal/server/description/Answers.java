@@ -18,11 +18,12 @@ public final class Answers {
     private Answers() {}
 
     public static void whenDone(Context request, CompletionStage<Answer> stage) {
-        whenDone(request, stage, told -> ReadingWords.of(told.readings()));
+        whenDone(request, stage, reported -> ReadingWords.of(reported.readings()));
     }
 
-    /// @param told how readings are answered
-    public static void whenDone(Context request, CompletionStage<Answer> stage, Function<Answer.Read, Record> told) {
+    /// @param reported how readings are answered
+    public static void whenDone(
+            Context request, CompletionStage<Answer> stage, Function<Answer.Read, Record> reported) {
         // not on the run's thread, which has better to do than to write
         request.future(() -> stage.thenAcceptAsync(
                         answer -> {
@@ -33,7 +34,7 @@ public final class Answers {
                                 case Answer.Stopped(int robots) -> Http.answer(request, new Stopped(robots));
                                 case Answer.Armed(int on, var off) -> Http.answer(request, new Armed(on, off));
                                 case Answer.Able(var abilities) -> Http.answer(request, RobotAbilities.of(abilities));
-                                case Answer.Read read -> Http.answer(request, told.apply(read));
+                                case Answer.Read read -> Http.answer(request, reported.apply(read));
                                 case Answer.Heard(var all) -> Http.answer(request, Descriptions.communication(all));
                                 case Answer.Counted(var topics) -> Http.answer(request, Descriptions.topics(topics));
                                 case Answer.Bridged _ -> throw new IllegalStateException("No page asks for a bridge.");

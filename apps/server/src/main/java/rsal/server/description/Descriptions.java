@@ -230,9 +230,9 @@ public final class Descriptions {
         return new Communication(hearings(all));
     }
 
-    public static Links links(Answer.Linked told) {
+    public static Links links(Answer.Linked reported) {
         return new Links(
-                told.links().stream()
+                reported.links().stream()
                         .map(link -> new LinkInfo(
                                 link.one(),
                                 link.other(),
@@ -241,7 +241,7 @@ public final class Descriptions {
                                 link.there().used(),
                                 link.back().used()))
                         .toList(),
-                told.ofChosen());
+                reported.ofChosen());
     }
 
     public static Sayables sayable(List<OperatorMessage> all) {

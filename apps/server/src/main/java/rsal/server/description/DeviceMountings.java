@@ -22,8 +22,8 @@ public final class DeviceMountings {
                 .toList());
     }
 
-    private static List<Pose2d> baseFromSensors(Object told) {
-        return switch (told) {
+    private static List<Pose2d> baseFromSensors(Object reported) {
+        return switch (reported) {
             case LaserScan scan -> List.of(scan.baseFromLaser());
             case RangeArray array -> array.baseFromSensors();
             case Blobs seen -> List.of(seen.baseFromCamera());

@@ -16,10 +16,10 @@ public final class PlottableNumbers {
 
     private PlottableNumbers() {}
 
-    public static PlottedNumbers of(Answer.Read told) {
+    public static PlottedNumbers of(Answer.Read reported) {
         return new PlottedNumbers(
-                told.time().toNanos() / 1e9,
-                told.readings().stream()
+                reported.time().toNanos() / 1e9,
+                reported.readings().stream()
                         .map(reading -> new DeviceNumbers(
                                 reading.device(), of(reading.value().value())))
                         .filter(device -> !device.numbers().isEmpty())

@@ -59,14 +59,14 @@ public final class ReadingWords {
     }
 
     private static ReadingInfo info(Reading reading) {
-        Object told = reading.value().value();
-        List<Fact> facts = facts(told);
+        Object reported = reading.value().value();
+        List<Fact> facts = facts(reported);
         return new ReadingInfo(
                 reading.device(),
                 facts.stream().limit(MOST_FACTS).toList(),
                 Math.max(0, facts.size() - MOST_FACTS),
                 reading.age().toMillis() / 1e3,
-                told instanceof Picture picture ? Optional.of(image(picture)) : Optional.empty());
+                reported instanceof Picture picture ? Optional.of(image(picture)) : Optional.empty());
     }
 
     /// Every n-th pixel each way, so that it is small enough to be sent several times a second.

@@ -17,7 +17,7 @@ public final class ObjectTracker {
     public static final int MOST_CORNERS = 200_000;
 
     private final int run;
-    private final Map<Integer, Standing> told = new HashMap<>(); // as they were when they were told
+    private final Map<Integer, Standing> reported = new HashMap<>(); // as they were when they were told
     private List<Standing> seen = List.of();
     private List<Standing> moved = List.of();
     private ObjectRegistry roster;
@@ -38,20 +38,20 @@ public final class ObjectTracker {
         var away = new ArrayList<Standing>();
         for (Standing thing : things) {
             last = Math.max(last, thing.number());
-            Standing before = told.get(thing.number());
+            Standing before = reported.get(thing.number());
             present += before == null ? 0 : 1;
             if (before != null && isElsewhere(before, thing)) {
                 away.add(thing);
             }
         }
         moved = List.copyOf(away);
-        if (last > newest || present < told.size() || things.size() != told.size() + roster.left()) {
+        if (last > newest || present < reported.size() || things.size() != reported.size() + roster.left()) {
             newest = last;
-            tell(things);
+            publish(things);
         }
     }
 
-    private void tell(List<Standing> things) {
+    private void publish(List<Standing> things) {
         var all = new LinkedHashMap<Integer, ThingInfo>();
         var stay = new HashMap<Integer, Standing>();
         int corners = 0;
@@ -62,16 +62,16 @@ public final class ObjectTracker {
             ThingInfo known = roster.all().get(thing.number());
             ThingInfo info = known == null ? AppearanceEncoder.thing(thing) : known;
             all.put(thing.number(), info);
-            stay.put(thing.number(), told.getOrDefault(thing.number(), thing));
+            stay.put(thing.number(), reported.getOrDefault(thing.number(), thing));
             corners += ObjectRegistry.corners(info);
         }
-        told.clear();
-        told.putAll(stay);
+        reported.clear();
+        reported.putAll(stay);
         roster = new ObjectRegistry(run, all, things.size() - all.size());
     }
 
-    private static boolean isElsewhere(Standing told, Standing now) {
-        return !now.mapFromThing().equals(told.mapFromThing()) || now.height() != told.height();
+    private static boolean isElsewhere(Standing reported, Standing now) {
+        return !now.mapFromThing().equals(reported.mapFromThing()) || now.height() != reported.height();
     }
 
     public ObjectRegistry roster() {

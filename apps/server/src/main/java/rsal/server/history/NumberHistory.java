@@ -88,8 +88,8 @@ public final class NumberHistory {
                     .whenCompleteAsync( // not on the run's thread, which has better to do than to look through records
                             (answer, _) -> {
                                 asked.decrementAndGet();
-                                if (answer instanceof Answer.Read told) {
-                                    keep(robot, PlottableNumbers.of(told));
+                                if (answer instanceof Answer.Read reported) {
+                                    keep(robot, PlottableNumbers.of(reported));
                                 }
                             },
                             Thread::startVirtualThread);

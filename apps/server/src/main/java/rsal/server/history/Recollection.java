@@ -66,8 +66,8 @@ public final class Recollection {
                     .minds(chosen(now))
                     .whenCompleteAsync( // not on the run's thread, which has better to do than to count
                             (answer, _) -> {
-                                if (answer instanceof Answer.Minded(Duration time, var told)) {
-                                    keepMinds(time, told);
+                                if (answer instanceof Answer.Minded(Duration time, var reported)) {
+                                    keepMinds(time, reported);
                                 }
                                 asking.set(false);
                             },
@@ -110,27 +110,27 @@ public final class Recollection {
     }
 
     private static Reading packed(Reading reading, List<Reading> before) {
-        Stamped<?> told = reading.value();
-        if (!(told.value() instanceof OccupancyGrid map)) {
+        Stamped<?> reported = reading.value();
+        if (!(reported.value() instanceof OccupancyGrid map)) {
             return reading;
         }
         Stamped<?> kept = before.stream()
                 .filter(other -> other.device().equals(reading.device()))
                 .<Stamped<?>>map(Reading::value)
-                .filter(other -> other.time().equals(told.time()) && other.value() instanceof PackedMap)
+                .filter(other -> other.time().equals(reported.time()) && other.value() instanceof PackedMap)
                 .findFirst()
-                .orElseGet(() -> new Stamped<>(told.time(), told.frame(), PackedMap.of(map)));
+                .orElseGet(() -> new Stamped<>(reported.time(), reported.frame(), PackedMap.of(map)));
         return new Reading(reading.device(), kept, reading.age());
     }
 
-    private synchronized void keepMinds(Duration time, Map<String, Mind.View> told) {
+    private synchronized void keepMinds(Duration time, Map<String, Mind.View> reported) {
         if (!minds.isDue(time)) {
             return;
         }
         Map<String, Mind.View> before =
                 minds.at(time).map(DownsampledSeries.Entry::value).orElse(Map.of());
         var all = new HashMap<String, Mind.View>();
-        told.forEach((name, mind) -> {
+        reported.forEach((name, mind) -> {
             Mind.View known = before.get(name);
             all.put(name, mind.equals(known) ? known : mind);
         });
@@ -187,8 +187,10 @@ public final class Recollection {
                 .findFirst();
     }
 
-    private static Stamped<?> unpacked(Stamped<?> told) {
-        return told.value() instanceof PackedMap packed ? new Stamped<>(told.time(), told.frame(), packed.map()) : told;
+    private static Stamped<?> unpacked(Stamped<?> reported) {
+        return reported.value() instanceof PackedMap packed
+                ? new Stamped<>(reported.time(), reported.frame(), packed.map())
+                : reported;
     }
 
     /// Which robots' agents heard each other; of very many robots none.

@@ -6,7 +6,7 @@ import java.util.HashSet;
 import java.util.Set;
 import rsal.engine.report.Answer;
 import rsal.recording.Playback;
-import rsal.recording.Playback.Told;
+import rsal.recording.Playback.Reported;
 import rsal.server.description.PlottableNumbers;
 import rsal.server.message.Messages.PastNumbers;
 
@@ -41,8 +41,8 @@ public final class RecordedNumbers {
         Duration spacing = until.minus(playback.from()).dividedBy(MOST_SAMPLES);
         for (Duration from = playback.from().minusNanos(1); from.compareTo(until) < 0; from = from.plus(PIECE)) {
             Duration end = from.plus(PIECE);
-            for (Told told : playback.told(robot, from, end.compareTo(until) < 0 ? end : until, spacing)) {
-                history.keep(robot, PlottableNumbers.of(new Answer.Read(told.time(), told.readings())));
+            for (Reported reported : playback.reported(robot, from, end.compareTo(until) < 0 ? end : until, spacing)) {
+                history.keep(robot, PlottableNumbers.of(new Answer.Read(reported.time(), reported.readings())));
             }
         }
     }

@@ -41,7 +41,7 @@ public final class RecordedPast implements Past {
     private final List<String> robots;
     private final CompletableFuture<RunResult> result;
     private final FrameEncoder encoder = new FrameEncoder();
-    private final Map<Integer, Standing> told = new HashMap<>(); // things as viewers are told of them
+    private final Map<Integer, Standing> reported = new HashMap<>(); // things as viewers are told of them
     private Map<Integer, ThingInfo> infos = Map.of(); // of those that are there
     private ObjectRegistry roster = new ObjectRegistry(RUN, Map.of(), 0);
 
@@ -129,7 +129,7 @@ public final class RecordedPast implements Past {
             if (all.size() == ObjectTracker.MOST_THINGS || corners >= ObjectTracker.MOST_CORNERS) {
                 break;
             }
-            Standing first = told.computeIfAbsent(thing.number(), _ -> thing);
+            Standing first = reported.computeIfAbsent(thing.number(), _ -> thing);
             ThingInfo info = infos.get(thing.number());
             ThingInfo own = info == null ? AppearanceEncoder.thing(first) : info;
             all.put(thing.number(), own);

@@ -40,10 +40,10 @@ final class RunFeed implements Feed {
         this.run = run;
         surveyor = new ObjectTracker(run.number());
         seen = run.run().snapshot();
-        tell(run.team(seen));
+        send(run.team(seen));
     }
 
-    private void tell(List<Teammate> all) {
+    private void send(List<Teammate> all) {
         team = all;
         robots = all.stream().map(mate -> mate.spec().id()).toList();
         info = Json.write(
@@ -62,7 +62,7 @@ final class RunFeed implements Feed {
         Snapshot snapshot = run.run().snapshot();
         boolean changed = snapshot.sequence() != shown;
         if (snapshot.team().size() > robots.size()) {
-            tell(snapshot.team());
+            send(snapshot.team());
         }
         surveyor.look(snapshot.things());
         boolean all = pauses >= FRAMES_PER_DETAILS;

@@ -62,7 +62,7 @@ public final class Viewer {
     private long details; // their version; 0 is none
     private int robots;
     private final Set<Integer> things = new HashSet<>(); // their numbers
-    private @Nullable ObjectRegistry told; // all of it
+    private @Nullable ObjectRegistry reported; // all of it
     private long eventsSent;
     private long eventsTaken;
     private int offersWaited; // since it last took something
@@ -154,10 +154,10 @@ public final class Viewer {
             robots = feed.robots();
         }
         ObjectRegistry roster = feed.things();
-        if (!roster.equals(told)) {
+        if (!roster.equals(reported)) {
             Optional<Things> news = roster.news(things);
             news.ifPresent(some -> send(Kind.THINGS, Json.write(ServerMessage.of(some))));
-            told = news.isPresent() ? null : roster;
+            reported = news.isPresent() ? null : roster;
         }
     }
 
@@ -209,7 +209,7 @@ public final class Viewer {
         details = 0;
         robots = feed.robots();
         things.clear();
-        told = null;
+        reported = null;
         eventsSent = 0;
         eventsTaken = 0;
         send(Kind.RUN, feed.info());

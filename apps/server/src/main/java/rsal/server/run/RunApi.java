@@ -71,10 +71,10 @@ public final class RunApi {
             Answers.whenDone(request, links(request));
         });
         routes.get("/api/blobs", request -> {
-            Answers.whenDone(request, readings(request), told -> CameraViews.of(told.readings()));
+            Answers.whenDone(request, readings(request), reported -> CameraViews.of(reported.readings()));
         });
         routes.get("/api/mounts", request -> {
-            Answers.whenDone(request, readings(request), told -> DeviceMountings.of(told.readings()));
+            Answers.whenDone(request, readings(request), reported -> DeviceMountings.of(reported.readings()));
         });
         routes.get("/api/costs", request -> {
             Answers.whenDone(request, slots.running(request).inspector().costs(Http.parameter(request, "robot")));
@@ -145,8 +145,8 @@ public final class RunApi {
     }
 
     /// Not on the run's thread, which has better to do.
-    private static CompletionStage<Answer> later(CompletionStage<Answer> stage, UnaryOperator<Answer> told) {
-        return stage.thenApplyAsync(told, Thread::startVirtualThread);
+    private static CompletionStage<Answer> later(CompletionStage<Answer> stage, UnaryOperator<Answer> reported) {
+        return stage.thenApplyAsync(reported, Thread::startVirtualThread);
     }
 
     static RunInfo info(Numbered now) {

@@ -45,7 +45,7 @@ final class BackgroundSweep implements AutoCloseable {
     private final long began = System.nanoTime();
     private final Thread thread;
     private volatile State state = new State(SweepStatus.RUNS, "");
-    private @Nullable Told told;
+    private @Nullable Reported reported;
     private @Nullable Page report;
 
     /// What is to be done.
@@ -59,7 +59,7 @@ final class BackgroundSweep implements AutoCloseable {
     private record State(SweepStatus status, String problem) {}
 
     /// What is told of the rows that were there, which takes a while to work out.
-    private record Told(Findings findings, SweepDescription description) {
+    private record Reported(Findings findings, SweepDescription description) {
         int rows() {
             return findings.rows().size();
         }
@@ -122,10 +122,10 @@ final class BackgroundSweep implements AutoCloseable {
 
     SweepInfo info() {
         State now = state; // before rows are counted: those that hear of its end get all rows
-        Told told = told();
+        Reported reported = reported();
         int runs = order.sweep().trials().size();
         Optional<Duration> left = now.status() == SweepStatus.RUNS
-                ? new Pace(runs, before, told.rows(), Duration.ofNanos(System.nanoTime() - began)).left()
+                ? new Pace(runs, before, reported.rows(), Duration.ofNanos(System.nanoTime() - began)).left()
                 : Optional.empty();
         return new SweepInfo(
                 order.number(),
@@ -137,18 +137,18 @@ final class BackgroundSweep implements AutoCloseable {
                 order.out().toString(),
                 order.jobs(),
                 runs,
-                told.rows(),
-                told.description().broken(),
+                reported.rows(),
+                reported.description().broken(),
                 left.map(duration -> duration.toMillis() / 1e3),
-                told.description().metrics(),
-                told.description().combinations());
+                reported.description().metrics(),
+                reported.description().combinations());
     }
 
     /// The page that `rsal report` writes.
     ///
     /// @throws Refusal while there is nothing to report
     synchronized String report() {
-        Told now = told();
+        Reported now = reported();
         if (now.rows() == 0) {
             throw new Refusal(409, "No run has ended yet.");
         }
@@ -164,7 +164,7 @@ final class BackgroundSweep implements AutoCloseable {
     ///
     /// @throws Refusal when there is no such combination
     SweepRuns runs(String label) {
-        Findings findings = told().findings();
+        Findings findings = reported().findings();
         List<Row> rows = findings.design().combinations().stream()
                 .filter(combination -> findings.label(combination).equals(label))
                 .findFirst()
@@ -192,12 +192,12 @@ final class BackgroundSweep implements AutoCloseable {
         }
     }
 
-    private synchronized Told told() {
-        Told known = told;
+    private synchronized Reported reported() {
+        Reported known = reported;
         if (known == null || known.rows() != folder.rows().size()) {
             Findings findings = folder.findings();
-            known = new Told(findings, SweepDescription.of(findings));
-            told = known;
+            known = new Reported(findings, SweepDescription.of(findings));
+            reported = known;
         }
         return known;
     }

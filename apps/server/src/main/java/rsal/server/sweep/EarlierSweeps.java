@@ -34,7 +34,7 @@ final class EarlierSweeps {
     private @Nullable Written report; // the last one that was asked for
 
     /// @param when its files changed last
-    private record Known(Changed when, Optional<EarlierSweep> told) {}
+    private record Known(Changed when, Optional<EarlierSweep> reported) {}
 
     private record Written(Path sweep, Changed when, String html) {}
 
@@ -75,7 +75,9 @@ final class EarlierSweeps {
                 .limit(MOST)
                 .forEach(found -> newest.put(found.sweep(), describe(found)));
         known = newest;
-        return newest.values().stream().flatMap(sweep -> sweep.told().stream()).toList();
+        return newest.values().stream()
+                .flatMap(sweep -> sweep.reported().stream())
+                .toList();
     }
 
     private Known describe(Found found) {

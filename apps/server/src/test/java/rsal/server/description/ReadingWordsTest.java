@@ -42,14 +42,14 @@ class ReadingWordsTest {
 
     private static final Pose2d AHEAD = new Pose2d(0, 0, 0);
 
-    private static List<ReadingInfo> told(Object value) {
+    private static List<ReadingInfo> reported(Object value) {
         return ReadingWords.of(
                         List.of(new Reading("device", new Stamped<>(Instant.EPOCH, "r1/device", value), Duration.ZERO)))
                 .readings();
     }
 
     private static List<String> words(Object value) {
-        return told(value).getFirst().facts().stream()
+        return reported(value).getFirst().facts().stream()
                 .map(fact -> fact.name() + ": " + fact.value())
                 .toList();
     }
@@ -147,7 +147,7 @@ class ReadingWordsTest {
         var image = new Blobs(AHEAD, 80, 60, Math.toRadians(80), List.of(near, far));
         assertThat(words(image))
                 .containsExactly("#ff0000: 2.00 m, 20° left; 20 × 15 px", "#ff0000: 10° right; 20 × 5 px");
-        assertThat(told(image).getFirst().facts().getFirst().color()).contains("#ff0000");
+        assertThat(reported(image).getFirst().facts().getFirst().color()).contains("#ff0000");
     }
 
     @Test
@@ -155,7 +155,7 @@ class ReadingWordsTest {
         var marker = new Fiducial(OptionalInt.of(7), new Pose2d(3, 4, 0));
         var seen = new Fiducials(AHEAD, 3, 8, Collections.nCopies(50, marker));
         assertThat(words(seen)).hasSize(ReadingWords.MOST_FACTS).contains("marker 7: 5.00 m, 53° left");
-        assertThat(told(seen).getFirst().left()).isEqualTo(50 - ReadingWords.MOST_FACTS);
+        assertThat(reported(seen).getFirst().left()).isEqualTo(50 - ReadingWords.MOST_FACTS);
         var distant = new Fiducial(OptionalInt.empty(), new Pose2d(9, 0, 0));
         assertThat(words(new Fiducials(AHEAD, 3, 8, List.of(distant))))
                 .containsExactly("too far to read: 9.00 m, ahead");

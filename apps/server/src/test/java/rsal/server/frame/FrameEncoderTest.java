@@ -95,7 +95,7 @@ class FrameEncoderTest {
     void tellsNoEstimateThatLiesNobodyKnowsWhere() {
         var truth = Optional.of(Pose2d.ORIGIN);
         var estimate = PoseEstimate.of(new Pose2d(1, 2, 0), Covariance2d.ofDeviations(0.1, 0.1, 0.1));
-        RobotView told = robot("r", truth, Optional.of(estimate), Optional.empty(), Optional.empty());
+        RobotView reported = robot("r", truth, Optional.of(estimate), Optional.empty(), Optional.empty());
         RobotView own = robot(
                 "r",
                 truth,
@@ -104,7 +104,7 @@ class FrameEncoderTest {
                 Optional.empty(),
                 "");
         assertThat(encode(List.of(own))).hasSameSizeAs(encode(List.of(bare())));
-        assertThat(encode(List.of(told))).hasSizeGreaterThan(encode(List.of(own)).length);
+        assertThat(encode(List.of(reported))).hasSizeGreaterThan(encode(List.of(own)).length);
     }
 
     @Test
@@ -120,7 +120,7 @@ class FrameEncoderTest {
 
     /// Of a robot at (1, 0), whose frame of odometry is the last of its blocks.
     private Optional<Pose2d> odom(Odometry odometry, long millis, Optional<PoseEstimate> estimate) {
-        var told = new Stamped<>(Instant.EPOCH.plusMillis(millis), "r/odom", odometry);
+        var reported = new Stamped<>(Instant.EPOCH.plusMillis(millis), "r/odom", odometry);
         var robot = new RobotView(
                 "r",
                 "hunter",
@@ -129,7 +129,7 @@ class FrameEncoderTest {
                 false,
                 Optional.empty(),
                 Optional.of(new Pose2d(1, 0, 0)),
-                Optional.of(told),
+                Optional.of(reported),
                 estimate.map(FrameEncoderTest::stamped),
                 Optional.empty(),
                 Optional.empty(),
@@ -151,9 +151,9 @@ class FrameEncoderTest {
                 List.of());
         byte[] frame = encode(List.of(robot));
         ByteBuffer bytes = ByteBuffer.wrap(frame).order(ByteOrder.LITTLE_ENDIAN);
-        boolean isTold = (bytes.getShort(FrameEncoder.HEADER_BYTES + 14) & FrameEncoder.ODOM) != 0;
+        boolean isReported = (bytes.getShort(FrameEncoder.HEADER_BYTES + 14) & FrameEncoder.ODOM) != 0;
         int at = frame.length - 12;
-        return isTold
+        return isReported
                 ? Optional.of(new Pose2d(bytes.getInt(at) / 1e3, bytes.getInt(at + 4) / 1e3, 0))
                 : Optional.empty();
     }

@@ -110,7 +110,7 @@ public record UrdfModel(String model, Map<String, String> parts, List<Problem> n
                 String type = joint.attribute("type");
                 Transform rootFromLink = robot.rootFromLink(link);
                 double[] axis = joint.first("axis")
-                        .map(told -> told.numbers("xyz", 1, 0, 0))
+                        .map(reported -> reported.numbers("xyz", 1, 0, 0))
                         .orElse(new double[] {1, 0, 0});
                 boolean turns = type.equals("continuous") && Math.abs(rootFromLink.upwards(axis)) < STANDS;
                 if (turns && !CASTER.matcher(link + joint.attribute("name")).matches()) {
@@ -337,8 +337,8 @@ public record UrdfModel(String model, Map<String, String> parts, List<Problem> n
 
         private void laser(String link, XmlElement sensor, Map<String, String> mounts, Map<String, String> sensors) {
             Optional<XmlElement> ray = sensor.first("ray").or(() -> sensor.first("lidar"));
-            Optional<XmlElement> level = ray.flatMap(told -> told.first("scan", "horizontal"));
-            Optional<XmlElement> range = ray.flatMap(told -> told.first("range"));
+            Optional<XmlElement> level = ray.flatMap(reported -> reported.first("scan", "horizontal"));
+            Optional<XmlElement> range = ray.flatMap(reported -> reported.first("range"));
             if (level.isEmpty() || range.isEmpty() || !robot.links().containsKey(link)) {
                 note(sensor, "This laser has no 'scan', no 'range', or no link; it is skipped.", "");
                 return;
@@ -347,7 +347,7 @@ public record UrdfModel(String model, Map<String, String> parts, List<Problem> n
             double least = number(level.get(), "min_angle", -Math.PI);
             double most = number(level.get(), "max_angle", Math.PI);
             double field = Math.min(360, Math.toDegrees(Math.abs(most - least)));
-            double noise = ray.flatMap(told -> told.first("noise", "stddev"))
+            double noise = ray.flatMap(reported -> reported.first("noise", "stddev"))
                     .map(XmlElement::number)
                     .orElse(0.01);
             double rate = sensor.first("update_rate").map(XmlElement::number).orElse(10.0);

@@ -202,7 +202,9 @@ public final class Amcl {
         Beams seen = beams.get();
         Pose2d way = this.odomFromBase.inverse().compose(odomFromBase);
         Fates fates = fates(seen, newest.mapFromBase().compose(way));
-        return seen.cone() == 0 && fates.told() >= FEWEST_BEAMS && fates.through() > CONTRADICTED * fates.told();
+        return seen.cone() == 0
+                && fates.reported() >= FEWEST_BEAMS
+                && fates.through() > CONTRADICTED * fates.reported();
     }
 
     /// Moves the belief to where odometry says the robot went since the last update, and corrects it by what the
@@ -376,7 +378,7 @@ public final class Amcl {
 
     /// What became of the beams of a scan; what left the map says nothing.
     private record Fates(int hits, int through, int shorter) {
-        int told() {
+        int reported() {
             return hits + through + shorter;
         }
     }
@@ -405,8 +407,8 @@ public final class Amcl {
         if (reaching >= FEWEST_BEAMS) {
             fitNow = (double) fates.hits() / reaching;
         }
-        if (fates.told() > 0) {
-            double now = (double) fates.through() / fates.told();
+        if (fates.reported() > 0) {
+            double now = (double) fates.through() / fates.reported();
             misfit += NEWEST * (now - misfit);
             usualMisfit *= USUAL_FOR;
             doubt = Math.max(0, doubt + Math.min(MOST_MISFIT, now - usualMisfit - NO_MISFIT));

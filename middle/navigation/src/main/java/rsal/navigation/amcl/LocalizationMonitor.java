@@ -45,12 +45,12 @@ final class LocalizationMonitor {
     ///
     /// @param shorter ended before a wall
     void add(int hits, int through, int shorter) {
-        int told = hits + through + shorter;
-        if (told == 0) {
+        int reported = hits + through + shorter;
+        if (reported == 0) {
             return;
         }
         double said = hits * HIT + through * THROUGH + shorter * SHORT;
-        double counted = SAME_AS_BEFORE * Math.min(1, independentBeams / told) * said;
+        double counted = SAME_AS_BEFORE * Math.min(1, independentBeams / reported) * said;
         log = Math.clamp(log + Math.clamp(counted, -MOST_OF_A_SCAN, MOST_OF_A_SCAN), LEAST, MOST);
     }
 

@@ -120,11 +120,14 @@ final class CarmenReader {
     /// `PARAM name value`, often with a time and a host behind, which stay in the value: it may be a text.
     private Parameter parameter(LineFields fields) throws Misread {
         var parameter = new Parameter(lines.number(), fields.word(), fields.rest());
-        Pose2d told = baseFromRawLaser;
+        Pose2d reported = baseFromRawLaser;
         switch (parameter.name()) {
-            case AHEAD -> baseFromRawLaser = new Pose2d(mount(parameter, FARTHEST_MOUNT, "m"), told.y(), told.theta());
-            case LEFT -> baseFromRawLaser = new Pose2d(told.x(), mount(parameter, FARTHEST_MOUNT, "m"), told.theta());
-            case TURNED -> baseFromRawLaser = new Pose2d(told.x(), told.y(), mount(parameter, 2 * Math.PI, "rad"));
+            case AHEAD ->
+                baseFromRawLaser = new Pose2d(mount(parameter, FARTHEST_MOUNT, "m"), reported.y(), reported.theta());
+            case LEFT ->
+                baseFromRawLaser = new Pose2d(reported.x(), mount(parameter, FARTHEST_MOUNT, "m"), reported.theta());
+            case TURNED ->
+                baseFromRawLaser = new Pose2d(reported.x(), reported.y(), mount(parameter, 2 * Math.PI, "rad"));
             default -> {}
         }
         return parameter;
@@ -171,7 +174,7 @@ final class CarmenReader {
         return scan(
                 time,
                 new LaserScan(baseFromLaser, -hints.fieldOfView() / 2, step, 0, hints.rangeMax(), readings.meters()),
-                new Poses.Told(odomFromBase, ahead ? odomFromBase : mapFromLaser),
+                new Poses.Reported(odomFromBase, ahead ? odomFromBase : mapFromLaser),
                 readings);
     }
 
@@ -209,7 +212,7 @@ final class CarmenReader {
             Pose2d mount = odomFromBase.inverse().compose(odomFromLaser);
             boolean near = Math.hypot(mount.x(), mount.y()) <= FARTHEST_MOUNT;
             baseFromLaser = near ? mount : Pose2d.ORIGIN;
-            poses = new Poses.Told(odomFromBase, near ? odomFromBase : odomFromLaser);
+            poses = new Poses.Reported(odomFromBase, near ? odomFromBase : odomFromLaser);
         }
         Instant time = clock.read(fields, Clock.SCAN);
         return scan(time, new LaserScan(baseFromLaser, start, step, 0, limit, readings.meters()), poses, readings);

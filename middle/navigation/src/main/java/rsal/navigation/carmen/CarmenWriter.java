@@ -50,7 +50,7 @@ final class CarmenWriter implements LogWriter {
             }
             write(log.motions(), course.stops(), out);
         }
-        return new Written(course.stops().size(), log.motions().size(), course.untold());
+        return new Written(course.stops().size(), log.motions().size(), course.omitted());
     }
 
     /// By time; odometry first.

@@ -35,28 +35,29 @@ final class Clock {
         if (source == Source.NONE && (sender > 0 || logger > 0)) {
             source = sender > 0 ? Source.SENDER : Source.LOGGER;
         }
-        double told = source == Source.SENDER ? sender : logger;
-        if (!(Math.abs(told) <= LATEST)) {
-            throw new Misread("a time that can't be", "Its time is '%s' s.".formatted(told));
+        double reported = source == Source.SENDER ? sender : logger;
+        if (!(Math.abs(reported) <= LATEST)) {
+            throw new Misread("a time that can't be", "Its time is '%s' s.".formatted(reported));
         }
-        double time = told > 0 ? inOrder(told, kind) : Math.max(0, last[kind]);
+        double time = reported > 0 ? inOrder(reported, kind) : Math.max(0, last[kind]);
         last[kind] = time;
         return Instant.ofEpochSecond((long) time, (long) ((time - (long) time) * 1e9));
     }
 
-    private double inOrder(double told, int kind) throws Misread {
-        if (told >= last[kind]) {
+    private double inOrder(double reported, int kind) throws Misread {
+        if (reported >= last[kind]) {
             back[kind] = 0;
-            return told;
+            return reported;
         }
-        back[kind] = told >= lastBack[kind] ? back[kind] + 1 : 1;
-        lastBack[kind] = told;
+        back[kind] = reported >= lastBack[kind] ? back[kind] + 1 : 1;
+        lastBack[kind] = reported;
         if (back[kind] <= CarmenReader.RESTART) {
             throw new Misread(
-                    "back in time", "Its time is '%s' s, that of the one before '%s' s.".formatted(told, last[kind]));
+                    "back in time",
+                    "Its time is '%s' s, that of the one before '%s' s.".formatted(reported, last[kind]));
         }
         back[kind] = 0;
         lastBack[kind] = Double.NEGATIVE_INFINITY;
-        return told;
+        return reported;
     }
 }

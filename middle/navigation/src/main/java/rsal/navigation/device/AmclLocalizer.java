@@ -45,7 +45,7 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     private final OccupancyGrid map;
     private final Scheduler scheduler;
     private final List<CompletableFuture<Void>> followers = new ArrayList<>();
-    private final ReadingValidator scrutiny = ReadingValidator.ofAnyScans(this::tellSkipped);
+    private final ReadingValidator scrutiny = ReadingValidator.ofAnyScans(this::printSkipped);
     private final RecentOdometry wheels = new RecentOdometry();
     private Optional<PoseEstimate> start;
     private boolean restart = true;
@@ -147,8 +147,8 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         }
     }
 
-    private void tellSkipped(String told) {
-        LOG.log(Level.WARNING, () -> "'%s' skips bad readings.%s".formatted(info().id(), told));
+    private void printSkipped(String reported) {
+        LOG.log(Level.WARNING, () -> "'%s' skips bad readings.%s".formatted(info().id(), reported));
     }
 
     /// Waits until everything measured at this instant is here, odometry too.

@@ -166,7 +166,7 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
         health(Health.ok());
         looksForNothing = order.complete() ? looksForNothing + 1 : 0;
         if (looksForNothing == SURE && !order.narrow().isEmpty()) {
-            tellNarrow(order);
+            publishNarrow(order);
         }
         deliver(new Stamped<>(scheduler.instant(), slam.frame(), order.map()));
         ways = order.ways();
@@ -202,7 +202,7 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
         next.result().thenAccept(result -> ended(next, goal.frontier(), result));
     }
 
-    private void tellNarrow(Exploration.Order order) {
+    private void publishNarrow(Exploration.Order order) {
         Point2d first = order.narrow().getFirst();
         LOG.log(
                 Level.WARNING,

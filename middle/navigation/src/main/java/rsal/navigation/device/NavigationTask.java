@@ -163,7 +163,7 @@ final class NavigationTask {
         if (planning.isDue(path, progress.withoutProgress(now.now()))) {
             plan(now);
         }
-        source.tell(new Stamped<>(
+        source.publish(new Stamped<>(
                 now.now(),
                 "map",
                 new Progress(mapFromBase, path.remaining(), target, Duration.between(started, now.now()))));

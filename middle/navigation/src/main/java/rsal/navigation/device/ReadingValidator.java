@@ -33,7 +33,7 @@ final class ReadingValidator {
 
     /// For those to whom all scans must look alike.
     ///
-    /// @param onFirst is given what is [#told] when the first reading is skipped
+    /// @param onFirst is given what is [#reported] when the first reading is skipped
     static ReadingValidator ofScansAlike(Consumer<String> onFirst) {
         return new ReadingValidator(true, onFirst);
     }
@@ -97,20 +97,20 @@ final class ReadingValidator {
     }
 
     /// How many were skipped and why the last of them, to be put behind another sentence; empty when none was.
-    String told() {
+    String reported() {
         return skipped == 0 ? "" : " Skipped so far: %d, the last since %s.".formatted(skipped, why);
     }
 
     /// Of one that has had nothing of use for so long.
     Health silence(String what, Duration patience) {
-        return new Health.Stale("No %s for more than %d s.%s".formatted(what, patience.toSeconds(), told()));
+        return new Health.Stale("No %s for more than %d s.%s".formatted(what, patience.toSeconds(), reported()));
     }
 
     private void skip(String what, String fault) {
         skipped++;
         why = "of a bad %s: %s".formatted(what, fault);
         if (skipped == 1) {
-            onFirst.accept(told());
+            onFirst.accept(reported());
         }
     }
 

@@ -55,10 +55,10 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     private final Slam.Settings settings;
     private final Scheduler scheduler;
     private final List<CompletableFuture<Void>> followers = new ArrayList<>();
-    private final ReadingValidator scrutiny = ReadingValidator.ofScansAlike(this::tellSkipped);
+    private final ReadingValidator scrutiny = ReadingValidator.ofScansAlike(this::printSkipped);
     private Supplier<List<Mate>> mates = List::of;
     private Pose2d start;
-    private boolean told; // where it was
+    private boolean reported; // where it was
     private @Nullable Slam slam; // only the work under way touches it
     private @Nullable Known known; // of the newest scan
     private Pose2d slamFromOdom = Pose2d.ORIGIN; // by which odometry is handed to it
@@ -98,7 +98,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         this.settings = settings;
         this.scheduler = scheduler;
         this.start = mapFromBase.orElse(Pose2d.ORIGIN);
-        this.told = mapFromBase.isPresent();
+        this.reported = mapFromBase.isPresent();
         this.lastScan = scheduler.instant();
         this.lastOdometry = lastScan;
     }
@@ -134,7 +134,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
 
     /// Of its map: that of the world when somebody told it where it was, else one of its own.
     String frame() {
-        return told ? "map" : info().robot() + "/map";
+        return reported ? "map" : info().robot() + "/map";
     }
 
     /// The scans that were kept, where they were taken, as of the newest of them.
@@ -147,7 +147,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         if (!belief.mapFromBase().isFinite()) {
             throw new IllegalArgumentException("A robot can't be at '%s'.".formatted(belief.mapFromBase()));
         }
-        told = true;
+        reported = true;
         begin(belief.mapFromBase());
         var follower = new CompletableFuture<Void>();
         followers.add(follower);
@@ -190,8 +190,8 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         }
     }
 
-    private void tellSkipped(String told) {
-        LOG.log(Level.WARNING, () -> "'%s' skips bad readings.%s".formatted(info().id(), told));
+    private void printSkipped(String reported) {
+        LOG.log(Level.WARNING, () -> "'%s' skips bad readings.%s".formatted(info().id(), reported));
     }
 
     private void look(Stamped<LaserScan> scan) {
@@ -210,10 +210,10 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         }
         Slam mapper = before == null ? new Slam(settings) : before;
         slam = mapper;
-        Pose2d told = slamFromOdom.compose(odomFromBase);
+        Pose2d reported = slamFromOdom.compose(odomFromBase);
         Pose2d mapFromBase = known == null ? start : known.at(odomFromBase).mapFromBase();
         LaserScan seen = Mate.leaveOut(mates.get(), scan.value(), mapFromBase);
-        scheduler.compute(work(mapper, told, seen)).whenComplete((found, error) -> {
+        scheduler.compute(work(mapper, reported, seen)).whenComplete((found, error) -> {
             busy = false;
             if (error != null) {
                 fail(error);

@@ -38,6 +38,6 @@ public sealed interface LogEntry {
         /// @param odomFromBase what the wheels said
         /// @param mapFromBase what the log's author made of it; the same in logs that hold only odometry, and
         /// where the odometry was replaced ("corrected")
-        record Told(Pose2d odomFromBase, Pose2d mapFromBase) implements Poses {}
+        record Reported(Pose2d odomFromBase, Pose2d mapFromBase) implements Poses {}
     }
 }

@@ -129,7 +129,7 @@ public record RobotLog(
     /// Where the log has the laser on the robot, if it tells.
     private static Optional<Pose2d> mount(Scan scan) {
         return switch (scan.poses()) {
-            case Poses.Told(Pose2d odomFromBase, Pose2d mapFromBase) ->
+            case Poses.Reported(Pose2d odomFromBase, Pose2d mapFromBase) ->
                 Optional.of(odomFromBase
                         .inverse()
                         .compose(mapFromBase)
@@ -142,7 +142,7 @@ public record RobotLog(
     private static Scan inTheMiddle(Scan scan) {
         LaserScan seen = scan.scan();
         return switch (scan.poses()) {
-            case Poses.Told(Pose2d odomFromBase, Pose2d mapFromBase) ->
+            case Poses.Reported(Pose2d odomFromBase, Pose2d mapFromBase) ->
                 new Scan(
                         scan.line(),
                         scan.time(),
@@ -153,7 +153,7 @@ public record RobotLog(
                                 seen.rangeMin(),
                                 seen.rangeMax(),
                                 seen.ranges()),
-                        new Poses.Told(odomFromBase, mapFromBase.compose(seen.baseFromLaser())),
+                        new Poses.Reported(odomFromBase, mapFromBase.compose(seen.baseFromLaser())),
                         scan.broken());
             case Poses.Untold() -> scan;
         };

@@ -23,8 +23,8 @@ import rsal.navigation.log.RobotLog;
 /// Where a robot went and what its laser saw there, as a log has it.
 ///
 /// @param stops one for each scan, in the order in which they were taken
-/// @param untold scans left out since nothing tells where the wheels had brought the robot
-public record Course(List<Stop> stops, int untold) {
+/// @param omitted scans left out since nothing tells where the wheels had brought the robot
+public record Course(List<Stop> stops, int omitted) {
     private static final double SAME_PLACE = 0.05; // m
     private static final double LONGEST_AFTER = 1; // s; how old odometry may be when there is none behind a scan
     private static final double SAME_HEADING = 0.02; // rad
@@ -46,7 +46,7 @@ public record Course(List<Stop> stops, int untold) {
         var stops = new ArrayList<Stop>();
         for (Scan scan : log.scans()) {
             switch (scan.poses()) {
-                case Poses.Told(Pose2d odomFromBase, Pose2d mapFromBase) ->
+                case Poses.Reported(Pose2d odomFromBase, Pose2d mapFromBase) ->
                     stops.add(new Stop(scan.line(), scan.time(), scan.scan(), odomFromBase, Optional.of(mapFromBase)));
                 case Poses.Untold() ->
                     odometryAt(scan, log.motions())
@@ -91,10 +91,10 @@ public record Course(List<Stop> stops, int untold) {
     /// readings. Scans of several places that have the same readings, as those that hit nothing, are of no known
     /// place.
     public Course judgedBy(RobotLog reference) {
-        Map<FloatBuffer, List<Pose2d>> told = new HashMap<>();
+        Map<FloatBuffer, List<Pose2d>> reported = new HashMap<>();
         for (Scan scan : reference.scans()) {
-            told(scan.poses())
-                    .ifPresent(pose -> told.computeIfAbsent(readings(scan.scan()), _ -> new ArrayList<>())
+            reported(scan.poses())
+                    .ifPresent(pose -> reported.computeIfAbsent(readings(scan.scan()), _ -> new ArrayList<>())
                             .add(pose));
         }
         Map<FloatBuffer, List<Pose2d>> driven = new HashMap<>();
@@ -107,11 +107,11 @@ public record Course(List<Stop> stops, int untold) {
                         .map(stop -> {
                             FloatBuffer readings = readings(stop.scan());
                             Optional<Pose2d> place = onlyPlace(driven.getOrDefault(readings, List.of()))
-                                    .flatMap(_ -> onlyPlace(told.getOrDefault(readings, List.of())));
+                                    .flatMap(_ -> onlyPlace(reported.getOrDefault(readings, List.of())));
                             return new Stop(stop.line(), stop.time(), stop.scan(), stop.odomFromBase(), place);
                         })
                         .toList(),
-                untold);
+                omitted);
     }
 
     /// The first when the robot stood there all the while.
@@ -125,9 +125,9 @@ public record Course(List<Stop> stops, int untold) {
         return FloatBuffer.wrap(scan.ranges()); // equal when all of them are
     }
 
-    private static Optional<Pose2d> told(Poses poses) {
+    private static Optional<Pose2d> reported(Poses poses) {
         return switch (poses) {
-            case Poses.Told told -> Optional.of(told.mapFromBase());
+            case Poses.Reported reported -> Optional.of(reported.mapFromBase());
             case Poses.Untold() -> Optional.empty();
         };
     }
@@ -138,7 +138,7 @@ public record Course(List<Stop> stops, int untold) {
                 stops.stream()
                         .map(s -> new Stop(s.line(), s.time(), s.scan(), s.odomFromBase(), Optional.empty()))
                         .toList(),
-                untold);
+                omitted);
     }
 
     /// The same with wheels that err more: each way between two scans with noise of its own, which adds up.
@@ -152,7 +152,7 @@ public record Course(List<Stop> stops, int untold) {
                     : noise.sample(pose, stops.get(i - 1).odomFromBase(), stop.odomFromBase(), random);
             drifted.add(new Stop(stop.line(), stop.time(), stop.scan(), pose, stop.mapFromBase()));
         }
-        return new Course(drifted, untold);
+        return new Course(drifted, omitted);
     }
 
     /// Where its odometry leaps; empty when the log tells no times.
@@ -177,7 +177,7 @@ public record Course(List<Stop> stops, int untold) {
             Pose2d pose = mendedFromOdom.compose(stop.odomFromBase());
             mended.add(new Stop(stop.line(), stop.time(), stop.scan(), pose, stop.mapFromBase()));
         }
-        return new Course(mended, untold);
+        return new Course(mended, omitted);
     }
 
     /// Some of the scans, by their numbers from 0.
@@ -187,7 +187,7 @@ public record Course(List<Stop> stops, int untold) {
                         .filter(chosen)
                         .mapToObj(stops::get)
                         .toList(),
-                untold);
+                omitted);
     }
 
     /// The scans of which it is known where they were taken, to draw a map from.

@@ -30,14 +30,14 @@ public record GraphResidual(Optional<Step> wheels, Optional<Step> scans, Optiona
     public record Step(int from, int to, double deviations, double meters, double radians) {
         private static final Comparator<Step> BY_DEVIATIONS = Comparator.comparingDouble(Step::deviations);
 
-        static Step of(Relation told, List<Pose2d> poses) {
-            Pose2d from = poses.get(told.from());
-            Pose2d to = poses.get(told.to());
-            Pose2d off = told.fromFromTo().inverse().compose(from.inverse().compose(to));
+        static Step of(Relation reported, List<Pose2d> poses) {
+            Pose2d from = poses.get(reported.from());
+            Pose2d to = poses.get(reported.to());
+            Pose2d off = reported.fromFromTo().inverse().compose(from.inverse().compose(to));
             return new Step(
-                    told.from(),
-                    told.to(),
-                    Math.sqrt(PoseGraph.square(told, from, to)),
+                    reported.from(),
+                    reported.to(),
+                    Math.sqrt(PoseGraph.square(reported, from, to)),
                     Math.hypot(off.x(), off.y()),
                     Math.abs(off.theta()));
         }
@@ -57,14 +57,14 @@ public record GraphResidual(Optional<Step> wheels, Optional<Step> scans, Optiona
                 worst(relations, Relation.Source.ODOMETRY, poses),
                 worst(relations, Relation.Source.SCANS, poses),
                 steps.stream()
-                        .map(told -> told.stream()
+                        .map(reported -> reported.stream()
                                 .map(r -> Step.of(r, poses))
                                 .min(Step.BY_DEVIATIONS)
                                 .orElseThrow())
                         .max(Step.BY_DEVIATIONS),
                 steps.size(),
                 (int) steps.stream()
-                        .filter(told -> told.stream().noneMatch(r -> r.source() == Relation.Source.SCANS))
+                        .filter(reported -> reported.stream().noneMatch(r -> r.source() == Relation.Source.SCANS))
                         .count());
     }
 

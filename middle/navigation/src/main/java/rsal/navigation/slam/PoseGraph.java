@@ -95,12 +95,12 @@ public final class PoseGraph {
     /// Square of the error of a relation in deviations, "χ²".
     public static double square(Relation relation, Pose2d mapFromFrom, Pose2d mapFromTo) {
         Pose2d is = mapFromFrom.inverse().compose(mapFromTo);
-        Pose2d told = relation.fromFromTo();
+        Pose2d reported = relation.fromFromTo();
         return square(
                 information(relation),
-                is.x() - told.x(),
-                is.y() - told.y(),
-                Angles.difference(told.theta(), is.theta()));
+                is.x() - reported.x(),
+                is.y() - reported.y(),
+                Angles.difference(reported.theta(), is.theta()));
     }
 
     private static double[] numbers(List<Pose2d> poses) {

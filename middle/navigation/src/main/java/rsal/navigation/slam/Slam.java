@@ -164,11 +164,11 @@ public final class Slam {
         if (apart && frames.size() >= settings.mostFrames()) {
             turnToNearest();
         } else if (apart) {
-            Pose2d told = frames.get(base).odomFromBase().inverse().compose(odomFromBase);
+            Pose2d reported = frames.get(base).odomFromBase().inverse().compose(odomFromBase);
             int number = frames.size();
             poses.add(poses.get(base).compose(frameFromBase));
-            Covariance2d wheels = settings.odometry().covariance(told);
-            relations.add(new Relation(base, number, told, wheels, Relation.Source.ODOMETRY));
+            Covariance2d wheels = settings.odometry().covariance(reported);
+            relations.add(new Relation(base, number, reported, wheels, Relation.Source.ODOMETRY));
             match.ifPresent(m -> relations.add(
                     new Relation(base, number, m.aFromB(), honest(m.covariance()), Relation.Source.SCANS)));
             Covariance2d doubted = isComparable(cloud) ? wheels.times(DOUBTED * DOUBTED) : wheels;

@@ -32,9 +32,9 @@ public record TurnAgreement(int count, int opposed) {
         int count = 0;
         int opposed = 0;
         for (Relation relation : relations) {
-            Relation told = wheels.get(relation.to());
-            if (relation.source() == Relation.Source.SCANS && told != null) {
-                double turn = told.fromFromTo().theta();
+            Relation reported = wheels.get(relation.to());
+            if (relation.source() == Relation.Source.SCANS && reported != null) {
+                double turn = reported.fromFromTo().theta();
                 if (Math.abs(turn) >= LEAST) {
                     count++;
                     opposed += turn * relation.fromFromTo().theta() < 0 ? 1 : 0;

@@ -75,10 +75,10 @@ class AmclTest {
         var amcl = new Amcl(ROOM, Amcl.Settings.of(150, 3000), new SplittableRandom(seed));
         Pose2d truth = Seen.ROOM.pose('a', -40.0 * seed);
 
-        List<PoseEstimate> told = drive(amcl, SEEN, truth, Pose2d.ORIGIN, 8);
+        List<PoseEstimate> reported = drive(amcl, SEEN, truth, Pose2d.ORIGIN, 8);
 
-        assertThat(told.getLast().quality()).isEqualTo(Quality.LOCALIZED);
-        assertThat(told.getLast().mapFromBase().distanceTo(after(truth, 8))).isLessThan(0.06);
+        assertThat(reported.getLast().quality()).isEqualTo(Quality.LOCALIZED);
+        assertThat(reported.getLast().mapFromBase().distanceTo(after(truth, 8))).isLessThan(0.06);
     }
 
     /// It goes any way while it turns, and its wheels count a twentieth too much and drift aside.
@@ -202,12 +202,12 @@ class AmclTest {
     void doesNotKnowThatItIsWhereItWasToldWhenItSeesNothing() {
         var amcl = new Amcl(ROOM, Amcl.Settings.of(150, 3000), new SplittableRandom(1));
         amcl.start(PoseEstimate.of(Seen.ROOM.pose('a', 0), Covariance2d.ofDeviations(0.1, 0.1, 0.1)));
-        PoseEstimate told = amcl.update(Pose2d.ORIGIN, Seen.NOTHING);
+        PoseEstimate reported = amcl.update(Pose2d.ORIGIN, Seen.NOTHING);
         for (int i = 1; i < 40; i++) {
-            told = amcl.update(after(Pose2d.ORIGIN, i), Seen.NOTHING);
+            reported = amcl.update(after(Pose2d.ORIGIN, i), Seen.NOTHING);
         }
-        assertThat(told.quality()).isEqualTo(Quality.LOST);
-        assertThat(told.confidence()).isLessThan(0.4);
+        assertThat(reported.quality()).isEqualTo(Quality.LOST);
+        assertThat(reported.confidence()).isLessThan(0.4);
     }
 
     @Trials(
@@ -220,11 +220,11 @@ class AmclTest {
         drive(amcl, SEEN, first, Pose2d.ORIGIN, 5);
         Pose2d elsewhere = Seen.ROOM.pose('k', 180);
 
-        List<PoseEstimate> told = drive(amcl, SEEN, elsewhere, after(Pose2d.ORIGIN, 5), 20);
+        List<PoseEstimate> reported = drive(amcl, SEEN, elsewhere, after(Pose2d.ORIGIN, 5), 20);
 
-        assertThat(told).anyMatch(estimate -> estimate.quality() == Quality.LOST);
-        assertThat(told.getLast().quality()).isEqualTo(Quality.LOCALIZED);
-        assertThat(told.getLast().mapFromBase().distanceTo(after(elsewhere, 20)))
+        assertThat(reported).anyMatch(estimate -> estimate.quality() == Quality.LOST);
+        assertThat(reported.getLast().quality()).isEqualTo(Quality.LOCALIZED);
+        assertThat(reported.getLast().mapFromBase().distanceTo(after(elsewhere, 20)))
                 .isLessThan(0.1);
     }
 
@@ -243,10 +243,10 @@ class AmclTest {
                 .allMatch(estimate -> estimate.quality() == Quality.LOCALIZED);
         Pose2d elsewhere = after(LIKE_ROOMS.pose(room, 0), 40);
 
-        List<PoseEstimate> told = drive(amcl, seen, elsewhere, after(Pose2d.ORIGIN, 40), 60);
+        List<PoseEstimate> reported = drive(amcl, seen, elsewhere, after(Pose2d.ORIGIN, 40), 60);
 
-        assertThat(told.getLast().quality()).isEqualTo(Quality.LOCALIZED);
-        assertThat(told.getLast().mapFromBase().distanceTo(after(elsewhere, 60)))
+        assertThat(reported.getLast().quality()).isEqualTo(Quality.LOCALIZED);
+        assertThat(reported.getLast().mapFromBase().distanceTo(after(elsewhere, 60)))
                 .isLessThan(0.1);
     }
 
@@ -278,9 +278,9 @@ class AmclTest {
         Pose2d first = LIKE_ROOMS.pose('a', 0);
         amcl.start(PoseEstimate.of(first, Covariance2d.ofDeviations(0.1, 0.1, 0.1)));
         for (int i = 0; i < 60; i++) {
-            PoseEstimate told = amcl.update(after(Pose2d.ORIGIN, i), covered(seen.beams(after(first, i), 60), 20));
-            holdsTogether(told);
-            assertThat(told.quality()).as("update %d", i).isEqualTo(Quality.LOCALIZED);
+            PoseEstimate reported = amcl.update(after(Pose2d.ORIGIN, i), covered(seen.beams(after(first, i), 60), 20));
+            holdsTogether(reported);
+            assertThat(reported.quality()).as("update %d", i).isEqualTo(Quality.LOCALIZED);
         }
         assertThat(amcl.update(after(Pose2d.ORIGIN, 60), seen.beams(after(first, 60), 60))
                         .mapFromBase()
@@ -308,18 +308,18 @@ class AmclTest {
         var seen = new Seen(SYMMETRIC);
         Pose2d truth = SYMMETRIC.pose('a', 0);
         Pose2d odometry = Pose2d.ORIGIN;
-        var told = new ArrayList<PoseEstimate>();
+        var reported = new ArrayList<PoseEstimate>();
         for (int i = 0; i < 30; i++) {
-            told.add(amcl.update(odometry, seen.beams(truth, 60)));
+            reported.add(amcl.update(odometry, seen.beams(truth, 60)));
             truth = truth.compose(there);
             odometry = odometry.compose(there);
         }
 
-        assertThat(told).noneMatch(estimate -> estimate.quality() == Quality.LOCALIZED);
-        assertThat(told).allSatisfy(AmclTest::holdsTogether);
+        assertThat(reported).noneMatch(estimate -> estimate.quality() == Quality.LOCALIZED);
+        assertThat(reported).allSatisfy(AmclTest::holdsTogether);
         Pose2d last = truth.compose(there.inverse());
         Pose2d mirrored = mirrored(last);
-        assertThat(told.getLast().hypotheses())
+        assertThat(reported.getLast().hypotheses())
                 .anyMatch(h -> h.weight() > 0.1 && h.mapFromBase().isNear(last, 0.2, 0.2))
                 .anyMatch(h -> h.weight() > 0.1 && h.mapFromBase().isNear(mirrored, 0.2, 0.2));
     }
@@ -368,22 +368,22 @@ class AmclTest {
                 List.of(new Hypothesis(0.6, Seen.ROOM.pose('a', 0), known), new Hypothesis(0.4, truth, known)),
                 0.6,
                 Quality.AMBIGUOUS));
-        List<PoseEstimate> told = drive(amcl, SEEN, truth, Pose2d.ORIGIN, 8);
-        assertThat(told.getLast().quality()).isEqualTo(Quality.LOCALIZED);
-        assertThat(told.getLast().mapFromBase().distanceTo(after(truth, 8))).isLessThan(0.06);
+        List<PoseEstimate> reported = drive(amcl, SEEN, truth, Pose2d.ORIGIN, 8);
+        assertThat(reported.getLast().quality()).isEqualTo(Quality.LOCALIZED);
+        assertThat(reported.getLast().mapFromBase().distanceTo(after(truth, 8))).isLessThan(0.06);
     }
 
-    private static void holdsTogether(PoseEstimate told) {
-        List<Hypothesis> hypotheses = told.hypotheses();
-        assertThat(hypotheses.getFirst().mapFromBase()).isEqualTo(told.mapFromBase());
+    private static void holdsTogether(PoseEstimate reported) {
+        List<Hypothesis> hypotheses = reported.hypotheses();
+        assertThat(hypotheses.getFirst().mapFromBase()).isEqualTo(reported.mapFromBase());
         assertThat(hypotheses)
                 .isSortedAccordingTo(
                         Comparator.comparingDouble(Hypothesis::weight).reversed());
         assertThat(hypotheses.stream().mapToDouble(Hypothesis::weight).sum()).isBetween(0.0, 1 + 1e-9);
-        switch (told.quality()) {
-            case LOCALIZED -> assertThat(told.confidence()).isBetween(0.75, 1.0);
-            case AMBIGUOUS -> assertThat(told.confidence()).isBetween(0.0, 0.5);
-            case LOST -> assertThat(told.confidence()).isBetween(0.0, 0.1);
+        switch (reported.quality()) {
+            case LOCALIZED -> assertThat(reported.confidence()).isBetween(0.75, 1.0);
+            case AMBIGUOUS -> assertThat(reported.confidence()).isBetween(0.0, 0.5);
+            case LOST -> assertThat(reported.confidence()).isBetween(0.0, 0.1);
         }
         for (Hypothesis one : hypotheses) {
             assertThat(hypotheses.stream().filter(h -> h.mapFromBase().isNear(one.mapFromBase(), 0.1, 0.1)))
@@ -426,10 +426,10 @@ class AmclTest {
         var turn = new Pose2d(0, 0, 0.15);
         Pose2d odometry = Pose2d.ORIGIN;
         for (int i = 0; i < 60; i++) {
-            PoseEstimate told = amcl.update(odometry, seen.beams(truth, 60));
-            assertThat(told.quality()).as("update %d", i).isEqualTo(Quality.LOCALIZED);
-            assertThat(told.confidence()).isGreaterThan(0.9);
-            assertThat(told.mapFromBase().distanceTo(truth)).isLessThan(0.1);
+            PoseEstimate reported = amcl.update(odometry, seen.beams(truth, 60));
+            assertThat(reported.quality()).as("update %d", i).isEqualTo(Quality.LOCALIZED);
+            assertThat(reported.confidence()).isGreaterThan(0.9);
+            assertThat(reported.mapFromBase().distanceTo(truth)).isLessThan(0.1);
             truth = truth.compose(turn);
             odometry = odometry.compose(turn);
         }
@@ -459,8 +459,10 @@ class AmclTest {
         var turn = new Pose2d(0, 0, 0.15);
         Pose2d odometry = Pose2d.ORIGIN;
         for (int i = 0; i < 60; i++) {
-            PoseEstimate told = amcl.update(odometry, seen.beams(truth, 60));
-            assertThat(told.mapFromBase().distanceTo(truth)).as("update %d", i).isLessThan(0.1);
+            PoseEstimate reported = amcl.update(odometry, seen.beams(truth, 60));
+            assertThat(reported.mapFromBase().distanceTo(truth))
+                    .as("update %d", i)
+                    .isLessThan(0.1);
             truth = truth.compose(turn);
             odometry = odometry.compose(turn);
         }
@@ -480,10 +482,10 @@ class AmclTest {
         drive(amcl, SEEN, Seen.ROOM.pose('a', 0), Pose2d.ORIGIN, 3);
 
         amcl.start(PoseEstimate.of(Seen.ROOM.pose('b', 90), Covariance2d.ofDeviations(0.2, 0.2, 0.1)));
-        List<PoseEstimate> told = drive(amcl, SEEN, Seen.ROOM.pose('b', 90), Pose2d.ORIGIN, 2);
+        List<PoseEstimate> reported = drive(amcl, SEEN, Seen.ROOM.pose('b', 90), Pose2d.ORIGIN, 2);
 
-        assertThat(told.getFirst().quality()).isEqualTo(Quality.LOCALIZED);
-        assertThat(told.getFirst().mapFromBase().distanceTo(Seen.ROOM.pose('b', 90)))
+        assertThat(reported.getFirst().quality()).isEqualTo(Quality.LOCALIZED);
+        assertThat(reported.getFirst().mapFromBase().distanceTo(Seen.ROOM.pose('b', 90)))
                 .isLessThan(0.06);
     }
 
@@ -555,10 +557,10 @@ class AmclTest {
         Pose2d truth = hall.pose('a', -60);
         amcl.start(PoseEstimate.of(truth, Covariance2d.ofDeviations(0.2, 0.2, 0.1)));
 
-        List<PoseEstimate> told = drive(amcl, new Seen(hall), truth, Pose2d.ORIGIN, 8);
+        List<PoseEstimate> reported = drive(amcl, new Seen(hall), truth, Pose2d.ORIGIN, 8);
 
-        for (int i = 3; i < told.size(); i++) {
-            assertThat(told.get(i).mapFromBase().distanceTo(after(truth, i)))
+        for (int i = 3; i < reported.size(); i++) {
+            assertThat(reported.get(i).mapFromBase().distanceTo(after(truth, i)))
                     .as("after %d steps", i)
                     .isLessThan(0.06);
         }
@@ -570,24 +572,24 @@ class AmclTest {
             var map = new LocalizationMap(DrawnMap.grid(0.5, drawing).grid(), 0.1, 0.05);
             var amcl = new Amcl(map, Amcl.Settings.of(50, 200), new SplittableRandom(1));
 
-            List<PoseEstimate> told = drive(amcl, SEEN, Seen.ROOM.pose('a', 0), Pose2d.ORIGIN, 3);
+            List<PoseEstimate> reported = drive(amcl, SEEN, Seen.ROOM.pose('a', 0), Pose2d.ORIGIN, 3);
 
-            assertThat(told).allMatch(estimate -> estimate.mapFromBase().isFinite());
-            assertThat(told).noneMatch(estimate -> estimate.quality() == Quality.LOCALIZED);
+            assertThat(reported).allMatch(estimate -> estimate.mapFromBase().isFinite());
+            assertThat(reported).noneMatch(estimate -> estimate.quality() == Quality.LOCALIZED);
         }
     }
 
     private static List<PoseEstimate> drive(Amcl amcl, Seen seen, Pose2d from, Pose2d odomFrom, int steps) {
-        var told = new ArrayList<PoseEstimate>();
+        var reported = new ArrayList<PoseEstimate>();
         for (int i = 0; i <= steps; i++) {
             Pose2d truth = after(from, i);
             assertThat(seen.isFree(truth))
                     .as("no robot drives through walls: %s", truth)
                     .isTrue();
-            told.add(amcl.update(after(odomFrom, i), seen.beams(truth, 60)));
+            reported.add(amcl.update(after(odomFrom, i), seen.beams(truth, 60)));
         }
-        assertThat(told).allSatisfy(AmclTest::holdsTogether);
-        return told;
+        assertThat(reported).allSatisfy(AmclTest::holdsTogether);
+        return reported;
     }
 
     private static Pose2d after(Pose2d start, int steps) {

@@ -67,8 +67,8 @@ class ConesTest {
         Callable<List<Double>> ask = () -> reaches(shared, sensors);
 
         try (var threads = Executors.newFixedThreadPool(4)) {
-            for (var told : threads.invokeAll(Collections.nCopies(4, ask))) {
-                assertThat(told.get().equals(alone)).isTrue(); // nobody wants to read what differs
+            for (var reported : threads.invokeAll(Collections.nCopies(4, ask))) {
+                assertThat(reported.get().equals(alone)).isTrue(); // nobody wants to read what differs
             }
         }
     }

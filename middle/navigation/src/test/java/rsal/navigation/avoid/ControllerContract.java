@@ -416,20 +416,20 @@ public abstract class ControllerContract {
         }
 
         private void assertTellsAWay(Twist2d command) {
-            List<Point2d> told = planner.way();
+            List<Point2d> reported = planner.way();
             if (Math.abs(command.vx()) < 0.01) {
-                assertThat(told).isEmpty();
+                assertThat(reported).isEmpty();
                 return;
-            } else if (told.isEmpty()) {
+            } else if (reported.isEmpty()) {
                 assertThat(Math.abs(command.vx())).isLessThan(0.03);
                 return;
             }
-            assertThat(told).hasSizeBetween(2, Controller.WAY_POINTS);
-            assertThat(told.getFirst()).isEqualTo(new Point2d(0, 0));
-            assertThat(told.get(1).x() * command.vx()).isPositive();
-            assertThat(new Path2d(told).length()).isLessThan(LIMITS.speed() * 2 + 0.01);
+            assertThat(reported).hasSizeBetween(2, Controller.WAY_POINTS);
+            assertThat(reported.getFirst()).isEqualTo(new Point2d(0, 0));
+            assertThat(reported.get(1).x() * command.vx()).isPositive();
+            assertThat(new Path2d(reported).length()).isLessThan(LIMITS.speed() * 2 + 0.01);
             if (command.vx() > 0.1) {
-                assertIsFree(told);
+                assertIsFree(reported);
             }
         }
 

@@ -97,9 +97,9 @@ class CarmenFuzzTest {
                     .isTrue();
             assertThat(range < scan.rangeMax()).isEqualTo(scan.isHit(i) || range == Float.NEGATIVE_INFINITY);
         }
-        if (entry.poses() instanceof Poses.Told told) {
-            assertThat(told.mapFromBase().isFinite()).isTrue();
-            assertThat(told.odomFromBase().isFinite()).isTrue();
+        if (entry.poses() instanceof Poses.Reported reported) {
+            assertThat(reported.mapFromBase().isFinite()).isTrue();
+            assertThat(reported.odomFromBase().isFinite()).isTrue();
         }
     }
 

@@ -55,7 +55,7 @@ class CarmenReaderTest {
         assertThat(scan.line()).isEqualTo(4);
         assertThat(scan.time()).isEqualTo(Instant.ofEpochSecond(976052857, 500_000_000));
         assertThat(scan.scan().ranges()).containsExactly(1.5f, 2.5f, 3.5f);
-        assertThat(scan.poses()).isEqualTo(new Poses.Told(new Pose2d(1, 2, 0.5), new Pose2d(1, 2, 0.5)));
+        assertThat(scan.poses()).isEqualTo(new Poses.Reported(new Pose2d(1, 2, 0.5), new Pose2d(1, 2, 0.5)));
         assertThat(skipped.total()).isZero();
         assertThat(skipped.otherKinds()).isEqualTo(2);
     }
@@ -114,7 +114,7 @@ class CarmenReaderTest {
         assertThat(scan.scan().angle(4)).isCloseTo(1.0, within(1e-12));
         assertThat(scan.scan().ranges()).containsExactly(1, 2, 3, Float.POSITIVE_INFINITY, 4);
         assertThat(scan.scan().baseFromLaser().x()).isCloseTo(0.2, within(1e-12));
-        assertThat(scan.poses()).isEqualTo(new Poses.Told(new Pose2d(1, 1, 0), new Pose2d(1, 1, 0)));
+        assertThat(scan.poses()).isEqualTo(new Poses.Reported(new Pose2d(1, 1, 0), new Pose2d(1, 1, 0)));
         assertThat(scan.time()).isEqualTo(Instant.ofEpochSecond(12));
     }
 
@@ -164,12 +164,12 @@ class CarmenReaderTest {
                 "robot_frontlaser_side_offset 250 nohost 0 | a mount that can't be | '250.0', not -1.5 to 1.5 m",
                 "robot_frontlaser_angular_offset 180 | a mount that can't be | '180.0', not -6.3 to 6.3 rad"
             })
-    void aMountThatCannotBeIsToldAndNotUsed(String parameter, String reason, String told) throws IOException {
+    void aMountThatCannotBeIsToldAndNotUsed(String parameter, String reason, String reported) throws IOException {
         Skipped skipped = read("PARAM robot_frontlaser_offset 0.2\nPARAM " + parameter
                 + "\nRAWLASER1 0 -1.570796 3.141593 0.5 81.9 0.01 0 3 1 2 3 0 12 h 13\n");
 
         assertThat(skipped.counts()).containsOnlyKeys(reason);
-        assertThat(skipped.first().getFirst().what()).contains(parameter.split(" ", 2)[0], told, "not used");
+        assertThat(skipped.first().getFirst().what()).contains(parameter.split(" ", 2)[0], reported, "not used");
         assertThat(scans().getFirst().scan().baseFromLaser()).isEqualTo(new Pose2d(0.2, 0, 0));
     }
 
@@ -181,7 +181,7 @@ class CarmenReaderTest {
         read("FLASER 1 1 1.3 2.4 0.2 1 2 0 2 h 2");
         assertThat(scans().getFirst().scan().baseFromLaser()).isEqualTo(Pose2d.ORIGIN);
         assertThat(scans().getFirst().poses())
-                .isEqualTo(new Poses.Told(new Pose2d(1, 2, 0), new Pose2d(1.3, 2.4, 0.2)));
+                .isEqualTo(new Poses.Reported(new Pose2d(1, 2, 0), new Pose2d(1.3, 2.4, 0.2)));
     }
 
     @ParameterizedTest

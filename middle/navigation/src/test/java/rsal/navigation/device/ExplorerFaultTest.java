@@ -82,8 +82,8 @@ class ExplorerFaultTest extends RobotBench {
     @Test
     void standsAndSaysSoWhileItsLocalizerTellsNothingAndGoesOnAfterwards() {
         advance(20);
-        var told = new ArrayList<Health>();
-        explorer().onHealth(told::add);
+        var reported = new ArrayList<Health>();
+        explorer().onHealth(reported::add);
         Subscription dead = begin(new Fault.Dead());
         advance(10);
         assertThat(robot().require(Localizer.class).health()).isInstanceOf(Health.Stale.class);
@@ -99,7 +99,7 @@ class ExplorerFaultTest extends RobotBench {
         }
 
         assertThat(robot().devices()).allMatch(device -> device.health().isOk());
-        assertThat(told).as("once each").hasSize(2);
+        assertThat(reported).as("once each").hasSize(2);
         assertThat(List.of('@', 'a', 'b', 'c')).allMatch(this::isFree);
         assertThat(explorer().isComplete()).isTrue();
         assertThat(simulation().contacts()).isEmpty();

@@ -97,18 +97,18 @@ class NavigationTest {
     }
 
     @Test
-    void toldWhereItIsItStartsAgainFromThere() {
+    void reportedWhereItIsItStartsAgainFromThere() {
         var random = new SplittableRandom(6);
         NavigationRun run = officeRun(6, Runnable::run, random);
         run.advance(2);
         Pose2d there = place(random);
         assertThat(run.simulation.place("r0", there)).isInstanceOf(Placement.Placed.class);
         Pose2d aboutThere = there.compose(new Pose2d(0.2, -0.1, 0.1));
-        var told = run.localizer("r0")
+        var reported = run.localizer("r0")
                 .relocalize(PoseEstimate.of(aboutThere, Covariance2d.ofDeviations(0.3, 0.3, 0.2)))
                 .toCompletableFuture();
         run.advance(0.5);
-        assertThat(told).isCompleted();
+        assertThat(reported).isCompleted();
         assertThat(run.error("r0")).isLessThan(0.2);
     }
 

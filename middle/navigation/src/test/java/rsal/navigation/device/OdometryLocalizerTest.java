@@ -54,16 +54,16 @@ class OdometryLocalizerTest extends LocalizerContract {
         advance(0.1);
         drive(Twist2d.drive(0.4, 0), 1);
         drive(Twist2d.STOP, 1);
-        var told = new ArrayList<PoseEstimate>();
-        device().subscribe(estimate -> told.add(estimate.value()));
+        var reported = new ArrayList<PoseEstimate>();
+        device().subscribe(estimate -> reported.add(estimate.value()));
         var base = robot().require(DriveBase.class);
         Pose2d odomFromBase = base.latest().orElseThrow().value().odomFromBase();
         base.resetOdometry(new Pose2d(Double.NaN, 0, 0));
         advance(1);
-        assertThat(told).isEmpty();
+        assertThat(reported).isEmpty();
         base.resetOdometry(odomFromBase);
         advance(1);
-        assertThat(told)
+        assertThat(reported)
                 .isNotEmpty()
                 .allMatch(estimate -> estimate.mapFromBase().isNear(truth(), 1e-9, 1e-9));
     }

@@ -42,21 +42,21 @@ class ReadingValidatorTest {
                 .isTrue();
         assertThat(scrutiny.accepts(scan(1.1, -1, ranges(3, Float.POSITIVE_INFINITY))))
                 .isTrue();
-        assertThat(scrutiny.told()).isEmpty();
+        assertThat(scrutiny.reported()).isEmpty();
     }
 
     @Test
     void skipsAndCountsWhatIsOfNoUse() {
         assertThat(scrutiny.accepts(scan(1, -1, 2, 2, 2))).isTrue();
         assertThat(scrutiny.accepts(scan(1.1, -1, ranges(3, Float.NaN)))).isFalse();
-        assertThat(scrutiny.told()).contains("1,").contains("NaN");
+        assertThat(scrutiny.reported()).contains("1,").contains("NaN");
         assertThat(scrutiny.accepts(scan(1.2, -1, 2, 2))).isFalse();
-        assertThat(scrutiny.told()).contains("2,").contains("2 beams").contains("had 3");
+        assertThat(scrutiny.reported()).contains("2,").contains("2 beams").contains("had 3");
         assertThat(scrutiny.accepts(scan(1.3, -1))).isFalse();
         assertThat(scrutiny.accepts(scan(1.4, Double.NaN, 2, 2, 2))).isFalse();
-        assertThat(scrutiny.told()).contains("direction");
+        assertThat(scrutiny.reported()).contains("direction");
         assertThat(scrutiny.accepts(scan(0.5, -1, 2, 2, 2))).isFalse();
-        assertThat(scrutiny.told()).contains("5,").contains("0.500 s older");
+        assertThat(scrutiny.reported()).contains("5,").contains("0.500 s older");
         assertThat(scrutiny.accepts(scan(1.5, -1, 2, 2, 2))).isTrue();
         assertThat(scrutiny.skipped()).isEqualTo(5);
     }
@@ -78,7 +78,7 @@ class ReadingValidatorTest {
         assertThat(any.accepts(scan(1.1, -1, 2, 2))).isTrue();
         assertThat(any.accepts(scan(1.2, -1))).isFalse();
         assertThat(any.accepts(scan(1, -1, 2, 2))).isFalse();
-        assertThat(any.told()).contains("2,").contains("0.100 s older");
+        assertThat(any.reported()).contains("2,").contains("0.100 s older");
     }
 
     @Test
@@ -86,11 +86,11 @@ class ReadingValidatorTest {
         ReadingValidator any = ReadingValidator.ofAnyScans(_ -> {});
         assertThat(any.acceptsRanges(sonars(1, Pose2d.ORIGIN, 2))).isTrue();
         assertThat(any.acceptsRanges(sonars(1.1, Pose2d.ORIGIN, Float.NaN))).isFalse();
-        assertThat(any.told()).contains("reading of sonars").contains("NaN");
+        assertThat(any.reported()).contains("reading of sonars").contains("NaN");
         assertThat(any.acceptsRanges(sonars(1.2, new Pose2d(0, 0, Double.NaN), 2)))
                 .isFalse();
         assertThat(any.acceptsRanges(sonars(0.9, Pose2d.ORIGIN, 2))).isFalse();
-        assertThat(any.told()).contains("3,").contains("0.100 s older");
+        assertThat(any.reported()).contains("3,").contains("0.100 s older");
     }
 
     private static Stamped<RangeArray> sonars(double seconds, Pose2d mount, float range) {
@@ -105,7 +105,7 @@ class ReadingValidatorTest {
         assertThat(scrutiny.acceptsOdometry(odometry(1, 0))).isTrue();
         assertThat(scrutiny.acceptsOdometry(odometry(2, Double.NaN))).isFalse();
         assertThat(scrutiny.acceptsOdometry(odometry(0.9, 0))).isFalse();
-        assertThat(scrutiny.told()).contains("2,").contains("odometry").contains("0.100 s older");
+        assertThat(scrutiny.reported()).contains("2,").contains("odometry").contains("0.100 s older");
     }
 
     @Test

@@ -16,7 +16,7 @@ class SequenceTest {
     }
 
     /// By robot.
-    private List<Double> told(List<List<Double>> places) {
+    private List<Double> reported(List<List<Double>> places) {
         List<List<PosedScan>> scans = places.stream()
                 .map(own -> own.stream().map(SequenceTest::scan).toList())
                 .toList();
@@ -25,22 +25,22 @@ class SequenceTest {
 
     @Test
     void whatCameLaterIsLater() {
-        assertThat(told(List.of(List.of(1.0), List.of(2.0, 3.0)))).containsExactly(1.0, 2.0, 3.0);
-        assertThat(told(List.of(List.of(1.0, 4.0), List.of(2.0, 3.0, 5.0), List.of(6.0))))
+        assertThat(reported(List.of(List.of(1.0), List.of(2.0, 3.0)))).containsExactly(1.0, 2.0, 3.0);
+        assertThat(reported(List.of(List.of(1.0, 4.0), List.of(2.0, 3.0, 5.0), List.of(6.0))))
                 .containsExactly(1.0, 2.0, 3.0, 4.0, 5.0, 6.0);
     }
 
     @Test
     void scansThatMovedKeepTheirPlaces() {
-        told(List.of(List.of(1.0), List.of(2.0)));
-        assertThat(told(List.of(List.of(1.5, 3.0), List.of(2.5)))).containsExactly(1.5, 2.5, 3.0);
+        reported(List.of(List.of(1.0), List.of(2.0)));
+        assertThat(reported(List.of(List.of(1.5, 3.0), List.of(2.5)))).containsExactly(1.5, 2.5, 3.0);
     }
 
     @Test
     void whoBeginsAnotherMapTakesBackTheOther() {
-        told(List.of(List.of(1.0, 2.0), List.of(3.0)));
-        assertThat(told(List.of(List.of(), List.of(3.0, 4.0)))).containsExactly(3.0, 4.0);
-        assertThat(told(List.of(List.of(5.0), List.of(3.0, 4.0)))).containsExactly(3.0, 4.0, 5.0);
-        assertThat(told(List.of(List.of(5.0), List.of(6.0)))).containsExactly(5.0, 6.0);
+        reported(List.of(List.of(1.0, 2.0), List.of(3.0)));
+        assertThat(reported(List.of(List.of(), List.of(3.0, 4.0)))).containsExactly(3.0, 4.0);
+        assertThat(reported(List.of(List.of(5.0), List.of(3.0, 4.0)))).containsExactly(3.0, 4.0, 5.0);
+        assertThat(reported(List.of(List.of(5.0), List.of(6.0)))).containsExactly(5.0, 6.0);
     }
 }

@@ -77,12 +77,12 @@ class SilenceTest {
     void odometryThatIsNoNumberIsSkippedAndCounted() {
         drive(2);
         Pose2d odomFromBase = base.latest().orElseThrow().value().odomFromBase();
-        var told = new ArrayList<PoseEstimate>();
-        localizer().subscribe(estimate -> told.add(estimate.value()));
+        var reported = new ArrayList<PoseEstimate>();
+        localizer().subscribe(estimate -> reported.add(estimate.value()));
 
         base.resetOdometry(new Pose2d(Double.NaN, 0, 0));
         scheduler.advance(Duration.ofSeconds(6));
-        assertThat(told).isEmpty();
+        assertThat(reported).isEmpty();
         assertThat(localizer().health())
                 .isInstanceOfSatisfying(
                         Health.Stale.class,
@@ -93,8 +93,9 @@ class SilenceTest {
         base.resetOdometry(odomFromBase);
         drive(2);
         assertThat(localizer().health()).isEqualTo(Health.ok());
-        assertThat(told).isNotEmpty();
-        assertThat(told.getLast().mapFromBase().distanceTo(base.mapFromBase())).isLessThan(0.3);
+        assertThat(reported).isNotEmpty();
+        assertThat(reported.getLast().mapFromBase().distanceTo(base.mapFromBase()))
+                .isLessThan(0.3);
     }
 
     @Test

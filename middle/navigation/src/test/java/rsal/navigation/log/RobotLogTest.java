@@ -131,11 +131,11 @@ class RobotLogTest {
         });
         assertThat(log.scans())
                 .allMatch(scan -> scan.scan().baseFromLaser().equals(Pose2d.ORIGIN))
-                .allMatch(scan -> scan.poses() instanceof Poses.Told);
-        var told = (Poses.Told) log.scans().get(10).poses();
-        assertThat(told.mapFromBase().isNear(new Pose2d(1, 0.2, 0.1), 1e-5, 1e-5))
+                .allMatch(scan -> scan.poses() instanceof Poses.Reported);
+        var reported = (Poses.Reported) log.scans().get(10).poses();
+        assertThat(reported.mapFromBase().isNear(new Pose2d(1, 0.2, 0.1), 1e-5, 1e-5))
                 .isTrue();
-        assertThat(told.odomFromBase().isNear(new Pose2d(0.8, 0, 0), 1e-5, 1e-5))
+        assertThat(reported.odomFromBase().isNear(new Pose2d(0.8, 0, 0), 1e-5, 1e-5))
                 .isTrue();
     }
 

@@ -29,7 +29,7 @@ class CourseTest {
     void aScanWithoutOdometryHasThatAroundIt() throws IOException {
         Course course = Course.of(log(RAW));
 
-        assertThat(course.untold()).isEqualTo(1);
+        assertThat(course.omitted()).isEqualTo(1);
         assertThat(course.stops()).hasSize(2);
         Pose2d between = course.stops().getFirst().odomFromBase();
         assertThat(between.x()).isCloseTo(1.25, within(1e-9));
@@ -43,7 +43,7 @@ class CourseTest {
         Course course = Course.of(log(RAW + "RAWLASER1 0 -1 2 1 20 0.01 0 3 1 2 6 0 3.5 h 0\n"));
 
         assertThat(course.stops()).hasSize(2);
-        assertThat(course.untold()).isEqualTo(2);
+        assertThat(course.omitted()).isEqualTo(2);
     }
 
     @Test
@@ -78,8 +78,8 @@ class CourseTest {
         assertThat(mended.leaps()).isEmpty();
         assertThat(step(mended, 2).isNear(Pose2d.ORIGIN, 1e-9, 1e-9)).isTrue();
         for (int i : new int[] {1, 3, 4}) {
-            Pose2d told = step(course, i);
-            assertThat(step(mended, i).isNear(told, 1e-9, 1e-9))
+            Pose2d reported = step(course, i);
+            assertThat(step(mended, i).isNear(reported, 1e-9, 1e-9))
                     .as("step %d", i)
                     .isTrue();
         }

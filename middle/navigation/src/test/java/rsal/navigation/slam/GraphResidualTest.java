@@ -19,17 +19,17 @@ class GraphResidualTest {
         return GraphResidual.of(relations, List.of(Pose2d.ORIGIN, new Pose2d(1, 0, 0), new Pose2d(2, 0, 0)));
     }
 
-    private void told(int from, Pose2d fromFromTo, double deviation, Source source) {
+    private void reported(int from, Pose2d fromFromTo, double deviation, Source source) {
         var covariance = Covariance2d.ofDeviations(deviation, deviation, 0.05);
         relations.add(new Relation(from, from + 1, fromFromTo, covariance, source));
     }
 
     @Test
     void wheelsMaySlipWhereAScanSaysSo() {
-        told(0, METER, 0.1, Source.ODOMETRY);
-        told(0, METER, 0.02, Source.SCANS);
-        told(1, new Pose2d(3, 0, 0), 0.1, Source.ODOMETRY);
-        told(1, new Pose2d(1.02, 0, 0), 0.02, Source.SCANS);
+        reported(0, METER, 0.1, Source.ODOMETRY);
+        reported(0, METER, 0.02, Source.SCANS);
+        reported(1, new Pose2d(3, 0, 0), 0.1, Source.ODOMETRY);
+        reported(1, new Pose2d(1.02, 0, 0), 0.02, Source.SCANS);
 
         assertThat(strain().wheels()).hasValueSatisfying(step -> {
             assertThat(step.from()).isEqualTo(1);
@@ -45,8 +45,8 @@ class GraphResidualTest {
 
     @Test
     void whatNothingThatWasToldFitsIsTooMuch() {
-        told(0, METER, 0.1, Source.ODOMETRY);
-        told(1, new Pose2d(1.7, 0, 0), 0.1, Source.ODOMETRY);
+        reported(0, METER, 0.1, Source.ODOMETRY);
+        reported(1, new Pose2d(1.7, 0, 0), 0.1, Source.ODOMETRY);
         relations.add(
                 new Relation(0, 2, new Pose2d(2, 0, 0), Covariance2d.ofDeviations(0.01, 0.01, 0.01), Source.LOOP));
 
@@ -56,14 +56,14 @@ class GraphResidualTest {
         assertThat(strain().blind()).isEqualTo(2);
         assertThat(strain().scans()).isEmpty();
 
-        told(1, new Pose2d(1.3, 0, 0), 0.02, Source.SCANS); // off the map, too
+        reported(1, new Pose2d(1.3, 0, 0), 0.02, Source.SCANS); // off the map, too
         assertThat(strain().tooMuch()).isPresent();
         assertThat(strain().blind()).isEqualTo(1);
     }
 
     @Test
     void aHeadingMayBeTooFarOffEitherWay() {
-        told(0, new Pose2d(1, 0, -0.4), 0.1, Source.ODOMETRY);
+        reported(0, new Pose2d(1, 0, -0.4), 0.1, Source.ODOMETRY);
 
         assertThat(strain().tooMuch()).hasValueSatisfying(step -> {
             assertThat(step.radians()).isEqualTo(0.4, within(1e-9));

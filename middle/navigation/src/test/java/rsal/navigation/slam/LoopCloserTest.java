@@ -55,12 +55,12 @@ class LoopCloserTest {
     @Test
     void wallsAloneDoNotContradictTheGraph() {
         List<Pose2d> places = List.of(Pose2d.ORIGIN, new Pose2d(5, 0, 0));
-        Pose2d told = new Pose2d(5.1, 0, Math.toRadians(-3));
+        Pose2d reported = new Pose2d(5.1, 0, Math.toRadians(-3));
         Covariance2d alongAWall = Covariance2d.ofDeviations(0.6, 0.07, 0.007);
         Covariance2d inACorner = Covariance2d.ofDeviations(0.02, 0.02, 0.007);
 
-        assertThat(LoopCloser.isSound(loop(told, alongAWall), places)).isFalse();
-        assertThat(LoopCloser.isSound(loop(told, inACorner), places)).isTrue();
+        assertThat(LoopCloser.isSound(loop(reported, alongAWall), places)).isFalse();
+        assertThat(LoopCloser.isSound(loop(reported, inACorner), places)).isTrue();
         assertThat(LoopCloser.isSound(loop(new Pose2d(5.1, 0, 0), alongAWall), places))
                 .isTrue();
     }

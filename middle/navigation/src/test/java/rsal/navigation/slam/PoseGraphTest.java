@@ -25,13 +25,13 @@ class PoseGraphTest {
         guess.add(Pose2d.ORIGIN);
         for (int i = 1; i < 160; i++) {
             var step = new Pose2d(1, 0, i % 20 == 0 ? Math.PI / 2 : 0);
-            var told = new Pose2d(
+            var reported = new Pose2d(
                     step.x() + 0.05 * random.nextGaussian(),
                     0.05 * random.nextGaussian(),
                     step.theta() + 0.01 + 0.02 * random.nextGaussian());
             truth.add(truth.getLast().compose(step));
-            guess.add(guess.getLast().compose(told));
-            relations.add(new Relation(i - 1, i, told, STEP, Source.SCANS));
+            guess.add(guess.getLast().compose(reported));
+            relations.add(new Relation(i - 1, i, reported, STEP, Source.SCANS));
         }
     }
 

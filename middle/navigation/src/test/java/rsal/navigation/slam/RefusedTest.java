@@ -15,11 +15,11 @@ class RefusedTest {
 
     /// Says that a frame is so far off to the left [m] of where the graph has it.
     private static Relation loop(int from, int to, double off) {
-        var told = new Pose2d(to - from, off, 0);
-        return new Relation(from, to, told, Covariance2d.ofDeviations(0.02, 0.02, 0.004), Relation.Source.LOOP);
+        var reported = new Pose2d(to - from, off, 0);
+        return new Relation(from, to, reported, Covariance2d.ofDeviations(0.02, 0.02, 0.004), Relation.Source.LOOP);
     }
 
-    private static List<Relation> told(Refused refused, Relation... loops) {
+    private static List<Relation> reported(Refused refused, Relation... loops) {
         List<Relation> agreeing = List.of();
         for (Relation loop : loops) {
             refused.add(List.of(loop), loop.to());
@@ -30,34 +30,34 @@ class RefusedTest {
 
     @Test
     void framesInARowAreOneLook() {
-        assertThat(told(new Refused(), loop(2, 40, 0.3), loop(3, 41, 0.3), loop(4, 42, 0.3), loop(4, 43, 0.3)))
+        assertThat(reported(new Refused(), loop(2, 40, 0.3), loop(3, 41, 0.3), loop(4, 42, 0.3), loop(4, 43, 0.3)))
                 .isEmpty();
     }
 
     @Test
     void looksApartThatAgreeAreTold() {
-        assertThat(told(new Refused(), loop(2, 40, 0.3), loop(9, 42, -0.4), loop(4, 44, 0.35)))
+        assertThat(reported(new Refused(), loop(2, 40, 0.3), loop(9, 42, -0.4), loop(4, 44, 0.35)))
                 .extracting(Relation::to)
                 .containsExactly(40, 44);
     }
 
     @Test
     void looksThatDisagreeAreNot() {
-        assertThat(told(new Refused(), loop(2, 40, 0.3), loop(4, 44, 0.6), loop(6, 48, -0.3)))
+        assertThat(reported(new Refused(), loop(2, 40, 0.3), loop(4, 44, 0.6), loop(6, 48, -0.3)))
                 .isEmpty();
     }
 
     @Test
     void areToldAgainWhenOneMoreAgreesOnly() {
         var refused = new Refused();
-        assertThat(told(refused, loop(2, 40, 0.3), loop(4, 44, 0.3))).hasSize(2);
-        assertThat(told(refused, loop(5, 45, 0.3), loop(6, 47, 0.3))).isEmpty();
-        assertThat(told(refused, loop(7, 48, 0.3))).hasSize(5);
+        assertThat(reported(refused, loop(2, 40, 0.3), loop(4, 44, 0.3))).hasSize(2);
+        assertThat(reported(refused, loop(5, 45, 0.3), loop(6, 47, 0.3))).isEmpty();
+        assertThat(reported(refused, loop(7, 48, 0.3))).hasSize(5);
     }
 
     @Test
     void oldOnesAreForgotten() {
-        assertThat(told(new Refused(), loop(2, 20, 0.3), loop(4, 50, 0.3))).isEmpty();
+        assertThat(reported(new Refused(), loop(2, 20, 0.3), loop(4, 50, 0.3))).isEmpty();
     }
 
     @Test

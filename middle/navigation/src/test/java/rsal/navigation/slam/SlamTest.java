@@ -119,9 +119,9 @@ class SlamTest {
             double distance = truth.distanceTo(kept.getFirst());
             if (wrong < 0 && i > 60 && distance < 9) { // the wrong one is the first that knows this end of the way
                 Pose2d is = kept.getFirst().inverse().compose(kept.getLast());
-                var told = new Pose2d(is.x() + 0.4, is.y() + 0.3, is.theta());
+                var reported = new Pose2d(is.x() + 0.4, is.y() + 0.3, is.theta());
                 var sure = Covariance2d.ofDeviations(0.05, 0.05, 0.01);
-                slam.close(List.of(new Relation(0, kept.size() - 1, told, sure, Relation.Source.LOOP)));
+                slam.close(List.of(new Relation(0, kept.size() - 1, reported, sure, Relation.Source.LOOP)));
                 assertThat(slam.pose(located).distanceTo(truth)).isGreaterThan(0.4);
                 wrong = kept.size() - 1;
             } else if (wrong >= 0) {
@@ -260,10 +260,10 @@ class SlamTest {
         var random = new SplittableRandom(3);
         var before = new Pose2d(x, 2.5, 0.05);
         Pose2d behind = before.compose(new Pose2d(meters, 0, 0.05));
-        Pose2d told = before.compose(new Pose2d(meters - 0.1, 0.25, 0.05 + Math.toRadians(degrees)));
+        Pose2d reported = before.compose(new Pose2d(meters - 0.1, 0.25, 0.05 + Math.toRadians(degrees)));
         var slam = new Slam(Slam.Settings.DEFAULT);
         slam.add(before, rooms.scan(before, 0.01, random));
-        Pose2d found = slam.pose(slam.add(told, rooms.scan(behind, 0.01, random)));
+        Pose2d found = slam.pose(slam.add(reported, rooms.scan(behind, 0.01, random)));
         assertThat(!slam.tracking().seeing() || found.isNear(behind, 0.05, 0.02))
                 .isTrue();
         return slam.tracking();
@@ -407,15 +407,15 @@ class SlamTest {
                 .box(9, 0, 10, 1.5);
     }
 
-    private static Slam acrossTheRoom(Walls room, Pose2d start, Pose2d told, SplittableRandom random) {
+    private static Slam acrossTheRoom(Walls room, Pose2d start, Pose2d reported, SplittableRandom random) {
         var slam = new Slam(Slam.Settings.DEFAULT);
         for (int i = 0; i < 20; i++) {
             var way = new Pose2d(0.3 * i, 0, 0);
-            slam.add(told.compose(way), room.scan(start.compose(way), 0.01, random));
+            slam.add(reported.compose(way), room.scan(start.compose(way), 0.01, random));
         }
         for (int i = 1; i <= 6; i++) {
             var way = new Pose2d(5.7, 0, i * Math.PI / 6);
-            slam.add(told.compose(way), room.scan(start.compose(way), 0.01, random));
+            slam.add(reported.compose(way), room.scan(start.compose(way), 0.01, random));
         }
         return slam;
     }
@@ -425,16 +425,16 @@ class SlamTest {
         var random = new SplittableRandom(4);
         var start = new Pose2d(2, 3, 0.1);
         Slam first = acrossTheRoom(halfTurned(), start, start, random);
-        var told = new Pose2d(-5, 2, 1);
-        Slam second = acrossTheRoom(halfTurned(), new Pose2d(8, 3.4, 3), told, random);
+        var reported = new Pose2d(-5, 2, 1);
+        Slam second = acrossTheRoom(halfTurned(), new Pose2d(8, 3.4, 3), reported, random);
         int before = first.frameCount();
 
         Merge merge = first.merge(second);
 
         assertThat(merge).isInstanceOf(Merge.Ambiguous.class);
         var ambiguous = (Merge.Ambiguous) merge;
-        Pose2d one = ambiguous.mapFromOther().compose(told);
-        Pose2d other = ambiguous.rival().compose(told);
+        Pose2d one = ambiguous.mapFromOther().compose(reported);
+        Pose2d other = ambiguous.rival().compose(reported);
         var right = new Pose2d(8, 3.4, 3);
         var halfATurn = new Pose2d(2, 2.6, 3 - Math.PI);
         assertThat(List.of(one, other))
@@ -449,13 +449,14 @@ class SlamTest {
         var start = new Pose2d(2, 3, 0.1);
         Walls room = halfTurned().box(4, 5.2, 5.4, 6);
         Slam first = acrossTheRoom(room, start, start, random);
-        var told = new Pose2d(-5, 2, 1);
-        Slam second = acrossTheRoom(room, new Pose2d(8, 3.4, 3), told, random);
+        var reported = new Pose2d(-5, 2, 1);
+        Slam second = acrossTheRoom(room, new Pose2d(8, 3.4, 3), reported, random);
 
         assertThat(first.merge(second))
                 .isInstanceOfSatisfying(
                         Merge.Done.class,
-                        done -> assertThat(done.mapFromOther().compose(told).isNear(new Pose2d(8, 3.4, 3), 0.2, 0.05))
+                        done -> assertThat(
+                                        done.mapFromOther().compose(reported).isNear(new Pose2d(8, 3.4, 3), 0.2, 0.05))
                                 .isTrue());
     }
 

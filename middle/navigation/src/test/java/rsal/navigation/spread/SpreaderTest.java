@@ -132,9 +132,9 @@ class SpreaderTest {
     @Test
     void tellsHowFarItGot() {
         for (int number : new int[] {5, 200}) {
-            var told = new ArrayList<Double>();
-            new Spreader(ReachableSpace.largest(OFFICE, 0.1), number).spread(new SplittableRandom(1), told::add);
-            assertThat(told)
+            var reported = new ArrayList<Double>();
+            new Spreader(ReachableSpace.largest(OFFICE, 0.1), number).spread(new SplittableRandom(1), reported::add);
+            assertThat(reported)
                     .isSorted()
                     .allMatch(share -> share > 0 && share <= 1)
                     .endsWith(1.0);

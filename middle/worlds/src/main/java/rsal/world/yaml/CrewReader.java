@@ -119,9 +119,9 @@ final class CrewReader {
         Rgb color = section.has("color")
                 ? BodyReader.color(section, "color")
                 : Rgb.parse(RobotColors.of(number)).orElseThrow();
-        boolean told =
+        boolean reported =
                 Keys.SURFACE.stream().anyMatch(parameter -> section.names().contains(parameter.name()));
-        UnaryOperator<Surface> surface = SurfaceReader.told(section);
+        UnaryOperator<Surface> surface = SurfaceReader.reported(section);
         Optional<String> program = section.has("program") ? Optional.of(section.text("program")) : Optional.empty();
         boolean fromStart = section.find("odometry")
                 .filter(value ->
@@ -145,7 +145,7 @@ final class CrewReader {
                 .anyMatch(place -> place.filter(p -> p.height() != 0).isPresent());
         List<Block> plain = figure.map(f -> f.blocks(color))
                 .orElseGet(() -> Entity.blocks(model.get().model().body(), color));
-        Optional<List<Block>> blocks = !told && !high && figure.isEmpty()
+        Optional<List<Block>> blocks = !reported && !high && figure.isEmpty()
                 ? Optional.empty()
                 : Optional.of(List.copyOf(plain.stream()
                         .map(block -> block.with(surface.apply(block.surface())))

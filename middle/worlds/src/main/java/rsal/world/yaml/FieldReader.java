@@ -89,7 +89,7 @@ final class FieldReader {
                             .formatted(section.path(""), dense ? "both" : "none"),
                     "{count: 20}");
         }
-        Surface surface = SurfaceReader.told(section).apply(Surface.PLAIN);
+        Surface surface = SurfaceReader.reported(section).apply(Surface.PLAIN);
         var field = new Field(
                 name,
                 FloorPlace.area(section, "area").orElse(null),

@@ -26,49 +26,49 @@ final class PartWriter {
 
     /// @param mount where on the robot it sits
     /// @param settings what it is
-    record Told(Pose2d mount, Map<String, Object> settings) {}
+    record Reported(Pose2d mount, Map<String, Object> settings) {}
 
-    static Told write(Part part) {
-        var told = new LinkedHashMap<String, Object>();
+    static Reported write(Part part) {
+        var properties = new LinkedHashMap<String, Object>();
         Pose2d mount = switch (part) {
-            case Part.Laser laser -> laser(told, laser);
+            case Part.Laser laser -> laser(properties, laser);
             case Part.Sonars sonars -> {
-                told.put("type", "sonars");
-                told.put(
+                properties.put("type", "sonars");
+                properties.put(
                         "sensors",
                         sonars.baseFromSensors().stream()
                                 .map(pose -> SceneWriter.pose(pose, 0))
                                 .toList());
-                told.put("fieldOfView", YamlText.degrees(sonars.fieldOfView()));
-                told.put("range", List.of(sonars.rangeMin(), sonars.rangeMax()));
-                noise(told, sonars.noise());
+                properties.put("fieldOfView", YamlText.degrees(sonars.fieldOfView()));
+                properties.put("range", List.of(sonars.rangeMin(), sonars.rangeMax()));
+                noise(properties, sonars.noise());
                 yield Pose2d.ORIGIN;
             }
             case Part.BlobFinder finder -> {
-                told.put("type", "blob-finder");
-                told.put("image", List.of((long) finder.width(), (long) finder.height()));
-                told.put("fieldOfView", fieldOfView(finder.fieldOfView()));
-                told.put("range", finder.rangeMax());
+                properties.put("type", "blob-finder");
+                properties.put("image", List.of((long) finder.width(), (long) finder.height()));
+                properties.put("fieldOfView", fieldOfView(finder.fieldOfView()));
+                properties.put("range", finder.rangeMax());
                 if (!finder.colors().isEmpty()) {
-                    told.put(
+                    properties.put(
                             "colors",
                             finder.colors().stream().map(Object::toString).toList());
                 }
                 yield finder.baseFromCamera();
             }
             case Part.FiducialFinder finder -> {
-                told.put("type", "fiducial-finder");
-                told.put("fieldOfView", fieldOfView(finder.fieldOfView()));
-                told.put("range", finder.rangeMax());
-                told.put("idRange", finder.idRange());
-                told.put("key", (long) finder.key());
-                flag(told, "allHeights", finder.allHeights());
+                properties.put("type", "fiducial-finder");
+                properties.put("fieldOfView", fieldOfView(finder.fieldOfView()));
+                properties.put("range", finder.rangeMax());
+                properties.put("idRange", finder.idRange());
+                properties.put("key", (long) finder.key());
+                flag(properties, "allHeights", finder.allHeights());
                 yield finder.baseFromFinder();
             }
-            case Part.Gripper gripper -> gripper(told, gripper);
+            case Part.Gripper gripper -> gripper(properties, gripper);
             case Part.Bumper bumper -> {
-                told.put("type", "bumper");
-                told.put(
+                properties.put("type", "bumper");
+                properties.put(
                         "bumpers",
                         bumper.pads().stream()
                                 .map(pad -> {
@@ -79,40 +79,40 @@ final class PartWriter {
                                 .toList());
                 yield Pose2d.ORIGIN;
             }
-            case Part.Actuator actuator -> actuator(told, actuator);
+            case Part.Actuator actuator -> actuator(properties, actuator);
             case Part.Battery battery -> {
-                told.put("type", "battery");
-                told.put("capacity", battery.capacity());
-                told.put("charge", battery.charge());
-                told.put("idlePower", battery.idlePower());
-                told.put("energyPerMeter", battery.energyPerMeter());
-                told.put(
+                properties.put("type", "battery");
+                properties.put("capacity", battery.capacity());
+                properties.put("charge", battery.charge());
+                properties.put("idlePower", battery.idlePower());
+                properties.put("energyPerMeter", battery.energyPerMeter());
+                properties.put(
                         "energyPerDegree",
                         YamlText.inverse(
                                 battery.energyPerRadian(), Math::toDegrees, Math.toRadians(battery.energyPerRadian())));
-                told.put("chargingPower", battery.chargingPower());
-                told.put("givingPower", battery.givingPower());
+                properties.put("chargingPower", battery.chargingPower());
+                properties.put("givingPower", battery.givingPower());
                 yield Pose2d.ORIGIN;
             }
             case Part.Light light -> {
-                told.put("type", "light");
-                told.put("color", light.color().toString());
-                told.put("flashPeriod", seconds(light.signal().period()));
-                told.put("dutyCycle", light.signal().dutyCycle());
+                properties.put("type", "light");
+                properties.put("color", light.color().toString());
+                properties.put("flashPeriod", seconds(light.signal().period()));
+                properties.put("dutyCycle", light.signal().dutyCycle());
                 yield light.baseFromLight();
             }
             case Part.Registered other -> {
-                told.put("type", other.kind().key());
-                told.putAll(other.arguments().written());
+                properties.put("type", other.kind().key());
+                properties.putAll(other.arguments().written());
                 yield other.baseFromDevice();
             }
             case Part.Own own -> {
-                told.put("type", own(own.makes()));
+                properties.put("type", own(own.makes()));
                 yield Pose2d.ORIGIN;
             }
         };
-        period(part).ifPresent(period -> told.put("period", seconds(period)));
-        return new Told(mount, told);
+        period(part).ifPresent(period -> properties.put("period", seconds(period)));
+        return new Reported(mount, properties);
     }
 
     private static String own(Class<? extends Device> made) {
@@ -132,70 +132,70 @@ final class PartWriter {
     }
 
     /// Beams that are not the same to both sides are turned together.
-    private static Pose2d laser(Map<String, Object> told, Part.Laser laser) {
+    private static Pose2d laser(Map<String, Object> properties, Part.Laser laser) {
         double middle = laser.angleMin() + laser.angleIncrement() * (laser.samples() - 1) / 2;
         boolean even = Math.abs(middle) < 1e-12;
-        told.put("type", "laser");
-        told.put(
+        properties.put("type", "laser");
+        properties.put(
                 "fieldOfView",
                 fieldOfView(even ? -2 * laser.angleMin() : laser.angleIncrement() * (laser.samples() - 1)));
-        told.put("samples", (long) laser.samples());
-        told.put("range", List.of(laser.rangeMin(), laser.rangeMax()));
-        noise(told, laser.noise());
+        properties.put("samples", (long) laser.samples());
+        properties.put("range", List.of(laser.rangeMin(), laser.rangeMax()));
+        noise(properties, laser.noise());
         return even ? laser.baseFromLaser() : laser.baseFromLaser().compose(new Pose2d(0, 0, middle));
     }
 
-    private static void noise(Map<String, Object> told, RangeNoise noise) {
-        told.put("noise", noise.deviation());
+    private static void noise(Map<String, Object> properties, RangeNoise noise) {
+        properties.put("noise", noise.deviation());
         if (noise.share() != 0) {
-            told.put("relativeNoise", noise.share());
+            properties.put("relativeNoise", noise.share());
         }
         if (noise.angle() != 0) {
-            told.put("angularNoise", YamlText.degrees(noise.angle()));
+            properties.put("angularNoise", YamlText.degrees(noise.angle()));
         }
     }
 
-    private static void flag(Map<String, Object> told, String key, boolean on) {
+    private static void flag(Map<String, Object> properties, String key, boolean on) {
         if (on) {
-            told.put(key, true);
+            properties.put(key, true);
         }
     }
 
-    private static Pose2d gripper(Map<String, Object> told, Part.Gripper gripper) {
-        told.put("type", "gripper");
-        told.put("length", gripper.length());
-        told.put("width", gripper.width());
-        told.put("height", gripper.height());
-        told.put("paddleLength", gripper.paddleLength());
-        told.put("paddleWidth", gripper.paddleWidth());
-        told.put("closingTime", seconds(gripper.closingTime()));
+    private static Pose2d gripper(Map<String, Object> properties, Part.Gripper gripper) {
+        properties.put("type", "gripper");
+        properties.put("length", gripper.length());
+        properties.put("width", gripper.width());
+        properties.put("height", gripper.height());
+        properties.put("paddleLength", gripper.paddleLength());
+        properties.put("paddleWidth", gripper.paddleWidth());
+        properties.put("closingTime", seconds(gripper.closingTime()));
         if (gripper.hasLift()) {
-            told.put("liftingTime", seconds(gripper.liftingTime()));
+            properties.put("liftingTime", seconds(gripper.liftingTime()));
         }
-        flag(told, "closed", gripper.closed());
-        flag(told, "raised", gripper.raised());
-        flag(told, "snatches", gripper.snatches());
+        flag(properties, "closed", gripper.closed());
+        flag(properties, "raised", gripper.raised());
+        flag(properties, "snatches", gripper.snatches());
         return gripper.baseFromGripper();
     }
 
-    private static Pose2d actuator(Map<String, Object> told, Part.Actuator actuator) {
+    private static Pose2d actuator(Map<String, Object> properties, Part.Actuator actuator) {
         boolean turns = actuator.joint() == Joint.ROTATIONAL;
         double unit = turns ? Math.toRadians(1) : 1;
         double least = inUnits(actuator.limits().least(), unit);
         double most = inUnits(actuator.limits().most(), unit);
-        told.put("type", "actuator");
-        told.put("joint", turns ? "rotational" : "linear");
+        properties.put("type", "actuator");
+        properties.put("joint", turns ? "rotational" : "linear");
         if (actuator.slope() != 0) {
-            told.put("slope", Math.clamp(YamlText.degrees(actuator.slope()), -STRAIGHT_UP, STRAIGHT_UP));
+            properties.put("slope", Math.clamp(YamlText.degrees(actuator.slope()), -STRAIGHT_UP, STRAIGHT_UP));
         }
-        told.put("limits", List.of(least, most));
-        told.put("maxSpeed", inUnits(actuator.maxSpeed(), unit));
-        told.put("home", Math.clamp(inUnits(actuator.home(), unit), least, most));
+        properties.put("limits", List.of(least, most));
+        properties.put("maxSpeed", inUnits(actuator.maxSpeed(), unit));
+        properties.put("home", Math.clamp(inUnits(actuator.home(), unit), least, most));
         return actuator.baseFromJoint();
     }
 
     private static double inUnits(double value, double unit) {
-        return YamlText.inverse(value, told -> told * unit, value / unit);
+        return YamlText.inverse(value, properties -> properties * unit, value / unit);
     }
 
     private static double fieldOfView(double radians) {

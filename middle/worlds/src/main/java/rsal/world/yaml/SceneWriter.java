@@ -263,28 +263,28 @@ public final class SceneWriter {
 
     /// What is to be told of a surface.
     static Map<String, Object> difference(Surface surface, Surface base) {
-        var told = new LinkedHashMap<String, Object>();
+        var properties = new LinkedHashMap<String, Object>();
         if (!surface.color().equals(base.color())) {
-            told.put("color", surface.color().toString());
+            properties.put("color", surface.color().toString());
         }
         if (surface.obstacle() != base.obstacle()) {
-            told.put("obstacle", surface.obstacle());
+            properties.put("obstacle", surface.obstacle());
         }
         if (surface.reflectance() != base.reflectance()) {
-            told.put("reflectance", surface.reflectance());
+            properties.put("reflectance", surface.reflectance());
         }
         if (surface.blob() != base.blob()) {
-            told.put("blob", surface.blob());
+            properties.put("blob", surface.blob());
         }
         if (surface.fiducial() != base.fiducial()) {
-            told.put("fiducial", (long) surface.fiducial());
+            properties.put("fiducial", (long) surface.fiducial());
         }
         if (surface.fiducialKey() != base.fiducialKey()) {
-            told.put("key", (long) surface.fiducialKey());
+            properties.put("key", (long) surface.fiducialKey());
         }
         if (surface.grippable() != base.grippable()) {
-            told.put("grippable", surface.grippable());
+            properties.put("grippable", surface.grippable());
         }
-        return told;
+        return properties;
     }
 }

@@ -65,7 +65,7 @@ record SolidReader(List<Piece> pieces) {
     }
 
     private static SolidReader read(Section body, Surface base, Function<Section, Optional<String>> carrier) {
-        Surface surface = SurfaceReader.told(body).apply(base);
+        Surface surface = SurfaceReader.reported(body).apply(base);
         if (!body.has("pieces")) {
             Optional<String> on = carrier.apply(body);
             return new SolidReader(List.of(new Piece(Keys.BODIES.piece(body), surface, on)));
@@ -73,7 +73,7 @@ record SolidReader(List<Piece> pieces) {
         boolean none = body.list("pieces").filter(List::isEmpty).isPresent();
         var pieces = new ArrayList<Piece>();
         for (Section piece : none ? List.<Section>of() : Keys.BODIES.pieces(body)) {
-            Surface own = SurfaceReader.told(piece).apply(surface);
+            Surface own = SurfaceReader.reported(piece).apply(surface);
             Optional<String> on = carrier.apply(piece);
             pieces.add(new Piece(Keys.BODIES.piece(piece), own, on));
         }

@@ -15,12 +15,12 @@ final class SurfaceReader {
     ///
     /// @param base what counts where nothing is said
     static Surface read(Section section, Surface base) {
-        Surface surface = told(section).apply(base);
+        Surface surface = reported(section).apply(base);
         return section.has("color") ? surface.in(BodyReader.color(section, "color")) : surface;
     }
 
     /// What is said, but the color, put over what is there otherwise.
-    static UnaryOperator<Surface> told(Section section) {
+    static UnaryOperator<Surface> reported(Section section) {
         Optional<Object> obstacle = find(section, Keys.OBSTACLE);
         Optional<Object> reflectance = find(section, Keys.REFLECTANCE);
         Optional<Object> blob = find(section, Keys.BLOB);

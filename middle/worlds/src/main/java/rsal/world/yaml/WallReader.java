@@ -152,10 +152,10 @@ final class WallReader {
 
     /// Underside and top; empty when none are told.
     private static Optional<Interval> heights(Section wall) {
-        boolean told = wall.has("bottom") || wall.has("height");
+        boolean reported = wall.has("bottom") || wall.has("height");
         double bottom = within(wall, "bottom", 0, -Keys.FARTHEST);
         double height = within(wall, "height", Keys.WALL_HEIGHT, 0);
-        return told
+        return reported
                 ? Optional.of(new Interval(bottom, Math.max(bottom + height, Math.nextUp(bottom))))
                 : Optional.empty();
     }

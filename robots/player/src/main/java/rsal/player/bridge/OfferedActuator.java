@@ -54,15 +54,15 @@ final class OfferedActuator extends OfferedSensor<ActuatorState> {
     @Override
     Subscription listen() {
         var repeating = scheduler().every(AGAIN, this::move);
-        Subscription telling = super.listen();
+        Subscription publishing = super.listen();
         return () -> {
             repeating.cancel();
-            telling.cancel();
+            publishing.cancel();
         };
     }
 
     @Override
-    void tell(Stamped<ActuatorState> reading) {
+    void publish(Stamped<ActuatorState> reading) {
         ActuatorState state = reading.value();
         int motion = switch (state.motion()) {
             case IDLE -> Actarray.IDLE;
@@ -137,20 +137,20 @@ final class OfferedActuator extends OfferedSensor<ActuatorState> {
         static Optional<Order> of(Packet command) throws MalformedException {
             return switch (command.header().subtype()) {
                 case Actarray.POSITION -> {
-                    var told = command.body(Actarray.Position.class);
-                    yield first(told.joint(), new Position(told.position()));
+                    var reported = command.body(Actarray.Position.class);
+                    yield first(reported.joint(), new Position(reported.position()));
                 }
                 case Actarray.POSITIONS -> {
-                    float[] told = command.body(Actarray.Positions.class).positions();
-                    yield told.length == 0 ? Optional.empty() : Optional.of(new Position(told[0]));
+                    float[] reported = command.body(Actarray.Positions.class).positions();
+                    yield reported.length == 0 ? Optional.empty() : Optional.of(new Position(reported[0]));
                 }
                 case Actarray.SPEED -> {
-                    var told = command.body(Actarray.Speed.class);
-                    yield first(told.joint(), new Speed(told.speed()));
+                    var reported = command.body(Actarray.Speed.class);
+                    yield first(reported.joint(), new Speed(reported.speed()));
                 }
                 case Actarray.SPEEDS -> {
-                    float[] told = command.body(Actarray.Speeds.class).speeds();
-                    yield told.length == 0 ? Optional.empty() : Optional.of(new Speed(told[0]));
+                    float[] reported = command.body(Actarray.Speeds.class).speeds();
+                    yield reported.length == 0 ? Optional.empty() : Optional.of(new Speed(reported[0]));
                 }
                 case Actarray.HOME -> {
                     int joint = command.body(Actarray.Home.class).joint();

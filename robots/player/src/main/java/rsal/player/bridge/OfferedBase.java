@@ -62,10 +62,10 @@ final class OfferedBase extends Offered implements ExclusiveControl.Holder {
     @Override
     Subscription listen() {
         var repeating = scheduler().every(AGAIN, this::drive);
-        Subscription telling = base.subscribe(this::tell);
+        Subscription publishing = base.subscribe(this::publish);
         return () -> {
             repeating.cancel();
-            telling.cancel();
+            publishing.cancel();
         };
     }
 
@@ -88,7 +88,7 @@ final class OfferedBase extends Offered implements ExclusiveControl.Holder {
         }
     }
 
-    private void tell(Stamped<Odometry> reading) {
+    private void publish(Stamped<Odometry> reading) {
         Odometry odometry = reading.value();
         Twist2d velocity = odometry.velocity();
         publish(
@@ -123,7 +123,7 @@ final class OfferedBase extends Offered implements ExclusiveControl.Holder {
     Optional<Answer> answer(Packet request) throws MalformedException {
         switch (request.header().subtype()) {
             case Position2d.GEOMETRY -> {
-                return Optional.of(new Answer.Told(geometry(model)));
+                return Optional.of(new Answer.Reported(geometry(model)));
             }
             case Position2d.MOTORS -> {
                 boolean on = request.body(Position2d.Motors.class).on() != 0;
@@ -191,9 +191,9 @@ final class OfferedBase extends Offered implements ExclusiveControl.Holder {
         return switch (command.header().subtype()) {
             case Position2d.GOAL -> Steps.to(goal(command), drives());
             case Position2d.VELOCITY_HEADING -> {
-                var told = command.body(Position2d.VelocityHeading.class);
-                boolean isFinite = Double.isFinite(told.velocity()) && Double.isFinite(told.heading());
-                yield Steps.along(finite(told, isFinite).velocity(), told.heading(), drives());
+                var reported = command.body(Position2d.VelocityHeading.class);
+                boolean isFinite = Double.isFinite(reported.velocity()) && Double.isFinite(reported.heading());
+                yield Steps.along(finite(reported, isFinite).velocity(), reported.heading(), drives());
             }
             case Position2d.CAR -> constant(steered(command.body(Position2d.Car.class)));
             default -> {
@@ -203,10 +203,10 @@ final class OfferedBase extends Offered implements ExclusiveControl.Holder {
         };
     }
 
-    private Twist2d steered(Position2d.Car told) {
+    private Twist2d steered(Position2d.Car reported) {
         var car = (Steering.Car) drives().steering();
-        double angle = Interval.around0(car.maxSteeringAngle()).clamp(told.steering());
-        return Twist2d.drive(told.velocity(), told.velocity() * Math.tan(angle) / car.wheelbase());
+        double angle = Interval.around0(car.maxSteeringAngle()).clamp(reported.steering());
+        return Twist2d.drive(reported.velocity(), reported.velocity() * Math.tan(angle) / car.wheelbase());
     }
 
     private static ClientCommand constant(Twist2d velocity) {

@@ -14,7 +14,7 @@ final class OfferedBattery extends OfferedSensor<BatteryState> {
     }
 
     @Override
-    void tell(Stamped<BatteryState> reading) {
+    void publish(Stamped<BatteryState> reading) {
         BatteryState state = reading.value();
         int valid = Power.IS_CHARGING
                 | valid(state.voltage(), Power.VOLTS)

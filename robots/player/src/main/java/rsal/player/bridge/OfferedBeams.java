@@ -16,7 +16,7 @@ final class OfferedBeams extends OfferedSensor<GripperState> {
     }
 
     @Override
-    void tell(Stamped<GripperState> reading) {
+    void publish(Stamped<GripperState> reading) {
         GripperState state = reading.value();
         int bits = bit(0, state.innerBeamBroken())
                 | bit(1, state.outerBeamBroken())

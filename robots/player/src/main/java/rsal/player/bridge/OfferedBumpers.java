@@ -23,7 +23,7 @@ final class OfferedBumpers extends OfferedSensor<BumperState> {
     }
 
     @Override
-    void tell(Stamped<BumperState> reading) {
+    void publish(Stamped<BumperState> reading) {
         List<Boolean> pressed = reading.value().pressed();
         var bytes = new byte[pressed.size()];
         for (int i = 0; i < bytes.length; i++) {

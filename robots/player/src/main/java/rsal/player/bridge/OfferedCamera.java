@@ -14,7 +14,7 @@ final class OfferedCamera extends OfferedSensor<Blobs> {
     }
 
     @Override
-    void tell(Stamped<Blobs> reading) {
+    void publish(Stamped<Blobs> reading) {
         Blobs image = reading.value();
         publish(
                 Blobfinder.BLOBS,

@@ -40,7 +40,7 @@ final class OfferedGripper extends OfferedSensor<GripperState> {
     }
 
     @Override
-    void tell(Stamped<GripperState> reading) {
+    void publish(Stamped<GripperState> reading) {
         GripperState state = reading.value();
         int beams = (state.innerBeamBroken() ? INNER : 0) | (state.outerBeamBroken() ? OUTER : 0);
         publish(

@@ -25,7 +25,7 @@ final class OfferedLaser extends OfferedSensor<LaserScan> {
     }
 
     @Override
-    void tell(Stamped<LaserScan> reading) {
+    void publish(Stamped<LaserScan> reading) {
         LaserScan scan = reading.value();
         if (interf() == Interface.RANGER) {
             publish(Ranger.RANGES, reading.time(), new Ranger.Ranges(Measured.doubles(scan.ranges(), scan.rangeMax())));

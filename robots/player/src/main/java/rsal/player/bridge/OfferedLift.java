@@ -27,7 +27,7 @@ final class OfferedLift extends OfferedSensor<GripperState> {
     }
 
     @Override
-    void tell(Stamped<GripperState> reading) {
+    void publish(Stamped<GripperState> reading) {
         GripperState state = reading.value();
         boolean moving = state.lift() == Lift.RISING || state.lift() == Lift.SINKING;
         float raised = Double.isNaN(state.raised()) ? 0.5f : (float) state.raised();

@@ -32,7 +32,7 @@ final class OfferedLocalizer extends OfferedSensor<PoseEstimate> {
     }
 
     @Override
-    void tell(Stamped<PoseEstimate> reading) {
+    void publish(Stamped<PoseEstimate> reading) {
         PoseEstimate estimate = reading.value();
         var hypotheses = new ArrayList<Localize.Hypothesis>();
         estimate.hypotheses()
@@ -64,11 +64,11 @@ final class OfferedLocalizer extends OfferedSensor<PoseEstimate> {
         };
     }
 
-    private Optional<Answer> believe(Localize.SetPose told) {
-        Covariance2d covariance = possible(told.spread());
-        var belief = PoseEstimate.of(told.mapFromBase().to2d(), covariance);
+    private Optional<Answer> believe(Localize.SetPose reported) {
+        Covariance2d covariance = possible(reported.spread());
+        var belief = PoseEstimate.of(reported.mapFromBase().to2d(), covariance);
         boolean credible = belief.isFinite()
-                && Math.hypot(told.mapFromBase().x(), told.mapFromBase().y()) < FARTHEST
+                && Math.hypot(reported.mapFromBase().x(), reported.mapFromBase().y()) < FARTHEST
                 && isVariance(covariance.xx())
                 && isVariance(covariance.yy())
                 && isVariance(covariance.thetaTheta());
@@ -127,7 +127,7 @@ final class OfferedLocalizer extends OfferedSensor<PoseEstimate> {
         Optional<ParticleCloud> cloud = localizer.particles().map(Stamped::value);
         Optional<PoseEstimate> estimate = localizer.latest().map(Stamped::value);
         return cloud.flatMap(samples ->
-                estimate.map(best -> new Answer.Told(particles(samples, best.mapFromBase(), best.covariance()))));
+                estimate.map(best -> new Answer.Reported(particles(samples, best.mapFromBase(), best.covariance()))));
     }
 
     private static Localize.Particles particles(ParticleCloud cloud, rsal.data.Pose2d mean, Covariance2d covariance) {

@@ -54,7 +54,7 @@ final class OfferedMap extends Offered {
     Optional<Answer> answer(Packet request) throws MalformedException {
         return switch (request.header().subtype()) {
             case MapInterface.INFO ->
-                Optional.of(new Answer.Told(new MapInterface.Extent(
+                Optional.of(new Answer.Reported(new MapInterface.Extent(
                         (float) map.resolution(),
                         map.width(),
                         map.height(),
@@ -73,7 +73,7 @@ final class OfferedMap extends Offered {
             return Optional.empty();
         }
         byte[] packed = packed(cells(asked));
-        return Optional.of(new Answer.Told(new MapInterface.Tile(
+        return Optional.of(new Answer.Reported(new MapInterface.Tile(
                 asked.column(), asked.row(), asked.width(), asked.height(), packed.length, OCCUPIED, packed)));
     }
 

@@ -19,7 +19,7 @@ final class OfferedMarkers extends OfferedSensor<Fiducials> {
     }
 
     @Override
-    void tell(Stamped<Fiducials> reading) {
+    void publish(Stamped<Fiducials> reading) {
         Fiducials seen = reading.value();
         publish(
                 Fiducial.SCAN,

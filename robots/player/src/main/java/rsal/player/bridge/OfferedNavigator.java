@@ -51,10 +51,10 @@ final class OfferedNavigator extends Offered implements ExclusiveControl.Holder 
 
     @Override
     Subscription listen() {
-        return scheduler().every(PERIOD, this::tell)::cancel;
+        return scheduler().every(PERIOD, this::publish)::cancel;
     }
 
-    private void tell() {
+    private void publish() {
         List<Pose> waypoints = waypoints();
         boolean done = reached && navigator.goal().isEmpty();
         Pose goal = navigator
@@ -100,7 +100,7 @@ final class OfferedNavigator extends Offered implements ExclusiveControl.Holder 
     Optional<Answer> answer(Packet request) throws MalformedException {
         return switch (request.header().subtype()) {
             case PlannerInterface.WAYPOINTS ->
-                Optional.of(new Answer.Told(
+                Optional.of(new Answer.Reported(
                         new PlannerInterface.Waypoints(navigator.path().length(), waypoints())));
             case PlannerInterface.ENABLE -> {
                 if (request.body(PlannerInterface.Enable.class).on() == 0) {

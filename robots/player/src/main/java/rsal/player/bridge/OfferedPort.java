@@ -15,7 +15,7 @@ import rsal.time.Scheduler;
 final class OfferedPort implements AutoCloseable {
     private final Port port;
     private final List<Offered> offered;
-    private List<Subscription> telling = List.of();
+    private List<Subscription> publishing = List.of();
 
     /// Listens at once, but takes no clients before it is [started][#start].
     ///
@@ -35,7 +35,7 @@ final class OfferedPort implements AutoCloseable {
     }
 
     void start() {
-        telling = offered.stream().map(each -> each.begin(port)).toList();
+        publishing = offered.stream().map(each -> each.begin(port)).toList();
         port.start();
     }
 
@@ -54,6 +54,6 @@ final class OfferedPort implements AutoCloseable {
     public void close() {
         port.close();
         offered.forEach(Offered::idle);
-        telling.forEach(Subscription::cancel);
+        publishing.forEach(Subscription::cancel);
     }
 }

@@ -24,7 +24,7 @@ final class OfferedPose extends OfferedSensor<PoseEstimate> {
     }
 
     @Override
-    void tell(Stamped<PoseEstimate> reading) {
+    void publish(Stamped<PoseEstimate> reading) {
         Optional<Odometry> odometry =
                 robot.find(DriveBase.class).flatMap(DriveBase::latest).map(Stamped::value);
         Twist2d velocity = odometry.map(Odometry::velocity).orElse(Twist2d.STOP);

@@ -34,11 +34,11 @@ abstract class OfferedSensor<T> extends Offered {
 
     @Override
     Subscription listen() {
-        return sensor.subscribe(this::tell);
+        return sensor.subscribe(this::publish);
     }
 
     /// Publishes a reading.
-    abstract void tell(Stamped<T> reading);
+    abstract void publish(Stamped<T> reading);
 
     /// Nothing, before it has measured once.
     @Override
@@ -46,7 +46,7 @@ abstract class OfferedSensor<T> extends Offered {
         int subtype = request.header().subtype();
         return sensor.latest()
                 .filter(_ -> understands(MessageKind.REQUEST, subtype))
-                .map(reading -> new Answer.Told(body(reading.value(), subtype)));
+                .map(reading -> new Answer.Reported(body(reading.value(), subtype)));
     }
 
     /// What it answers to a request that it understands, by its newest reading.

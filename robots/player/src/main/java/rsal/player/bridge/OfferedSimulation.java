@@ -43,14 +43,14 @@ final class OfferedSimulation extends Offered {
                 String name = Chars.text(request.body(Simulation.Placed.class).name());
                 yield simulation
                         .truth(name)
-                        .map(pose -> new Answer.Told(new Simulation.Placed(Chars.of(name), Pose.of(pose))));
+                        .map(pose -> new Answer.Reported(new Simulation.Placed(Chars.of(name), Pose.of(pose))));
             }
             case Simulation.POSE3 -> {
                 String name = Chars.text(request.body(Simulation.Placed3.class).name());
                 double time = MICROSECONDS * seconds(scheduler().instant());
                 yield simulation
                         .truth(name)
-                        .map(pose -> new Answer.Told(new Simulation.Placed3(Chars.of(name), Pose3.of(pose), time)));
+                        .map(pose -> new Answer.Reported(new Simulation.Placed3(Chars.of(name), Pose3.of(pose), time)));
             }
             case Simulation.SET_POSE -> {
                 var wanted = request.body(Simulation.Placed.class);

@@ -24,7 +24,7 @@ final class OfferedSonars extends OfferedSensor<RangeArray> {
     }
 
     @Override
-    void tell(Stamped<RangeArray> reading) {
+    void publish(Stamped<RangeArray> reading) {
         RangeArray round = reading.value();
         if (interf() == Interface.RANGER) {
             publish(

@@ -14,8 +14,8 @@ abstract class Limb implements Remote {
     }
 
     /// Has somebody told when it is another than before.
-    final void onChange(Consumer<Instant> told) {
-        listener = told;
+    final void onChange(Consumer<Instant> reported) {
+        listener = reported;
     }
 
     final void changed(Instant time) {

@@ -100,7 +100,7 @@ final class PlayerActuator extends PlayerSensor<ActuatorState> implements Actuat
     public void take(Instant time, Record body) {
         super.take(time, body);
         if (goal != null) {
-            latest().ifPresent(goal::tell);
+            latest().ifPresent(goal::publish);
             if (Math.abs(position - target) <= NEAR * (limits.most() - limits.least())) {
                 end(new Result.Reached(position));
             }

@@ -37,7 +37,7 @@ final class PlayerGripper extends PlayerSensor<GripperState> implements Gripper 
     private final Optional<PlayerBeams> beams;
     private final Errand paddles = new Errand();
     private final Errand lifting = new Errand();
-    private @Nullable State told;
+    private @Nullable State reported;
     private Instant changed = Instant.EPOCH; // anything of it
     private boolean news;
 
@@ -82,7 +82,7 @@ final class PlayerGripper extends PlayerSensor<GripperState> implements Gripper 
     @Override
     public void take(Instant time, Record body) {
         if (body instanceof State state) {
-            told = state;
+            reported = state;
             heard(time);
             changed(time);
         }
@@ -95,13 +95,13 @@ final class PlayerGripper extends PlayerSensor<GripperState> implements Gripper 
 
     @Override
     public void delivered() {
-        if (news && told != null) {
+        if (news && reported != null) {
             news = false;
             GripperState state = state();
-            tell(changed, state);
+            publish(changed, state);
             latest().ifPresent(reading -> {
-                paddles.tell(reading);
-                lifting.tell(reading);
+                paddles.publish(reading);
+                lifting.publish(reading);
             });
             if (state.paddles() == (paddles.target == 1 ? Paddles.CLOSED : Paddles.OPEN)) {
                 paddles.end(new Result.Reached(state));
@@ -113,7 +113,7 @@ final class PlayerGripper extends PlayerSensor<GripperState> implements Gripper 
     }
 
     private GripperState state() {
-        int beam = told == null ? 0 : told.beams();
+        int beam = reported == null ? 0 : reported.beams();
         return new GripperState(
                 paddles(),
                 isAt(OPEN) ? 0 : isAt(CLOSED) ? 1 : Double.NaN,
@@ -132,7 +132,7 @@ final class PlayerGripper extends PlayerSensor<GripperState> implements Gripper 
     }
 
     private boolean isAt(int code) {
-        return told != null && told.state() == code;
+        return reported != null && reported.state() == code;
     }
 
     private Paddles paddles() {
@@ -148,7 +148,8 @@ final class PlayerGripper extends PlayerSensor<GripperState> implements Gripper 
 
     /// Stage does not say what is stored: then it is what breaks a beam between closed paddles.
     private boolean holds() {
-        return told != null && (told.stored() != 0 || (isAt(CLOSED) && (told.beams() & (INNER | OUTER)) != 0));
+        return reported != null
+                && (reported.stored() != 0 || (isAt(CLOSED) && (reported.beams() & (INNER | OUTER)) != 0));
     }
 
     @Override
@@ -247,9 +248,9 @@ final class PlayerGripper extends PlayerSensor<GripperState> implements Gripper 
             }
         }
 
-        void tell(Stamped<GripperState> reading) {
+        void publish(Stamped<GripperState> reading) {
             if (goal != null) {
-                goal.tell(reading);
+                goal.publish(reading);
             }
         }
 

@@ -65,7 +65,7 @@ final class PlayerLaser extends PlayerSensor<LaserScan> implements LaserScanner 
             case Laser.ScanPose with -> laser(with.scan());
             default -> Optional.empty();
         };
-        return scan.filter(told -> told.count() > 0);
+        return scan.filter(reported -> reported.count() > 0);
     }
 
     /// Beams lie as far apart as the angle between the first and the last has it: what Stage says of the angle between

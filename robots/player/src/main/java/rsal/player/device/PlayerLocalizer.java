@@ -72,7 +72,7 @@ final class PlayerLocalizer extends PlayerSensor<PoseEstimate> implements Locali
         if (way > LONG_WAY || turn > LONG_TURN) {
             health(new Health.Stale("It has not looked for %.0f m or a whole turn.".formatted(LONG_WAY)));
         } else {
-            tell(odometry.time(), last.moved(odomFromKnown.inverse().compose(odomFromBase)));
+            publish(odometry.time(), last.moved(odomFromKnown.inverse().compose(odomFromBase)));
         }
     }
 
@@ -83,10 +83,10 @@ final class PlayerLocalizer extends PlayerSensor<PoseEstimate> implements Locali
 
     @Override
     Optional<PoseEstimate> read(Record body) {
-        if (!(body instanceof Localize.Hypotheses told)) {
+        if (!(body instanceof Localize.Hypotheses reported)) {
             return Optional.empty();
         }
-        List<Hypothesis> all = hypotheses(told.hypotheses());
+        List<Hypothesis> all = hypotheses(reported.hypotheses());
         return all.isEmpty() ? Optional.empty() : Optional.of(estimate(all));
     }
 
@@ -98,9 +98,9 @@ final class PlayerLocalizer extends PlayerSensor<PoseEstimate> implements Locali
     }
 
     /// Those that are numbers, heaviest first, their weights 1 together at most.
-    private static List<Hypothesis> hypotheses(List<Localize.Hypothesis> told) {
+    private static List<Hypothesis> hypotheses(List<Localize.Hypothesis> reported) {
         var all = new ArrayList<Hypothesis>();
-        for (Localize.Hypothesis one : told) {
+        for (Localize.Hypothesis one : reported) {
             Covariance2d covariance = one.spread();
             Pose2d mapFromBase = one.mapFromBase().to2d();
             if (mapFromBase.isFinite() && covariance.isFinite() && one.weight() >= 0 && one.weight() < 1e9) {
@@ -131,8 +131,8 @@ final class PlayerLocalizer extends PlayerSensor<PoseEstimate> implements Locali
 
     @Override
     public void answered(Record body) {
-        if (body instanceof Localize.Particles told) {
-            Moments.of(told.particles()).ifPresent(best -> believe(estimate(List.of(best)), clock.instant()));
+        if (body instanceof Localize.Particles reported) {
+            Moments.of(reported.particles()).ifPresent(best -> believe(estimate(List.of(best)), clock.instant()));
         }
     }
 
@@ -148,7 +148,7 @@ final class PlayerLocalizer extends PlayerSensor<PoseEstimate> implements Locali
         way = 0;
         turn = 0;
         if (driven.isEmpty() || driven.getLast().time().isBefore(time)) {
-            tell(time, estimate);
+            publish(time, estimate);
         }
     }
 
@@ -164,8 +164,8 @@ final class PlayerLocalizer extends PlayerSensor<PoseEstimate> implements Locali
     /// What is believed is a reading once the server has taken it.
     @Override
     public CompletionStage<Void> relocalize(PoseEstimate belief) {
-        var told = new Localize.SetPose(Pose.of(belief.mapFromBase()), Localize.sent(belief.covariance()));
-        return server.ask(address(), Localize.SET_POSE, Optional.of(told))
+        var reported = new Localize.SetPose(Pose.of(belief.mapFromBase()), Localize.sent(belief.covariance()));
+        return server.ask(address(), Localize.SET_POSE, Optional.of(reported))
                 .thenAccept(_ -> believe(belief, clock.instant()));
     }
 
@@ -178,17 +178,17 @@ final class PlayerLocalizer extends PlayerSensor<PoseEstimate> implements Locali
             server.ask(address(), Localize.PARTICLES, Optional.empty())
                     .thenAccept(answer -> particles = answer.filter(Localize.Particles.class::isInstance)
                             .map(Localize.Particles.class::cast)
-                            .map(told -> new Stamped<>(now, "map", cloud(told.particles()))));
+                            .map(reported -> new Stamped<>(now, "map", cloud(reported.particles()))));
         }
         return particles;
     }
 
-    private static ParticleCloud cloud(List<Localize.Particle> told) {
-        var poses = new float[3 * told.size()];
-        var weights = new float[told.size()];
-        double sum = told.stream().mapToDouble(Localize.Particle::weight).sum();
+    private static ParticleCloud cloud(List<Localize.Particle> reported) {
+        var poses = new float[3 * reported.size()];
+        var weights = new float[reported.size()];
+        double sum = reported.stream().mapToDouble(Localize.Particle::weight).sum();
         for (int i = 0; i < weights.length; i++) {
-            Localize.Particle one = told.get(i);
+            Localize.Particle one = reported.get(i);
             poses[3 * i] = (float) one.mapFromBase().x();
             poses[3 * i + 1] = (float) one.mapFromBase().y();
             poses[3 * i + 2] = (float) one.mapFromBase().theta();

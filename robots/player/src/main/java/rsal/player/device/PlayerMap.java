@@ -53,7 +53,7 @@ final class PlayerMap extends PlayerSensor<OccupancyGrid> implements Mapper {
             }
             reading = null;
             if (error == null) {
-                tell(begun, map);
+                publish(begun, map);
             } else {
                 health(new Health.Lost("Its map can't be read: " + RemoteServer.words(error)));
                 due = scheduler.instant().plus(AGAIN);

@@ -49,7 +49,7 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
         private final GoalSource<Progress, Result> goal;
         private boolean sent; // to the planner
         private boolean underway; // as the planner has it
-        private Optional<PlannerInterface.State> told = Optional.empty();
+        private Optional<PlannerInterface.State> reported = Optional.empty();
         private List<Point2d> waypoints = List.of();
         private Instant asked = Instant.MIN; // for them
         private Instant valid; // when there was a way last
@@ -67,16 +67,16 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
         }
 
         Pose2d mapFromBase() {
-            return told.map(state -> state.mapFromBase().to2d()).orElse(Pose2d.ORIGIN);
+            return reported.map(state -> state.mapFromBase().to2d()).orElse(Pose2d.ORIGIN);
         }
 
         Path2d path() {
-            if (told.isEmpty()) {
+            if (reported.isEmpty()) {
                 return Path2d.EMPTY;
             }
             var points = new ArrayList<Point2d>();
             points.add(mapFromBase().position());
-            PlannerInterface.State state = told.get();
+            PlannerInterface.State state = reported.get();
             if (state.valid() != 0 && state.done() == 0 && state.waypoints() > 0) {
                 points.add(state.waypoint().to2d().position());
             }
@@ -193,7 +193,7 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
             return;
         }
         boolean ours = state.mapFromGoal().to2d().isNear(now.mapFromGoal, 0.01, 0.01);
-        now.told = Optional.of(state);
+        now.reported = Optional.of(state);
         Pose2d mapFromBase = now.mapFromBase();
         boolean held = paused || !base.enabled();
         if (held || (ours && state.valid() != 0)) {
@@ -225,7 +225,7 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
             end(new Result.Stuck(mapFromBase, driving, "It got no nearer for %d s.".formatted(STUCK.toSeconds())));
         } else {
             Point2d waypoint = state.waypoints() > 0 ? state.waypoint().to2d().position() : now.mapFromGoal.position();
-            now.goal.tell(new Stamped<>(time, "map", new Progress(mapFromBase, remaining, waypoint, driving)));
+            now.goal.publish(new Stamped<>(time, "map", new Progress(mapFromBase, remaining, waypoint, driving)));
         }
     }
 
@@ -243,7 +243,7 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
             server.ask(address, PlannerInterface.WAYPOINTS, Optional.empty())
                     .thenAccept(answer -> answer.filter(PlannerInterface.Waypoints.class::isInstance)
                             .map(PlannerInterface.Waypoints.class::cast)
-                            .ifPresent(told -> asking.waypoints = points(told.waypoints())));
+                            .ifPresent(reported -> asking.waypoints = points(reported.waypoints())));
         }
     }
 

@@ -16,7 +16,7 @@ abstract class PlayerSensor<T> extends SensorCore<T> implements Remote {
     private final Address address;
     private final String frame;
     private boolean connected;
-    private Instant toldAt = Instant.MIN; // last, or since when it could; MIN before
+    private Instant reportedAt = Instant.MIN; // last, or since when it could; MIN before
 
     /// @param frame of its readings
     PlayerSensor(DeviceInfo info, Address address, String frame) {
@@ -42,17 +42,17 @@ abstract class PlayerSensor<T> extends SensorCore<T> implements Remote {
     public void take(Instant time, Record body) {
         read(body).ifPresent(value -> {
             heard(time);
-            tell(time, value);
+            publish(time, value);
         });
     }
 
     /// The server has told something of it.
     final void heard(Instant time) {
-        toldAt = time;
+        reportedAt = time;
     }
 
     /// A new reading; times go up, whatever the server says.
-    final void tell(Instant time, T value) {
+    final void publish(Instant time, T value) {
         Instant after = latest().map(last -> last.time().plusNanos(1)).orElse(Instant.MIN);
         deliver(new Stamped<>(time.isBefore(after) ? after : time, frame, value));
     }
@@ -60,7 +60,7 @@ abstract class PlayerSensor<T> extends SensorCore<T> implements Remote {
     @Override
     public void connected() {
         connected = true;
-        toldAt = Instant.MIN;
+        reportedAt = Instant.MIN;
         health(Health.ok());
     }
 
@@ -75,9 +75,9 @@ abstract class PlayerSensor<T> extends SensorCore<T> implements Remote {
         if (!connected || !isSteady()) {
             return;
         }
-        if (toldAt.equals(Instant.MIN)) {
-            toldAt = now;
-        } else if (toldAt.isBefore(now.minus(PATIENCE))) {
+        if (reportedAt.equals(Instant.MIN)) {
+            reportedAt = now;
+        } else if (reportedAt.isBefore(now.minus(PATIENCE))) {
             health(new Health.Stale("No data for 1 s."));
         }
     }

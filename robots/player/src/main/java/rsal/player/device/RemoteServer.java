@@ -256,7 +256,7 @@ public final class RemoteServer implements AutoCloseable {
         connection = now;
         offer.complete(found);
         members().forEach(member -> connect(member, now));
-        listeners.tell(Optional.empty());
+        listeners.publish(Optional.empty());
     }
 
     private void lost(String why) {
@@ -268,7 +268,7 @@ public final class RemoteServer implements AutoCloseable {
                 member.ready = false;
                 member.device.lost(why);
             });
-            listeners.tell(Optional.of(why));
+            listeners.publish(Optional.of(why));
         }
     }
 

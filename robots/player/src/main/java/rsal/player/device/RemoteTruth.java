@@ -39,7 +39,7 @@ public final class RemoteTruth extends DeviceCore implements SimulationControl, 
     private static final class Seen {
         private final String name; // in the server's world
         private Optional<Pose2d> mapFromRobot = Optional.empty();
-        private Instant toldAt = Instant.MIN;
+        private Instant reportedAt = Instant.MIN;
         private Instant lookedAt = Instant.MIN;
         private Instant askedAt = Instant.MIN;
         private Object question = new Object(); // whose answer counts
@@ -98,7 +98,7 @@ public final class RemoteTruth extends DeviceCore implements SimulationControl, 
         return Optional.ofNullable(robots.get(entity)).flatMap(seen -> {
             Instant now = scheduler.instant();
             seen.lookedAt = now;
-            return seen.toldAt.plus(FRESH).isBefore(now) ? Optional.empty() : seen.mapFromRobot;
+            return seen.reportedAt.plus(FRESH).isBefore(now) ? Optional.empty() : seen.mapFromRobot;
         });
     }
 
@@ -124,7 +124,7 @@ public final class RemoteTruth extends DeviceCore implements SimulationControl, 
                         return;
                     }
                     seen.asking = false;
-                    seen.toldAt = scheduler.instant();
+                    seen.reportedAt = scheduler.instant();
                     seen.mapFromRobot = error == null ? pose(seen, answer) : Optional.empty();
                     warnIfRefused(seen, Optional.ofNullable(error));
                 });
@@ -149,8 +149,8 @@ public final class RemoteTruth extends DeviceCore implements SimulationControl, 
     private static Optional<Pose2d> pose(Seen seen, Optional<Record> answer) {
         return answer.filter(Simulation.Placed.class::isInstance)
                 .map(Simulation.Placed.class::cast)
-                .filter(told -> Chars.text(told.name()).equals(seen.name))
-                .map(told -> told.pose().to2d())
+                .filter(reported -> Chars.text(reported.name()).equals(seen.name))
+                .map(reported -> reported.pose().to2d())
                 .filter(Pose2d::isFinite);
     }
 

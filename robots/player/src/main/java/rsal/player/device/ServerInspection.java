@@ -45,8 +45,8 @@ final class ServerInspection {
         rangers.forEach(connection::unsubscribe);
         return new ServerOffer(
                 devices,
-                rangers.stream().filter(ranger -> told(places, ranger) == 1).toList(),
-                rangers.stream().filter(ranger -> told(places, ranger) > 1).toList());
+                rangers.stream().filter(ranger -> reported(places, ranger) == 1).toList(),
+                rangers.stream().filter(ranger -> reported(places, ranger) > 1).toList());
     }
 
     /// From how many places a ranger measures.
@@ -78,7 +78,7 @@ final class ServerInspection {
     }
 
     /// 0 when it has not told.
-    private static int told(Map<Address, CompletableFuture<Integer>> places, Address ranger) {
+    private static int reported(Map<Address, CompletableFuture<Integer>> places, Address ranger) {
         CompletableFuture<Integer> answer = places.get(ranger);
         return answer != null && answer.state() == Future.State.SUCCESS ? answer.resultNow() : 0;
     }

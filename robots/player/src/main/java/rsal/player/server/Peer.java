@@ -205,7 +205,7 @@ final class Peer {
         out.answer(
                 switch (answer) {
                     case Answer.Done _ -> Packet.of(address, MessageKind.ACK, subtype, port.time());
-                    case Answer.Told(Record body) ->
+                    case Answer.Reported(Record body) ->
                         Packet.of(address, MessageKind.ACK, subtype, port.time(), protocol.worded(body));
                     case Answer.Refused _ -> Packet.of(address, MessageKind.NACK, subtype, port.time());
                     case null -> Packet.of(address, MessageKind.NACK, subtype, port.time());

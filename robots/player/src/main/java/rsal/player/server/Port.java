@@ -145,17 +145,17 @@ public final class Port implements AutoCloseable {
             news.add(new News(device, address(device), subtype, at, body));
         }
         if (first) {
-            afterwards.execute(this::tell);
+            afterwards.execute(this::publish);
         }
     }
 
-    private void tell() {
-        List<News> told;
+    private void publish() {
+        List<News> reported;
         synchronized (news) {
-            told = List.copyOf(news);
+            reported = List.copyOf(news);
             news.clear();
         }
-        peers.forEach(peer -> peer.data(told));
+        peers.forEach(peer -> peer.data(reported));
     }
 
     /// Whether a client that pulls has yet to ask for what there is; not one that has not asked for a second.

@@ -43,7 +43,7 @@ public interface ServedDevice {
         record Done() implements Answer {}
 
         /// @param body as requests of its kind have it in the newest version
-        record Told(Record body) implements Answer {}
+        record Reported(Record body) implements Answer {}
 
         record Refused() implements Answer {}
     }

@@ -156,7 +156,7 @@ abstract class BridgeBench extends RobotBench {
         until(() -> newest.containsKey(interf.code()));
     }
 
-    final <T extends Record> T told(Interface interf, Class<T> type) throws IOException, InterruptedException {
+    final <T extends Record> T reported(Interface interf, Class<T> type) throws IOException, InterruptedException {
         if (!newest.containsKey(interf.code())) {
             subscribe(interf);
         }
@@ -176,7 +176,7 @@ abstract class BridgeBench extends RobotBench {
     /// What it was told last, subscribing first.
     final <T extends Record> T newest(Interface interf, Class<T> type) {
         try {
-            return told(interf, type);
+            return reported(interf, type);
         } catch (IOException e) {
             throw new AssertionError(e);
         } catch (InterruptedException e) {

@@ -71,10 +71,10 @@ class NavigatedBridgeTest extends BridgeBench {
 
     @Test
     void whereItIsIsToldAndCanBeSet() throws Exception {
-        var told = told(Interface.LOCALIZE, Localize.Hypotheses.class).hypotheses();
-        assertThat(told).hasSize(1);
-        assertThat(told.getFirst().mapFromBase()).isEqualTo(wire(START));
-        assertThat(told.getFirst().weight()).isEqualTo(1);
+        var reported = reported(Interface.LOCALIZE, Localize.Hypotheses.class).hypotheses();
+        assertThat(reported).hasSize(1);
+        assertThat(reported.getFirst().mapFromBase()).isEqualTo(wire(START));
+        assertThat(reported.getFirst().weight()).isEqualTo(1);
         ask(Interface.LOCALIZE, Localize.SET_POSE, new Localize.SetPose(wire(A), SURE));
         ask(Interface.LOCALIZE, Localize.SET_POSE, new Localize.SetPose(wire(B), SURE));
         var localizer = robot().require(Localizer.class);

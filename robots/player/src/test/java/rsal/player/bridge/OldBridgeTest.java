@@ -50,10 +50,10 @@ class OldBridgeTest extends BridgeBench {
 
     @Test
     void hypothesesHaveThreeVariancesBeforeTheClientHasSaidAnything() throws Exception {
-        var told = told(Interface.LOCALIZE, Version30.Hypotheses.class).hypotheses();
-        assertThat(told.getFirst().mapFromBase()).isEqualTo(Pose.of(START));
-        assertThat(told.getFirst().covariance()).hasSize(3);
-        assertThat(told.getFirst().weight()).isEqualTo(1);
+        var reported = reported(Interface.LOCALIZE, Version30.Hypotheses.class).hypotheses();
+        assertThat(reported.getFirst().mapFromBase()).isEqualTo(Pose.of(START));
+        assertThat(reported.getFirst().covariance()).hasSize(3);
+        assertThat(reported.getFirst().weight()).isEqualTo(1);
     }
 
     @Test
@@ -99,7 +99,7 @@ class OldBridgeTest extends BridgeBench {
                         .body(MapInterface.Tile.class)
                         .range())
                 .isEqualTo(1);
-        assertThat(told(Interface.LOCALIZE, Localize.Hypotheses.class).hypotheses())
+        assertThat(reported(Interface.LOCALIZE, Localize.Hypotheses.class).hypotheses())
                 .hasSize(1);
     }
 }

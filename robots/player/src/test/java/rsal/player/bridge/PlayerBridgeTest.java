@@ -165,7 +165,7 @@ class PlayerBridgeTest extends BridgeBench {
         subscribe(Interface.POSITION2D);
         command(Position2d.VELOCITY, new Position2d.Velocity(new Pose(0.3, 0, 0), 1));
         until(() -> truth().x() > START.x() + 2); // said once
-        var state = told(Interface.POSITION2D, Position2d.State.class);
+        var state = reported(Interface.POSITION2D, Position2d.State.class);
         assertThat(state.velocity().x()).isCloseTo(0.3, within(0.01));
         assertThat(state.stall()).isZero();
         assertThat(state.odomFromBase().x()).isBetween(1.5, 2.5);
@@ -234,7 +234,7 @@ class PlayerBridgeTest extends BridgeBench {
 
     @Test
     void rangesAreThoseOfTheRobot() throws Exception {
-        var scan = told(Interface.LASER, Laser.Scan.class);
+        var scan = reported(Interface.LASER, Laser.Scan.class);
         LaserScan own =
                 robot().require(LaserScanner.class).latest().orElseThrow().value();
         assertThat(scan.ranges()).hasSize(own.count());
@@ -244,7 +244,7 @@ class PlayerBridgeTest extends BridgeBench {
         for (float range : scan.ranges()) {
             assertThat(range).isBetween(0f, scan.maxRange());
         }
-        assertThat(told(Interface.RANGER, Ranger.Ranges.class).ranges()).hasSize(own.count());
+        assertThat(reported(Interface.RANGER, Ranger.Ranges.class).ranges()).hasSize(own.count());
         var config = asked(Interface.RANGER, Ranger.CONFIGURATION, Ranger.Configuration.class);
         assertThat(config.maxAngle() - config.minAngle())
                 .isCloseTo(config.resolution() * (own.count() - 1), within(1e-9));
@@ -256,7 +256,7 @@ class PlayerBridgeTest extends BridgeBench {
         int sonars = asked(Interface.SONAR, Sonar.GEOMETRY, Sonar.Geometry.class)
                 .poses()
                 .size();
-        assertThat(told(Interface.SONAR, Sonar.Ranges.class).ranges()).hasSize(sonars);
+        assertThat(reported(Interface.SONAR, Sonar.Ranges.class).ranges()).hasSize(sonars);
     }
 
     /// playerv draws nothing of what has no size.
@@ -307,12 +307,12 @@ class PlayerBridgeTest extends BridgeBench {
                         .write(Packet.of(Session.SERVER, MessageKind.REQUEST, Session.DATA, 0)
                                 .bytes());
                 assertThat(next(socket).kind()).isEqualTo(MessageKind.ACK);
-                var told = new ArrayList<Header>();
+                var reported = new ArrayList<Header>();
                 do {
                     until(() -> available(socket));
-                    told.add(next(socket));
-                } while (told.getLast().kind() != MessageKind.SYNCH);
-                assertThat(told.subList(0, told.size() - 1))
+                    reported.add(next(socket));
+                } while (reported.getLast().kind() != MessageKind.SYNCH);
+                assertThat(reported.subList(0, reported.size() - 1))
                         .extracting(header -> header.address().interf())
                         .contains(Interface.POSITION2D.code(), Interface.LASER.code(), Interface.SONAR.code());
             }
@@ -339,15 +339,17 @@ class PlayerBridgeTest extends BridgeBench {
 
     @Test
     void theOthersTellWhatTheyFeelAndSee() throws Exception {
-        var power = told(Interface.POWER, Power.State.class);
+        var power = reported(Interface.POWER, Power.State.class);
         assertThat(power.valid() & Power.PERCENT).isNotZero();
         assertThat(power.percent()).isBetween(90f, 100f);
-        var bumpers = told(Interface.BUMPER, BumperInterface.State.class);
+        var bumpers = reported(Interface.BUMPER, BumperInterface.State.class);
         assertThat(asked(Interface.BUMPER, BumperInterface.GEOMETRY, BumperInterface.Geometry.class)
                         .bumpers())
                 .hasSameSizeAs(bumpers.pressed());
-        assertThat(told(Interface.BLOBFINDER, Blobfinder.Blobs.class).blobs()).isEmpty();
-        assertThat(told(Interface.FIDUCIAL, Fiducial.Markers.class).markers()).isEmpty();
+        assertThat(reported(Interface.BLOBFINDER, Blobfinder.Blobs.class).blobs())
+                .isEmpty();
+        assertThat(reported(Interface.FIDUCIAL, Fiducial.Markers.class).markers())
+                .isEmpty();
     }
 
     private Pose2d odometry() {
@@ -359,14 +361,14 @@ class PlayerBridgeTest extends BridgeBench {
         var reset = new Position2d.Odometry(new Pose(5, 5, Math.PI / 2));
         ask(Interface.POSITION2D, Position2d.SET_ODOMETRY, reset);
         var goal = new Pose2d(6, 6, -2);
-        var told = new Position2d.Goal(new Pose(goal.x(), goal.y(), goal.theta()), new Pose(0, 0, 0), 1);
-        command(Position2d.GOAL, told);
+        var reported = new Position2d.Goal(new Pose(goal.x(), goal.y(), goal.theta()), new Pose(0, 0, 0), 1);
+        command(Position2d.GOAL, reported);
         until(() -> odometry().isNear(goal, 0.03, Math.toRadians(3)));
         assertThat(truth().x()).isCloseTo(START.x() + 1, within(0.1));
         assertThat(truth().y()).isCloseTo(START.y() - 1, within(0.1));
         advance(2);
         assertThat(odometry().isNear(goal, 0.03, Math.toRadians(3))).isTrue();
-        command(Position2d.GOAL, told);
+        command(Position2d.GOAL, reported);
         until(() -> odometry().isNear(goal, 0.03, Math.toRadians(3)));
         command(Position2d.VELOCITY, new Position2d.Velocity(new Pose(0, 0, 0.5), 1)); // ends it
         until(() -> Math.abs(odometry().theta() - goal.theta()) > 1);
@@ -407,7 +409,7 @@ class PlayerBridgeTest extends BridgeBench {
                 .joints();
         assertThat(limits).hasSize(1);
         assertThat(limits.getFirst().max()).isEqualTo(1);
-        assertThat(told(Interface.DIO, Dio.Values.class)).isEqualTo(new Dio.Values(4, 0));
+        assertThat(reported(Interface.DIO, Dio.Values.class)).isEqualTo(new Dio.Values(4, 0));
     }
 
     private Actarray.Joint lift() {
@@ -417,7 +419,7 @@ class PlayerBridgeTest extends BridgeBench {
     @Test
     void aGripperClosesAndOpens() throws Exception {
         subscribe(Interface.GRIPPER);
-        assertThat(told(Interface.GRIPPER, GripperInterface.State.class).state())
+        assertThat(reported(Interface.GRIPPER, GripperInterface.State.class).state())
                 .isEqualTo(1);
         client().command(Packet.of(
                 Address.of(Interface.GRIPPER.code(), 0), MessageKind.COMMAND, GripperInterface.CLOSE, 0));

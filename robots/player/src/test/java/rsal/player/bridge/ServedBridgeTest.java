@@ -111,9 +111,9 @@ class ServedBridgeTest extends BridgeBench {
         advance(0.3);
         Pose2d startFromA = START.inverse().compose(A);
         Pose2d goal = new Pose2d(1, 2, Math.PI / 2).compose(startFromA);
-        var told = new Position2d.Goal(new Pose(goal.x(), goal.y(), goal.theta()), new Pose(0, 0, 0), 1);
+        var reported = new Position2d.Goal(new Pose(goal.x(), goal.y(), goal.theta()), new Pose(0, 0, 0), 1);
         for (int i = 0; i < 5; i++) { // as others say it again and again
-            client().command(Packet.of(AVOIDING, MessageKind.COMMAND, Position2d.GOAL, 0, told));
+            client().command(Packet.of(AVOIDING, MessageKind.COMMAND, Position2d.GOAL, 0, reported));
             answer(client().devices());
             advance(0.2);
         }

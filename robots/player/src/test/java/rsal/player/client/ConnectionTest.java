@@ -121,8 +121,8 @@ class ConnectionTest {
             client.send(synch());
         }
         for (int round = 0; round < 3; round++) {
-            Packet told = data.poll(10, TimeUnit.SECONDS);
-            assertThat(told.body(Position2d.State.class).odomFromBase().x()).isEqualTo(round);
+            Packet reported = data.poll(10, TimeUnit.SECONDS);
+            assertThat(reported.body(Position2d.State.class).odomFromBase().x()).isEqualTo(round);
         }
     }
 
@@ -173,7 +173,7 @@ class ConnectionTest {
         client.close();
         connect(Delivery.PUSH);
         CompletionStage<Packet> answer = CompletableFuture.failedStage(new AssertionError("Nothing was asked."));
-        int told = 0;
+        int reported = 0;
         for (Recorded.Message message : Recorded.session(session)) {
             Packet packet =
                     Packet.read(new ByteArrayInputStream(message.bytes())).orElseThrow();
@@ -193,11 +193,11 @@ class ConnectionTest {
                 CompletionStage<Packet> refused = answer;
                 assertThatThrownBy(() -> result(refused)).hasCauseInstanceOf(RefusedException.class);
             } else {
-                told++;
+                reported++;
             }
         }
-        assertThat(told).isGreaterThan(100);
-        for (int i = 0; i < told; i++) {
+        assertThat(reported).isGreaterThan(100);
+        for (int i = 0; i < reported; i++) {
             Packet packet = data.poll(10, TimeUnit.SECONDS);
             assertThat(packet).isNotNull();
             assertThat(connection.protocol().read(packet)).isPresent();

@@ -151,7 +151,7 @@ class OwnPlannerTest extends ScriptedBench {
         return words;
     }
 
-    private void told(double x, Pose2d goal, boolean done) throws IOException {
+    private void reported(double x, Pose2d goal, boolean done) throws IOException {
         var state = new PlannerInterface.State(
                 1, done ? 1 : 0, new Pose(x, 0, 0), Pose.of(goal), new Pose(x + 1, 0, 0), done ? -1 : 0, done ? 0 : 3);
         client.send(Packet.of(PLANNER, MessageKind.DATA, PlannerInterface.STATE, 0, state));
@@ -175,7 +175,7 @@ class OwnPlannerTest extends ScriptedBench {
     void itDrivesNowhereBeforeItIsArmed() throws Exception {
         begin(false);
         GoalHandle<Progress, Result> going = go(GOAL);
-        told(0, new Pose2d(1, 1, 1), false);
+        reported(0, new Pose2d(1, 1, 1), false);
         settle();
         assertThat(ordersSoFar()).containsOnly("enable 0");
         assertThat(on(() -> going.result().toCompletableFuture().isDone())).isFalse();
@@ -254,12 +254,12 @@ class OwnPlannerTest extends ScriptedBench {
     void doneIsOfThisGoalOnceThePlannerWasUnderWay() throws Exception {
         begin(true);
         GoalHandle<Progress, Result> going = go(GOAL);
-        told(0, GOAL, true); // as it was with the goal before: it has not planned yet
+        reported(0, GOAL, true); // as it was with the goal before: it has not planned yet
         settle();
         assertThat(on(() -> going.result().toCompletableFuture().isDone())).isFalse();
-        told(1, GOAL, false);
+        reported(1, GOAL, false);
         settle(); // the newest counts
-        told(3.9, GOAL, true);
+        reported(3.9, GOAL, true);
         assertThat(result(going)).isInstanceOf(Result.Reached.class);
         assertThat(ordersSoFar()).as("others may use it, too").doesNotContain("enable 0");
     }
@@ -268,7 +268,7 @@ class OwnPlannerTest extends ScriptedBench {
     void doneCloseToTheGoalIsBelievedAtOnce() throws Exception {
         begin(true);
         GoalHandle<Progress, Result> going = go(GOAL);
-        told(4.5, GOAL, true);
+        reported(4.5, GOAL, true);
         assertThat(result(going)).isInstanceOf(Result.Reached.class);
     }
 
@@ -283,7 +283,7 @@ class OwnPlannerTest extends ScriptedBench {
     void theWayBeginsWithTheWaypointThatItDrivesTo() throws Exception {
         begin(true);
         go(GOAL);
-        told(0, GOAL, false);
+        reported(0, GOAL, false);
         settle();
         assertThat(on(navigator::path).points()).extracting(point -> point.x()).startsWith(0.0, 1.0);
     }

@@ -56,7 +56,7 @@ class PlayerMapTest extends ScriptedBench {
         start();
     }
 
-    private void tell(MapInterface.Extent extent) throws IOException {
+    private void publish(MapInterface.Extent extent) throws IOException {
         client.acknowledge(client.next(MAP, MapInterface.INFO), extent);
     }
 
@@ -122,7 +122,7 @@ class PlayerMapTest extends ScriptedBench {
     void theWholeMapIsPutTogetherOfTiles(int width, int height, int tiles) throws IOException {
         begin();
         byte[] cells = random(width * height);
-        tell(extent(width, height));
+        publish(extent(width, height));
         for (int i = 0; i < tiles; i++) {
             Packet request = client.next(MAP, MapInterface.TILE);
             MapInterface.Tile asked = request.body(MapInterface.Tile.class);
@@ -143,7 +143,7 @@ class PlayerMapTest extends ScriptedBench {
     @Test
     void noMoreThanTwoTilesAreAskedForAtOnce() throws IOException {
         begin();
-        tell(extent(8000, 5000));
+        publish(extent(8000, 5000));
         for (int i = 0; i < 2; i++) {
             client.next(MAP, MapInterface.TILE);
         }
@@ -162,7 +162,7 @@ class PlayerMapTest extends ScriptedBench {
     @Test
     void shadesAreWhatIsNearer() throws IOException {
         begin();
-        tell(extent(7, 1));
+        publish(extent(7, 1));
         Packet request = client.next(MAP, MapInterface.TILE);
         byte[] shades = {-100, -51, -50, 0, 50, 51, 100};
         client.acknowledge(request, answer(request.body(MapInterface.Tile.class), 100, shades));
@@ -172,15 +172,15 @@ class PlayerMapTest extends ScriptedBench {
     @Test
     void itIsReadAnewWithEachConnectionAndWhenTheServerTellsOfAnother() throws IOException {
         begin();
-        tellOne(1);
+        publishOne(1);
         assertThat(awaited().cells()).containsExactly(OccupancyGrid.OCCUPIED);
         client.send(Packet.of(MAP, MessageKind.DATA, MapInterface.INFO_DATA, 0, extent(1, 1)));
-        tellOne(-1);
+        publishOne(-1);
         until(OccupancyGrid.FREE);
         client.close();
         meet("Player v.3.1.0");
         start();
-        tellOne(1);
+        publishOne(1);
         until(OccupancyGrid.OCCUPIED);
     }
 
@@ -190,7 +190,7 @@ class PlayerMapTest extends ScriptedBench {
         client.close();
         meet("Player v.3.0.2");
         start();
-        tell(extent(2, 1));
+        publish(extent(2, 1));
         Packet request = client.next(MAP, MapInterface.TILE);
         Version30.Tile asked = request.body(Version30.Tile.class);
         client.acknowledge(request, new Version30.Tile(asked.column(), asked.row(), 2, 1, packed(new byte[] {1, -1})));
@@ -201,8 +201,8 @@ class PlayerMapTest extends ScriptedBench {
         until(map::latest, newest -> newest.isPresent() && newest.get().value().cells()[0] == cell);
     }
 
-    private void tellOne(int cell) throws IOException {
-        tell(extent(1, 1));
+    private void publishOne(int cell) throws IOException {
+        publish(extent(1, 1));
         Packet request = client.next(MAP, MapInterface.TILE);
         client.acknowledge(request, answer(request.body(MapInterface.Tile.class), 1, new byte[] {(byte) cell}));
     }
@@ -223,7 +223,7 @@ class PlayerMapTest extends ScriptedBench {
     @MethodSource("extentsThatCanNotBe")
     void anExtentThatCanNotBeIsRefused(MapInterface.Extent extent, String why) throws IOException {
         begin();
-        tell(extent);
+        publish(extent);
         assertLost(why);
     }
 
@@ -253,7 +253,7 @@ class PlayerMapTest extends ScriptedBench {
     void aTileThatCanNotBeIsRefused(String what, UnaryOperator<MapInterface.Tile> answer, String why)
             throws IOException {
         begin();
-        tell(extent(4, 3));
+        publish(extent(4, 3));
         Packet request = client.next(MAP, MapInterface.TILE);
         client.acknowledge(request, answer.apply(request.body(MapInterface.Tile.class)));
         assertLost(why);
@@ -264,7 +264,7 @@ class PlayerMapTest extends ScriptedBench {
         begin();
         client.acknowledge(client.next(MAP, MapInterface.INFO));
         assertLost("The server does not report the size of its map.");
-        tell(extent(4, 3));
+        publish(extent(4, 3));
         client.acknowledge(client.next(MAP, MapInterface.TILE));
         assertLost("The server reports nothing of (4 × 3) cells from (0, 0) on.");
     }
@@ -274,7 +274,7 @@ class PlayerMapTest extends ScriptedBench {
         begin();
         client.refuse(client.next(MAP, MapInterface.INFO));
         assertLost("The server refuses request 1 of 'map:0'.");
-        tellOne(1);
+        publishOne(1);
         until(OccupancyGrid.OCCUPIED);
         assertThat(on(map::health).isOk()).isTrue();
     }

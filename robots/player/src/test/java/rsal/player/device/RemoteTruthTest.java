@@ -52,7 +52,7 @@ class RemoteTruthTest extends ScriptedBench {
         return asked;
     }
 
-    private void tell(String name, double x) throws IOException {
+    private void publish(String name, double x) throws IOException {
         client.acknowledge(asked(), new Simulation.Placed(Chars.of(name), new Pose(x, 2, 0.5)));
     }
 
@@ -66,7 +66,7 @@ class RemoteTruthTest extends ScriptedBench {
         assertThat(asks(() -> {})).isZero();
         client.socket().setSoTimeout(10_000);
         look();
-        tell("robot1", 1);
+        publish("robot1", 1);
         untilSeen(1);
     }
 
@@ -95,19 +95,19 @@ class RemoteTruthTest extends ScriptedBench {
     @Test
     void whatIsNoAnswerTellsNothing() throws IOException {
         look();
-        tell("robot1", 1);
+        publish("robot1", 1);
         untilSeen(1);
-        tell("robot2", 5);
+        publish("robot2", 5);
         untilLost();
-        tell("robot1", 1);
+        publish("robot1", 1);
         untilSeen(1);
-        tell("robot1", Double.NaN);
+        publish("robot1", Double.NaN);
         untilLost();
-        tell("robot1", 1);
+        publish("robot1", 1);
         untilSeen(1);
         client.refuse(asked());
         untilLost();
-        tell("robot1", 3);
+        publish("robot1", 3);
         untilSeen(3);
     }
 
@@ -125,7 +125,7 @@ class RemoteTruthTest extends ScriptedBench {
         client.acknowledge(before, new Simulation.Placed(Chars.of("robot1"), new Pose(1, 2, 0.5)));
         client.acknowledge(place);
         assertThat(look()).isEmpty();
-        tell("robot1", 7);
+        publish("robot1", 7);
         untilSeen(7);
     }
 }

@@ -29,10 +29,10 @@ class ServerClockTest {
         for (int i = 0; i < 500; i++) {
             double taken = 0.1 * i;
             double way = 0.001 + (i % 10 == 0 ? 0 : 0.05 * random.nextDouble());
-            Instant told = clock.taken(777 + taken, at(taken + way));
-            assertThat(told).isBeforeOrEqualTo(at(taken + way));
+            Instant reported = clock.taken(777 + taken, at(taken + way));
+            assertThat(reported).isBeforeOrEqualTo(at(taken + way));
             if (i > 0) { // whoever came first can't be judged
-                error = Math.max(error, Math.abs(seconds(told) - taken));
+                error = Math.max(error, Math.abs(seconds(reported) - taken));
             }
         }
         assertThat(error).isLessThan(0.0011);
@@ -44,9 +44,11 @@ class ServerClockTest {
         Instant last = Instant.MIN;
         for (int i = 0; i < 1000; i++) {
             Instant now = at(0.1 * i);
-            Instant told = clock.taken(0.1 * i * speed, now);
-            assertThat(told).isBetween(now.minus(Duration.ofMillis(201)), now).isAfterOrEqualTo(last);
-            last = told;
+            Instant reported = clock.taken(0.1 * i * speed, now);
+            assertThat(reported)
+                    .isBetween(now.minus(Duration.ofMillis(201)), now)
+                    .isAfterOrEqualTo(last);
+            last = reported;
         }
     }
 

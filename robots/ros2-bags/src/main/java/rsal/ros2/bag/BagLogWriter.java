@@ -80,7 +80,7 @@ final class BagLogWriter implements LogWriter {
         var motions = new ArrayList<Motion>();
         int next = 0;
         for (Scan scan : log.scans()) {
-            if (scan.poses() instanceof Poses.Told(Pose2d odomFromBase, Pose2d _)) {
+            if (scan.poses() instanceof Poses.Reported(Pose2d odomFromBase, Pose2d _)) {
                 while (next + 1 < log.motions().size()
                         && !log.motions().get(next + 1).time().isAfter(scan.time())) {
                     next++;
@@ -139,7 +139,7 @@ final class BagLogWriter implements LogWriter {
                 mount = Optional.of(baseFromLaser);
                 transform(fixed, time, BASE, LASER, baseFromLaser);
             }
-            if (scan.poses() instanceof Poses.Told(Pose2d odomFromBase, Pose2d mapFromBase)
+            if (scan.poses() instanceof Poses.Reported(Pose2d odomFromBase, Pose2d mapFromBase)
                     && !odomFromBase.equals(mapFromBase)) {
                 transform(transforms, time, MAP, ODOM, mapFromBase.compose(odomFromBase.inverse()));
             }

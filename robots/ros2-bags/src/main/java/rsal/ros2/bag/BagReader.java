@@ -146,14 +146,14 @@ final class BagReader {
 
     /// Says which topics were read.
     void end() throws BrokenLog {
-        tell(SCAN, scans());
+        visit(SCAN, scans());
         scans().ifPresent(chosen -> log.scansAreOf(
                 chosen,
                 topics(SCAN).filter(topic -> !topic.equals(chosen)).sorted().toList()));
-        tell(ODOMETRY, odometry());
+        visit(ODOMETRY, odometry());
     }
 
-    private void tell(String type, Optional<String> topic) throws BrokenLog {
+    private void visit(String type, Optional<String> topic) throws BrokenLog {
         if (topic.isPresent()) {
             log.add(new Parameter(number, type, topic.get()));
         }

@@ -70,8 +70,8 @@ public final class SqliteFile implements Closeable {
         if (header.hasRemaining() || !header.slice(0, MAGIC.length).equals(ByteBuffer.wrap(MAGIC))) {
             throw new InvalidSqlite("File '%s' is no database of SQLite: it does not begin like one.".formatted(path));
         }
-        int told = Short.toUnsignedInt(header.getShort(16));
-        int size = told == 1 ? 1 << 16 : told;
+        int reported = Short.toUnsignedInt(header.getShort(16));
+        int size = reported == 1 ? 1 << 16 : reported;
         int usable = size - Byte.toUnsignedInt(header.get(20));
         if (Integer.bitCount(size) != 1 || size < 512 || usable < LEAST_USABLE) {
             throw new InvalidSqlite("File '%s' has a damaged header: its pages have %d bytes.".formatted(path, size));
@@ -149,7 +149,7 @@ public final class SqliteFile implements Closeable {
             if (page.get(head) == LEAF) {
                 int cells = cells(page, head + 8, Short.toUnsignedInt(page.getShort(head + 3)));
                 for (int i = 0; i < cells; i++) {
-                    tell(page, head + 8 + 2 * i, row, visitor);
+                    visit(page, head + 8 + 2 * i, row, visitor);
                 }
             } else if (page.get(head) == INTERIOR && level + 1 < MOST_LEVELS) {
                 readChildren(page, head, level, row, visitor);
@@ -182,7 +182,7 @@ public final class SqliteFile implements Closeable {
         return count;
     }
 
-    private void tell(ByteBuffer page, int pointer, SqliteRow row, RowVisitor visitor) throws IOException {
+    private void visit(ByteBuffer page, int pointer, SqliteRow row, RowVisitor visitor) throws IOException {
         try {
             row.set(page, Short.toUnsignedInt(page.getShort(pointer)));
             visitor.row(row);

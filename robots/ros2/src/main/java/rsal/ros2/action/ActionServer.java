@@ -87,7 +87,7 @@ public final class ActionServer {
         }
 
         /// @param fields writes the feedback's
-        public void tell(Consumer<CdrWriter> fields) {
+        public void publishFeedback(Consumer<CdrWriter> fields) {
             CdrWriter writer = new CdrWriter().int8s(id);
             fields.accept(writer);
             feedback.publish(writer.toBytes());

@@ -15,7 +15,7 @@ final class BumperPublication {
     private final Bumper bumper;
     private final RobotOutlet outlet;
     private final List<Publication> topics = new ArrayList<>(); // one for each, once it is known how many there are
-    private final List<Boolean> told = new ArrayList<>();
+    private final List<Boolean> reported = new ArrayList<>();
 
     private BumperPublication(Bumper bumper, RobotOutlet outlet) {
         this.bumper = bumper;
@@ -23,20 +23,20 @@ final class BumperPublication {
     }
 
     static void begin(Bumper bumper, RobotOutlet outlet) {
-        outlet.keep(bumper.subscribe(new BumperPublication(bumper, outlet)::tell));
+        outlet.keep(bumper.subscribe(new BumperPublication(bumper, outlet)::publish));
     }
 
-    private void tell(Stamped<BumperState> reading) {
+    private void publish(Stamped<BumperState> reading) {
         List<Boolean> pressed = reading.value().pressed();
         for (int i = 0; i < pressed.size(); i++) {
             boolean isNew = i == topics.size();
             if (isNew) {
                 String name = "%s_%d".formatted(bumper.info().name(), i);
                 topics.add(outlet.advertise(bumper, name, "std_msgs/msg/Bool", Profile.LATCHED));
-                told.add(false);
+                reported.add(false);
             }
-            if (isNew || !told.get(i).equals(pressed.get(i))) {
-                told.set(i, pressed.get(i));
+            if (isNew || !reported.get(i).equals(pressed.get(i))) {
+                reported.set(i, pressed.get(i));
                 topics.get(i).publish(writer.clear().bool(pressed.get(i)).toBytes());
             }
         }

@@ -68,7 +68,7 @@ final class PublishedDocking {
             }
             GoalHandle<Progress, Result> attempt = begun.get();
             attempts.put(goal, attempt);
-            attempt.onFeedback(told -> goal.tell(writer -> write(writer, told.value())));
+            attempt.onFeedback(reported -> goal.publishFeedback(writer -> write(writer, reported.value())));
             attempt.result().thenAccept(ending -> {
                 attempts.remove(goal);
                 end(goal, ending);

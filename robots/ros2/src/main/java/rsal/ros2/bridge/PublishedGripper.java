@@ -61,7 +61,7 @@ final class PublishedGripper implements ActionServer.Handler {
         boolean isZero = wanted < motion.greatest / 2;
         GoalHandle<GripperState, Result> move = (isZero ? motion.toZero : motion.toGreatest).apply(gripper);
         moves.put(goal, move);
-        move.onFeedback(told -> goal.tell(state(told.value(), false, false)));
+        move.onFeedback(reported -> goal.publishFeedback(state(reported.value(), false, false)));
         move.result().thenAccept(ending -> {
             moves.remove(goal);
             end(goal, ending, isZero);

@@ -24,7 +24,7 @@ final class PublishedHealth {
     private final Supplier<Collection<Robot>> robots;
     private final Scheduler scheduler;
     private final Publication diagnostics;
-    private final Task telling;
+    private final Task publishing;
 
     /// @param robots that there are now
     PublishedHealth(Supplier<Collection<Robot>> robots, RosLink link, Scheduler scheduler) {
@@ -32,10 +32,10 @@ final class PublishedHealth {
         this.scheduler = scheduler;
         diagnostics =
                 link.advertise(new RosTopic("/diagnostics", "diagnostic_msgs/msg/DiagnosticArray"), Profile.DEFAULT);
-        telling = scheduler.every(PERIOD, Phase.OBSERVE, this::tell);
+        publishing = scheduler.every(PERIOD, Phase.OBSERVE, this::publish);
     }
 
-    private void tell() {
+    private void publish() {
         List<Device> devices =
                 robots.get().stream().flatMap(robot -> robot.devices().stream()).toList();
         CdrWriter array =
@@ -58,7 +58,7 @@ final class PublishedHealth {
     }
 
     void close() {
-        telling.cancel();
+        publishing.cancel();
         diagnostics.close();
     }
 }

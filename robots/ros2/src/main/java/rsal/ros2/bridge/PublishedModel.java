@@ -46,11 +46,11 @@ final class PublishedModel {
             Publication frames =
                     link.advertise(new RosTopic(namespace + "/tf", "tf2_msgs/msg/TFMessage"), Profile.DEFAULT);
             actuators.forEach((actuator, part) -> subscriptions.add(
-                    actuator.subscribe(reading -> tell(actuator.info().name(), part, reading, states, frames))));
+                    actuator.subscribe(reading -> publish(actuator.info().name(), part, reading, states, frames))));
         }
     }
 
-    private void tell(
+    private void publish(
             String name, Part.Actuator part, Stamped<ActuatorState> reading, Publication states, Publication frames) {
         joints.put(name, reading.value());
         states.publish(messages.joints(reading.time(), joints));

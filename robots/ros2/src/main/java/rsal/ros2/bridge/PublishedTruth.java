@@ -24,7 +24,7 @@ final class PublishedTruth {
     private final Scheduler scheduler;
     private final RosMessages messages = new RosMessages();
     private final Publication odometry;
-    private final Task telling;
+    private final Task publishing;
 
     /// @param robot its id
     /// @param link of its node
@@ -33,10 +33,10 @@ final class PublishedTruth {
         this.truth = truth;
         this.scheduler = scheduler;
         odometry = link.advertise(new RosTopic(namespace + "/ground_truth", "nav_msgs/msg/Odometry"), Profile.DEFAULT);
-        telling = scheduler.every(PERIOD, Phase.OBSERVE, this::tell);
+        publishing = scheduler.every(PERIOD, Phase.OBSERVE, this::publish);
     }
 
-    private void tell() {
+    private void publish() {
         truth.pose(robot).ifPresent(pose -> {
             var value = new Odometry(pose, ofBase(truth.velocity(robot), pose), false);
             odometry.publish(messages.odometry(scheduler.instant(), value, "map", UrdfWriter.BASE));
@@ -52,7 +52,7 @@ final class PublishedTruth {
     }
 
     void close() {
-        telling.cancel();
+        publishing.cancel();
         odometry.close();
     }
 }

@@ -24,7 +24,7 @@ final class GripperJoint {
     private final double zero;
     private final double one;
     private final double effort;
-    private Supplier<Stamped<GripperState>> told = () -> {
+    private Supplier<Stamped<GripperState>> reported = () -> {
         throw new IllegalStateException("Nobody tells how the gripper is.");
     };
     private double position = Double.NaN;
@@ -47,7 +47,7 @@ final class GripperJoint {
 
     /// @param reading tells how the gripper is now, and gives the reading
     void onEnd(Supplier<Stamped<GripperState>> reading) {
-        told = reading;
+        reported = reading;
     }
 
     /// Begins a goal; the one before it is cancelled.
@@ -149,8 +149,8 @@ final class GripperJoint {
         GoalSource<GripperState, Result> ended = goal;
         goal = null;
         if (ended != null) {
-            Stamped<GripperState> last = told.get();
-            ended.tell(last);
+            Stamped<GripperState> last = reported.get();
+            ended.publish(last);
             ended.end(ending.apply(last.value()));
         }
     }
@@ -181,9 +181,9 @@ final class GripperJoint {
     }
 
     /// Tells how a goal gets on.
-    void tell(Stamped<GripperState> reading) {
+    void publish(Stamped<GripperState> reading) {
         if (goal != null) {
-            goal.tell(reading);
+            goal.publish(reading);
         }
     }
 

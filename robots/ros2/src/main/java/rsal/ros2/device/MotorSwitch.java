@@ -35,7 +35,7 @@ final class MotorSwitch {
     }
 
     /// @param enabled whether its motors may move it
-    void tell(boolean enabled) {
+    void publish(boolean enabled) {
         byte[] stopped = new CdrWriter().bool(!enabled).toBytes();
         publications.forEach(each -> each.publish(stopped));
         for (ServiceClient service : services) {

@@ -45,11 +45,11 @@ final class PublicGrid {
     private void take(RosMessage message) {
         MapMessage.of(message, meaning).ifPresent(map -> {
             stamp = RosMessages.stamp(message.message("header"));
-            tell(map, stamp);
+            publish(map, stamp);
         });
     }
 
-    private void tell(OccupancyGrid map, long when) {
+    private void publish(OccupancyGrid map, long when) {
         newest = Optional.of(map);
         listener.accept(map, when);
     }
@@ -62,7 +62,7 @@ final class PublicGrid {
             return;
         }
         Optional<OccupancyGrid> changed = MapMessage.updated(newest.get(), update, meaning);
-        changed.ifPresent(map -> tell(map, when == 0 ? stamp : when));
+        changed.ifPresent(map -> publish(map, when == 0 ? stamp : when));
         if (changed.isEmpty() && damaged++ == 0) {
             LOG.log(
                     Level.WARNING,

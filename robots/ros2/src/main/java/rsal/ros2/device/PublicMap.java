@@ -17,7 +17,7 @@ final class PublicMap extends RosSensor<OccupancyGrid> implements Mapper {
 
     /// @param stamp when it was drawn [ns]
     void take(OccupancyGrid map, long stamp) {
-        tell(clock.time(stamp), map);
+        publish(clock.time(stamp), map);
     }
 
     @Override

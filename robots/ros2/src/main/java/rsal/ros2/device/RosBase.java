@@ -73,7 +73,7 @@ final class RosBase extends RosSensor<Odometry> implements DriveBase {
     void take(OdometryMessage message) {
         reported = message.odomFromBase();
         heard(frames.now());
-        tell(
+        publish(
                 clock.time(message.stamp()),
                 new Odometry(odomFromTheirs.compose(reported), message.velocity(), isStalled(message.velocity())));
         odometryListeners.forEach(listener -> listener.accept(message));

@@ -25,7 +25,7 @@ final class RosBattery extends RosSensor<BatteryState> implements Battery {
         double capacity = message.number("capacity");
         double whole = Double.isNaN(capacity) ? message.number("design_capacity") : capacity;
         heard(frames.now());
-        tell(
+        publish(
                 clock.time(RosMessages.stamp(message.message("header"))),
                 new BatteryState(
                         message.number("charge") * SECONDS_PER_HOUR * voltage,

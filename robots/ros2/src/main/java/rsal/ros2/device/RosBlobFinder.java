@@ -52,7 +52,7 @@ final class RosBlobFinder extends RosSensor<Blobs> implements BlobFinder {
         }
         blobs.sort(Comparator.comparingInt(Blob::left));
         heard(frames.now());
-        tell(
+        publish(
                 clock.time(RosMessages.stamp(message.message("header"))),
                 new Blobs(baseFromCamera, part.width(), part.height(), part.fieldOfView(), blobs));
     }
@@ -109,7 +109,7 @@ final class RosBlobFinder extends RosSensor<Blobs> implements BlobFinder {
         double x = position.number("x");
         double y = position.number("y");
         double z = position.number("z");
-        boolean isTold = Double.isFinite(x + y + z) && (x != 0 || y != 0 || z != 0);
-        return isTold ? Optional.of(mount.baseFromPoint(x, y, z)) : Optional.empty();
+        boolean isReported = Double.isFinite(x + y + z) && (x != 0 || y != 0 || z != 0);
+        return isReported ? Optional.of(mount.baseFromPoint(x, y, z)) : Optional.empty();
     }
 }

@@ -68,7 +68,7 @@ final class RosDocking extends DeviceCore implements Docking {
         @Override
         public void onFeedback(RosMessage message) {
             if (action.equals(device.docking)) {
-                device.tell(this, stage((int) message.integer("state")), (int) message.integer("num_retries"));
+                device.publish(this, stage((int) message.integer("state")), (int) message.integer("num_retries"));
             }
         }
 
@@ -108,9 +108,9 @@ final class RosDocking extends DeviceCore implements Docking {
                 return new Result.Cancelled("The robot's docking server canceled it.");
             }
             int code = (int) result.integer("error_code");
-            String told = result.text("error_msg");
+            String reported = result.text("error_msg");
             return new Result.Failed("The robot gave up: %s (error %d of Nav2)."
-                    .formatted(told.isEmpty() ? ERRORS.getOrDefault(code, "it does not say why") : told, code));
+                    .formatted(reported.isEmpty() ? ERRORS.getOrDefault(code, "it does not say why") : reported, code));
         }
 
         @Override
@@ -182,9 +182,9 @@ final class RosDocking extends DeviceCore implements Docking {
         return next.goal;
     }
 
-    private void tell(Attempt now, Stage stage, int retries) {
+    private void publish(Attempt now, Stage stage, int retries) {
         if (now.equals(attempt)) {
-            now.goal.tell(new Stamped<>(
+            now.goal.publish(new Stamped<>(
                     frames.now(), MAP, new Progress(stage, retries, Duration.between(now.begun, frames.now()))));
         }
     }

@@ -33,7 +33,7 @@ final class RosGripper extends RosSensor<GripperState> implements Gripper {
     private final Map<GripperFlag, Boolean> flags = new EnumMap<>(GripperFlag.class); // those that were told
     private boolean hasJoints;
     private boolean isServed = true; // as far as is known
-    private Instant toldAlone = Instant.MIN; // without joint states
+    private Instant reportedAlone = Instant.MIN; // without joint states
     private Instant served = Instant.MIN; // when somebody served the action last
 
     /// @param action of the paddles, for people
@@ -43,8 +43,8 @@ final class RosGripper extends RosSensor<GripperState> implements Gripper {
         this.paddles = paddles;
         this.lift = lift;
         this.context = context;
-        paddles.onEnd(this::tellNow);
-        lift.ifPresent(its -> its.onEnd(this::tellNow));
+        paddles.onEnd(this::publishNow);
+        lift.ifPresent(its -> its.onEnd(this::publishNow));
         context.base().onMotors(this::motors);
     }
 
@@ -71,7 +71,7 @@ final class RosGripper extends RosSensor<GripperState> implements Gripper {
             hasJoints = true;
             paddles.moved(positions[own]);
             heard(context.frames().now());
-            tellAt(context.clock().time(RosMessages.stamp(message.message("header"))));
+            publishAt(context.clock().time(RosMessages.stamp(message.message("header"))));
         }
     }
 
@@ -80,19 +80,19 @@ final class RosGripper extends RosSensor<GripperState> implements Gripper {
     }
 
     /// One that nobody moves is lost, wherever its joints are.
-    private void tellAt(Instant time) {
+    private void publishAt(Instant time) {
         if (!isServed) {
             return;
         }
-        tell(time, state());
+        publish(time, state());
         latest().ifPresent(reading -> {
-            paddles.tell(reading);
-            lift.ifPresent(its -> its.tell(reading));
+            paddles.publish(reading);
+            lift.ifPresent(its -> its.publish(reading));
         });
     }
 
     /// At the end of a goal: what is known by it. Listeners hear it, unless nobody serves the gripper: it stays lost.
-    private Stamped<GripperState> tellNow() {
+    private Stamped<GripperState> publishNow() {
         Stamped<GripperState> reading = reading(context.frames().now(), state());
         if (isServed) {
             deliver(reading);
@@ -179,9 +179,9 @@ final class RosGripper extends RosSensor<GripperState> implements Gripper {
         }
         if (hasJoints) {
             look(now, 1);
-        } else if (!toldAlone.plus(PERIOD).isAfter(now)) {
-            toldAlone = now;
-            tellAt(now);
+        } else if (!reportedAlone.plus(PERIOD).isAfter(now)) {
+            reportedAlone = now;
+            publishAt(now);
         }
     }
 

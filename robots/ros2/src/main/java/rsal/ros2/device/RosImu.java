@@ -45,7 +45,7 @@ final class RosImu extends RosSensor<ImuReading> implements Imu {
                 : integrated(stamp, velocity[2]);
         if (Double.isFinite(orientation + velocity[2] + acceleration[0] + acceleration[1])) {
             heard(frames.now());
-            tell(clock.time(stamp), new ImuReading(orientation, velocity[2], acceleration[0], acceleration[1]));
+            publish(clock.time(stamp), new ImuReading(orientation, velocity[2], acceleration[0], acceleration[1]));
         }
     }
 

@@ -29,7 +29,7 @@ final class RosLaser extends RosSensor<LaserScan> implements LaserScanner {
             baseFromLaser.ifPresent(mount -> {
                 LaserScan scan = message.scan(mount, Double.POSITIVE_INFINITY);
                 heard(frames.now());
-                tell(clock.time(message.stamp()), scan);
+                publish(clock.time(message.stamp()), scan);
             });
         }
     }

@@ -137,7 +137,7 @@ final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
         if (isThere) {
             frames.mapFromBase(odometry, odomFromBase)
                     .or(() -> mapFromOdom.map(origin -> origin.compose(odomFromBase.planar())))
-                    .ifPresent(mapFromBase -> tell(clock.time(odometry.stamp()), estimate(mapFromBase)));
+                    .ifPresent(mapFromBase -> publish(clock.time(odometry.stamp()), estimate(mapFromBase)));
         }
     }
 
@@ -157,23 +157,23 @@ final class RosLocalizer extends RosSensor<PoseEstimate> implements Localizer {
         RosMessage header = message.message("header");
         long stamp = RosMessages.stamp(header);
         RosMessages.estimate(message)
-                .map(told -> onMap(told, RosMessages.frame(header.text("frame_id")), stamp))
-                .ifPresent(told -> {
-                    newest = Optional.of(new Pose(stamp, told));
+                .map(reported -> onMap(reported, RosMessages.frame(header.text("frame_id")), stamp))
+                .ifPresent(reported -> {
+                    newest = Optional.of(new Pose(stamp, reported));
                     join();
                 });
     }
 
     /// What a localizer says in a frame of its own, such as `robot1/map`; as it is where TF does not connect that with
     /// the map.
-    private PoseEstimate onMap(PoseEstimate told, String frame, long stamp) {
+    private PoseEstimate onMap(PoseEstimate reported, String frame, long stamp) {
         return frame.equals(Frames.MAP)
-                ? told
+                ? reported
                 : frames.fromMap(frame, stamp)
                         .map(origin -> PoseEstimate.of(
-                                origin.compose(told.mapFromBase()),
-                                told.covariance().turned(origin.theta())))
-                        .orElse(told);
+                                origin.compose(reported.mapFromBase()),
+                                reported.covariance().turned(origin.theta())))
+                        .orElse(reported);
     }
 
     /// Where odometry began, by the newest pose and the odometry of that time, or nearest to it: localizers tell poses

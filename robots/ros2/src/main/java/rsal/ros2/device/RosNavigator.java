@@ -212,7 +212,7 @@ final class RosNavigator extends DeviceCore implements Navigator {
             hold();
             end(now, new Result.Reached(now.mapFromBase));
         } else {
-            now.goal.tell(new Stamped<>(
+            now.goal.publish(new Stamped<>(
                     frames.now(),
                     MAP,
                     new Progress(now.mapFromBase, remaining, now.mapFromGoal.position(), now.tried())));

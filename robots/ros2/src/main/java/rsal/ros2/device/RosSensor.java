@@ -18,7 +18,7 @@ abstract class RosSensor<T> extends SensorCore<T> {
 
     private final String frame;
     private final String source;
-    private Instant told = Instant.MIN;
+    private Instant reported = Instant.MIN;
     private Duration period = Duration.ZERO; // the newest
     private String leftOut = ""; // why the newest message became no reading, for people; empty if it did
 
@@ -31,7 +31,7 @@ abstract class RosSensor<T> extends SensorCore<T> {
     }
 
     /// A new reading; times go up, whatever the robot says.
-    final void tell(Instant time, T value) {
+    final void publish(Instant time, T value) {
         deliver(reading(time, value));
     }
 
@@ -43,10 +43,10 @@ abstract class RosSensor<T> extends SensorCore<T> {
 
     /// A message has come.
     final void heard(Instant now) {
-        if (!told.equals(Instant.MIN)) {
-            period = Duration.between(told, now);
+        if (!reported.equals(Instant.MIN)) {
+            period = Duration.between(reported, now);
         }
-        told = now;
+        reported = now;
         leftOut = "";
     }
 
@@ -80,7 +80,7 @@ abstract class RosSensor<T> extends SensorCore<T> {
         }
         Duration patience =
                 PATIENCE.compareTo(period.multipliedBy(MISSED)) > 0 ? PATIENCE : period.multipliedBy(MISSED);
-        boolean isSilent = hasTold() ? told.plus(patience).isBefore(now) : !leftOut.isEmpty();
+        boolean isSilent = hasReported() ? reported.plus(patience).isBefore(now) : !leftOut.isEmpty();
         if (isSilent) {
             health(new Health.Stale(
                     leftOut.isEmpty()
@@ -90,7 +90,7 @@ abstract class RosSensor<T> extends SensorCore<T> {
         }
     }
 
-    final boolean hasTold() {
-        return !told.equals(Instant.MIN);
+    final boolean hasReported() {
+        return !reported.equals(Instant.MIN);
     }
 }

@@ -51,7 +51,7 @@ final class RosSonars extends RosSensor<RangeArray> implements SonarArray {
             return;
         }
         if (round.get(sensor)) {
-            tellRound();
+            publishRound();
         }
         stamp = RosMessages.stamp(header);
         fieldOfView = message.number("field_of_view");
@@ -61,15 +61,15 @@ final class RosSonars extends RosSensor<RangeArray> implements SonarArray {
         baseFromSensors[sensor] = mount.get().planar();
         round.set(sensor);
         if (round.cardinality() == ranges.length) {
-            tellRound();
+            publishRound();
         }
     }
 
-    private void tellRound() {
+    private void publishRound() {
         float[] now = ranges.clone();
         IntStream.range(0, now.length).filter(sensor -> !round.get(sensor)).forEach(sensor -> now[sensor] = Float.NaN);
         round.clear();
         heard(frames.now());
-        tell(clock.time(stamp), new RangeArray(List.of(baseFromSensors), fieldOfView, rangeMin, rangeMax, now));
+        publish(clock.time(stamp), new RangeArray(List.of(baseFromSensors), fieldOfView, rangeMin, rangeMax, now));
     }
 }

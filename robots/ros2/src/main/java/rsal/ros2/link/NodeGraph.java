@@ -54,25 +54,25 @@ final class NodeGraph {
     synchronized Node add(String namespace, String name) {
         var node = new Node(namespace, name);
         nodes.add(node);
-        tell();
+        announce();
         return node;
     }
 
     synchronized void remove(Node node) {
         nodes.remove(node);
-        tell();
+        announce();
     }
 
     synchronized void opened(Node node, List<SampleWriter> writers, List<SampleReader> readers) {
         writers.forEach(each -> node.writers.add(each.data().guid()));
         readers.forEach(each -> node.readers.add(each.data().guid()));
-        tell();
+        announce();
     }
 
     synchronized void closed(Node node, List<SampleWriter> writers, List<SampleReader> readers) {
         writers.forEach(each -> node.writers.remove(each.data().guid()));
         readers.forEach(each -> node.readers.remove(each.data().guid()));
-        tell();
+        announce();
     }
 
     /// Publishes once what changes meanwhile: all of a hundred robots with ten endpoints each would be published a
@@ -91,11 +91,11 @@ final class NodeGraph {
     private synchronized void end() {
         batches--;
         if (isOld) {
-            tell();
+            announce();
         }
     }
 
-    private void tell() {
+    private void announce() {
         isOld = batches > 0;
         if (!isOld) {
             publish();

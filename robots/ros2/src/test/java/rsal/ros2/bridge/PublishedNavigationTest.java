@@ -124,7 +124,7 @@ class PublishedNavigationTest extends RobotBench {
             super(new DeviceInfo("r1", "localizer", "test"));
         }
 
-        void tell(Instant time) {
+        void publish(Instant time) {
             cloud = Optional.of(new Stamped<>(
                     time, "map", new ParticleCloud(new float[] {1, 2, 0, 3, 4, 1}, new float[] {0.25f, 0.75f})));
             deliver(new Stamped<>(time, "map", PoseEstimate.of(START, Covariance2d.ofDeviations(1, 1, 1))));
@@ -310,9 +310,9 @@ class PublishedNavigationTest extends RobotBench {
         assertThat(heard.getFirst().message("header").text("frame_id")).isEqualTo("map");
         advance(20);
         assertThat(heard.getLast().messages("poses")).as("at its end").isEmpty();
-        int told = heard.size();
+        int reported = heard.size();
         advance(2);
-        assertThat(heard).hasSize(told);
+        assertThat(heard).hasSize(reported);
     }
 
     @Test
@@ -331,12 +331,12 @@ class PublishedNavigationTest extends RobotBench {
 
     @Test
     void particlesAreToldWhileSomebodySubscribes() {
-        localizer.tell(run.instant());
+        localizer.publish(run.instant());
         advance(1);
         listen("/r1/particle_cloud", "nav2_msgs/msg/ParticleCloud", Profile.SENSOR_DATA, heard);
         advance(1);
         assertThat(heard).isEmpty();
-        localizer.tell(run.instant());
+        localizer.publish(run.instant());
         advance(1);
         assertThat(heard).singleElement().satisfies(cloud -> {
             assertThat(cloud.message("header").text("frame_id")).isEqualTo("map");

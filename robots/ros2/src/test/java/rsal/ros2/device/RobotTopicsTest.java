@@ -35,9 +35,9 @@ class RobotTopicsTest {
             all.add(endpoint(topic, distribution));
         }
         all.add(endpoint(new RosTopic("/r2/odom", ODOMETRY.type()), Distribution.KILTED)); // another robot
-        Distribution told = new RobotTopics("/r1", all).distribution(Distribution.JAZZY);
+        Distribution reported = new RobotTopics("/r1", all).distribution(Distribution.JAZZY);
         boolean isSameFeedback = endpoint(FEEDBACK, distribution).equals(endpoint(FEEDBACK, Distribution.JAZZY));
-        assertThat(told).isEqualTo(isSameFeedback ? Distribution.JAZZY : distribution);
+        assertThat(reported).isEqualTo(isSameFeedback ? Distribution.JAZZY : distribution);
     }
 
     @Test

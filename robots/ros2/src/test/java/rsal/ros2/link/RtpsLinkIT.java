@@ -141,20 +141,20 @@ class RtpsLinkIT {
     }
 
     private record Node(String namespace, String name, int writers, int readers) {
-        Node(RosMessage told) {
+        Node(RosMessage reported) {
             this(
-                    told.text("node_namespace"),
-                    told.text("node_name"),
-                    told.messages("writer_gid_seq").size(),
-                    told.messages("reader_gid_seq").size());
+                    reported.text("node_namespace"),
+                    reported.text("node_name"),
+                    reported.messages("writer_gid_seq").size(),
+                    reported.messages("reader_gid_seq").size());
         }
     }
 
-    private static List<Node> nodes(byte[] told, MessageCodec codec) {
+    private static List<Node> nodes(byte[] reported, MessageCodec codec) {
         try {
-            return told.length == 0
+            return reported.length == 0
                     ? List.of()
-                    : codec.read(CdrReader.of(told)).messages("node_entities_info_seq").stream()
+                    : codec.read(CdrReader.of(reported)).messages("node_entities_info_seq").stream()
                             .map(Node::new)
                             .toList();
         } catch (InvalidCdr e) {
@@ -168,7 +168,7 @@ class RtpsLinkIT {
     void nodesAreTold(String distribution) throws Exception {
         TypeLibrary types = TypeLibrary.of(Distribution.valueOf(distribution));
         MessageCodec codec = MessageCodec.of(types.get("rmw_dds_common/msg/ParticipantEntitiesInfo"), types);
-        var told = new AtomicReference<byte[]>(new byte[0]);
+        var reported = new AtomicReference<byte[]>(new byte[0]);
         try (var here = link(Distribution.valueOf(distribution));
                 var there = participant()) {
             here.advertise(CHATTER, Profile.DEFAULT);
@@ -180,17 +180,17 @@ class RtpsLinkIT {
                     sample -> {
                         var bytes = new byte[sample.payload().remaining()];
                         sample.payload().get(bytes);
-                        told.set(bytes);
+                        reported.set(bytes);
                     });
             var first = new Node("/", "tester", 1, 0);
-            await(() -> nodes(told.get(), codec).equals(List.of(first)));
+            await(() -> nodes(reported.get(), codec).equals(List.of(first)));
             RosLink robot = here.node("/r1", "rsal");
             robot.subscribe(CHATTER, Profile.DEFAULT, _ -> {});
             robot.advertise(new RosTopic("/r1/odom", "nav_msgs/msg/Odometry"), Profile.DEFAULT);
-            await(() -> nodes(told.get(), codec).equals(List.of(first, new Node("/r1", "rsal", 1, 1))));
+            await(() -> nodes(reported.get(), codec).equals(List.of(first, new Node("/r1", "rsal", 1, 1))));
             await(() -> there.endpoints().size() == 4);
             robot.close();
-            await(() -> nodes(told.get(), codec).equals(List.of(first))
+            await(() -> nodes(reported.get(), codec).equals(List.of(first))
                     && there.endpoints().size() == 2);
         }
     }

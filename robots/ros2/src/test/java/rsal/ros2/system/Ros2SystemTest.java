@@ -258,7 +258,7 @@ class Ros2SystemTest {
     /// The robot itself is told, and those who come late, too.
     @Test
     void motorsThatAreSwitchedOffStopTheRobotByItsTopicAndService() {
-        var told = new ArrayList<Byte>();
+        var reported = new ArrayList<Byte>();
         var called = new ArrayList<Byte>();
         network.serve("/r1/set_e_stop", request -> {
             called.add(request[4]);
@@ -270,9 +270,11 @@ class Ros2SystemTest {
             DriveBase base = found(system).require(DriveBase.class);
             base.enable(false);
             there.subscribe(
-                    new RosTopic("/r1/e_stop", "std_msgs/msg/Bool"), Profile.LATCHED, bytes -> told.add(bytes.get(4)));
+                    new RosTopic("/r1/e_stop", "std_msgs/msg/Bool"),
+                    Profile.LATCHED,
+                    bytes -> reported.add(bytes.get(4)));
             base.enable(true);
-            assertThat(told).containsExactly((byte) 1, (byte) 0);
+            assertThat(reported).containsExactly((byte) 1, (byte) 0);
             assertThat(called).containsExactly((byte) 0, (byte) 1, (byte) 0); // armed at first
         }
     }

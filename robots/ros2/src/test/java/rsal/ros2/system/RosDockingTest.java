@@ -146,7 +146,7 @@ class RosDockingTest {
     void silenceIsNoEnd() {
         var stages = new ArrayList<Docking.Stage>();
         GoalHandle<Progress, Result> handle = docking.dock("home");
-        handle.onFeedback(told -> stages.add(told.value().stage()));
+        handle.onFeedback(reported -> stages.add(reported.value().stage()));
         advance(0.1);
         for (int state : new int[] {1, 3, 77}) {
             feedback.publish(new CdrWriter()

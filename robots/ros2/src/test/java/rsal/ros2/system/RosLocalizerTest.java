@@ -294,10 +294,10 @@ class RosLocalizerTest {
         assertThat(localizer.particles()).isEmpty();
         clouds.publish(cloud("map", 1));
         advance(0.1);
-        assertThat(localizer.particles()).hasValueSatisfying(told -> {
-            assertThat(told.frame()).isEqualTo("map");
-            assertThat(told.value().weights()).containsExactly(0.25f, 0.75f);
-            assertThat(told.value().poses()[0]).isEqualTo(1);
+        assertThat(localizer.particles()).hasValueSatisfying(reported -> {
+            assertThat(reported.frame()).isEqualTo("map");
+            assertThat(reported.value().weights()).containsExactly(0.25f, 0.75f);
+            assertThat(reported.value().poses()[0]).isEqualTo(1);
         });
         clouds.close();
         assertThat(localizer.particles()).isEmpty();

@@ -101,7 +101,7 @@ class RosNavigatorTest {
 
     private Optional<Result> drive(Runnable meanwhile) {
         GoalHandle<Progress, Result> goal = navigator.goTo(GOAL);
-        goal.onFeedback(told -> progress.add(told.value()));
+        goal.onFeedback(reported -> progress.add(reported.value()));
         var ended = new ArrayList<Result>();
         goal.result().thenAccept(ended::add);
         advance(0.2);
@@ -120,7 +120,7 @@ class RosNavigatorTest {
                         .toBytes());
     }
 
-    private void tell(String id, double x, double remaining) {
+    private void publish(String id, double x, double remaining) {
         CdrWriter message = new CdrWriter().int8s(HexFormat.of().parseHex(id));
         message.int32(0).int32(0).text("map").float64(x).float64(1).float64(0);
         message.float64(0).float64(0).float64(0).float64(1);
@@ -140,8 +140,8 @@ class RosNavigatorTest {
     @Test
     void progressIsTheFeedbackOfItsOwnGoal() {
         drive(() -> {
-            tell("00".repeat(16), 9, 9);
-            tell(sent.getFirst(), 1.5, 1.4);
+            publish("00".repeat(16), 9, 9);
+            publish(sent.getFirst(), 1.5, 1.4);
         });
         assertThat(progress).hasSize(1);
         assertThat(progress.getFirst().mapFromBase().x()).isEqualTo(1.5);
@@ -250,7 +250,7 @@ class RosNavigatorTest {
     void aGoalOfWhichNothingIsHeardAnyMoreEndsAndIsCanceled() {
         Optional<Result> result = drive(() -> {
             advance(20); // servers need not tell how a goal gets on
-            tell(sent.getFirst(), 1.5, 1.4);
+            publish(sent.getFirst(), 1.5, 1.4);
             advance(9);
             assertThat(navigator.goal()).isPresent();
             advance(2);

@@ -200,11 +200,11 @@ final class ConfigReader {
         if (known.isEmpty()) {
             return;
         }
-        var told = new LinkedHashSet<String>();
+        var reported = new LinkedHashSet<String>();
         for (Driver.Option option : options.values()) {
             int index = option.name().indexOf('[');
             String family = index > 0 ? option.name().substring(0, index) : option.name();
-            if (!known.get().contains(family) && told.add(family)) {
+            if (!known.get().contains(family) && reported.add(family)) {
                 findings.warn(
                         option.location(),
                         "'%s' is not known in a driver '%s' and has no effect."

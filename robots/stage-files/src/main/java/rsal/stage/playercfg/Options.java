@@ -121,8 +121,8 @@ final class Options {
         Map<String, List<Own>> known = KNOWN.getOrDefault(driver.name(), Map.of());
         var entries = new LinkedHashMap<String, Value>();
         var keys = new LinkedHashMap<String, Location>();
-        var untold = new LinkedHashSet<>(driver.options().keySet());
-        untold.removeAll(ELSEWHERE);
+        var omitted = new LinkedHashSet<>(driver.options().keySet());
+        omitted.removeAll(ELSEWHERE);
         if (driver.option(START).isPresent() && driver.option("init_pose_var").isEmpty()) { // Player's own
             entries.put("initialDeviation", new Value.Scalar(driver.location(), 1.0));
             entries.put("initialAngleDeviation", new Value.Scalar(driver.location(), 360.0));
@@ -144,9 +144,9 @@ final class Options {
                     keys.put(own.get(i).name(), option.location());
                 }
             }
-            untold.remove(name);
+            omitted.remove(name);
         }));
-        untold.stream()
+        omitted.stream()
                 .filter(name -> KnownDrivers.options(driver.name())
                         .filter(all -> all.contains(name.replaceFirst("\\[.*", "")))
                         .isPresent()) // of those that are no options at all another warning tells

@@ -18,7 +18,7 @@ public final class Viewers {
         return () -> listeners.remove(listener);
     }
 
-    public void tell() {
+    public void publish() {
         listeners.forEach(listener -> {
             try {
                 listener.run();

@@ -70,15 +70,15 @@ public final class RobotCommands {
                 team.robot(id).flatMap(robot -> robot.find(Navigator.class)).isPresent();
         return navigates && agents.takeOrdersFor(id)
                 ? askAgent(id, mapFromGoal, given)
-                : tell(id, told -> send(told, id, mapFromGoal, given));
+                : command(id, reported -> send(reported, id, mapFromGoal, given));
     }
 
-    private Answer send(Teleoperation told, String id, Pose2d mapFromGoal, long given) {
-        return switch (told.navigator(given)) {
+    private Answer send(Teleoperation reported, String id, Pose2d mapFromGoal, long given) {
+        return switch (reported.navigator(given)) {
             case Teleoperation.Navigation.Refused(Answer why) -> why;
             case Teleoperation.Navigation.Ready(Navigator navigator) -> {
                 int goal = goals.send(id, mapFromGoal);
-                told.goTo(navigator, mapFromGoal, result -> ended(goal, result));
+                reported.goTo(navigator, mapFromGoal, result -> ended(goal, result));
                 yield new Answer.Sent(goal);
             }
         };
@@ -119,7 +119,7 @@ public final class RobotCommands {
     }
 
     private Answer askAgent(String id, Pose2d mapFromGoal, long given) {
-        Optional<Answer> refused = team.teleoperation(id).flatMap(told -> told.leave(given));
+        Optional<Answer> refused = team.teleoperation(id).flatMap(reported -> reported.leave(given));
         if (refused.isPresent()) {
             return refused.get();
         }
@@ -129,12 +129,12 @@ public final class RobotCommands {
     }
 
     public Answer abilities(String id) {
-        return tell(id, told -> new Answer.Able(told.abilities()));
+        return command(id, reported -> new Answer.Able(reported.abilities()));
     }
 
     /// @param given when somebody said so [ns]
     public Answer behave(String id, String behavior, long given) {
-        Answer answer = tell(id, told -> told.behave(behavior, given));
+        Answer answer = command(id, reported -> reported.behave(behavior, given));
         if (answer instanceof Answer.Done) {
             goals.cancel(id, behavior.isEmpty() ? "It was told nothing any more." : "It was told to " + behavior + ".");
         }
@@ -144,15 +144,15 @@ public final class RobotCommands {
     /// @param heard when its driver said so [ns]
     public Answer drive(String id, String driver, Twist2d velocity, long heard) {
         return velocity.isFinite()
-                ? tell(id, told -> told.drive(driver, velocity, heard))
+                ? command(id, reported -> reported.drive(driver, velocity, heard))
                 : new Answer.Refused("A velocity must be finite, not '%s'.".formatted(velocity));
     }
 
     public Answer letGo(String id, String driver) {
-        return tell(id, told -> told.letGo(driver));
+        return command(id, reported -> reported.letGo(driver));
     }
 
-    private Answer tell(String id, Function<Teleoperation, Answer> order) {
+    private Answer command(String id, Function<Teleoperation, Answer> order) {
         return nobody(id)
                 .or(() -> team.teleoperation(id).map(order))
                 .orElseGet(() -> new Answer.Refused("Robot '%s' has no drive.".formatted(id)));
@@ -172,7 +172,7 @@ public final class RobotCommands {
     ///
     /// @param now [ns]
     public void beat(long now) {
-        team.teleoperation().forEach(told -> told.beat(now));
+        team.teleoperation().forEach(reported -> reported.beat(now));
     }
 
     /// Switches all motors off.
@@ -192,7 +192,7 @@ public final class RobotCommands {
         arbiters().forEach(CommandArbiter::rearm);
         List<String> off = team.robots().keySet().stream()
                 .filter(id -> team.teleoperation(id)
-                        .filter(told -> told.arbiter().isSwitchedOff())
+                        .filter(reported -> reported.arbiter().isSwitchedOff())
                         .isPresent())
                 .toList();
         eventLog.event(
@@ -202,11 +202,11 @@ public final class RobotCommands {
 
     /// Switches those of one robot: it alone stands, or it alone may move while the others stand.
     public Answer stop(String id, boolean stop) {
-        return tell(id, told -> {
+        return command(id, reported -> {
             if (stop) {
-                told.switchOff();
+                reported.switchOff();
             } else {
-                told.arbiter().switchOn();
+                reported.arbiter().switchOn();
             }
             stopped &= arbiters().anyMatch(CommandArbiter::isStopped);
             eventLog.event("operator", id, stop ? "motors off" : "motors on");

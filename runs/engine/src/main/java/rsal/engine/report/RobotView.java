@@ -85,11 +85,12 @@ public record RobotView(
         map.ifPresent(first -> maps.add(new Drawn("", first)));
         for (Reading reading : readings) {
             if (reading.value().value() instanceof OccupancyGrid grid) {
-                var told = new Stamped<>(reading.value().time(), reading.value().frame(), grid);
-                if (!maps.isEmpty() && maps.getFirst().map().equals(told)) {
-                    maps.set(0, new Drawn(reading.device(), told));
+                var reported =
+                        new Stamped<>(reading.value().time(), reading.value().frame(), grid);
+                if (!maps.isEmpty() && maps.getFirst().map().equals(reported)) {
+                    maps.set(0, new Drawn(reading.device(), reported));
                 } else {
-                    maps.add(new Drawn(reading.device(), told));
+                    maps.add(new Drawn(reading.device(), reported));
                 }
             }
         }

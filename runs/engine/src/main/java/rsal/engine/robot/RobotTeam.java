@@ -20,10 +20,10 @@ public final class RobotTeam {
     /// One that was there before keeps its place.
     ///
     /// @param robot as its agents have it
-    /// @param told by what people tell it what to do; empty when it has no drive
-    public void join(Robot robot, Optional<Teleoperation> told, Teammate mate) {
+    /// @param reported by what people tell it what to do; empty when it has no drive
+    public void join(Robot robot, Optional<Teleoperation> reported, Teammate mate) {
         robots.put(robot.id(), robot);
-        told.ifPresent(own -> teleoperation.put(robot.id(), own));
+        reported.ifPresent(own -> teleoperation.put(robot.id(), own));
         cameSoFar.put(robot.id(), mate);
         mates = Optional.empty();
     }
@@ -59,8 +59,8 @@ public final class RobotTeam {
     /// A robot's own, or else one that it was given to do what people told it.
     public Optional<Localizer> localizer(Robot robot) {
         return robot.find(Localizer.class)
-                .or(() ->
-                        teleoperation(robot.id()).flatMap(told -> told.outfit().find(Localizer.class)));
+                .or(() -> teleoperation(robot.id())
+                        .flatMap(reported -> reported.outfit().find(Localizer.class)));
     }
 
     /// All that are or were there, in the order in which they came; the same list until it grows.

@@ -106,7 +106,7 @@ public final class Proxies {
 
         Proxy(RobotSpec spec) {
             this.spec = spec;
-            this.grasp = new ProxyGrasp(spec, thing -> names().contains(thing), this::tell);
+            this.grasp = new ProxyGrasp(spec, thing -> names().contains(thing), this::publish);
         }
 
         void beat(SimulationControl world) {
@@ -132,11 +132,11 @@ public final class Proxies {
                     : world.addAnyway(body(now.value()));
             String why = placement instanceof Placement.Refused(String words) ? words : "";
             if (!why.isEmpty() && refused.isEmpty()) {
-                tell("can't stand in the simulated world: " + why);
+                publish("can't stand in the simulated world: " + why);
             }
             refused = why;
             if (shown != null && shown.value().distanceTo(now.value()) > JUMP) {
-                tell(String.format(
+                publish(String.format(
                         Locale.ROOT, "jumped by %.1f m", shown.value().distanceTo(now.value())));
             }
             shown = now;
@@ -168,7 +168,7 @@ public final class Proxies {
         private void stale(boolean now) {
             if (now != stale) {
                 stale = now;
-                tell(
+                publish(
                         now
                                 ? "is stale: for more than %d s nobody has told where it is"
                                         .formatted(PATIENCE.toSeconds())
@@ -176,7 +176,7 @@ public final class Proxies {
             }
         }
 
-        private void tell(String words) {
+        private void publish(String words) {
             eventLog.event("proxy", spec.id(), words);
         }
     }

@@ -23,16 +23,16 @@ final class ProxyGrasp {
 
     private final RobotSpec spec;
     private final Predicate<String> taken;
-    private final Consumer<String> told;
+    private final Consumer<String> reported;
     private boolean holding;
     private @Nullable String thing;
 
     /// @param taken whether a thing goes along with another
-    /// @param told what people are told of it
-    ProxyGrasp(RobotSpec spec, Predicate<String> taken, Consumer<String> told) {
+    /// @param reported what people are told of it
+    ProxyGrasp(RobotSpec spec, Predicate<String> taken, Consumer<String> reported) {
         this.spec = spec;
         this.taken = taken;
-        this.told = told;
+        this.reported = reported;
     }
 
     /// To be called again and again.
@@ -68,7 +68,7 @@ final class ProxyGrasp {
                 .min(Comparator.comparingDouble(one -> one.mapFromThing().distanceTo(mapFromGripper)))
                 .map(Standing::name);
         thing = nearest.orElse(null);
-        told.accept(nearest.map("takes '%s' along"::formatted)
+        reported.accept(nearest.map("takes '%s' along"::formatted)
                 .orElse("has gripped something that is not in the simulated world"));
     }
 
@@ -79,7 +79,7 @@ final class ProxyGrasp {
             String put = thing;
             thing = null;
             world.truth(put).ifPresent(there -> world.placeAnyway(put, there, 0));
-            told.accept("puts '%s' down".formatted(put));
+            reported.accept("puts '%s' down".formatted(put));
         }
     }
 }

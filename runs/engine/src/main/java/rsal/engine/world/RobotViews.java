@@ -102,13 +102,14 @@ public final class RobotViews {
         Relocations placements = world.placements();
         boolean gone = faults.isGone(id);
         boolean there = !gone && !world.lacks(id);
-        Optional<Teleoperation> told = team.teleoperation(id);
+        Optional<Teleoperation> reported = team.teleoperation(id);
         Optional<Localizer> localizer = team.localizer(robot).filter(_ -> there && placements.isBeliefOfHere(id));
-        Optional<Navigator> navigator = told.flatMap(orders -> orders.outfit().find(Navigator.class))
+        Optional<Navigator> navigator = reported.flatMap(
+                        orders -> orders.outfit().find(Navigator.class))
                 .filter(spare -> spare.goal().isPresent())
                 .or(() -> robot.find(Navigator.class))
                 .filter(_ -> there);
-        List<Device> devices = devices(robot, told);
+        List<Device> devices = devices(robot, reported);
         return new RobotView(
                 id,
                 robot.role(),
@@ -133,16 +134,16 @@ public final class RobotViews {
                         .map(Navigator::localPath)
                         .orElse(Path2d.EMPTY),
                 navigator.flatMap(Navigator::goal),
-                told.map(Teleoperation::incharge)
+                reported.map(Teleoperation::incharge)
                         .orElse(Optional.of(robot))
                         .filter(_ -> there)
                         .map(RobotViews::inCharge)
                         .orElse(""),
-                told.map(Teleoperation::behavior).orElse(""),
-                told.map(Teleoperation::driver).orElse(""),
+                reported.map(Teleoperation::behavior).orElse(""),
+                reported.map(Teleoperation::driver).orElse(""),
                 robot.find(Gripper.class).filter(_ -> there).flatMap(Gripper::latest),
-                told.filter(orders -> orders.arbiter().isOff()).isPresent(),
-                told.filter(orders -> orders.arbiter().isSwitchedOff()).isPresent(),
+                reported.filter(orders -> orders.arbiter().isOff()).isPresent(),
+                reported.filter(orders -> orders.arbiter().isSwitchedOff()).isPresent(),
                 robot.find(Light.class)
                         .filter(_ -> there)
                         .flatMap(Light::latest)
@@ -174,10 +175,10 @@ public final class RobotViews {
     }
 
     /// Its own, and those besides that are of another name.
-    private static List<Device> devices(Robot robot, Optional<Teleoperation> told) {
+    private static List<Device> devices(Robot robot, Optional<Teleoperation> reported) {
         var all = new LinkedHashMap<String, Device>();
         robot.devices().forEach(device -> all.put(device.info().name(), device));
-        told.ifPresent(orders ->
+        reported.ifPresent(orders ->
                 orders.made().forEach(device -> all.putIfAbsent(device.info().name(), device)));
         return List.copyOf(all.values());
     }

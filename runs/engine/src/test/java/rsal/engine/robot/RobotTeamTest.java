@@ -42,12 +42,12 @@ class RobotTeamTest {
         Robot first = robots.getFirst();
         join(first);
         join(new Robot("other", first.role(), first.model(), first.devices()));
-        var told = new ArrayList<Teleoperation>();
+        var reported = new ArrayList<Teleoperation>();
         for (Teleoperation teleoperation : team.teleoperation()) {
             team.leave("other");
-            told.add(teleoperation);
+            reported.add(teleoperation);
         }
-        assertThat(told).hasSize(2);
+        assertThat(reported).hasSize(2);
         assertThat(team.teleoperation()).hasSize(1);
     }
 }

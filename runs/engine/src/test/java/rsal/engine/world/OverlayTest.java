@@ -146,7 +146,7 @@ class OverlayTest {
         return overlaid.require(SonarArray.class).latest().orElseThrow().value().ranges();
     }
 
-    private List<String> told() {
+    private List<String> reported() {
         return eventLog.after(0).stream().map(RunEvent::toString).toList();
     }
 
@@ -217,14 +217,14 @@ class OverlayTest {
         time.advance(Duration.ofMillis(100));
         assertThat(seen(NOTHING, 4)).containsExactly(NOTHING, 4);
         assertThat(heard(NOTHING, 4)).containsExactly(NOTHING, 4);
-        assertThat(told())
+        assertThat(reported())
                 .singleElement()
                 .asString()
                 .contains("real")
                 .contains("sees nothing that is simulated: for more than 1 s nobody has told where it is");
         believe(HERE);
         assertThat(seen(NOTHING, 4)[0]).isLessThan(3);
-        assertThat(told()).hasSize(2).last().asString().contains("sees what is simulated again");
+        assertThat(reported()).hasSize(2).last().asString().contains("sees what is simulated again");
     }
 
     @Test
@@ -242,10 +242,10 @@ class OverlayTest {
         assertThat(seen(NOTHING, 4)).containsExactly(NOTHING, 4);
         time.advance(Duration.ofSeconds(1));
         assertThat(seen(NOTHING, 4)).containsExactly(NOTHING, 4);
-        assertThat(told()).isEmpty();
+        assertThat(reported()).isEmpty();
         time.advance(Duration.ofMillis(100));
         assertThat(seen(NOTHING, 4)).containsExactly(NOTHING, 4);
-        assertThat(told()).hasSize(1);
+        assertThat(reported()).hasSize(1);
     }
 
     @Test

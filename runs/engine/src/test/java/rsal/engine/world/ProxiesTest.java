@@ -81,7 +81,7 @@ class ProxiesTest {
             super(new DeviceInfo("real", "localizer", "oracle"));
         }
 
-        void tell(Pose2d mapFromBase) {
+        void publish(Pose2d mapFromBase) {
             var estimate = PoseEstimate.of(mapFromBase, Covariance2d.ofDeviations(0.1, 0.1, 0.1));
             deliver(new Stamped<>(time.instant(), "map", estimate));
         }
@@ -173,7 +173,7 @@ class ProxiesTest {
     }
 
     /// What the stand-in had people told.
-    private List<String> told() {
+    private List<String> reported() {
         return eventLog.after(0).stream()
                 .filter(event -> event.kind().equals("proxy") && event.subject().equals("real"))
                 .map(RunEvent::text)
@@ -193,16 +193,16 @@ class ProxiesTest {
         joinWithLocalizer();
         seconds(0.5);
         assertThat(proxy()).isEmpty();
-        localizer.tell(THERE);
+        localizer.publish(THERE);
         seconds(0.05);
         assertThat(proxy()).as("every 0.1 s").isEmpty();
         seconds(0.05);
         assertThat(proxy()).contains(THERE);
         assertThat(systems.truth("real")).as("nobody knows the truth").isEmpty();
-        localizer.tell(new Pose2d(-9.5, -1, 1));
+        localizer.publish(new Pose2d(-9.5, -1, 1));
         seconds(0.1);
         assertThat(proxy()).contains(new Pose2d(-9.5, -1, 1));
-        assertThat(told()).isEmpty();
+        assertThat(reported()).isEmpty();
     }
 
     @Test
@@ -212,12 +212,12 @@ class ProxiesTest {
         LaserScanner laser = rover.require(LaserScanner.class);
         seconds(0.5);
         assertThat(ahead(laser)).isGreaterThan(4);
-        localizer.tell(THERE);
+        localizer.publish(THERE);
         seconds(0.3);
         assertThat(ahead(laser)).isBetween(1.3f, 2f);
         for (int i = 0; i < 80; i++) {
             rover.require(DriveBase.class).command(Twist2d.drive(0.4, 0));
-            localizer.tell(THERE);
+            localizer.publish(THERE);
             seconds(0.1);
         }
         assertThat(systems.truth("rover").orElseThrow().distanceTo(THERE)).isBetween(0.3, 0.6);
@@ -240,7 +240,7 @@ class ProxiesTest {
         join(found("rover"));
         joinWithLocalizer();
         for (Pose2d there : List.of(new Pose2d(-12, -1, 0), new Pose2d(-12, -2.4, 0))) {
-            localizer.tell(there);
+            localizer.publish(there);
             seconds(0.1);
             assertThat(proxy()).contains(there);
         }
@@ -249,23 +249,23 @@ class ProxiesTest {
     @Test
     void isNowhereWhenItsRobotIsOutsideOfTheWorldOrHasLeft() {
         joinWithLocalizer();
-        localizer.tell(THERE);
+        localizer.publish(THERE);
         seconds(0.1);
         for (int i = 0; i < 3; i++) {
-            localizer.tell(new Pose2d(-10, -100 - i, 0));
+            localizer.publish(new Pose2d(-10, -100 - i, 0));
             seconds(0.1);
         }
         assertThat(proxy()).isEmpty();
-        assertThat(told())
+        assertThat(reported())
                 .containsExactly(
                         "can't stand in the simulated world: (-10.00, -100.00) is outside of the world, which reaches from"
                                 + " (-31.48, -7.80) to (31.48, 7.80).",
                         "jumped by 99.0 m");
-        localizer.tell(THERE);
+        localizer.publish(THERE);
         seconds(0.1);
         assertThat(proxy()).contains(THERE);
         proxies.leave("real");
-        localizer.tell(THERE);
+        localizer.publish(THERE);
         seconds(0.2);
         assertThat(proxy()).isEmpty();
     }
@@ -273,14 +273,14 @@ class ProxiesTest {
     @Test
     void staysAndIsStaleWhenNobodyTellsForASecond() {
         joinWithLocalizer();
-        localizer.tell(THERE);
+        localizer.publish(THERE);
         seconds(1.1);
-        assertThat(told()).isEmpty();
+        assertThat(reported()).isEmpty();
         seconds(3);
         assertThat(proxy()).contains(THERE);
-        localizer.tell(THERE);
+        localizer.publish(THERE);
         seconds(0.1);
-        assertThat(told())
+        assertThat(reported())
                 .containsExactly(
                         "is stale: for more than 1 s nobody has told where it is", "is where it is told to be again");
     }
@@ -289,10 +289,10 @@ class ProxiesTest {
     void jumpsAreTold() {
         joinWithLocalizer();
         for (double x : new double[] {-10, -9.1, -7.8, -7.8}) {
-            localizer.tell(new Pose2d(x, -1, 0));
+            localizer.publish(new Pose2d(x, -1, 0));
             seconds(0.1);
         }
-        assertThat(told()).containsExactly("jumped by 1.3 m");
+        assertThat(reported()).containsExactly("jumped by 1.3 m");
     }
 
     /// A can, or what only looks like one.
@@ -309,7 +309,7 @@ class ProxiesTest {
         var paw = new Paw();
         Robot real = found("real").with(localizer);
         join(real.replacing(real.require(Gripper.class), paw));
-        localizer.tell(THERE);
+        localizer.publish(THERE);
         return paw;
     }
 
@@ -333,20 +333,20 @@ class ProxiesTest {
         seconds(0.1);
         assertThat(thing("nearer").mapFromThing().x()).as("between the paddles").isCloseTo(-9.77, within(1e-9));
         assertThat(proxies.names()).containsExactlyInAnyOrder("real", "nearer");
-        localizer.tell(new Pose2d(-9, -1, 0));
+        localizer.publish(new Pose2d(-9, -1, 0));
         paw.show(true, 0.5);
         seconds(0.1);
         assertThat(thing("nearer").mapFromThing().x()).isCloseTo(-8.77, within(1e-9));
         assertThat(thing("nearer").height()).isCloseTo(0.1, within(1e-9));
         paw.show(false, 0.5);
         seconds(0.1);
-        localizer.tell(THERE);
+        localizer.publish(THERE);
         seconds(0.1);
         assertThat(thing("nearer").mapFromThing().x()).isCloseTo(-8.77, within(1e-9));
         assertThat(thing("nearer").height()).isZero();
         assertThat(proxies.names()).containsExactly("real");
         assertThat(thing("near").mapFromThing()).isEqualTo(new Pose2d(-9.4, -1, 0));
-        assertThat(told()).containsExactly("takes 'nearer' along", "puts 'nearer' down");
+        assertThat(reported()).containsExactly("takes 'nearer' along", "puts 'nearer' down");
     }
 
     @Test
@@ -358,7 +358,7 @@ class ProxiesTest {
         assertThat(thing("far").mapFromThing()).isEqualTo(new Pose2d(-9.2, -1, 0));
         paw.show(false, 1);
         seconds(0.1);
-        assertThat(told()).containsExactly("has gripped something that is not in the simulated world");
+        assertThat(reported()).containsExactly("has gripped something that is not in the simulated world");
     }
 
     @Test

@@ -59,7 +59,7 @@ public final class Conclusions {
 
     public static Conclusions of(Findings findings) {
         List<Change> changes = findings.changes();
-        List<Ending> endings = toldApart(Figures.outcomes(findings)).stream()
+        List<Ending> endings = reportedApart(Figures.outcomes(findings)).stream()
                 .flatMap(outcome -> changes.stream().map(change -> new Ending(outcome, change)))
                 .toList();
         return new Conclusions(
@@ -70,7 +70,7 @@ public final class Conclusions {
     }
 
     /// The outcomes whose shares tell something by themselves: of two, one is what the other isn't.
-    private static List<String> toldApart(List<String> outcomes) {
+    private static List<String> reportedApart(List<String> outcomes) {
         return outcomes.size() <= 2 ? outcomes.subList(0, outcomes.size() / 2) : outcomes;
     }
 

@@ -99,11 +99,11 @@ public final class Hunter implements AgentType {
             }
         }
 
-        private void end(Caught told) {
-            caught.add(told.prey());
-            seen = seen.filter(prey -> !prey.robot().equals(told.prey()));
+        private void end(Caught reported) {
+            caught.add(reported.prey());
+            seen = seen.filter(prey -> !prey.robot().equals(reported.prey()));
             stop.run();
-            self.state("%s has caught %s".formatted(told.hunter(), told.prey()));
+            self.state("%s has caught %s".formatted(reported.hunter(), reported.prey()));
         }
 
         private void hunt() {

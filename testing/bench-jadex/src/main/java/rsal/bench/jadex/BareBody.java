@@ -35,7 +35,7 @@ public final class BareBody {
         steps = agent.getFeature(IExecutionFeature.class);
         long period = life.period().toMillis();
         if (period > 0) {
-            agent.repeatStep(period, period, step(() -> tell(1)));
+            agent.repeatStep(period, period, step(() -> publish(1)));
         }
         if (!inbox.isEmpty()) { // heard before it was there
             schedule(this::read);
@@ -45,10 +45,10 @@ public final class BareBody {
     }
 
     void say(int times) {
-        schedule(() -> tell(times));
+        schedule(() -> publish(times));
     }
 
-    private void tell(int times) {
+    private void publish(int times) {
         for (int i = 0; i < times; i++) {
             for (BareBody other : all) {
                 if (other != this) {

@@ -37,12 +37,12 @@ public final class BareJava implements BareSystem {
             private void begin(Teller agent) {
                 long period = agent.life.period().toNanos();
                 if (period > 0) {
-                    var _ = thread.scheduleAtFixedRate(() -> tell(agent), period, period, TimeUnit.NANOSECONDS);
+                    var _ = thread.scheduleAtFixedRate(() -> publish(agent), period, period, TimeUnit.NANOSECONDS);
                 }
                 agent.life.begun().run();
             }
 
-            private void tell(Teller speaker) {
+            private void publish(Teller speaker) {
                 for (Teller agent : agents) {
                     if (agent != speaker) {
                         thread.execute(() -> agent.hear(POSE));
@@ -54,7 +54,7 @@ public final class BareJava implements BareSystem {
             public void say(int times) {
                 thread.execute(() -> {
                     for (int i = 0; i < times; i++) {
-                        agents.forEach(this::tell);
+                        agents.forEach(this::publish);
                     }
                 });
             }

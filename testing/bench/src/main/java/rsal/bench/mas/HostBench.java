@@ -97,9 +97,9 @@ public final class HostBench implements Bench {
                     seconds[i] = watch.wall() - start[i];
                 }
             }
-            assignment.tell(Result.less(name, "s", seconds));
+            assignment.report(Result.less(name, "s", seconds));
         }
-        assignment.tell(Result.less(name(host, "start"), "s", start));
+        assignment.report(Result.less(name(host, "start"), "s", start));
     }
 
     private static void load(AgentHostProvider host, BenchmarkRequest assignment) {
@@ -108,7 +108,7 @@ public final class HostBench implements Bench {
         var rate = new double[repeats];
         var heard = new LongAdder();
         try (var society = BenchedSociety.inRealTime(host)) {
-            tellPoses(society, heard);
+            publishPoses(society, heard);
             society.pass(WARM);
             for (int i = 0; i < repeats; i++) {
                 assignment.reach(name(host, "load"), i, repeats);
@@ -119,12 +119,12 @@ public final class HostBench implements Bench {
                 cpu[i] = watch.cpu() / watch.wall();
             }
         }
-        assignment.tell(
+        assignment.report(
                 Result.less(name(host, "load.cpu"), "core", cpu), Result.more(name(host, "load.rate"), "1/s", rate));
     }
 
     /// Starts a hundred that tell each other their poses ten times a second.
-    static void tellPoses(BenchedSociety society, LongAdder heard) {
+    static void publishPoses(BenchedSociety society, LongAdder heard) {
         society.start(TEAM, self -> {
             self.subscribe(POSES, _ -> heard.increment());
             self.scheduler().every(PERIOD, () -> self.publish(POSES, Pose2d.ORIGIN));
@@ -154,7 +154,7 @@ public final class HostBench implements Bench {
                 rate[i] = done.sum() / watch.wall();
             }
         }
-        assignment.tell(Result.more(name(host, what), "1/s", rate));
+        assignment.report(Result.more(name(host, what), "1/s", rate));
     }
 
     /// All speak, and again once all have heard all.

@@ -100,9 +100,9 @@ public final class OverheadBench implements Bench {
                     seconds[i] = watch.wall() - start[i];
                 }
             }
-            assignment.tell(Result.less(name, "s", seconds));
+            assignment.report(Result.less(name, "s", seconds));
         }
-        assignment.tell(Result.less(HostBench.name(host, "bare.start"), "s", start));
+        assignment.report(Result.less(HostBench.name(host, "bare.start"), "s", start));
     }
 
     private static void load(AgentHostProvider host, BareSystem bare, BenchmarkRequest assignment) {
@@ -118,7 +118,7 @@ public final class OverheadBench implements Bench {
             rate[i] = theirs.rate();
             overhead[i] = ours.each() / theirs.each();
         }
-        assignment.tell(
+        assignment.report(
                 Result.less(HostBench.name(host, "bare.load.cpu"), "core", cpu),
                 Result.more(HostBench.name(host, "bare.load.rate"), "1/s", rate),
                 Result.less(HostBench.name(host, "overhead"), "", overhead));
@@ -135,7 +135,7 @@ public final class OverheadBench implements Bench {
             rate[i] = theirs.rate();
             overhead[i] = ours.each() / theirs.each();
         }
-        assignment.tell(
+        assignment.report(
                 Result.more(HostBench.name(host, "bare.contracts"), "1/s", rate),
                 Result.less(HostBench.name(host, "overhead.contracts"), "", overhead));
     }
@@ -144,7 +144,7 @@ public final class OverheadBench implements Bench {
     private static PlatformLoad poses(AgentHostProvider host) {
         var heard = new LongAdder();
         try (var society = BenchedSociety.inRealTime(host)) {
-            HostBench.tellPoses(society, heard);
+            HostBench.publishPoses(society, heard);
             return PlatformLoad.of(heard::sum, OverheadBench::pass);
         }
     }
@@ -202,7 +202,7 @@ public final class OverheadBench implements Bench {
                 rate[i] = heard.sum() / watch.wall();
             }
         }
-        assignment.tell(Result.more(name, "1/s", rate));
+        assignment.report(Result.more(name, "1/s", rate));
     }
 
     /// Waits until something is so.

@@ -171,9 +171,9 @@ public final class WrittenBench implements Bench {
                     seconds[i] = watch.wall() - start[i];
                 }
             }
-            assignment.tell(Result.less(name, "s", seconds));
+            assignment.report(Result.less(name, "s", seconds));
         }
-        assignment.tell(Result.less(pair.name(side.what("start")), "s", start));
+        assignment.report(Result.less(pair.name(side.what("start")), "s", start));
     }
 
     private static void load(Pair pair, Side ours, Side theirs, BenchmarkRequest assignment) {
@@ -197,7 +197,7 @@ public final class WrittenBench implements Bench {
             written[i] = load(ours.real, agents, all);
             bare[i] = load(theirs.real, agents, all);
         }
-        assignment.tell(
+        assignment.report(
                 Result.less(pair.name(ours.what("load.cpu")), "core", each(written, PlatformLoad::cpu)),
                 Result.more(pair.name(ours.what("load.rate")), "1/s", each(written, PlatformLoad::rate)),
                 Result.less(pair.name(theirs.what("load.cpu")), "core", each(bare, PlatformLoad::cpu)),
@@ -219,7 +219,7 @@ public final class WrittenBench implements Bench {
             written[i] = load(ours.fast, agents, List.of(MANAGER));
             bare[i] = load(theirs.fast, agents, List.of(MANAGER));
         }
-        assignment.tell(
+        assignment.report(
                 Result.more(pair.name(ours.what("contracts")), "1/s", each(written, PlatformLoad::rate)),
                 Result.more(pair.name(theirs.what("contracts")), "1/s", each(bare, PlatformLoad::rate)),
                 Result.less(pair.name("written.overhead.contracts"), "", ratios(written, bare)));
@@ -238,7 +238,7 @@ public final class WrittenBench implements Bench {
             assignment.reach(name, i, repeats);
             rate[i] = load(side.fast, agents, all).rate();
         }
-        assignment.tell(Result.more(name, "1/s", rate));
+        assignment.report(Result.more(name, "1/s", rate));
     }
 
     private static PlatformLoad load(Supplier<Team> begin, Map<String, Program> agents, List<String> counting) {

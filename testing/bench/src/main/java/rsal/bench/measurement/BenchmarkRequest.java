@@ -55,12 +55,12 @@ public record BenchmarkRequest(
     }
 
     /// Tells results that are asked for.
-    public void tell(Collection<Result> measured) {
+    public void report(Collection<Result> measured) {
         measured.stream().filter(result -> wants(result.name())).forEach(results);
     }
 
-    public void tell(Result... measured) {
-        tell(List.of(measured));
+    public void report(Result... measured) {
+        report(List.of(measured));
     }
 
     public void show(Plot plot) {

@@ -202,7 +202,7 @@ public final class BarnBench implements Bench {
         }
         for (What what : What.values()) {
             double[] values = repeats.stream().mapToDouble(what::of).toArray();
-            assignment.tell(what.result(avoidance.name(what), values));
+            assignment.report(what.result(avoidance.name(what), values));
         }
         return repeats;
     }
@@ -228,7 +228,8 @@ public final class BarnBench implements Bench {
                     i -> perMeter(first.get(i).outcome()),
                     i -> perMeter(second.get(i).outcome()));
         }
-        assignment.tell(Result.less(SMOOTHER.getFirst(), "", perSecond), Result.less(SMOOTHER.getLast(), "", perMeter));
+        assignment.report(
+                Result.less(SMOOTHER.getFirst(), "", perSecond), Result.less(SMOOTHER.getLast(), "", perMeter));
     }
 
     private static double ratio(List<Integer> of, ToDoubleFunction<Integer> one, ToDoubleFunction<Integer> other) {

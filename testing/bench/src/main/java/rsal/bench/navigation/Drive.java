@@ -159,7 +159,7 @@ final class Drive {
         if (chance < MISSED || range >= limit) {
             return Double.POSITIVE_INFINITY;
         }
-        double told = chance < MISSED + SHORT ? range * random.nextDouble() : range + noise * random.nextGaussian();
-        return Math.max(0.03, told);
+        double reported = chance < MISSED + SHORT ? range * random.nextDouble() : range + noise * random.nextGaussian();
+        return Math.max(0.03, reported);
     }
 }

@@ -69,7 +69,7 @@ public final class ExploreBench implements Bench {
                 }
             }
         }
-        assignment.tell(
+        assignment.report(
                 Result.more(name(robots, "share"), "", share),
                 Result.less(name(robots, "minutes"), "min", minutes),
                 Result.less(name(robots, "contacts"), "", contacts));

@@ -137,21 +137,21 @@ public final class LocalizationBench implements Bench {
             measureMany(office, sensor, assignment);
         }
         for (String sensor : SENSORS) {
-            tellBeliefs(nameOfTours(sensor), () -> tours(office, sensor), assignment);
-            tellBeliefs(nameOfSimulated(sensor), () -> simulated(sensor), assignment);
+            publishBeliefs(nameOfTours(sensor), () -> tours(office, sensor), assignment);
+            publishBeliefs(nameOfSimulated(sensor), () -> simulated(sensor), assignment);
         }
         if (assignment.wants("amcl.kidnap.recovered")) {
-            assignment.tell(Result.more("amcl.kidnap.recovered", "", recovered(office)));
+            assignment.report(Result.more("amcl.kidnap.recovered", "", recovered(office)));
         }
         if (assignment.wants("amcl.corridor.falseConfidence")) {
-            assignment.tell(Result.less("amcl.corridor.falseConfidence", "", falseConfidence()));
+            assignment.report(Result.less("amcl.corridor.falseConfidence", "", falseConfidence()));
         }
         var overTime = new ArrayList<Point>();
         for (String log : PublicLogs.NAMES) {
             if (OF_LOGS.stream().anyMatch(what -> assignment.wants(name(log) + what))) {
                 PublicLogs.course(log, assignment).ifPresent(course -> {
                     List<List<Replay.Step>> runs = onLog(name(log), course, assignment);
-                    assignment.tell(judge(name(log), runs));
+                    assignment.report(judge(name(log), runs));
                     overTime.addAll(errorsOverTime(log, runs));
                 });
             }
@@ -174,7 +174,7 @@ public final class LocalizationBench implements Bench {
         Updates few = updates(office, particles, beams, assignment.repeats());
         double[] ms = few.ms();
         double each = 1e6 / particles / few.hits();
-        assignment.tell(
+        assignment.report(
                 Result.less(name + "ms", "ms", ms),
                 Result.less(
                         name + "ns",
@@ -183,7 +183,7 @@ public final class LocalizationBench implements Bench {
         if (assignment.wants(name + "beam.ns")) {
             Updates many = updates(office, particles, MANY_BEAMS, assignment.repeats());
             double eachMore = 1e6 / particles / (many.hits() - few.hits());
-            assignment.tell(Result.less(
+            assignment.report(Result.less(
                     name + "beam.ns",
                     "ns",
                     IntStream.range(0, ms.length)
@@ -203,10 +203,10 @@ public final class LocalizationBench implements Bench {
                 HALF_A_MINUTE,
                 (pose, random) -> look(office, sensor, pose, random));
         if (assignment.wants(nameOfMany(sensor))) {
-            assignment.tell(Result.less(nameOfMany(sensor), "cores", cores(fleet, settings(sensor), assignment)));
+            assignment.report(Result.less(nameOfMany(sensor), "cores", cores(fleet, settings(sensor), assignment)));
         }
         if (assignment.wants(nameOfAlways(sensor))) {
-            assignment.tell(
+            assignment.report(
                     Result.less(nameOfAlways(sensor), "cores", cores(fleet, eachTime(settings(sensor)), assignment)));
         }
     }
@@ -355,13 +355,13 @@ public final class LocalizationBench implements Bench {
         return (double) beliefs.stream().filter(which).count() / beliefs.size();
     }
 
-    private static void tellBeliefs(String name, Supplier<List<Belief>> drives, BenchmarkRequest assignment) {
+    private static void publishBeliefs(String name, Supplier<List<Belief>> drives, BenchmarkRequest assignment) {
         if (OF_TOURS.stream().noneMatch(what -> assignment.wants(name + what))) {
             return;
         }
         List<Belief> beliefs = drives.get();
         double[] errors = beliefs.stream().mapToDouble(Belief::error).sorted().toArray();
-        assignment.tell(
+        assignment.report(
                 Result.less(name + "median", "m", errors[errors.length / 2]),
                 Result.less(name + "p95", "m", errors[(int) (0.95 * errors.length)]),
                 Result.more(name + "sure", "", share(beliefs, Belief::rightlySure)));
@@ -377,7 +377,7 @@ public final class LocalizationBench implements Bench {
         return IntStream.rangeClosed(1, DRIVES)
                 .boxed()
                 .flatMap(seed -> SimulatedDrive.run(sensors, seed, MINUTE).stream())
-                .map(told -> new Belief(told.estimate(), told.truth()))
+                .map(reported -> new Belief(reported.estimate(), reported.truth()))
                 .toList();
     }
 

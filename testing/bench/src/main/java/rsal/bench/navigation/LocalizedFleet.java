@@ -44,9 +44,9 @@ final class LocalizedFleet {
         void go(int tick) {
             Pose2d odometry = ride.ticks.get(tick).odomFromBase();
             Supplier<Beams> beams = () -> ride.beams.get(tick);
-            PoseEstimate told = belief.moved(odomFromBase.inverse().compose(odometry));
-            if (!told.isFinite()) {
-                throw new IllegalStateException("A robot is at '%s'.".formatted(told));
+            PoseEstimate reported = belief.moved(odomFromBase.inverse().compose(odometry));
+            if (!reported.isFinite()) {
+                throw new IllegalStateException("A robot is at '%s'.".formatted(reported));
             }
             if (amcl.due(odometry, beams)) {
                 belief = amcl.update(odometry, beams.get());

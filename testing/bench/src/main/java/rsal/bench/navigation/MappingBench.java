@@ -71,16 +71,16 @@ public final class MappingBench implements Bench {
             RelationError near = RelationError.ofNear(right, judged, NEAR);
             values[2][repeat] = near.meters();
             values[3][repeat] = Math.toDegrees(near.radians());
-            List<Pose2d> told =
+            List<Pose2d> reported =
                     driven.stops().stream().map(Course.Stop::odomFromBase).toList();
-            RelationError wheels = RelationError.ofNext(right, told);
+            RelationError wheels = RelationError.ofNext(right, reported);
             values[4][repeat] = wheels.meters();
             values[5][repeat] = Math.toDegrees(wheels.radians());
             values[6][repeat] = seconds;
         }
         List<String> units = List.of("m", "deg", "m", "deg", "m", "deg", "s");
         for (int kind = 0; kind < KINDS.size(); kind++) {
-            assignment.tell(Result.less(name(name, KINDS.get(kind)), units.get(kind), values[kind]));
+            assignment.report(Result.less(name(name, KINDS.get(kind)), units.get(kind), values[kind]));
         }
     }
 }

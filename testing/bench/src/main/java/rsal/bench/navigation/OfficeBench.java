@@ -67,7 +67,7 @@ public final class OfficeBench implements Bench {
                         turned / ended.stream().mapToDouble(Errand::meters).sum();
             }
         }
-        assignment.tell(
+        assignment.report(
                 Result.more(name(planner, "reached"), "", reached),
                 Result.less(name(planner, "contacts"), "", contacts),
                 Result.less(name(planner, "ratio"), "", ratio),

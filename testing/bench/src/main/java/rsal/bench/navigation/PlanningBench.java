@@ -128,7 +128,7 @@ public final class PlanningBench implements Bench {
                 default -> i -> found(ways.plan(places.get(1 + i % PLANS), places.get(20 + i % FRESH), SLACK));
             };
             var result = Result.less(site.name(kind), "ms", times(job, assignment.repeats()));
-            assignment.tell(result);
+            assignment.report(result);
             bars.add(new Bar(
                     site.label(),
                     kind.isEmpty() ? "first" : kind.replace(".", " ").strip(),

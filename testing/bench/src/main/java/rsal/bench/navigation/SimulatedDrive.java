@@ -41,14 +41,14 @@ final class SimulatedDrive {
             new Wavefront(CostMap.of(Office.MAP, DistanceField.toNotFree(Office.MAP), new Clearance(0.32, 0.6, 2)));
     private static final Point2d CORRIDOR = new Point2d(0, -1.2);
 
-    private final List<Told> told = new ArrayList<>();
+    private final List<Reported> reported = new ArrayList<>();
     private final Deque<Point2d> way = new ArrayDeque<>();
     private final SplittableRandom random;
     private Pose2d before = Pose2d.ORIGIN;
     private int held;
 
     /// What the robot said, and where it was when it measured that.
-    record Told(PoseEstimate estimate, Pose2d truth) {}
+    record Reported(PoseEstimate estimate, Pose2d truth) {}
 
     private SimulatedDrive(long seed) {
         random = new SplittableRandom(seed);
@@ -56,10 +56,10 @@ final class SimulatedDrive {
 
     /// @param sensors what sits at the mounts of the Pioneer
     /// @param periods of a tenth of a second
-    static List<Told> run(Map<String, String> sensors, long seed, int periods) {
+    static List<Reported> run(Map<String, String> sensors, long seed, int periods) {
         var drive = new SimulatedDrive(seed);
         drive.go(sensors, seed, periods);
-        return drive.told;
+        return drive.reported;
     }
 
     private void go(Map<String, String> sensors, long seed, int periods) {
@@ -77,7 +77,8 @@ final class SimulatedDrive {
                     random);
             robot.require(Localizer.class).subscribe(estimate -> {
                 requireNow(estimate, time.instant());
-                told.add(new Told(estimate.value(), simulation.truth(robot.id()).orElseThrow()));
+                reported.add(new Reported(
+                        estimate.value(), simulation.truth(robot.id()).orElseThrow()));
             });
             for (int i = 0; i < periods; i++) {
                 time.advance(PERIOD);

@@ -71,7 +71,7 @@ public final class TightBench implements Bench {
                     return new Crossing(run.reached(), run.contacts());
                 }
             });
-            assignment.tell(
+            assignment.report(
                     Result.more(names.get(0), "", each(runs, Crossing::goals)),
                     Result.less(names.get(1), "", each(runs, Crossing::contacts)));
         }
@@ -93,17 +93,17 @@ public final class TightBench implements Bench {
                 seed -> trips.apply(seed).stream()
                         .map(trip -> trip.drive(planner, longest))
                         .toList());
-        assignment.tell(Result.more(
+        assignment.report(Result.more(
                 names.get(0), "", each(runs, driven -> (double) times(driven).length / driven.size())));
         double[] seconds = runs.stream()
                 .flatMapToDouble(driven -> DoubleStream.of(times(driven)).average().stream())
                 .toArray();
         if (seconds.length > 0) {
-            assignment.tell(Result.less(names.get(1), "s", seconds));
+            assignment.report(Result.less(names.get(1), "s", seconds));
         } else {
             assignment.notes().accept("Skipped '%s': no trip got there.".formatted(names.get(1)));
         }
-        assignment.tell(Result.less(
+        assignment.report(Result.less(
                 names.get(2),
                 "",
                 each(runs, driven -> driven.stream().mapToInt(Outcome::contacts).sum())));

@@ -132,10 +132,10 @@ public final class PageBench implements Bench {
             return;
         }
         if (assignment.wants(SIZE)) {
-            assignment.tell(Result.less(SIZE, "kB", firstSize(page.get())));
+            assignment.report(Result.less(SIZE, "kB", firstSize(page.get())));
         }
         if (assignment.wants(WHOLE)) {
-            assignment.tell(Result.less(WHOLE, "kB", wholeSize(page.get())));
+            assignment.report(Result.less(WHOLE, "kB", wholeSize(page.get())));
         }
         for (int robots : TEAMS) {
             List<String> drawing = Stream.of("fps", "states", "first", "heap.mb.min")
@@ -175,7 +175,7 @@ public final class PageBench implements Bench {
                 }
             }
         }
-        assignment.tell(
+        assignment.report(
                 Result.more(name(robots, "fps"), "1/s", frames),
                 Result.more(name(robots, "states"), "1/s", states),
                 Result.less(name(robots, "first"), "s", first),
@@ -207,7 +207,7 @@ public final class PageBench implements Bench {
                 before = after;
             }
         }
-        assignment.tell(
+        assignment.report(
                 Result.less(name(COSTS, "cost.percent"), "%", slower),
                 Result.less(name(COSTS, "cost.run.percent"), "%", more));
     }

@@ -64,9 +64,9 @@ final class Beacon {
     private final Base base;
     private final Laser laser;
     private final Ring ring;
-    private @Nullable Task telling;
+    private @Nullable Task publishing;
     private int ticks;
-    private int told; // odometries
+    private int reported; // odometries
 
     /// What a reading says.
     ///
@@ -120,27 +120,27 @@ final class Beacon {
     /// @param period of its scans
     void begin(Duration delay, Duration period, Scheduler time) {
         Duration tick = period.dividedBy(kind.odometries);
-        telling = time.after(delay, () -> telling = time.every(tick, () -> tell(time)));
+        publishing = time.after(delay, () -> publishing = time.every(tick, () -> publish(time)));
     }
 
     /// Tells no more.
     ///
     /// @return the number of its last scan
     int end() {
-        if (telling != null) {
-            telling.cancel();
+        if (publishing != null) {
+            publishing.cancel();
         }
-        return Math.floorMod(told - 1, ROUND);
+        return Math.floorMod(reported - 1, ROUND);
     }
 
     /// Readings of one time have one number, so that odometries between two scans have that of the scan before.
-    private void tell(Scheduler time) {
+    private void publish(Scheduler time) {
         if (ticks++ % kind.odometries == 0) {
-            int number = told++ % ROUND;
-            laser.tell(new Mark(Beacons.now(), number), time);
-            ring.tell(new Mark(Beacons.now(), number), time);
+            int number = reported++ % ROUND;
+            laser.publish(new Mark(Beacons.now(), number), time);
+            ring.publish(new Mark(Beacons.now(), number), time);
         }
-        base.tell(new Mark(Beacons.now(), (told - 1) % ROUND), time);
+        base.publish(new Mark(Beacons.now(), (reported - 1) % ROUND), time);
     }
 
     private static DeviceInfo device(String robot, String name) {
@@ -154,7 +154,7 @@ final class Beacon {
             super(device(robot, "base"));
         }
 
-        void tell(Mark mark, Scheduler time) {
+        void publish(Mark mark, Scheduler time) {
             deliver(new Stamped<>(time.instant(), info().robot() + "/odom", mark.odometry()));
         }
 
@@ -185,7 +185,7 @@ final class Beacon {
             this.scanner = scanner;
         }
 
-        void tell(Mark mark, Scheduler time) {
+        void publish(Mark mark, Scheduler time) {
             var scan = new LaserScan(
                     scanner.baseFromLaser(),
                     scanner.angleMin(),
@@ -202,7 +202,7 @@ final class Beacon {
             super(device(robot, "sonar"));
         }
 
-        void tell(Mark mark, Scheduler time) {
+        void publish(Mark mark, Scheduler time) {
             var ranges = new RangeArray(
                     SONARS.baseFromSensors(),
                     SONARS.fieldOfView(),

@@ -117,7 +117,7 @@ public final class RemoteBench implements Bench {
             try {
                 var watch = new Stopwatch();
                 List<Ear> ears = listen(robots, time);
-                assignment.tell(Result.less(name("found"), "s", watch.wall()));
+                assignment.report(Result.less(name("found"), "s", watch.wall()));
                 measure(process, ears, time, assignment);
             } finally {
                 on(time, () -> {
@@ -177,7 +177,7 @@ public final class RemoteBench implements Bench {
                 () -> IntStream.range(0, ears.size())
                         .mapToDouble(i -> ears.get(i).newest == last.get(i * ROBOTS / ears.size()) ? 0 : 1)
                         .sum());
-        assignment.tell(Result.less(name("old"), "", old));
+        assignment.report(Result.less(name("old"), "", old));
     }
 
     private void windows(String key, List<Ear> ears, WallScheduler time, BenchmarkRequest assignment) {
@@ -204,7 +204,7 @@ public final class RemoteBench implements Bench {
             rate[i] = delays.length / seconds;
             skipped[i] = heard.stream().mapToInt(Heard::skipped).sum();
         }
-        assignment.tell(
+        assignment.report(
                 Result.less(key + "cpu", "core", cpu),
                 Result.less(key + "delay.p50", "ms", median),
                 Result.less(key + "delay.p99", "ms", late),

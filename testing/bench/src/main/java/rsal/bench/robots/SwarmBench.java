@@ -99,15 +99,15 @@ public final class SwarmBench implements Bench {
                 rays[i] = (swarm.rays() - before) / wall;
                 bytes[i] = watch.bytes() / (seconds * STEPS_PER_SECOND * one.robots);
             }
-            var told = new ArrayList<>(List.of(
+            var reported = new ArrayList<>(List.of(
                     Result.more(one.name("rtf"), "s/s", rtf),
                     Result.more(one.name("cpu"), "s/s", cpu),
                     Result.more(one.name("rays"), "1/s", rays),
                     Result.less(one.name("bytes"), "B", bytes)));
             if (one.cores == 1 && assignment.wants(one.memory())) {
-                told.add(Result.less(one.memory(), "MB", Stopwatch.memory()));
+                reported.add(Result.less(one.memory(), "MB", Stopwatch.memory()));
             }
-            assignment.tell(told);
+            assignment.report(reported);
         }
     }
 

@@ -76,21 +76,21 @@ public final class AllotmentBench implements Bench {
     @Override
     public void measure(BenchmarkRequest assignment) {
         if (assignment.wantsAny(ratios(SINGLE))) {
-            tell(SINGLE, draws(AllotmentBench::single), assignment);
+            report(SINGLE, draws(AllotmentBench::single), assignment);
         }
         for (Objective objective : List.of(Objective.SUM, Objective.LONGEST)) {
             if (assignment.wantsAny(ratios(routes(objective)))) {
-                tell(routes(objective), draws(random -> inRoutes(random, objective)), assignment);
+                report(routes(objective), draws(random -> inRoutes(random, objective)), assignment);
             }
         }
         if (assignment.wantsAny(ratios(PLACES_SUM)) || assignment.wantsAny(ratios(PLACES_LONGEST))) {
             List<NavigableMap<String, double[]>> floors = floors();
-            tell(PLACES_SUM, even(floors, Double::sum), assignment);
-            tell(PLACES_LONGEST, even(floors, Math::max), assignment);
+            report(PLACES_SUM, even(floors, Double::sum), assignment);
+            report(PLACES_LONGEST, even(floors, Math::max), assignment);
         }
         if (assignment.wants(MESSAGES)) {
             List<RunResult> runs = SeededRuns.of("allot.patrol", PATROL, RunOptions.NONE, assignment);
-            assignment.tell(Result.less(
+            assignment.report(Result.less(
                     MESSAGES,
                     "",
                     runs.stream().mapToDouble(AllotmentBench::messagesForAJob).toArray()));
@@ -103,9 +103,9 @@ public final class AllotmentBench implements Bench {
                 .toArray();
     }
 
-    private static void tell(String name, double[] ratios, BenchmarkRequest assignment) {
+    private static void report(String name, double[] ratios, BenchmarkRequest assignment) {
         Result all = Result.less(name + ".ratio", "", ratios);
-        assignment.tell(
+        assignment.report(
                 all.withValue(DoubleStream.of(ratios).average().orElseThrow()), all.at(name + ".worst", all.most()));
     }
 

@@ -58,11 +58,12 @@ public final class CollectBench implements Bench {
                 double[] cans = SeededRuns.values(bidding, "collected", _ -> 0);
                 Arrays.setAll(cans, i -> cans[i] / minutes[i]);
                 List<Result> rate = Confidence.more(rate(collectors), "1/min", cans);
-                assignment.tell(rate);
+                assignment.report(rate);
                 points.add(new Point("bids", collectors, rate.getFirst().value()));
                 if (compared) {
-                    assignment.tell(Result.less(CONTACTS, "", SeededRuns.values(bidding, "collisions", _ -> 0)));
-                    assignment.tell(Saving.of(SOONER, "min", minutes, minutes(runs(collectors, "first", assignment))));
+                    assignment.report(Result.less(CONTACTS, "", SeededRuns.values(bidding, "collisions", _ -> 0)));
+                    assignment.report(
+                            Saving.of(SOONER, "min", minutes, minutes(runs(collectors, "first", assignment))));
                 }
             }
         }

@@ -59,12 +59,12 @@ public final class CoverageBench implements Bench {
         for (String time : TIMES) {
             double[] seconds = SeededRuns.values(runs, time, RunResult::simulatedSeconds);
             List<Result> mean = Confidence.less(name(robots, time), "s", seconds);
-            assignment.tell(mean);
+            assignment.report(mean);
             bars.add(new Bar(time, Integer.toString(robots), mean.getFirst().value()));
         }
         double[] reached = SeededRuns.values(runs, "time99", _ -> Double.NaN);
         double whole = (double) Arrays.stream(reached).filter(Double::isFinite).count() / runs.size();
-        assignment.tell(
+        assignment.report(
                 Result.more(name(robots, "share99"), "", whole),
                 Result.less(name(robots, "contacts"), "", SeededRuns.values(runs, "collisions", _ -> 0)));
     }

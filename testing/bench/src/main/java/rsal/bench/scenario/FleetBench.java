@@ -73,7 +73,7 @@ public final class FleetBench implements Bench {
             rtf[i] = seconds / watch.wall();
             cpu[i] = seconds / watch.cpu();
         }
-        assignment.tell(
+        assignment.report(
                 Result.more(one.name("rtf"), "s/s", rtf),
                 Result.more(one.name("cpu"), "s/s", cpu),
                 Result.less(one.memory(), "MB", memory));

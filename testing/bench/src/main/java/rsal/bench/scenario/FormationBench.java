@@ -62,11 +62,11 @@ public final class FormationBench implements Bench {
         Arrays.setAll(arrived, i -> arrived[i] / ROBOTS);
         List<Result> error =
                 Confidence.less(name(shape, "error"), "m", SeededRuns.values(runs, "formationError", _ -> Double.NaN));
-        assignment.tell(error);
-        assignment.tell(Confidence.less(name(shape, "apart"), "", apart));
-        assignment.tell(Confidence.less(
+        assignment.report(error);
+        assignment.report(Confidence.less(name(shape, "apart"), "", apart));
+        assignment.report(Confidence.less(
                 name(shape, "seconds"), "s", SeededRuns.values(runs, "arrivalTime", RunResult::simulatedSeconds)));
-        assignment.tell(
+        assignment.report(
                 Result.more(
                         name(shape, "arrived"),
                         "",

@@ -53,7 +53,7 @@ public final class HuntBench implements Bench {
         if (compares || assignment.wantsAny(names(FIXED))) {
             double[] fixed = hunt(FIXED, assignment, bars);
             if (compares) {
-                assignment.tell(Saving.of(SOONER, "s", bidding, fixed));
+                assignment.report(Saving.of(SOONER, "s", bidding, fixed));
             }
         }
         assignment.show(new Plot.Bars("Three clever prey and four hunters", "", "time until all are caught [s]", bars));
@@ -65,8 +65,8 @@ public final class HuntBench implements Bench {
         List<RunResult> runs = SeededRuns.of("hunt." + how, SCENARIO, options, assignment);
         double[] seconds = SeededRuns.values(runs, "captureTime", RunResult::simulatedSeconds);
         List<Result> mean = Confidence.less(name(how, "seconds"), "s", seconds);
-        assignment.tell(mean);
-        assignment.tell(
+        assignment.report(mean);
+        assignment.report(
                 Result.more(name(how, "caught"), "", SeededRuns.successes(runs)),
                 Result.less(name(how, "contacts"), "", SeededRuns.values(runs, "collisions", _ -> 0)));
         bars.add(new Bar("hunters", how, mean.getFirst().value()));

@@ -67,7 +67,7 @@ public final class PatrolBench implements Bench {
             if (compared.contains(other) || assignment.wantsAny(names(other))) {
                 List<RunResult> others = watch(other, assignment, bars);
                 if (compared.contains(other)) {
-                    WHATS.forEach(what -> assignment.tell(
+                    WHATS.forEach(what -> assignment.report(
                             Saving.of(saved(other, what), "s", idleTimes(bidding, what), idleTimes(others, what))));
                 }
             }
@@ -81,10 +81,10 @@ public final class PatrolBench implements Bench {
         List<RunResult> runs = SeededRuns.of("patrol." + strategy, SCENARIO, options, assignment);
         for (String what : WHATS) {
             List<Result> mean = Confidence.less(name(strategy, what), "s", idleTimes(runs, what));
-            assignment.tell(mean);
+            assignment.report(mean);
             bars.add(new Bar(what, strategy, mean.getFirst().value()));
         }
-        assignment.tell(Result.less(name(strategy, "contacts"), "", SeededRuns.values(runs, "collisions", _ -> 0)));
+        assignment.report(Result.less(name(strategy, "contacts"), "", SeededRuns.values(runs, "collisions", _ -> 0)));
         return runs;
     }
 

@@ -102,7 +102,7 @@ public final class SpreadBench implements Bench {
                 continue;
             }
             var found = new ArrayList<Evenness>();
-            assignment.tell(
+            assignment.report(
                     Result.less(site.name(number, "ms"), "ms", times(site, map, number, assignment.repeats(), found)));
             if (compared) {
                 Evenness best = best(
@@ -114,7 +114,7 @@ public final class SpreadBench implements Bench {
                         found.stream()
                                 .mapToDouble(one -> one.rms() / best.rms())
                                 .toArray());
-                assignment.tell(
+                assignment.report(
                         ratio,
                         Result.less(
                                 site.name(number, "mean.ratio"),

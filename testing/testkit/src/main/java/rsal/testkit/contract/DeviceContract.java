@@ -29,10 +29,10 @@ public abstract class DeviceContract<D extends Device> extends RobotBench {
 
     @Test
     void isWellWhenNothingIsWrong() {
-        var told = new ArrayList<Health>();
-        device().onHealth(told::add);
+        var reported = new ArrayList<Health>();
+        device().onHealth(reported::add);
         advance(2);
         assertThat(device().health().isOk()).isTrue();
-        assertThat(told).as("not for a moment").allMatch(Health::isOk);
+        assertThat(reported).as("not for a moment").allMatch(Health::isOk);
     }
 }

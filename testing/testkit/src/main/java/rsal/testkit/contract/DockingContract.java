@@ -34,13 +34,13 @@ public abstract class DockingContract extends DeviceContract<Docking> {
     void tellsHowItGetsOn() {
         List<Progress> progress = new ArrayList<>();
         GoalHandle<Progress, Result> handle = device().dock("home");
-        handle.onFeedback(told -> progress.add(told.value()));
+        handle.onFeedback(reported -> progress.add(reported.value()));
         await(handle.result(), LONG);
         assertThat(progress).isNotEmpty().extracting(Progress::working).isSorted();
         assertThat(progress).extracting(Progress::stage).contains(Docking.Stage.MOVING);
-        int told = progress.size();
+        int reported = progress.size();
         advance(2);
-        assertThat(progress).as("told nothing after the end").hasSize(told);
+        assertThat(progress).as("told nothing after the end").hasSize(reported);
     }
 
     @Test

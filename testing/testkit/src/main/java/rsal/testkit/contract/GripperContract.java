@@ -82,20 +82,20 @@ public abstract class GripperContract extends SensorContract<GripperState, Gripp
 
     @Test
     void takesItsTimeAndTellsHowItGetsOn() {
-        var told = new ArrayList<GripperState>();
+        var reported = new ArrayList<GripperState>();
         GoalHandle<GripperState, Result> handle = device().close();
-        handle.onFeedback(stamped -> told.add(stamped.value()));
+        handle.onFeedback(stamped -> reported.add(stamped.value()));
         advance(seconds(part().closingTime()) / 2);
         assertThat(state().paddles()).isEqualTo(Paddles.CLOSING);
         assertThat(handle.result().toCompletableFuture()).isNotDone();
         await(handle.result());
-        assertThat(told).hasSizeGreaterThan(2);
-        assertThat(told.subList(0, told.size() - 1))
+        assertThat(reported).hasSizeGreaterThan(2);
+        assertThat(reported.subList(0, reported.size() - 1))
                 .extracting(GripperState::paddles)
                 .containsOnly(Paddles.CLOSING);
-        int before = told.size();
+        int before = reported.size();
         advance(1);
-        assertThat(told).as("told nothing after the end").hasSize(before);
+        assertThat(reported).as("told nothing after the end").hasSize(before);
     }
 
     @Test

@@ -89,11 +89,11 @@ public abstract class ImuContract extends SensorContract<ImuReading, Imu> {
     @Test
     void tellsAsOftenAsItsModelSays() {
         reading();
-        var told = new ArrayList<ImuReading>();
-        device().subscribe(stamped -> told.add(stamped.value()));
+        var reported = new ArrayList<ImuReading>();
+        device().subscribe(stamped -> reported.add(stamped.value()));
         advance(2);
         double expected =
                 2.0 * Duration.ofSeconds(1).toNanos() / Math.max(part().period().toNanos(), STEP.toNanos());
-        assertThat((double) told.size()).isGreaterThanOrEqualTo(0.9 * expected);
+        assertThat((double) reported.size()).isGreaterThanOrEqualTo(0.9 * expected);
     }
 }

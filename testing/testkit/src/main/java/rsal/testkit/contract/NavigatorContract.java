@@ -54,9 +54,9 @@ public abstract class NavigatorContract extends DeviceContract<Navigator> {
                 .isLessThan(progress.getFirst().remaining());
         assertThat(progress).extracting(Progress::driving).isSorted();
         assertThat(progress).allSatisfy(p -> assertThat(p.remaining()).isBetween(0.0, 20.0));
-        int told = progress.size();
+        int reported = progress.size();
         advance(2);
-        assertThat(progress).as("told nothing after the end").hasSize(told);
+        assertThat(progress).as("told nothing after the end").hasSize(reported);
     }
 
     @Test

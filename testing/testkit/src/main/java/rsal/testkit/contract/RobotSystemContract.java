@@ -168,11 +168,11 @@ public abstract class RobotSystemContract extends RobotBench {
         system().close();
         system().close();
         Optional<Pose2d> stopped = system().simulation().flatMap(s -> s.truth("r1"));
-        var told = new ArrayList<Object>();
-        robot().require(DriveBase.class).subscribe(told::add);
-        robot().require(LaserScanner.class).subscribe(told::add);
+        var reported = new ArrayList<Object>();
+        robot().require(DriveBase.class).subscribe(reported::add);
+        robot().require(LaserScanner.class).subscribe(reported::add);
         advance(2);
-        assertThat(told).isEmpty();
+        assertThat(reported).isEmpty();
         assertThat(system().simulation().flatMap(s -> s.truth("r1"))).isEqualTo(stopped);
     }
 

@@ -66,50 +66,50 @@ public abstract class SensorContract<T, D extends Sensor<T>> extends DeviceContr
     @Test
     final void listenersAreToldInTheOrderTheyCame() {
         wake();
-        var told = new ArrayList<String>();
-        device().subscribe(_ -> told.add("first"));
-        device().subscribe(_ -> told.add("second"));
+        var reported = new ArrayList<String>();
+        device().subscribe(_ -> reported.add("first"));
+        device().subscribe(_ -> reported.add("second"));
         await(device().next());
-        assertThat(told.subList(0, 2)).containsExactly("first", "second");
+        assertThat(reported.subList(0, 2)).containsExactly("first", "second");
     }
 
     @Test
     final void noCallbackComesAfterCancel() {
         wake();
-        var told = new ArrayList<Stamped<T>>();
-        Subscription subscription = device().subscribe(told::add);
+        var reported = new ArrayList<Stamped<T>>();
+        Subscription subscription = device().subscribe(reported::add);
         await(device().next());
-        int before = told.size();
+        int before = reported.size();
         subscription.cancel();
         subscription.cancel();
         advance(2);
         assertThat(before).isPositive();
-        assertThat(told).hasSize(before);
+        assertThat(reported).hasSize(before);
     }
 
     @Test
     final void aListenerMayCancelAnotherThatIsDue() {
         wake();
-        var told = new ArrayList<String>();
+        var reported = new ArrayList<String>();
         var later = new ArrayList<Subscription>();
         device().subscribe(_ -> later.forEach(Subscription::cancel));
-        later.add(device().subscribe(_ -> told.add("cancelled")));
+        later.add(device().subscribe(_ -> reported.add("cancelled")));
         advance(2);
-        assertThat(told).isEmpty();
+        assertThat(reported).isEmpty();
     }
 
     @Test
     final void aListenerThatThrowsLosesItsPlaceAndHarmsNobody() {
         wake();
-        var told = new ArrayList<String>();
+        var reported = new ArrayList<String>();
         device().subscribe(_ -> {
-            told.add("bad");
+            reported.add("bad");
             throw new IllegalStateException("A listener that a test made to fail.");
         });
-        device().subscribe(_ -> told.add("good"));
+        device().subscribe(_ -> reported.add("good"));
         advance(3);
-        assertThat(told.stream().filter("bad"::equals)).hasSize(1);
-        assertThat(told.stream().filter("good"::equals)).hasSizeGreaterThan(1);
+        assertThat(reported.stream().filter("bad"::equals)).hasSize(1);
+        assertThat(reported.stream().filter("good"::equals)).hasSizeGreaterThan(1);
         assertThat(device().health().isOk()).isTrue();
     }
 

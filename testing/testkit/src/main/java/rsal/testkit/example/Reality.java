@@ -90,7 +90,7 @@ public class Reality implements RobotSystemProvider {
         private List<Robot> withoutTheLast(List<Robot> all) {
             Robot last = all.getLast();
             last.require(DriveBase.class).enable(host.equals("late"));
-            scheduler.after(LOOKING, () -> fakes.tell(new Change.Appeared(last)));
+            scheduler.after(LOOKING, () -> fakes.publish(new Change.Appeared(last)));
             return all.subList(0, all.size() - 1);
         }
 

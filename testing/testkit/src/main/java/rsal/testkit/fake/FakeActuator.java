@@ -90,7 +90,7 @@ public final class FakeActuator extends FakeSensor<ActuatorState> implements Act
         var reading = new Stamped<>(clock.instant(), info().id(), state);
         deliver(reading);
         if (goal != null) {
-            goal.tell(reading);
+            goal.publish(reading);
         }
         if (goal != null && position == target) {
             stop(new Result.Reached(position));

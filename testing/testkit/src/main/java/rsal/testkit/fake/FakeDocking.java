@@ -90,7 +90,7 @@ public final class FakeDocking extends DeviceCore implements Docking {
         }
         Duration working = Duration.between(now.since, scheduler.instant());
         boolean isLooking = working.compareTo(LOOKING) < 0;
-        now.source.tell(new Stamped<>(
+        now.source.publish(new Stamped<>(
                 scheduler.instant(), "map", new Progress(isLooking ? Stage.DETECTING : Stage.MOVING, 0, working)));
         if (!base.enabled()) {
             end(new Result.Cancelled("The motors are off."));

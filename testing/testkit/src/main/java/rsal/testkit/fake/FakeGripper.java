@@ -79,8 +79,8 @@ public final class FakeGripper extends FakeSensor<GripperState> implements Gripp
         }
         var reading = new Stamped<>(clock.instant(), info().id(), state());
         deliver(reading);
-        paddles.tell(reading);
-        lift.tell(reading);
+        paddles.publish(reading);
+        lift.publish(reading);
     }
 
     private void hold(Thing thing) {
@@ -177,9 +177,9 @@ public final class FakeGripper extends FakeSensor<GripperState> implements Gripp
             }
         }
 
-        void tell(Stamped<GripperState> reading) {
+        void publish(Stamped<GripperState> reading) {
             if (goal != null) {
-                goal.tell(reading);
+                goal.publish(reading);
             }
             if (goal != null && motor.arrived()) {
                 end(new Result.Reached(reading.value()));

@@ -109,7 +109,7 @@ public final class FakeNavigator extends DeviceCore implements Navigator {
         base.command(Twist2d.drive(forward, GAIN * off));
         var progress = new Progress(
                 at, at.distanceTo(now.goal), now.goal.position(), Duration.between(now.since, scheduler.instant()));
-        now.source.tell(new Stamped<>(scheduler.instant(), "map", progress));
+        now.source.publish(new Stamped<>(scheduler.instant(), "map", progress));
     }
 
     private void end(Drive ended, Result ending) {

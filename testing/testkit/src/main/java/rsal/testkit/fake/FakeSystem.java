@@ -101,8 +101,8 @@ public final class FakeSystem implements RobotSystem {
     }
 
     /// For tests: a robot appears or goes.
-    public void tell(Change change) {
-        listeners.tell(change);
+    public void publish(Change change) {
+        listeners.publish(change);
     }
 
     @Override

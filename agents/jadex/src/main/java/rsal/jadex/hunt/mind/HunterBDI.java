@@ -69,7 +69,7 @@ public class HunterBDI implements Thinking {
         agent.getExternalAccess()
                 .scheduleStep(component -> {
                     thought.run();
-                    tell();
+                    publish();
                     return IFuture.DONE;
                 })
                 .catchEx(fault -> {
@@ -137,7 +137,7 @@ public class HunterBDI implements Thinking {
         }
     }
 
-    private void tell() {
+    private void publish() {
         List<Hunting.Desire> desires = new ArrayList<>();
         for (IGoal goal : agent.getFeature(IBDIAgentFeature.class).getGoals()) {
             boolean finds = goal.getId().contains("Find");
