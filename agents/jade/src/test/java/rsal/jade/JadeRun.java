@@ -12,8 +12,8 @@ final class JadeRun implements AutoCloseable {
     private JadeHost host; // of the run
     private final HostRun run = HostRun.inRealTime(time -> host = JadeHost.start(time, Set.of()));
 
-    AgentPlatform society() {
-        return run.society();
+    AgentPlatform platform() {
+        return run.platform();
     }
 
     void start(String name, Agent agent) {

@@ -60,7 +60,7 @@ class JadeSnifferTest {
             run.until("they have begun", () -> begun.size() == 7);
             Witness sniffer = run.witness("witness").ready();
             sniffer.sniffs("amy", "bob", "boss", "cid", "dan", "eve", "fay");
-            run.act(() -> run.society().send("operator", "boss", WORDS, "go on"));
+            run.act(() -> run.platform().send("operator", "boss", WORDS, "go on"));
 
             List<ACLMessage> seen =
                     IntStream.range(0, 20).mapToObj(_ -> sniffer.overhears()).toList();

@@ -91,7 +91,7 @@ class JadeTalkTest {
     void peopleSpeakInTheirName() {
         try (var run = new JadeRun()) {
             Witness witness = run.witness("witness", "words").ready();
-            run.act(() -> run.society().publish("operator", WORDS, "go on"));
+            run.act(() -> run.platform().publish("operator", WORDS, "go on"));
             assertThat(witness.hears().getSender().getLocalName()).isEqualTo("operator");
         }
     }
@@ -128,9 +128,9 @@ class JadeTalkTest {
             run.until("it has offered", () -> !log.isEmpty());
             assertThat(find(witness, "gripper", 1)).isEqualTo(List.of("amy reach=0.3 m"));
             assertThat(find(witness, "lift", 1)).isEqualTo(List.of("amy"));
-            run.act(() -> run.society().send("operator", "amy", WORDS, "drop it"));
+            run.act(() -> run.platform().send("operator", "amy", WORDS, "drop it"));
             assertThat(find(witness, "gripper", 0)).isEmpty();
-            run.act(() -> run.society().stop("amy"));
+            run.act(() -> run.platform().stop("amy"));
             assertThat(find(witness, "lift", 0)).isEmpty();
         }
     }
@@ -194,7 +194,7 @@ class JadeTalkTest {
             witness.asksTheSystem(kill);
             run.until("the other knows", () -> log.contains("amy went"));
             assertThat(log).containsSubsequence("last words", "amy went").endsWith("amy went");
-            assertThat(run.ask(() -> run.society().views()))
+            assertThat(run.ask(() -> run.platform().views()))
                     .extracting(view -> view.agent().name(), view -> view.status())
                     .containsExactly(tuple("bob", Status.RUNNING), tuple("amy", Status.ENDED));
         }
@@ -210,7 +210,8 @@ class JadeTalkTest {
             run.until("they have begun", () -> log.contains("begun"));
             witness.asksTheSystem(new ShutdownPlatform());
             run.until("they have ended", () -> log.contains("amy") && log.contains("bob"));
-            run.until("all have", () -> run.society().views().stream().allMatch(view -> view.status() == Status.ENDED));
+            run.until(
+                    "all have", () -> run.platform().views().stream().allMatch(view -> view.status() == Status.ENDED));
         }
         awaitEnds();
         try (var next = new JadeRun()) {
@@ -225,7 +226,7 @@ class JadeTalkTest {
             run.act(() -> {
                 for (String word : List.of("first", "second", "third")) {
                     run.start("amy", _ -> log.add(word));
-                    run.society().stop("amy");
+                    run.platform().stop("amy");
                 }
                 run.start("amy", self -> self.subscribe(WORDS, m -> log.add(m.content())));
                 run.start(
@@ -345,7 +346,7 @@ class JadeTalkTest {
                     .isThrownBy(() -> run.start("df", _ -> {}))
                     .havingCause()
                     .withMessageStartingWith("JADE can't start an agent 'df'");
-            assertThat(run.ask(() -> run.society().views())).isEmpty();
+            assertThat(run.ask(() -> run.platform().views())).isEmpty();
         }
     }
 

@@ -45,7 +45,7 @@ class JadexHostTest extends AgentHostContract {
             run.start("amy", self -> self.subscribe(WORDS, m -> heard.add(m.sender() + ": " + m.content())));
             run.start("bob", self -> self.scheduler().every(BEAT, () -> self.publish(WORDS, "hi")));
             run.until("one has heard the other", () -> heard.contains("bob: hi"));
-            run.act(() -> run.society().stop("bob"));
+            run.act(() -> run.platform().stop("bob"));
         }
         platform.waitForTermination().get(PATIENCE.toMillis());
         assertThat(files()).isEqualTo(before);
@@ -76,7 +76,7 @@ class JadexHostTest extends AgentHostContract {
                     .killComponent();
             run.until("the other knows", () -> log.contains("amy went"));
             assertThat(log).containsSubsequence("last words", "amy went").endsWith("amy went");
-            assertThat(run.ask(() -> run.society().views()))
+            assertThat(run.ask(() -> run.platform().views()))
                     .extracting(view -> view.agent().name(), view -> view.status())
                     .containsExactly(tuple("bob", Status.RUNNING), tuple("amy", Status.ENDED));
         }

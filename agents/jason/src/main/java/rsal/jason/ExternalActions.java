@@ -29,11 +29,11 @@ final class ExternalActions {
     private final AgentSpeakAgent agent;
     private final Optional<Robot> robot;
     private final Optional<DriveActions> wheels;
-    private final List<UnderWay> underWay = new ArrayList<>();
+    private final List<InProgress> inProgress = new ArrayList<>();
 
     /// Of two intentions that want the same, each has its own: Jason's deeds are equal when their terms are.
     @SuppressWarnings("ReferenceEquality")
-    private record UnderWay(ActionExec deed, GoalHandle<?, ?> handle) {
+    private record InProgress(ActionExec deed, GoalHandle<?, ?> handle) {
         boolean is(@Nullable ActionExec other) {
             return deed == other;
         }
@@ -98,7 +98,7 @@ final class ExternalActions {
     }
 
     private void goTo(ActionExec deed, Pose2d mapFromGoal, Tolerance tolerance) {
-        underWay.add(new UnderWay(deed, wheels().goTo(mapFromGoal, tolerance, result -> {
+        inProgress.add(new InProgress(deed, wheels().goTo(mapFromGoal, tolerance, result -> {
             switch (result) {
                 case Navigator.Result.Reached reached when reached.isSure() -> succeed(deed);
                 case Navigator.Result.Reached(var _, String doubt) -> fail(deed, "unsure", doubt);
@@ -124,7 +124,7 @@ final class ExternalActions {
     }
 
     private <R> void wait(ActionExec deed, GoalHandle<?, R> handle, Consumer<R> onEnd) {
-        underWay.add(new UnderWay(deed, handle));
+        inProgress.add(new InProgress(deed, handle));
         handle.result().thenAccept(result -> self.scheduler().execute(() -> onEnd.accept(result)));
     }
 
@@ -157,9 +157,9 @@ final class ExternalActions {
     /// Gives up what no intention waits for any more.
     void check() {
         Map<Integer, ActionExec> pending = agent.reasoner().getTS().getC().getPendingActions();
-        for (UnderWay one : List.copyOf(underWay)) {
+        for (InProgress one : List.copyOf(inProgress)) {
             if (!one.is(pending.get(one.deed.getIntention().getId()))) {
-                underWay.remove(one);
+                inProgress.remove(one);
                 one.handle.cancel();
             }
         }
@@ -184,7 +184,7 @@ final class ExternalActions {
     }
 
     private void end(ActionExec deed) {
-        underWay.removeIf(one -> one.is(deed));
+        inProgress.removeIf(one -> one.is(deed));
         agent.reasoner().getTS().getC().addFeedbackAction(deed);
         agent.wake();
     }

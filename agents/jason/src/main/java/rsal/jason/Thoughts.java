@@ -40,7 +40,7 @@ final class Thoughts {
 
     static Mind.View of(Reasoner reasoner, String complaint) {
         Circumstance c = reasoner.getTS().getC();
-        return new Mind.View(beliefs(reasoner), goals(reasoner, complaint, intention -> isUnderWay(c, intention)));
+        return new Mind.View(beliefs(reasoner), goals(reasoner, complaint, intention -> isInProgress(c, intention)));
     }
 
     private static Map<String, String> beliefs(Reasoner reasoner) {
@@ -78,7 +78,7 @@ final class Thoughts {
     }
 
     /// Jason goes on to hold the intention that it did a step of last, even one that has failed by that.
-    private static boolean isUnderWay(Circumstance c, Intention intention) {
+    private static boolean isInProgress(Circumstance c, Intention intention) {
         return c.getRunningIntentions().contains(intention)
                 || c.getPendingIntentions().containsValue(intention)
                 || c.getPendingActions().containsKey(intention.getId())

@@ -71,7 +71,7 @@ import rsal.time.Task;
 class AgentSpeakAgentTest extends RobotBench {
     private final List<String> states = new ArrayList<>();
     private final List<Message<?>> said = new ArrayList<>();
-    private AgentPlatform society;
+    private AgentPlatform platform;
 
     @Override
     protected RobotSystemProvider provider() {
@@ -90,11 +90,11 @@ class AgentSpeakAgentTest extends RobotBench {
 
     @BeforeEach
     void gather() {
-        society = new AgentPlatform(
+        platform = new AgentPlatform(
                 run, new JasonHostProvider().create(Arguments.defaults(List.of()), run), Optional.empty());
-        society.onMessage(said::add);
-        society.onChange(view -> states.add(view.agent().name() + ": " + view.state()));
-        society.onPrint(print -> states.add(print.agent() + ": " + print.line()));
+        platform.onMessage(said::add);
+        platform.onChange(view -> states.add(view.agent().name() + ": " + view.state()));
+        platform.onPrint(print -> states.add(print.agent() + ": " + print.line()));
     }
 
     private void start(String name, String text) {
@@ -107,12 +107,12 @@ class AgentSpeakAgentTest extends RobotBench {
 
     private void start(String name, String text, Map<String, Object> arguments, Optional<Robot> robot) {
         AgentType type = Texts.type(text);
-        society.start(new AgentSpec(
+        platform.start(new AgentSpec(
                 name, "tested", type, Arguments.of(type.parameters(), arguments), robot, name.hashCode()));
     }
 
     private void start(String name, Agent agent) {
-        society.start(new AgentSpec(
+        platform.start(new AgentSpec(
                 name, "tested", new TestedType(agent), Arguments.defaults(List.of()), Optional.empty(), 1));
     }
 
@@ -122,7 +122,7 @@ class AgentSpeakAgentTest extends RobotBench {
     }
 
     private AgentPlatform.View view(String name) {
-        return society.views().stream()
+        return platform.views().stream()
                 .filter(view -> view.agent().name().equals(name))
                 .findFirst()
                 .orElseThrow();
@@ -131,7 +131,7 @@ class AgentSpeakAgentTest extends RobotBench {
     @Test
     void aStateIsALineOnlyWhenItChanges() {
         var lines = new ArrayList<String>();
-        society.onPrint(print -> lines.add(print.line()));
+        platform.onPrint(print -> lines.add(print.line()));
         start("a", """
                 !go.
                 +!go <- state(waits); .wait(100); state(waits); .print(beep); state(waits); state(goes); state(waits); .print(beep).
@@ -182,7 +182,7 @@ class AgentSpeakAgentTest extends RobotBench {
         advance(2.05);
         assertThat(view("a").state()).isEqualTo("1 pose");
         assertThat(Integer.parseInt(view("a").beliefs().get("seen"))).isBetween(15, 22);
-        society.stop("a");
+        platform.stop("a");
         advance(1);
         start(
                 "still",
@@ -330,13 +330,13 @@ class AgentSpeakAgentTest extends RobotBench {
                 .extracting(opinion -> opinion.layer())
                 .contains("follow-wall");
         double nearest = Double.POSITIVE_INFINITY;
-        double way = 0;
+        double distance = 0;
         for (Pose2d before = truth(); view("a").state().isEmpty(); before = truth()) {
             advance(0.5);
-            way += truth().distanceTo(before);
+            distance += truth().distanceTo(before);
             nearest = Math.min(nearest, toTheLeft());
         }
-        assertThat(way).isBetween(3.0, 20.0);
+        assertThat(distance).isBetween(3.0, 20.0);
         assertThat(nearest).isBetween(0.3, 0.7); // 0.875 where it starts
         assertThat(view("a").state()).isEqualTo("stands");
         advance(1);
@@ -389,7 +389,7 @@ class AgentSpeakAgentTest extends RobotBench {
     void theRobotStandsWhenItsAgentEnds() {
         startOnRobot("!go. +!go <- drive(0.2, 0).");
         advance(1);
-        society.stop("a");
+        platform.stop("a");
         advance(1);
         Pose2d there = truth();
         advance(1);
@@ -416,10 +416,10 @@ class AgentSpeakAgentTest extends RobotBench {
                 +heard(goal_reached, _, goal_reached(R, pose(X, Y, _), How, Why)) <- state(R, " ", X, " ", How, " ", Why).
                 """);
         advance(0);
-        society.publish("operator", Caught.TOPIC, new Caught("prey-1", "hunter-2", 1.25));
+        platform.publish("operator", Caught.TOPIC, new Caught("prey-1", "hunter-2", 1.25));
         advance(0);
         assertThat(view("a").state()).isEqualTo("operator prey-1 hunter-2 1.25");
-        society.publish(
+        platform.publish(
                 "operator", GoalReached.TOPIC, new GoalReached("r1", new Pose2d(1, 2, 0), "stuck", "A box is ahead."));
         advance(0);
         assertThat(view("a").state()).isEqualTo("r1 1 stuck A box is ahead.");
@@ -652,7 +652,7 @@ class AgentSpeakAgentTest extends RobotBench {
                 """);
         advance(2);
         assertThat(Ports.listening()).isSubsetOf(portsBefore);
-        society.close();
+        platform.close();
         assertThat(Thread.getAllStackTraces().keySet()).isSubsetOf(before);
         assertThat(Ports.listening()).isSubsetOf(portsBefore);
         assertThat(MindInspectorWeb.isRunning()).isFalse();
@@ -680,7 +680,7 @@ class AgentSpeakAgentTest extends RobotBench {
             said.clear();
             startOnRobot(text);
             advance(1);
-            society.stop("a");
+            platform.stop("a");
             var all = new ArrayList<>(states);
             said.forEach(message -> all.add(message.content().toString()));
             transcripts.add(all);
@@ -724,7 +724,7 @@ class AgentSpeakAgentTest extends RobotBench {
             said.clear();
             start("a", text);
             advance(0.5);
-            society.stop("a");
+            platform.stop("a");
             var all = new ArrayList<>(states);
             said.forEach(message -> all.add(message.content().toString()));
             transcripts.add(all);
@@ -834,7 +834,7 @@ class AgentSpeakAgentTest extends RobotBench {
                                 || after.state().contains("found no end after"))
                         .as("seed %d: %s: %s", seed, text, after.state())
                         .isTrue();
-                society.stop("a");
+                platform.stop("a");
             } catch (InvalidSettings e) {
                 assertThat(e.problems())
                         .as("seed %d: %s", seed, text)
@@ -859,12 +859,12 @@ class AgentSpeakAgentTest extends RobotBench {
         start("a", text);
         advance(0);
         String first = view("a").state();
-        society.stop("a");
+        platform.stop("a");
         start("a", text);
         start("b", text);
         advance(0);
         assertThat(first).endsWith(" 3");
-        assertThat(society.views()).extracting(AgentPlatform.View::state).contains(first);
+        assertThat(platform.views()).extracting(AgentPlatform.View::state).contains(first);
         assertThat(view("b").state()).isNotEqualTo(first);
     }
 
@@ -905,7 +905,7 @@ class AgentSpeakAgentTest extends RobotBench {
         assertThat(states).containsExactly("a: ", "a: tried");
         assertThat(view("a").status()).isEqualTo(AgentPlatform.Status.RUNNING);
         List<Mind.GoalView> left =
-                society.look("a", Mind.View.class).orElseThrow().goals();
+                platform.look("a", Mind.View.class).orElseThrow().goals();
         assertThat(left).extracting(Mind.GoalView::name).containsExactly("wait");
         assertThat(left.getFirst().failure())
                 .isEqualTo("Goal 'go' has failed, and so has the plan for that at a.asl:4: .fail.");
@@ -975,7 +975,7 @@ class AgentSpeakAgentTest extends RobotBench {
 
     /// What the agent complained of last.
     private String failure(String name) {
-        return society.look(name, Mind.View.class)
+        return platform.look(name, Mind.View.class)
                 .orElseThrow()
                 .goals()
                 .getFirst()
@@ -1014,7 +1014,7 @@ class AgentSpeakAgentTest extends RobotBench {
         var clock = new LockstepScheduler();
         var timers = new HashSet<Object>();
         var counted = counting(timers, clock);
-        society = new AgentPlatform(
+        platform = new AgentPlatform(
                 counted, new JasonHostProvider().create(Arguments.defaults(List.of()), counted), Optional.empty());
         start("amy", "price(1).");
         start("a", """
@@ -1073,7 +1073,7 @@ class AgentSpeakAgentTest extends RobotBench {
                 +!drink(What) <- .wait(5000).
                 """);
         advance(1);
-        Mind.View mind = society.look("a", Mind.View.class).orElseThrow();
+        Mind.View mind = platform.look("a", Mind.View.class).orElseThrow();
         assertThat(mind.beliefs())
                 .containsEntry("likes", "likes(tea)[source(self)]; likes(milk)[source(self)]")
                 .containsEntry("robot", "robot(r1,tested)[source(percept)]");
@@ -1091,7 +1091,7 @@ class AgentSpeakAgentTest extends RobotBench {
                 +!go(Seconds) <- .wait(Seconds*1000).
                 """);
         advance(1);
-        Mind.View mind = society.look("a", Mind.View.class).orElseThrow();
+        Mind.View mind = platform.look("a", Mind.View.class).orElseThrow();
         assertThat(mind.goals().getFirst().steps()).containsExactly("+!go(2.5): .wait((2.5*1000))");
     }
 
@@ -1104,7 +1104,7 @@ class AgentSpeakAgentTest extends RobotBench {
                 +!rest.
                 """);
         advance(0);
-        Mind.Program program = society.look("a", Mind.Program.class).orElseThrow();
+        Mind.Program program = platform.look("a", Mind.Program.class).orElseThrow();
         assertThat(program.rules()).containsExactly("near(Post) :- (post(Post,X) & (X < 3))");
         assertThat(program.plans())
                 .hasSize(2)
@@ -1116,7 +1116,7 @@ class AgentSpeakAgentTest extends RobotBench {
     void plansThatBeginInOneLineCanAllBeRead() {
         start("a", "+!rest. +!go <- .print(go).");
         advance(0);
-        assertThat(society.look("a", Mind.Program.class).orElseThrow().plans())
+        assertThat(platform.look("a", Mind.Program.class).orElseThrow().plans())
                 .containsExactly(entry("a.asl:1", "+!rest\n+!go <- .print(go)"));
     }
 

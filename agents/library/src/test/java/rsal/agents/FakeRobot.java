@@ -131,18 +131,18 @@ public final class FakeRobot {
     /// Notes each goal; a drive goes on until the test ends it or another begins.
     public static final class Nav extends DeviceCore implements Navigator {
         public final List<Pose2d> goals = new ArrayList<>();
-        private @Nullable GoalSource<Progress, Result> underWay;
+        private @Nullable GoalSource<Progress, Result> inProgress;
 
         Nav(String robot) {
             super(new DeviceInfo(robot, "navigator", "fake"));
         }
 
         public boolean driving() {
-            return underWay != null && !underWay.ended();
+            return inProgress != null && !inProgress.ended();
         }
 
         public void end(Result result) {
-            underWay.end(result);
+            inProgress.end(result);
         }
 
         public void reach() {
@@ -155,8 +155,8 @@ public final class FakeRobot {
                 end(Result.Cancelled.by(mapFromGoal));
             }
             goals.add(mapFromGoal);
-            underWay = new GoalSource<>(() -> end(Result.Cancelled.asked()));
-            return underWay;
+            inProgress = new GoalSource<>(() -> end(Result.Cancelled.asked()));
+            return inProgress;
         }
 
         @Override

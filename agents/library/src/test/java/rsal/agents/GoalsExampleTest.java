@@ -111,7 +111,7 @@ class GoalsExampleTest {
     @Test
     void theMostUrgentGoalGetsTheRobotAndTheNextPlanIsTriedWhenOneFails() {
         var none = Arguments.defaults(List.of());
-        scene.society.start(new AgentSpec("amy", "tested", collector, none, Optional.of(r1.robot), 1));
+        scene.platform.start(new AgentSpec("amy", "tested", collector, none, Optional.of(r1.robot), 1));
         scene.advance(1);
         assertThat(collector.done).hasToString("look ");
         collector.known.set(2);

@@ -24,12 +24,12 @@ import rsal.time.LockstepScheduler;
 public final class Scene {
     public final LockstepScheduler scheduler = new LockstepScheduler();
     public final List<Message<?>> said = new ArrayList<>();
-    public final AgentPlatform society;
+    public final AgentPlatform platform;
 
     public Scene(Optional<SimulationControl> simulation) {
         var host = new PlainHostProvider().create(Arguments.defaults(List.of()), scheduler);
-        society = new AgentPlatform(scheduler, host, simulation);
-        society.onMessage(said::add);
+        platform = new AgentPlatform(scheduler, host, simulation);
+        platform.onMessage(said::add);
     }
 
     public Scene() {
@@ -51,7 +51,7 @@ public final class Scene {
                 .filter(candidate -> candidate.key().equals(type))
                 .findFirst()
                 .orElseThrow();
-        society.start(new AgentSpec(name, type, found, Arguments.of(found.parameters(), arguments), robot, 1));
+        platform.start(new AgentSpec(name, type, found, Arguments.of(found.parameters(), arguments), robot, 1));
         advance(0);
     }
 
@@ -61,7 +61,7 @@ public final class Scene {
 
     /// Somebody without an agent here says something, and it is heard.
     public <M> void hear(String sender, Topic<M> topic, M message) {
-        society.publish(sender, topic, message);
+        platform.publish(sender, topic, message);
         advance(0);
     }
 
@@ -83,7 +83,7 @@ public final class Scene {
     }
 
     public AgentPlatform.View view(String agent) {
-        return society.views().stream()
+        return platform.views().stream()
                 .filter(view -> view.agent().name().equals(agent))
                 .findFirst()
                 .orElseThrow();

@@ -18,11 +18,11 @@ import rsal.recording.Encoder;
 import rsal.recording.MessageSink;
 
 /// One that watches: which channels it was told of, and which of them it wants. Written to on the server's thread; its
-/// subscriptions come on its connection's. It is sent no more than it takes: while [#MOST_UNDER_WAY] is under way, it
+/// subscriptions come on its connection's. It is sent no more than it takes: while [#MOST_IN_PROGRESS] is under way, it
 /// is left out, and then told all once more. Events it is told from the oldest that is known, also those that happened
 /// before it came or while it was left out, and none twice.
 final class Client implements MessageSink {
-    static final int MOST_UNDER_WAY = 8 << 20; // [B]
+    static final int MOST_IN_PROGRESS = 8 << 20; // [B]
 
     private static final byte MESSAGE = 1;
     private static final byte TIME = 2;
@@ -44,7 +44,7 @@ final class Client implements MessageSink {
         void send(ByteBuffer bytes);
 
         /// What was sent and has not left this process [B].
-        long underWay();
+        long inProgress();
     }
 
     private final Line line;
@@ -97,7 +97,7 @@ final class Client implements MessageSink {
     ///
     /// @param state the newest
     void welcome(Entry state) throws IOException {
-        if (isNew && line.underWay() <= MOST_UNDER_WAY) {
+        if (isNew && line.inProgress() <= MOST_IN_PROGRESS) {
             isNew = false;
             encoder.writeAgain();
             if (wantsMap) {
@@ -121,7 +121,7 @@ final class Client implements MessageSink {
         long next =
                 reportedEvents.stream().mapToLong(each -> each.nextEvent).min().orElse(past.next());
         for (event = Math.max(next, past.first()); event < past.next(); event++) {
-            if (line.underWay() > MOST_UNDER_WAY) {
+            if (line.inProgress() > MOST_IN_PROGRESS) {
                 return;
             }
             send(past.event(event));
@@ -132,7 +132,7 @@ final class Client implements MessageSink {
     ///
     /// @return whether it was sent
     boolean write(Entry entry) throws IOException {
-        if (line.underWay() > MOST_UNDER_WAY) {
+        if (line.inProgress() > MOST_IN_PROGRESS) {
             isNew = true; // as it has missed something
             return false;
         }

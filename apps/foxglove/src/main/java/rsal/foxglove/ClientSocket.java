@@ -32,7 +32,7 @@ public final class ClientSocket extends Session.Listener.AbstractAutoDemanding i
     private final long number;
     private final Client client;
     private final Map<Long, PublishedGoal> published = new ConcurrentHashMap<>(); // by channel
-    private final AtomicLong underWay = new AtomicLong(); // [B]
+    private final AtomicLong inProgress = new AtomicLong(); // [B]
 
     /// @param mayPublish whether it knows the token
     /// @param number greater than those of all before
@@ -204,7 +204,7 @@ public final class ClientSocket extends Session.Listener.AbstractAutoDemanding i
     }
 
     private void send(Status status) {
-        if (underWay.get() <= Client.MOST_UNDER_WAY) {
+        if (inProgress.get() <= Client.MOST_IN_PROGRESS) {
             send(ServerMessages.json(status));
         }
     }
@@ -221,12 +221,12 @@ public final class ClientSocket extends Session.Listener.AbstractAutoDemanding i
     }
 
     private Callback sent(int length) {
-        underWay.addAndGet(length);
-        return Callback.from(() -> underWay.addAndGet(-length), _ -> underWay.addAndGet(-length));
+        inProgress.addAndGet(length);
+        return Callback.from(() -> inProgress.addAndGet(-length), _ -> inProgress.addAndGet(-length));
     }
 
     @Override
-    public long underWay() {
-        return underWay.get();
+    public long inProgress() {
+        return inProgress.get();
     }
 }

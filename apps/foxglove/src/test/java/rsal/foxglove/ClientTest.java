@@ -156,8 +156,8 @@ class ClientTest {
         }
 
         @Override
-        public long underWay() {
-            return isStuck ? Client.MOST_UNDER_WAY + 1 : 0;
+        public long inProgress() {
+            return isStuck ? Client.MOST_IN_PROGRESS + 1 : 0;
         }
 
         long of(int subscription) {

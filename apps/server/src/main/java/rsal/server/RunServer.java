@@ -116,10 +116,10 @@ public final class RunServer implements AutoCloseable {
     private RunServer(RunPlan plan, Options options, Page page, ServerSocketChannel door, Optional<TlsListener> remote)
             throws IOException {
         token = options.token();
-        var shelf = new ScenarioCatalog(options.scenarios());
+        var catalog = new ScenarioCatalog(options.scenarios());
         sweeps = new Sweeps(
                 options.sweeping().map(each -> new SweepHome(each.folder(), each.program())),
-                shelf,
+                catalog,
                 Sweeps.coresBesideARun());
         gate = new AccessControl(PageServer.port(door), token, options.listening());
         var first = new CurrentRun(plan, options.onStart(), options.starter());
@@ -132,7 +132,7 @@ public final class RunServer implements AutoCloseable {
                     token,
                     gate,
                     seats,
-                    new Api(seats, shelf, gate, page, exposition, sweepApi)::configure,
+                    new Api(seats, catalog, gate, page, exposition, sweepApi)::configure,
                     remote);
         } catch (IOException | RuntimeException e) {
             seats.close();

@@ -91,12 +91,13 @@ final class BodyOutline {
     /// @param allowed how near it may come [m]
     private double timeToTouch(double x, double y, Twist2d twist, double before, double allowed, double horizon) {
         double farthest = Math.sqrt(x * x + y * y) + twist.speed() * horizon;
-        double way = (twist.speed() + Math.abs(twist.omega()) * farthest) * STEP; // of the thing in a step, at most
+        double distance =
+                (twist.speed() + Math.abs(twist.omega()) * farthest) * STEP; // of the thing in a step, at most
         double cos = Math.cos(twist.omega() * STEP);
         double sin = Math.sin(twist.omega() * STEP);
         double px = x;
         double py = y;
-        double free = (before - allowed - ROUNDING) / way; // steps in which it can't come so near
+        double free = (before - allowed - ROUNDING) / distance; // steps in which it can't come so near
         for (double t = STEP; t <= horizon; t += STEP) {
             double dx = px - twist.vx() * STEP; // the thing moves the other way, seen from the robot
             double dy = py - twist.vy() * STEP;
@@ -107,7 +108,7 @@ final class BodyOutline {
                 if (gap < allowed) {
                     return t - STEP;
                 }
-                free = (gap - allowed - ROUNDING) / way;
+                free = (gap - allowed - ROUNDING) / distance;
             }
         }
         return horizon;

@@ -30,7 +30,7 @@ public final class FollowLeftWall implements Behavior {
     private static final double GAIN = 2; // rad/s per rad
     private static final double TURN_RATE = 1; // rad/s
     private static final double LOST = 1.0; // m beyond the wall's distance
-    private static final double SEARCH_WAY = 1.0; // m until a wall beside counts again
+    private static final double SEARCH_DISTANCE = 1.0; // m until a wall beside counts again
     private static final double ISLAND = Math.toRadians(450);
 
     private final double speed;
@@ -40,7 +40,7 @@ public final class FollowLeftWall implements Behavior {
     private State state = State.SEARCHING;
     private @Nullable Pose2d odomFromLast;
     private double turned;
-    private double searched = SEARCH_WAY;
+    private double searched = SEARCH_DISTANCE;
 
     private enum State {
         SEARCHING,
@@ -69,7 +69,7 @@ public final class FollowLeftWall implements Behavior {
         double beside = around.nearest(0, WALL_LEFTMOST);
         switch (state) {
             case SEARCHING -> {
-                if (blocked || (searched >= SEARCH_WAY && beside < wallDistance + LOST / 2)) {
+                if (blocked || (searched >= SEARCH_DISTANCE && beside < wallDistance + LOST / 2)) {
                     state = State.FOLLOWING;
                     turned = 0;
                 }

@@ -30,8 +30,8 @@ public final class LimitSpeed implements Behavior {
         Twist2d limited = scaled(below, speed);
         double time = body.timeToTouch(percept.surroundings(), limited, MARGIN, HORIZON);
         if (time < HORIZON) {
-            double way = Math.max(0, speed * time - stopDistance);
-            limited = scaled(below, Math.min(speed, Math.sqrt(2 * DECELERATION * way)));
+            double distance = Math.max(0, speed * time - stopDistance);
+            limited = scaled(below, Math.min(speed, Math.sqrt(2 * DECELERATION * distance)));
         }
         return limited.equals(below) ? below : limited;
     }

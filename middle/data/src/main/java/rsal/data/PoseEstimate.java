@@ -20,8 +20,8 @@ public record PoseEstimate(
         }
 
         /// The same after the robot moved.
-        Hypothesis moved(Pose2d way) {
-            return new Hypothesis(weight, mapFromBase.compose(way), covariance);
+        Hypothesis moved(Pose2d motion) {
+            return new Hypothesis(weight, mapFromBase.compose(motion), covariance);
         }
     }
 
@@ -56,12 +56,12 @@ public record PoseEstimate(
 
     /// The same after the robot moved.
     ///
-    /// @param way from where the base was to where it is, in the base frame
-    public PoseEstimate moved(Pose2d way) {
+    /// @param motion from where the base was to where it is, in the base frame
+    public PoseEstimate moved(Pose2d motion) {
         return new PoseEstimate(
-                mapFromBase.compose(way),
+                mapFromBase.compose(motion),
                 covariance,
-                hypotheses.stream().map(hypothesis -> hypothesis.moved(way)).toList(),
+                hypotheses.stream().map(hypothesis -> hypothesis.moved(motion)).toList(),
                 confidence,
                 quality);
     }

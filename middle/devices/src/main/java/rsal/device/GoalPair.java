@@ -6,10 +6,10 @@ import java.util.function.Supplier;
 /// Two goals, one after the other, that look like one.
 final class GoalPair<F, R> {
     private final GoalSource<F, R> both = new GoalSource<>(this::cancel);
-    private GoalHandle<F, R> underWay;
+    private GoalHandle<F, R> inProgress;
 
     private GoalPair(GoalHandle<F, R> first) {
-        this.underWay = first;
+        this.inProgress = first;
     }
 
     static <F, R> GoalHandle<F, R> of(
@@ -18,9 +18,9 @@ final class GoalPair<F, R> {
         pair.follow(first);
         first.result().thenAccept(result -> {
             if (well.test(result)) {
-                pair.underWay = next.get();
-                pair.follow(pair.underWay);
-                pair.underWay.result().thenAccept(pair.both::end);
+                pair.inProgress = next.get();
+                pair.follow(pair.inProgress);
+                pair.inProgress.result().thenAccept(pair.both::end);
             } else {
                 pair.both.end(result);
             }
@@ -33,6 +33,6 @@ final class GoalPair<F, R> {
     }
 
     private void cancel() {
-        underWay.cancel();
+        inProgress.cancel();
     }
 }

@@ -178,8 +178,8 @@ public final class Overlaps {
             return false;
         }
 
-        private static int cell(double way, double size) {
-            return (int) Math.floor(way / size);
+        private static int cell(double distance, double size) {
+            return (int) Math.floor(distance / size);
         }
 
         private Area area() {

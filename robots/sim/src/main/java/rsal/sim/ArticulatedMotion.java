@@ -21,11 +21,11 @@ final class ArticulatedMotion {
 
     /// Moves them until one would touch something.
     ///
-    /// @param way that any of their points makes, at most [m]
+    /// @param distance that any of their points makes, at most [m]
     /// @param actuator puts the actuator that moves where it is after a part of the way
     /// @return how much of the way they made, 0–1
-    double move(double way, DoubleConsumer actuator) {
-        return world.bend(body, way, part -> {
+    double move(double distance, DoubleConsumer actuator) {
+        return world.bend(body, distance, part -> {
             actuator.accept(part);
             return mounts.stream().map(DeviceMount::now).toList();
         });

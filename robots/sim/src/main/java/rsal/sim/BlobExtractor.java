@@ -20,7 +20,7 @@ final class BlobExtractor {
     private int[] column = {};
     private int[] first = {}; // row
     private int[] end = {};
-    private double[] ways = {};
+    private double[] distances = {};
 
     private int begin; // of the strips of the column at hand
     private int beside; // of those of the column before that may touch the next
@@ -58,7 +58,7 @@ final class BlobExtractor {
         column[its] = itsColumn;
         first[its] = itsFirst;
         end[its] = itsEnd;
-        ways[its] = itsWays;
+        distances[its] = itsWays;
         if (its > 0 && column[its - 1] != itsColumn) {
             beside = column[its - 1] == itsColumn - 1 ? begin : its;
             begin = its;
@@ -105,7 +105,7 @@ final class BlobExtractor {
                 sumX[i] = 0;
                 sumY[i] = 0;
             } else {
-                ways[its] += ways[i];
+                distances[its] += distances[i];
             }
             int pixels = end[i] - first[i];
             right[its] = column[i] + 1;
@@ -127,7 +127,7 @@ final class BlobExtractor {
                         sumX[i] / area[i],
                         sumY[i] / area[i],
                         area[i],
-                        ways[i] / area[i]));
+                        distances[i] / area[i]));
             }
         }
         return all;
@@ -139,7 +139,7 @@ final class BlobExtractor {
         column = Arrays.copyOf(column, size);
         first = Arrays.copyOf(first, size);
         end = Arrays.copyOf(end, size);
-        ways = Arrays.copyOf(ways, size);
+        distances = Arrays.copyOf(distances, size);
         right = Arrays.copyOf(right, size);
         top = Arrays.copyOf(top, size);
         bottom = Arrays.copyOf(bottom, size);

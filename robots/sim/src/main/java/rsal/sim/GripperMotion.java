@@ -15,7 +15,7 @@ final class GripperMotion {
     private double position;
     private double target;
     private @Nullable GoalSource<GripperState, Result> goal;
-    private @Nullable GoalSource<GripperState, Result> underWay; // in the last step
+    private @Nullable GoalSource<GripperState, Result> inProgress; // in the last step
 
     /// @param time from 0 to 1; zero when it can't move
     /// @param begin where it is at first
@@ -57,7 +57,7 @@ final class GripperMotion {
 
     void moveTo(double place) {
         position = place;
-        underWay = goal;
+        inProgress = goal;
     }
 
     /// It goes no farther, and that is all that was wanted.
@@ -85,7 +85,7 @@ final class GripperMotion {
 
     void reported(Stamped<GripperState> reading) {
         GoalSource<GripperState, Result> now = goal;
-        if (now != null && now == underWay) { // a listener may have begun another
+        if (now != null && now == inProgress) { // a listener may have begun another
             now.publish(reading);
             if (now == goal && arrived()) {
                 end(new Result.Reached(reading.value()));

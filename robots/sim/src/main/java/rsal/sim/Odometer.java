@@ -24,12 +24,12 @@ final class Odometer {
     /// @param left [m]; errors are along the way made
     /// @param turn counter-clockwise [rad]
     void moved(double forward, double left, double turn) {
-        double way = left == 0 ? Math.abs(forward) : Math.sqrt(forward * forward + left * left);
+        double distance = left == 0 ? Math.abs(forward) : Math.sqrt(forward * forward + left * left);
         double headingVariance =
-                square(noise.headingPerMeter()) * way + square(noise.headingPerRadian()) * Math.abs(turn);
-        double distanceError = scale * noise.distancePerMeter() * Math.sqrt(way) * random.nextGaussian();
+                square(noise.headingPerMeter()) * distance + square(noise.headingPerRadian()) * Math.abs(turn);
+        double distanceError = scale * noise.distancePerMeter() * Math.sqrt(distance) * random.nextGaussian();
         double headingError = scale * Math.sqrt(headingVariance) * random.nextGaussian();
-        double longer = way == 0 ? 1 : 1 + distanceError / way;
+        double longer = distance == 0 ? 1 : 1 + distanceError / distance;
         odomFromBase = new Arc(odomFromBase, forward * longer, left * longer, turn + headingError).at(1);
     }
 

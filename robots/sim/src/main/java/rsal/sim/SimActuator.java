@@ -39,7 +39,7 @@ final class SimActuator extends SimActuatedDevice<ActuatorState> implements Actu
     private @Nullable ArticulatedMotion bending; // of the body; null when it carries nothing of that
     private DeviceMount standsOn = DeviceMount.BASE;
     private @Nullable GoalSource<ActuatorState, Result> goal;
-    private @Nullable GoalSource<ActuatorState, Result> underWay; // in the last step
+    private @Nullable GoalSource<ActuatorState, Result> inProgress; // in the last step
 
     /// @param by empty for a wall
     record Stop(Optional<Body> by) {}
@@ -117,7 +117,7 @@ final class SimActuator extends SimActuatedDevice<ActuatorState> implements Actu
     void work(Instant now, double dt) {
         double before = position;
         double most = drive.enabled() ? part.maxSpeed() * dt : 0;
-        underWay = goal;
+        inProgress = goal;
         if (goal != null) {
             moveTo(Math.clamp(target, before - most, before + most));
             arrived = position == target;
@@ -140,7 +140,7 @@ final class SimActuator extends SimActuatedDevice<ActuatorState> implements Actu
             position = next;
             return;
         }
-        double made = bending.move(longestWay(bending, next), part -> position = between(before, next, part));
+        double made = bending.move(longestDistance(bending, next), part -> position = between(before, next, part));
         position = between(before, next, made);
         stop = made < 1 ? new Stop(bending.obstacle()) : null;
     }
@@ -150,13 +150,13 @@ final class SimActuator extends SimActuatedDevice<ActuatorState> implements Actu
     }
 
     /// That a point on it makes, at most [m].
-    private double longestWay(ArticulatedMotion body, double next) {
-        double way = Math.abs(next - position);
+    private double longestDistance(ArticulatedMotion body, double next) {
+        double distance = Math.abs(next - position);
         if (part.joint() == Joint.LINEAR) {
-            return way;
+            return distance;
         }
         Pose2d joint = standsOn.now().moved(part.baseFromJoint());
-        return way * (body.radius() + Math.hypot(joint.x(), joint.y()));
+        return distance * (body.radius() + Math.hypot(joint.x(), joint.y()));
     }
 
     private ActuatorState state() {
@@ -167,7 +167,7 @@ final class SimActuator extends SimActuatedDevice<ActuatorState> implements Actu
     @Override
     void reported(Stamped<ActuatorState> reading) {
         GoalSource<ActuatorState, Result> now = goal;
-        if (now != null && now == underWay) { // a listener may have begun another
+        if (now != null && now == inProgress) { // a listener may have begun another
             now.publish(reading);
             if (arrived && now == goal) {
                 stop(new Result.Reached(position));

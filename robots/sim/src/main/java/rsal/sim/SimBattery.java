@@ -56,8 +56,9 @@ final class SimBattery extends SimActuatedDevice<BatteryState> implements Batter
     ///
     /// @param dt [s]
     void settle(double dt) {
-        double used =
-                part.idlePower() * dt + part.energyPerMeter() * drive.way() + part.energyPerRadian() * drive.turned();
+        double used = part.idlePower() * dt
+                + part.energyPerMeter() * drive.distance()
+                + part.energyPerRadian() * drive.turned();
         double before = charge;
         charge = Math.clamp(before + (taken - given) * dt - used, 0, part.capacity());
         power = (charge - before) / dt;

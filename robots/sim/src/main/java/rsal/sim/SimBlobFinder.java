@@ -44,7 +44,7 @@ final class SimBlobFinder extends SimRangeSensor<Blobs> implements BlobFinder {
         for (int i = 0; i < sight.count(); i++) {
             Rgb color = color(sight.surface(i));
             if (color != null) {
-                patches.add(color, sight.column(i), sight.first(i), sight.end(i), sight.ways(i));
+                patches.add(color, sight.column(i), sight.first(i), sight.end(i), sight.distances(i));
             }
         }
         return new Blobs(

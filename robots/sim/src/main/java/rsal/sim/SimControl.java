@@ -143,7 +143,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
             return outside.get();
         }
         if (!putting.test(body.get(), mapFromEntity)) {
-            return inTheWay(entity, mapFromEntity);
+            return obstructing(entity, mapFromEntity);
         }
         team.find(entity).ifPresent(robot -> {
             robot.drive().standStill();
@@ -198,7 +198,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
                                 SpawnPlacement.at(bounds.right(), bounds.top()))));
     }
 
-    private Placement inTheWay(String entity, Pose2d pose) {
+    private Placement obstructing(String entity, Pose2d pose) {
         return new Placement.Refused("'%s' does not fit at %s: '%s' is in the way."
                 .formatted(
                         entity,
@@ -234,7 +234,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
         List<Block> blocks = blocks(thing);
         List<CollisionShape> chunks = CollisionShape.of(blocks);
         if (!room.test(chunks)) {
-            return inTheWay(name, thing.mapFromThing());
+            return obstructing(name, thing.mapFromThing());
         }
         things.add(world.add(name, chunks, thing.mapFromThing(), 0), blocks, thing.givingPower());
         return new Placement.Placed();
@@ -334,7 +334,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
         }
         Optional<SimRobot> robot = recruiting.recruit(kind, mapFromBase);
         if (robot.isEmpty()) {
-            return inTheWay(id, mapFromBase);
+            return obstructing(id, mapFromBase);
         }
         team.add(robot.get());
         changes.accept(new RobotSystem.Change.Appeared(robot.get().robot()));

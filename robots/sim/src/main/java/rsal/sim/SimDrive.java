@@ -100,7 +100,7 @@ final class SimDrive extends SensorCore<Odometry> implements DriveBase {
     }
 
     /// Made in the last step [m].
-    double way() {
+    double distance() {
         return part * Math.hypot(wheels.forward(), wheels.left());
     }
 

@@ -37,11 +37,11 @@ final class SimLaser extends NoisyRangeSensor<LaserScan> implements LaserScanner
 
     @Override
     LaserScan measure(World world, Body robot, Instant now) {
-        double[] ways = beams.cast(
+        double[] distances = beams.cast(
                 world, robot, shift(), laser.rangeMax(), noise().size().angle(), noise()::turn);
         float[] ranges = new float[beams.count()];
         for (int i = 0; i < ranges.length; i++) {
-            ranges[i] = shown(ways[i], laser.rangeMin(), laser.rangeMax());
+            ranges[i] = shown(distances[i], laser.rangeMin(), laser.rangeMax());
         }
         return new LaserScan(
                 shift().moved(laser.baseFromLaser()),

@@ -68,11 +68,11 @@ public final class SimProvider implements RobotSystemProvider {
         specs.sort(Comparator.comparing(RobotSpec::id));
         refuse(problems(specs));
         var seeds = new RandomStreams(config.seed());
-        var lineup = new SpawnPlacement(config.scene(), walls(config.scene().walls()), specs, seeds);
-        refuse(lineup.problems());
-        var assembly = new RobotFactory(config.settings(), scheduler, seeds, lineup.world(), lineup.things());
+        var placement = new SpawnPlacement(config.scene(), walls(config.scene().walls()), specs, seeds);
+        refuse(placement.problems());
+        var assembly = new RobotFactory(config.settings(), scheduler, seeds, placement.world(), placement.things());
         var robots = specs.stream()
-                .map(spec -> assembly.robot(spec, lineup.body(spec.id())))
+                .map(spec -> assembly.robot(spec, placement.body(spec.id())))
                 .toList();
         robots.forEach(
                 robot -> Optional.ofNullable(config.scene().odomFromBase().get(robot.id()))
@@ -81,11 +81,11 @@ public final class SimProvider implements RobotSystemProvider {
         return new SimSystem(
                 scheduler,
                 config.settings().seconds(STEP),
-                lineup.world(),
+                placement.world(),
                 config.scene().touch(),
-                lineup.things(),
+                placement.things(),
                 robots,
-                new RobotSpawner(lineup.world(), assembly, kinds));
+                new RobotSpawner(placement.world(), assembly, kinds));
     }
 
     private static RobotSpawner.Kind kind(SimRobot robot, Scene scene) {

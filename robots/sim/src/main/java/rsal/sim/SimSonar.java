@@ -44,11 +44,11 @@ final class SimSonar extends NoisyRangeSensor<RangeArray> implements SonarArray 
     @Override
     RangeArray measure(World world, Body robot, Instant now) {
         float[] ranges = new float[sonars.baseFromSensors().size()];
-        double[] ways = cones.cast(world, robot, shift(), sonars.rangeMax());
+        double[] distances = cones.cast(world, robot, shift(), sonars.rangeMax());
         for (int i = 0; i < ranges.length; i++) {
             double shortest = Double.POSITIVE_INFINITY;
             for (int ray = i * raysOfEach; ray < (i + 1) * raysOfEach; ray++) {
-                shortest = Math.min(shortest, ways[ray]);
+                shortest = Math.min(shortest, distances[ray]);
             }
             ranges[i] = shown(shortest, sonars.rangeMin(), sonars.rangeMax());
         }

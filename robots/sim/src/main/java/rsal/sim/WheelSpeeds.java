@@ -32,7 +32,7 @@ final class WheelSpeeds {
         left.spin(feasible.vy(), dt);
         turn.spin(feasible.omega(), dt);
         if (turningRadius > 0) {
-            turn.cut(Math.abs(forward.speed) / turningRadius, Math.abs(forward.way) / turningRadius);
+            turn.cut(Math.abs(forward.speed) / turningRadius, Math.abs(forward.distance) / turningRadius);
         }
     }
 
@@ -45,17 +45,17 @@ final class WheelSpeeds {
 
     /// Forward in the last step, if nothing was in the way [m].
     double forward() {
-        return forward.way;
+        return forward.distance;
     }
 
     /// To the left in the last step, if nothing was in the way [m].
     double left() {
-        return left.way;
+        return left.distance;
     }
 
     /// Counter-clockwise in the last step, if nothing was in the way [rad].
     double turn() {
-        return turn.way;
+        return turn.distance;
     }
 
     Twist2d velocity() {
@@ -67,7 +67,7 @@ final class WheelSpeeds {
         private final double least; // acceleration
         private final double most;
         private double speed;
-        private double way; // in the last step
+        private double distance; // in the last step
 
         Motor(Axis axis) {
             least = axis.acceleration().least();
@@ -77,7 +77,7 @@ final class WheelSpeeds {
         void spin(double wanted, double dt) {
             double before = speed;
             speed = Math.clamp(wanted, before + least * dt, before + most * dt);
-            way = made(before, dt);
+            distance = made(before, dt);
         }
 
         /// The way made while a speed changes at a constant rate and then stays.
@@ -88,7 +88,7 @@ final class WheelSpeeds {
 
         void cut(double mostSpeed, double mostWay) {
             speed = Math.clamp(speed, -mostSpeed, mostSpeed);
-            way = Math.clamp(way, -mostWay, mostWay);
+            distance = Math.clamp(distance, -mostWay, mostWay);
         }
     }
 }

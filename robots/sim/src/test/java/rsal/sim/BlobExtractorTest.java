@@ -30,15 +30,15 @@ class BlobExtractorTest {
                 int first = 0;
                 while (first < rows) {
                     int end = Math.min(rows, first + random.nextInt(1, 6));
-                    double ways = 0;
+                    double distances = 0;
                     Rgb color = random.nextDouble() < empty ? null : random.nextBoolean() ? RED : BLUE;
                     for (int row = first; row < end; row++) {
                         image[column][row] = color;
                         range[column][row] = random.nextDouble();
-                        ways += range[column][row];
+                        distances += range[column][row];
                     }
                     if (color != null) {
-                        patches.add(color, column, first, end, ways);
+                        patches.add(color, column, first, end, distances);
                     }
                     first = end;
                 }

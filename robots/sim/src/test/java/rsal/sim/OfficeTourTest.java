@@ -39,19 +39,19 @@ class OfficeTourTest {
                         Arguments.defaults(driver.parameters()))
                 .engage(PioneerStack.followLeftWall(model));
         Pose2d here = run.truth("prey");
-        double way = 0;
+        double distance = 0;
         int meter = 0; // in which it has been for so many steps
         for (int step = 0; step < 3000; step++) {
             run.advance(0.1);
             meter++;
             if (run.truth("prey").distanceTo(here) > 1) {
                 here = run.truth("prey");
-                way++;
+                distance++;
                 meter = 0;
             }
             assertThat(meter).as("steps near %s", here).isLessThan(600);
         }
-        assertThat(way).isGreaterThan(50);
+        assertThat(distance).isGreaterThan(50);
         assertThat(run.simulation.contacts()).isEmpty();
     }
 

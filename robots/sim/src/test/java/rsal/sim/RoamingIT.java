@@ -61,14 +61,14 @@ class RoamingIT {
         tenMinutes(model(model, laser, sonar), PioneerStack::wander, seed, 100);
     }
 
-    /// @param leastWay that it should make [m]
+    /// @param leastDistance that it should make [m]
     private static Walk tenMinutes(
-            RobotModel model, Function<RobotModel, Subsumption> stack, long seed, double leastWay) {
+            RobotModel model, Function<RobotModel, Subsumption> stack, long seed, double leastDistance) {
         var walk = new Walk(model, stack, seed);
         walk.tenMinutes();
         assertThat(walk.run.simulation.contacts()).isEmpty();
         assertThat(walk.longestRest).as("time in one place").isLessThan(Duration.ofSeconds(90));
-        assertThat(walk.way).as("way made [m]").isGreaterThan(leastWay);
+        assertThat(walk.distance).as("way made [m]").isGreaterThan(leastDistance);
         assertThat(walk.squareMeters).as("places visited").hasSizeGreaterThan(15);
         return walk;
     }
@@ -81,7 +81,7 @@ class RoamingIT {
     private static final class Walk {
         final SimRun run;
         final LinkedHashSet<String> squareMeters = new LinkedHashSet<>();
-        double way;
+        double distance;
         Duration longestRest = Duration.ZERO;
         int following;
 
@@ -112,7 +112,7 @@ class RoamingIT {
             for (int step = 0; step < STEPS; step++) {
                 run.scheduler.advance(STEP);
                 Pose2d now = truth();
-                way += last.distanceTo(now);
+                distance += last.distanceTo(now);
                 last = now;
                 squareMeters.add(Math.floor(now.x()) + ", " + Math.floor(now.y()));
                 if (now.distanceTo(anchor) > 0.5) {

@@ -20,14 +20,14 @@ class WheelSpeedsTest {
     @ValueSource(doubles = {0.01, 0.1, 0.2, 1})
     void theWayMadeWhileSpeedingUpDoesNotDependOnTheStep(double dt) {
         var wheels = new WheelSpeeds(Models.DRIVE);
-        double way = 0;
+        double distance = 0;
         double turned = 0;
         for (int i = 0; i < Math.round(4 / dt); i++) {
             wheels.spin(Twist2d.drive(0.7, 1), dt);
-            way += wheels.forward();
+            distance += wheels.forward();
             turned += wheels.turn();
         }
-        assertThat(way).isCloseTo(0.7 * 4 - 0.7 * 0.7 / 0.5 / 2, within(1e-9)); // v t − v²/2a
+        assertThat(distance).isCloseTo(0.7 * 4 - 0.7 * 0.7 / 0.5 / 2, within(1e-9)); // v t − v²/2a
         assertThat(turned).isCloseTo(1 * 4 - 1.0 / 3 / 2, within(1e-9));
     }
 

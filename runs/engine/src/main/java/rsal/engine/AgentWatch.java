@@ -62,7 +62,7 @@ final class AgentWatch {
 
     /// The thread of an agent at work, as platforms may have threads of their own.
     static Optional<Thread> busyThread(AgentTurns turns) {
-        return turns.underWay().keySet().stream().findFirst().flatMap(turns::thread);
+        return turns.inProgress().keySet().stream().findFirst().flatMap(turns::thread);
     }
 
     /// Where a thread is, beside what Java itself does there.

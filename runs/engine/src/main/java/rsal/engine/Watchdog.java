@@ -23,7 +23,7 @@ final class Watchdog {
     /// @return the agent that was seen in one turn too often; of several the first by name
     Optional<String> look() {
         var now = new HashMap<String, Watched>();
-        turns.underWay().forEach((agent, turn) -> {
+        turns.inProgress().forEach((agent, turn) -> {
             Watched before = seen.get(agent);
             now.put(agent, new Watched(turn, before != null && before.turn == turn ? before.looks + 1 : 1));
         });

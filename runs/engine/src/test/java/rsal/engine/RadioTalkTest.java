@@ -65,7 +65,7 @@ class RadioTalkTest {
     private static final double HIDDEN = 12; // m, somewhere behind the wall
 
     private final LockstepScheduler scheduler = new LockstepScheduler();
-    private final AgentPlatform society = new AgentPlatform(
+    private final AgentPlatform platform = new AgentPlatform(
             scheduler, new PlainHostProvider().create(Arguments.defaults(List.of()), scheduler), Optional.empty());
     private final Map<String, Point2d> places = new HashMap<>(); // of robots, which are called like their agents
     private final Map<LossReason, Integer> lost = new EnumMap<>(LossReason.class);
@@ -74,7 +74,7 @@ class RadioTalkTest {
         var limits =
                 new Communication(27, 5, 0.15, new Span(Duration.ZERO, Duration.ofMillis(300)), Optional.of(8.0), seed);
         var radio = new Radio(limits, YARD.grid(), agent -> agent, robot -> Optional.ofNullable(places.get(robot)));
-        society.deliverBy((message, listener) -> copies(radio, message, listener));
+        platform.deliverBy((message, listener) -> copies(radio, message, listener));
     }
 
     private List<Duration> copies(Radio radio, Message<?> message, String listener) {
@@ -88,7 +88,7 @@ class RadioTalkTest {
     private void start(String name, Point2d mapFromRobot, Agent agent) {
         places.put(name, mapFromRobot);
         var arguments = Arguments.defaults(List.of());
-        society.start(
+        platform.start(
                 new AgentSpec(name, "tested", new TestedType(agent), arguments, Optional.empty(), name.hashCode()));
     }
 

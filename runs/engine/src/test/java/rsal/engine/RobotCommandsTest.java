@@ -191,9 +191,9 @@ class RobotCommandsTest {
     void anOmnidirectionalRobotGoesSideways() {
         Pose2d start = pose(now(), "glider");
         Pose2d driven = pose(drive("glider", new Twist2d(0, 0.4, 0), 10), "glider");
-        Pose2d way = start.inverse().compose(driven);
-        assertThat(way.y()).isGreaterThan(0.2);
-        assertThat(Math.abs(way.x())).isLessThan(0.01);
+        Pose2d motion = start.inverse().compose(driven);
+        assertThat(motion.y()).isGreaterThan(0.2);
+        assertThat(Math.abs(motion.x())).isLessThan(0.01);
     }
 
     @Test
@@ -302,7 +302,7 @@ class RobotCommandsTest {
     void aRobotIsSentSomewhere(String id, String localizer) {
         assertThat(robot(now(), id).devices()).extracting(DeviceView::name).doesNotContain("localizer", "navigator");
         SentGoal sent = sent(run.operator().goTo(id, new Pose2d(0, 2, 0)));
-        assertThat(sent.isUnderWay()).isTrue();
+        assertThat(sent.isInProgress()).isTrue();
         assertThat(sent.robot()).isEqualTo(id);
         go();
         Snapshot going = await(s -> robot(s, id).goal().isPresent()

@@ -13,7 +13,7 @@ public interface Recordings {
     /// Nobody does.
     Recordings NONE = (_, _) -> new Recording() {
         @Override
-        public Optional<RunObserver> witness() {
+        public Optional<RunObserver> observer() {
             return Optional.empty();
         }
 
@@ -40,7 +40,7 @@ public interface Recordings {
     /// One run's.
     interface Recording extends AutoCloseable {
         /// Whom the run is to tell.
-        Optional<RunObserver> witness();
+        Optional<RunObserver> observer();
 
         /// To be called before [#close], for how it ended to be recorded.
         void ended(RunResult how);

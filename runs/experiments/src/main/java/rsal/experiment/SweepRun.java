@@ -37,7 +37,7 @@ public final class SweepRun implements AutoCloseable {
     private final Recordings recordings;
     private final Consumer<? super Row> listener;
     private final Queue<Trial> waiting = new ConcurrentLinkedQueue<>();
-    private final Set<LiveRun> underWay = ConcurrentHashMap.newKeySet();
+    private final Set<LiveRun> inProgress = ConcurrentHashMap.newKeySet();
     private final AtomicReference<@Nullable Throwable> failure = new AtomicReference<>();
     private volatile boolean closed;
 
@@ -72,7 +72,7 @@ public final class SweepRun implements AutoCloseable {
 
     /// How many runs are still to be done.
     public int left() {
-        return waiting.size() + underWay.size();
+        return waiting.size() + inProgress.size();
     }
 
     /// Does one of the runs again that have a row, the quickest. When it comes out otherwise, something has
@@ -181,9 +181,9 @@ public final class SweepRun implements AutoCloseable {
     private Row row(Trial trial, RunPlan plan, Recording recording) throws InterruptedException {
         Map<String, Object> arguments = sweep.arguments(trial.combination());
         RunBuilder builder = LiveRun.of(plan).helpers(Math.max(1, cores / jobs));
-        recording.witness().ifPresent(builder::observer);
+        recording.observer().ifPresent(builder::observer);
         try (LiveRun run = builder.start()) {
-            underWay.add(run);
+            inProgress.add(run);
             try {
                 if (closed) {
                     run.stop();
@@ -192,7 +192,7 @@ public final class SweepRun implements AutoCloseable {
                 recording.ended(result);
                 return Row.of(trial, plan.arguments(), result);
             } finally {
-                underWay.remove(run);
+                inProgress.remove(run);
             }
         } catch (ExecutionException e) {
             return Row.broken(trial, arguments, reason(e.getCause()));
@@ -214,6 +214,6 @@ public final class SweepRun implements AutoCloseable {
     public synchronized void close() {
         closed = true;
         waiting.clear();
-        underWay.forEach(LiveRun::stop);
+        inProgress.forEach(LiveRun::stop);
     }
 }

@@ -76,7 +76,7 @@ public final class Recorder implements AutoCloseable {
     }
 
     /// Whom the run is to tell.
-    public RunObserver witness() {
+    public RunObserver observer() {
         return backlog;
     }
 

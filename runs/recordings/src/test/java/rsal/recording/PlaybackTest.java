@@ -314,7 +314,7 @@ class PlaybackTest {
         RunPlan plan = Scenario.load(HUNT)
                 .plan(RunOptions.NONE.withSeed(7).withSpeed(50).withLimit(Duration.ofSeconds(30)));
         try (Recorder recorder = Recorded.begin(plan, file);
-                LiveRun run = LiveRun.of(plan).observer(recorder.witness()).start()) {
+                LiveRun run = LiveRun.of(plan).observer(recorder.observer()).start()) {
             run.when(now -> !now.robots().isEmpty()).toCompletableFuture().get(30, TimeUnit.SECONDS);
             var added =
                     run.operator().newRobot("pioneer2dx", new Pose2d(-8, -1, 0)).toCompletableFuture();
@@ -411,7 +411,7 @@ class PlaybackTest {
 
     private static Seen record(RunPlan plan, Path file) throws Exception {
         try (Recorder recorder = Recorded.begin(plan, file)) {
-            var seen = new Seen(recorder.witness());
+            var seen = new Seen(recorder.observer());
             seen.result = LiveRun.of(plan)
                     .observer(seen)
                     .start()

@@ -43,7 +43,7 @@ public final class Recorded {
             throws Exception {
         try (Recorder recorder = begin(reported, file)) {
             RunResult result = LiveRun.of(plan)
-                    .observer(seen.apply(recorder.witness()))
+                    .observer(seen.apply(recorder.observer()))
                     .start()
                     .result()
                     .toCompletableFuture()

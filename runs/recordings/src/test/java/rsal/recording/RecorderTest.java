@@ -99,7 +99,7 @@ class RecorderTest {
         Recorder recorder = Recorded.begin(plan, file);
         try (recorder) {
             LiveRun.of(plan)
-                    .observer(recorder.witness())
+                    .observer(recorder.observer())
                     .start()
                     .result()
                     .toCompletableFuture()
@@ -217,7 +217,7 @@ class RecorderTest {
             stuck.stick();
             Snapshot state = LiveRun.start(plan).snapshot();
             for (int i = 0; i < 100; i++) {
-                recorder.witness().sees(state, "" + i);
+                recorder.observer().sees(state, "" + i);
             }
             assertThat(recorder.dropped()).isBetween(80L, 100L);
             stuck.letGo();

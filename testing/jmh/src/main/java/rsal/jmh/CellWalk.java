@@ -19,17 +19,17 @@ public final class CellWalk {
         double perRow = map.resolution() / Math.abs(dy);
         double toColumn = (map.x(column) + stepColumn * map.resolution() / 2 - x) / dx;
         double toRow = (map.y(row) + stepRow * map.resolution() / 2 - y) / dy;
-        double way = 0;
-        while (way <= reach && map.contains(column, row)) {
+        double distance = 0;
+        while (distance <= reach && map.contains(column, row)) {
             if (map.cells()[row * map.width() + column] == OccupancyGrid.OCCUPIED) {
-                return way;
+                return distance;
             }
             if (toColumn < toRow) {
-                way = toColumn;
+                distance = toColumn;
                 toColumn += perColumn;
                 column += stepColumn;
             } else {
-                way = toRow;
+                distance = toRow;
                 toRow += perRow;
                 row += stepRow;
             }

@@ -47,10 +47,10 @@ class JadexHunterTest extends RobotBench {
 
     private String failureOf(AgentType type) {
         var host = new PlainHostProvider().create(Arguments.defaults(List.of()), run);
-        var society = new AgentPlatform(run, host, Optional.empty());
-        society.start(new AgentSpec("follow-1", "follow", type, ARGUMENTS, Optional.of(robot()), 1));
+        var platform = new AgentPlatform(run, host, Optional.empty());
+        platform.start(new AgentSpec("follow-1", "follow", type, ARGUMENTS, Optional.of(robot()), 1));
         advance(1);
-        AgentPlatform.View view = society.views().getFirst();
+        AgentPlatform.View view = platform.views().getFirst();
         assertThat(view.status()).isEqualTo(AgentPlatform.Status.FAILED);
         return view.state();
     }

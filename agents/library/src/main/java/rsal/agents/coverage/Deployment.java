@@ -222,8 +222,8 @@ final class Deployment {
 
         void ask(String agent, PoseReport report) {
             agentOf.put(report.robot(), agent);
-            boolean knowsWays = self.directory().capabilities(agent).contains(PathCostService.CAPABILITY);
-            if (!knowsWays) {
+            boolean knowsPaths = self.directory().capabilities(agent).contains(PathCostService.CAPABILITY);
+            if (!knowsPaths) {
                 costsByRobot.put(report.robot(), straight(report.mapFromBase().position()));
                 return;
             }

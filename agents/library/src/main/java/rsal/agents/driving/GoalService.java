@@ -25,8 +25,8 @@ public final class GoalService {
     private final Runnable before;
     private final Runnable after;
     private Subscription orders = () -> {};
-    private @Nullable Errand newest;
-    private int underWay;
+    private @Nullable GoalRequest newest;
+    private int inProgress;
     private boolean over;
 
     /// @param before lets go of the robot; called before each errand
@@ -67,10 +67,10 @@ public final class GoalService {
                 asked.fail(end.outcome());
             }
         });
-        Errand errand = run(asked.what(), waiting);
+        GoalRequest goal = run(asked.what(), waiting);
         asked.whenUnwanted(() -> {
-            errand.waiting.remove(waiting);
-            if (errand.waiting.isEmpty() && errand.equals(newest)) {
+            goal.waiting.remove(waiting);
+            if (goal.waiting.isEmpty() && goal.equals(newest)) {
                 driver.stop();
             }
         });
@@ -84,48 +84,48 @@ public final class GoalService {
     }
 
     public boolean busy() {
-        return underWay > 0;
+        return inProgress > 0;
     }
 
-    private Errand run(NewGoal order, Waiting waiting) {
+    private GoalRequest run(NewGoal order, Waiting waiting) {
         Pose2d mapFromGoal = order.mapFromGoal();
-        if (newest != null && isUnderWay(newest, mapFromGoal)) {
+        if (newest != null && isInProgress(newest, mapFromGoal)) {
             newest.waiting.add(waiting);
             return newest;
         }
-        var errand = new Errand(mapFromGoal);
-        errand.waiting.add(waiting);
-        underWay++;
-        newest = errand;
+        var goal = new GoalRequest(mapFromGoal);
+        goal.waiting.add(waiting);
+        inProgress++;
+        newest = goal;
         before.run();
         self.state("driving to " + AgentWords.place(mapFromGoal));
-        driver.goTo(mapFromGoal, Tolerance.DEFAULT, result -> ended(errand, result));
-        return errand;
+        driver.goTo(mapFromGoal, Tolerance.DEFAULT, result -> ended(goal, result));
+        return goal;
     }
 
-    private boolean isUnderWay(Errand errand, Pose2d mapFromGoal) {
+    private boolean isInProgress(GoalRequest goal, Pose2d mapFromGoal) {
         return busy()
-                && errand.mapFromGoal.equals(mapFromGoal)
+                && goal.mapFromGoal.equals(mapFromGoal)
                 && driver.mapFromGoal().filter(mapFromGoal::equals).isPresent();
     }
 
-    private void ended(Errand errand, Result result) {
-        underWay--;
-        var end = new GoalReached(robot, errand.mapFromGoal, AgentWords.ending(result), AgentWords.reason(result));
+    private void ended(GoalRequest goal, Result result) {
+        inProgress--;
+        var end = new GoalReached(robot, goal.mapFromGoal, AgentWords.ending(result), AgentWords.reason(result));
         self.publish(GoalReached.TOPIC, end);
-        List.copyOf(errand.waiting).forEach(waiting -> waiting.onEnd.accept(end));
+        List.copyOf(goal.waiting).forEach(waiting -> waiting.onEnd.accept(end));
         if (!busy() && !over) {
-            self.state("%s: %s".formatted(AgentWords.place(errand.mapFromGoal), end.outcome()));
+            self.state("%s: %s".formatted(AgentWords.place(goal.mapFromGoal), end.outcome()));
             after.run();
         }
     }
 
     /// A drive, and who waits for its end.
-    private static final class Errand {
+    private static final class GoalRequest {
         private final Pose2d mapFromGoal;
         private final List<Waiting> waiting = new ArrayList<>();
 
-        Errand(Pose2d mapFromGoal) {
+        GoalRequest(Pose2d mapFromGoal) {
             this.mapFromGoal = mapFromGoal;
         }
     }

@@ -15,7 +15,7 @@ import rsal.device.Navigator.Tolerance;
 public final class NavigationClient {
     private final AgentContext self;
     private final Navigator navigator;
-    private @Nullable Drive underWay;
+    private @Nullable Drive inProgress;
 
     public NavigationClient(AgentContext self, Navigator navigator) {
         this.self = self;
@@ -28,12 +28,12 @@ public final class NavigationClient {
     /// @param onEnd told on the agent's lane, also when a later drive takes over
     public void goTo(Pose2d mapFromGoal, Tolerance tolerance, Consumer<Result> onEnd) {
         var drive = new Drive(mapFromGoal, navigator.goTo(mapFromGoal, tolerance));
-        underWay = drive;
+        inProgress = drive;
         drive.handle
                 .result()
                 .thenAccept(result -> self.scheduler().execute(() -> {
-                    if (drive.equals(underWay)) {
-                        underWay = null;
+                    if (drive.equals(inProgress)) {
+                        inProgress = null;
                     }
                     onEnd.accept(result);
                 }));
@@ -50,12 +50,12 @@ public final class NavigationClient {
 
     /// Where it drives; empty when it does not.
     public Optional<Pose2d> mapFromGoal() {
-        return Optional.ofNullable(underWay).map(Drive::mapFromGoal);
+        return Optional.ofNullable(inProgress).map(Drive::mapFromGoal);
     }
 
     public void stop() {
-        Drive last = underWay;
-        underWay = null;
+        Drive last = inProgress;
+        inProgress = null;
         if (last != null) {
             last.handle.cancel();
         }

@@ -19,12 +19,12 @@ public final class PathCostService {
     public static final ServiceDescription CAPABILITY = ServiceDescription.of("way-costs");
 
     private final AgentContext self;
-    private final PlannedWays ways;
+    private final PlannedPaths plannedPaths;
     private final PoseReporter reporter;
 
-    private PathCostService(AgentContext self, PlannedWays ways, PoseReporter reporter) {
+    private PathCostService(AgentContext self, PlannedPaths plannedPaths, PoseReporter reporter) {
         this.self = self;
-        this.ways = ways;
+        this.plannedPaths = plannedPaths;
         this.reporter = reporter;
     }
 
@@ -37,7 +37,7 @@ public final class PathCostService {
     public static void begin(AgentContext self, Robot robot, PoseReporter reporter) {
         Optional<Planner> planner = robot.find(Planner.class);
         planner.ifPresent(_ -> {
-            var travel = new PathCostService(self, new PlannedWays(planner), reporter);
+            var travel = new PathCostService(self, new PlannedPaths(planner), reporter);
             service(self).answer(travel::answer);
             self.offer(CAPABILITY);
         });
@@ -49,7 +49,8 @@ public final class PathCostService {
             asked.refuse("I don't know where I am.");
             return;
         }
-        ways.costs(mapFromBase.get(), asked.what().mapFromPlaces())
+        plannedPaths
+                .costs(mapFromBase.get(), asked.what().mapFromPlaces())
                 .thenAccept(costs -> self.scheduler().execute(() -> asked.inform(new Costs(costs))));
     }
 

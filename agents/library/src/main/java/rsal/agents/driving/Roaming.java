@@ -17,7 +17,7 @@ public final class Roaming {
     private final String state;
     private final Function<RobotModel, Subsumption> behavior;
     private final Pilot pilot;
-    private final Optional<GoalService> errands;
+    private final Optional<GoalService> goals;
 
     public static Roaming alongWalls(AgentContext self, Robot robot) {
         return new Roaming(self, robot, "following the wall", PioneerStack::followLeftWall);
@@ -33,20 +33,20 @@ public final class Roaming {
         this.state = state;
         this.behavior = behavior;
         this.pilot = robot.require(Pilot.class);
-        this.errands = robot.find(Navigator.class)
+        this.goals = robot.find(Navigator.class)
                 .map(navigator -> new NavigationClient(self, navigator))
                 .map(driver -> new GoalService(self, robot.id(), driver, pilot::release, this::roam));
         self.atEnd(pilot::release);
     }
 
     public void begin() {
-        errands.ifPresent(GoalService::begin);
+        goals.ifPresent(GoalService::begin);
         roam();
     }
 
     /// Whether it drives where it was told.
     public boolean isOnErrand() {
-        return errands.filter(GoalService::busy).isPresent();
+        return goals.filter(GoalService::busy).isPresent();
     }
 
     /// Lets go of the robot until it is to go on.
@@ -60,7 +60,7 @@ public final class Roaming {
 
     /// Lets go of the robot for good.
     public void end() {
-        errands.ifPresent(GoalService::end);
+        goals.ifPresent(GoalService::end);
         pilot.release();
     }
 

@@ -59,7 +59,7 @@ public final class Charting implements Skill<Chart> {
     }
 
     /// What ways cost: to where the map ends, as the mapper told last, without planning each; else by others.
-    public PathCostEstimator ways(PathCostEstimator others) {
+    public PathCostEstimator pathCosts(PathCostEstimator others) {
         return (mapFromStart, mapFromGoal) -> mapper.ends().stream()
                 .filter(end -> end.mapFromStand().equals(mapFromGoal))
                 .findFirst()

@@ -11,7 +11,7 @@ import java.util.function.DoubleSupplier;
 import java.util.function.Supplier;
 import rsal.agent.AgentContext;
 import rsal.agents.driving.NavigationClient;
-import rsal.agents.driving.PlannedWays;
+import rsal.agents.driving.PlannedPaths;
 import rsal.agents.parts.AgentWords;
 import rsal.behavior.LimitTurnRate;
 import rsal.behavior.Pilot;
@@ -56,7 +56,7 @@ public final class Viewpoints {
     private final NavigationClient driver;
     private final Pilot pilot;
     private final PlaceFinder finder;
-    private final PlannedWays ways;
+    private final PlannedPaths plannedPaths;
     private final List<Point2d> left = new ArrayList<>(); // to be looked from in this round
     private final Map<String, Point2d> others = new HashMap<>(); // where they are about to look, by robot
     private List<Point2d> places = List.of(); // of this round
@@ -85,7 +85,7 @@ public final class Viewpoints {
         this.driver = driver;
         this.pilot = robot.require(Pilot.class);
         this.finder = robot.require(PlaceFinder.class);
-        this.ways = new PlannedWays(robot.find(Planner.class));
+        this.plannedPaths = new PlannedPaths(robot.find(Planner.class));
         self.atEnd(pilot::release);
     }
 
@@ -187,7 +187,8 @@ public final class Viewpoints {
 
     private void chooseOf(List<Point2d> candidates, Pose2d mapFromBase) {
         int now = pauses;
-        ways.costs(mapFromBase, AgentWords.poses(candidates))
+        plannedPaths
+                .costs(mapFromBase, AgentWords.poses(candidates))
                 .thenAccept(costs -> self.scheduler().execute(() -> {
                     if (now == pauses) {
                         go(candidates.get(costs.indexOf(Collections.min(costs))));

@@ -11,7 +11,7 @@ import rsal.agent.team.Work;
 import rsal.agent.team.Worker;
 import rsal.agents.charging.Recharging;
 import rsal.agents.driving.NavigationClient;
-import rsal.agents.driving.PlannedWays;
+import rsal.agents.driving.PlannedPaths;
 import rsal.agents.parts.AgentWords;
 import rsal.agents.parts.PoseReporter;
 import rsal.data.Point2d;
@@ -45,7 +45,7 @@ final class Collecting implements Skill<Fetch> {
     private final List<Point2d> given;
     private final double depotRadius;
     private final Depots depots;
-    private @Nullable FetchTask haul;
+    private @Nullable FetchTask task;
 
     Collecting(AgentContext self, Robot robot, PoseReporter reporter, Arguments arguments) {
         this.self = self;
@@ -53,14 +53,14 @@ final class Collecting implements Skill<Fetch> {
         this.reporter = reporter;
         this.driver = new NavigationClient(self, robot.require(Navigator.class));
         this.worker =
-                new Worker(self, new PlannedWays(robot.find(Planner.class), NEAR), reporter::mapFromBase, _ -> {});
+                new Worker(self, new PlannedPaths(robot.find(Planner.class), NEAR), reporter::mapFromBase, _ -> {});
         this.recharging = new Recharging(
                 self,
                 robot,
                 driver,
                 reporter::mapFromBase,
                 arguments,
-                () -> haul == null,
+                () -> task == null,
                 () -> worker.unfit("charging"),
                 this::beFit);
         double range = arguments.get(Recharging.RANGE);
@@ -110,7 +110,7 @@ final class Collecting implements Skill<Fetch> {
     public Optional<TaskRoute> course(Fetch job) {
         Pose2d mapFromDepot = AgentWords.pose(depotFor(job));
         return Optional.of(new TaskRoute(
-                haul != null && haul.isBringing()
+                task != null && task.isBringing()
                         ? mapFromDepot
                         : AgentWords.pose(job.goal().mapFromThing()),
                 mapFromDepot,
@@ -132,21 +132,21 @@ final class Collecting implements Skill<Fetch> {
                 job.goal(),
                 mapFromDepot,
                 why -> self.scheduler().execute(() -> ended(job, mapFromDepot, work, why)));
-        haul = begun;
+        task = begun;
         work.onEnd(() -> drop(begun));
         begun.begin();
     }
 
     /// What it holds it brings all the same, and does nothing else meanwhile.
     private void drop(FetchTask dropped) {
-        if (haul == dropped) {
+        if (task == dropped) {
             worker.unfit("bringing what nobody asks for any more");
             dropped.drop();
         }
     }
 
     private void ended(Fetch job, Point2d mapFromDepot, Work work, Optional<String> why) {
-        haul = null;
+        task = null;
         if (why.isEmpty()) {
             self.publish(Collected.TOPIC, new Collected(robot.id(), job.goal(), mapFromDepot));
             self.state("has collected " + job.goal());

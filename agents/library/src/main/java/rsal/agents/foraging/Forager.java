@@ -49,7 +49,7 @@ final class Forager {
     private final Depots depots;
     private final List<CollectGoal> finds = new ArrayList<>();
     private final List<Barred> barred = new ArrayList<>();
-    private @Nullable FetchTask haul;
+    private @Nullable FetchTask task;
     private boolean dropped; // for something more urgent
 
     /// What it could not fetch.
@@ -87,8 +87,8 @@ final class Forager {
         lookouts.begin();
         charging.goal(mind).priority(() -> CHARGE);
         mind.goal("bring things")
-                .priority(() -> haul == null || haul.canBeDropped() ? BRING : HOLD)
-                .when(() -> haul != null || nearest().isPresent())
+                .priority(() -> task == null || task.canBeDropped() ? BRING : HOLD)
+                .when(() -> task != null || nearest().isPresent())
                 .pause(Duration.ZERO)
                 .plan("fetch the nearest", this::fetch);
         mind.goal("find things").priority(() -> LOOK).plan("look around", this::lookAround);
@@ -116,7 +116,7 @@ final class Forager {
         boolean isNone = finds.stream().anyMatch(thing::isSame)
                 || barred.stream().anyMatch(bar -> bar.thing.isSame(thing))
                 || depots.hold(there);
-        boolean inHand = haul != null && distance(there) < IN_FRONT;
+        boolean inHand = task != null && distance(there) < IN_FRONT;
         if (!isNone && !inHand) {
             finds.add(thing);
             publish();
@@ -150,7 +150,7 @@ final class Forager {
                 thing,
                 mapFromDepot,
                 why -> self.scheduler().execute(() -> ended(doing, thing, mapFromDepot, why)));
-        haul = begun;
+        task = begun;
         doing.onSuspend(() -> drop(begun));
         begun.begin();
     }
@@ -162,7 +162,7 @@ final class Forager {
     }
 
     private void ended(PlanContext doing, CollectGoal thing, Point2d mapFromDepot, Optional<String> why) {
-        haul = null;
+        task = null;
         if (dropped) {
             doing.fail("There was something more urgent.");
             return;

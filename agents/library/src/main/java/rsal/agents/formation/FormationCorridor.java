@@ -10,10 +10,10 @@ import rsal.data.Pose2d;
 /// The way of a formation: where its frame is after each bit of the way, how far beside it the formation goes there so
 /// that it has room, and whether it has. Where it has none it is a column on the way itself.
 ///
-/// @param mapFromWay every [#STEP] from the way's beginning, looking where it leads about there
+/// @param mapFromPath every [#STEP] from the way's beginning, looking where it leads about there
 /// @param asides to the left [m], in the same order
 /// @param fits the same
-record FormationCorridor(List<Pose2d> mapFromWay, List<Double> asides, List<Boolean> fits) {
+record FormationCorridor(List<Pose2d> mapFromPath, List<Double> asides, List<Boolean> fits) {
     static final double STEP = 0.5; // m
 
     private static final double AHEAD = 2; // m that must fit before it narrows; twice that before it widens
@@ -22,7 +22,7 @@ record FormationCorridor(List<Pose2d> mapFromWay, List<Double> asides, List<Bool
     private static final double NONE = 1e6; // dearer than all that is possible
 
     FormationCorridor {
-        mapFromWay = List.copyOf(mapFromWay);
+        mapFromPath = List.copyOf(mapFromPath);
         asides = List.copyOf(asides);
         fits = List.copyOf(fits);
     }
@@ -35,7 +35,7 @@ record FormationCorridor(List<Pose2d> mapFromWay, List<Double> asides, List<Bool
     /// Keeps as near to the way as there is room, without swerving.
     ///
     /// @param hasRoom for each pose of the way, whether there is room in each of its lanes
-    static FormationCorridor of(List<Pose2d> mapFromWay, boolean[][] hasRoom) {
+    static FormationCorridor of(List<Pose2d> mapFromPath, boolean[][] hasRoom) {
         int[] lanes = lanes(hasRoom);
         var asides = new ArrayList<Double>();
         var room = new ArrayList<Boolean>();
@@ -43,7 +43,7 @@ record FormationCorridor(List<Pose2d> mapFromWay, List<Double> asides, List<Bool
             asides.add(aside(lanes[i], hasRoom[i].length));
             room.add(hasRoom[i][lanes[i]]);
         }
-        return new FormationCorridor(mapFromWay, asides, lasting(room));
+        return new FormationCorridor(mapFromPath, asides, lasting(room));
     }
 
     /// The lanes in which most of the way has room and which are least aside, by dynamic programming (R. Bellman,
@@ -136,7 +136,7 @@ record FormationCorridor(List<Pose2d> mapFromWay, List<Double> asides, List<Bool
 
     /// [m]
     double length() {
-        return (mapFromWay.size() - 1) * STEP;
+        return (mapFromPath.size() - 1) * STEP;
     }
 
     /// A place on the way.
@@ -144,13 +144,13 @@ record FormationCorridor(List<Pose2d> mapFromWay, List<Double> asides, List<Bool
     /// @param at since the beginning [m]; before it the way goes straight on
     Pose2d onWay(double at) {
         if (at <= 0) {
-            return mapFromWay.getFirst().compose(new Pose2d(at, 0, 0));
+            return mapFromPath.getFirst().compose(new Pose2d(at, 0, 0));
         }
         int before = (int) (at / STEP);
-        if (before >= mapFromWay.size() - 1) {
-            return mapFromWay.getLast();
+        if (before >= mapFromPath.size() - 1) {
+            return mapFromPath.getLast();
         }
-        return mapFromWay.get(before).towards(mapFromWay.get(before + 1), at / STEP - before);
+        return mapFromPath.get(before).towards(mapFromPath.get(before + 1), at / STEP - before);
     }
 
     /// Where the formation's frame is, beside the way.

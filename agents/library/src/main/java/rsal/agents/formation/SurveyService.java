@@ -91,16 +91,16 @@ final class SurveyService {
     }
 
     private CompletionStage<FormationCorridor> lane(List<Point2d> points, Wanted wanted) {
-        List<Pose2d> mapFromWay = FormationCorridor.along(points, wanted.reach());
-        var hasRoom = new boolean[mapFromWay.size()][1 + 2 * (int) Math.ceil(wanted.aside() / FormationCorridor.STEP)];
+        List<Pose2d> mapFromPath = FormationCorridor.along(points, wanted.reach());
+        var hasRoom = new boolean[mapFromPath.size()][1 + 2 * (int) Math.ceil(wanted.aside() / FormationCorridor.STEP)];
         for (boolean[] lanes : hasRoom) {
             Arrays.fill(lanes, true);
         }
         CompletionStage<Void> looked = CompletableFuture.completedFuture(null);
         for (Point2d offset : farthestFirst(wanted.offsets())) {
-            looked = looked.thenCompose(_ -> look(mapFromWay, offset, hasRoom));
+            looked = looked.thenCompose(_ -> look(mapFromPath, offset, hasRoom));
         }
-        return looked.thenApply(_ -> FormationCorridor.of(mapFromWay, hasRoom));
+        return looked.thenApply(_ -> FormationCorridor.of(mapFromPath, hasRoom));
     }
 
     /// They have room least often, and where one has none the others need not be looked at.
@@ -112,11 +112,11 @@ final class SurveyService {
     }
 
     /// Notes where one place of the formation is not free.
-    private CompletionStage<Void> look(List<Pose2d> mapFromWay, Point2d offset, boolean[][] hasRoom) {
+    private CompletionStage<Void> look(List<Pose2d> mapFromPath, Point2d offset, boolean[][] hasRoom) {
         var looking = new ArrayList<CompletableFuture<?>>();
         for (int i = 0; i < hasRoom.length; i++) {
             boolean[] lanes = hasRoom[i];
-            Pose2d from = mapFromWay.get(i);
+            Pose2d from = mapFromPath.get(i);
             for (int number = 0; number < lanes.length; number++) {
                 if (!lanes[number]) {
                     continue;

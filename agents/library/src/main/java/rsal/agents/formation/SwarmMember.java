@@ -59,9 +59,9 @@ public final class SwarmMember extends AgentTypeBase {
             roaming.begin();
             new FormationFollower(self, robot.id(), driver, roaming::isOnErrand, roaming::pause, roaming::goOn).begin();
         } else {
-            var errands = new GoalService(self, robot.id(), driver, () -> {}, () -> {});
-            errands.begin();
-            new FormationFollower(self, robot.id(), driver, errands::busy, () -> {}, () -> self.state(WAITING)).begin();
+            var goals = new GoalService(self, robot.id(), driver, () -> {}, () -> {});
+            goals.begin();
+            new FormationFollower(self, robot.id(), driver, goals::busy, () -> {}, () -> self.state(WAITING)).begin();
             self.state(WAITING);
         }
         reporter.begin();

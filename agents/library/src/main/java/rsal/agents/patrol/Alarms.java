@@ -28,7 +28,7 @@ final class Alarms {
     private final Team team;
     private final int responders;
     private final Intruders intruders = new Intruders();
-    private final Map<Track, List<String>> underWay = new HashMap<>(); // names of jobs
+    private final Map<Track, List<String>> inProgress = new HashMap<>(); // names of jobs
     private final List<Point2d> mapFromMet = new ArrayList<>();
     private int alarms;
 
@@ -50,7 +50,7 @@ final class Alarms {
             return;
         }
         Track track = intruders.note(seen, self.scheduler().instant());
-        if (!underWay.containsKey(track)) {
+        if (!inProgress.containsKey(track)) {
             raise(track);
         }
     }
@@ -63,13 +63,13 @@ final class Alarms {
             jobs.add(job.name());
             team.add(job, () -> URGENCY);
         }
-        underWay.put(track, jobs);
+        inProgress.put(track, jobs);
         team.reallot();
     }
 
     /// A job has been done.
     void done(Meet job) {
-        underWay.entrySet().stream()
+        inProgress.entrySet().stream()
                 .filter(alarm -> alarm.getValue().contains(job.name()))
                 .map(Map.Entry::getKey)
                 .findFirst()
@@ -80,18 +80,18 @@ final class Alarms {
     }
 
     private void letGo() {
-        List<Track> lost = underWay.keySet().stream()
+        List<Track> lost = inProgress.keySet().stream()
                 .filter(track -> track.age(self.scheduler().instant()) > LOST)
                 .toList();
         lost.forEach(this::end);
     }
 
     private void end(Track track) {
-        Optional.ofNullable(underWay.remove(track)).ifPresent(jobs -> jobs.forEach(team::withdraw));
+        Optional.ofNullable(inProgress.remove(track)).ifPresent(jobs -> jobs.forEach(team::withdraw));
     }
 
     /// In words for people; empty when all is quiet.
     Optional<String> view() {
-        return underWay.isEmpty() ? Optional.empty() : Optional.of("alarm %d".formatted(alarms));
+        return inProgress.isEmpty() ? Optional.empty() : Optional.of("alarm %d".formatted(alarms));
     }
 }

@@ -92,11 +92,11 @@ final class Chasing implements Skill<Catch> {
         } else if (evasion.isEmpty() || hunters.isEmpty()) {
             go(prey);
         } else {
-            evasion.get().flee(prey, hunters, way -> {
-                if (way.isEmpty()) {
+            evasion.get().flee(prey, hunters, path -> {
+                if (path.isEmpty()) {
                     goOn(work, prey);
                 } else {
-                    evasion.get().intercept(here.get(), way.get(), place -> goOn(work, place.orElse(prey)));
+                    evasion.get().intercept(here.get(), path.get(), place -> goOn(work, place.orElse(prey)));
                 }
             });
         }

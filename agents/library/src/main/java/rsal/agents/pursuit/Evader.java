@@ -181,16 +181,16 @@ final class Evader {
         if (here.isEmpty() || !running) {
             return;
         }
-        evasion.flee(here.get(), hunters().values(), way -> {
+        evasion.flee(here.get(), hunters().values(), path -> {
             if (!running) {
                 return;
             }
-            way.ifPresentOrElse(this::run, () -> pilot.engage(PioneerStack.followLeftWall(robot.model())));
+            path.ifPresentOrElse(this::run, () -> pilot.engage(PioneerStack.followLeftWall(robot.model())));
         });
     }
 
-    private void run(Path2d way) {
-        Pose2d mapFromRefuge = AgentWords.pose(way.points().getLast());
+    private void run(Path2d path) {
+        Pose2d mapFromRefuge = AgentWords.pose(path.points().getLast());
         if (!driver.isOnItsWayTo(mapFromRefuge, SAME)) {
             pilot.release();
             driver.goTo(mapFromRefuge, Tolerance.position(SAME), _ -> {});

@@ -10,7 +10,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import rsal.agent.AgentContext;
-import rsal.agents.driving.PlannedWays;
+import rsal.agents.driving.PlannedPaths;
 import rsal.agents.parts.AgentWords;
 import rsal.data.Path2d;
 import rsal.data.Point2d;
@@ -34,7 +34,7 @@ final class Evasion {
 
     private final AgentContext self;
     private final Planner planner;
-    private final PlannedWays ways;
+    private final PlannedPaths plannedPaths;
     private final Optional<PlaceFinder> finder;
     private List<Pose2d> mapFromRefuges = List.of();
     private boolean looking;
@@ -42,7 +42,7 @@ final class Evasion {
     Evasion(AgentContext self, Robot robot) {
         this.self = self;
         this.planner = robot.require(Planner.class);
-        this.ways = new PlannedWays(Optional.of(planner), Double.POSITIVE_INFINITY);
+        this.plannedPaths = new PlannedPaths(Optional.of(planner), Double.POSITIVE_INFINITY);
         this.finder = robot.find(PlaceFinder.class);
     }
 
@@ -154,7 +154,8 @@ final class Evasion {
 
     /// @param reported on the agent's lane: what the ways cost [m]; +∞ where that is not known
     private void costs(Pose2d mapFromStart, List<Pose2d> mapFromGoals, Consumer<List<Double>> reported) {
-        ways.costs(mapFromStart, mapFromGoals)
+        plannedPaths
+                .costs(mapFromStart, mapFromGoals)
                 .thenAccept(costs -> self.scheduler().execute(() -> reported.accept(costs)));
     }
 

@@ -41,7 +41,7 @@ final class Hunt {
     private final Robot robot;
     private final PoseReporter reporter;
     private final NavigationClient driver;
-    private final GoalService errands;
+    private final GoalService goals;
     private final TargetTracks sightings;
     private final PreySearch search;
     private final String preyName;
@@ -61,7 +61,7 @@ final class Hunt {
         this.reporter = new PoseReporter(self, robot, arguments, this::note);
         this.driver = new NavigationClient(self, robot.require(Navigator.class));
         this.search = new PreySearch(self, robot, driver, reporter::mapFromBase, arguments, this::note);
-        this.errands = new GoalService(self, robot.id(), driver, search::pause, this::decide);
+        this.goals = new GoalService(self, robot.id(), driver, search::pause, this::decide);
         this.sightings = new TargetTracks(self.blackboard());
         this.preyName = arguments.get(Follow.PREY);
         this.catchDistance = arguments.get(Follow.CATCH_DISTANCE);
@@ -80,7 +80,7 @@ final class Hunt {
         self.subscribe(Caught.TOPIC, message -> giveUp(message.content().prey()));
         self.directory().onDeparture(went -> forget(went.agent().robot()));
         self.scheduler().every(updateInterval, this::decide);
-        errands.begin();
+        goals.begin();
         reporter.begin();
         self.publish(PoseRequest.TOPIC, new PoseRequest(NewGoal.ALL)); // some may have been there for long
         self.state("looking for prey");
@@ -117,7 +117,7 @@ final class Hunt {
 
     /// Chooses a prey and goes where it was last seen.
     private void decide() {
-        if (errands.busy()) {
+        if (goals.busy()) {
             return;
         }
         SortedMap<String, Pose2d> prey = sightings.of(report -> isPrey(report) && !caught.contains(report.robot()));
@@ -185,7 +185,7 @@ final class Hunt {
     }
 
     private void stopWhenNear() {
-        if (target != null && !errands.busy()) {
+        if (target != null && !goals.busy()) {
             String prey = target;
             sightings.of(prey).filter(this::isNear).ifPresent(_ -> holdAtBay(prey));
         }

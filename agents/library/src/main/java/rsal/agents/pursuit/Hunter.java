@@ -10,7 +10,7 @@ import rsal.agent.team.Job;
 import rsal.agent.team.Worker;
 import rsal.agents.driving.GoalService;
 import rsal.agents.driving.NavigationClient;
-import rsal.agents.driving.PlannedWays;
+import rsal.agents.driving.PlannedPaths;
 import rsal.agents.parts.PoseReporter;
 import rsal.agents.parts.TargetTracks;
 import rsal.device.Navigator;
@@ -29,7 +29,7 @@ final class Hunter {
     private final TargetTracks sightings;
     private final Worker worker;
     private final Chasing chasing;
-    private final GoalService errands;
+    private final GoalService goals;
     private final PreySearch search;
     private int looks; // only the newest counts
 
@@ -47,15 +47,15 @@ final class Hunter {
                 arguments.get(Follow.CATCH_DISTANCE),
                 arguments.seconds(Follow.UPDATE_INTERVAL));
         this.worker = new Worker(
-                self, new PlannedWays(robot.find(Planner.class), NEAR), reporter::mapFromBase, this::changed);
+                self, new PlannedPaths(robot.find(Planner.class), NEAR), reporter::mapFromBase, this::changed);
         this.worker.learn(Catch.class, chasing);
-        this.errands = new GoalService(self, robot.id(), driver, this::leave, this::comeBack);
+        this.goals = new GoalService(self, robot.id(), driver, this::leave, this::comeBack);
         this.search = new PreySearch(self, robot, driver, reporter::mapFromBase, arguments, this::learn);
     }
 
     void begin() {
         search.begin();
-        errands.begin();
+        goals.begin();
         reporter.begin();
         worker.begin();
         self.publish(PoseRequest.TOPIC, new PoseRequest(NewGoal.ALL)); // some may have been there for long
@@ -82,7 +82,7 @@ final class Hunter {
         if (search.roams()) {
             int now = ++looks;
             self.scheduler().after(MOMENT, () -> {
-                if (now == looks && worker.job().isEmpty() && !errands.busy()) {
+                if (now == looks && worker.job().isEmpty() && !goals.busy()) {
                     search.goOn();
                 }
             });

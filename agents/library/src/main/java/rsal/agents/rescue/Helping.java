@@ -120,9 +120,9 @@ final class Helping implements Skill<Help> {
         /// Drives on, unless it does already.
         private void approach() {
             Point2d mapFromVictim = mapFromVictim(job);
-            boolean underWay = goal != null && goal.distanceTo(mapFromVictim) < MOVED;
+            boolean inProgress = goal != null && goal.distanceTo(mapFromVictim) < MOVED;
             Optional<Pose2d> here = mapFromBase.get();
-            if (underWay || here.isEmpty()) {
+            if (inProgress || here.isEmpty()) {
                 return;
             }
             if (goal == null && ++tries > TRIES) {

@@ -8,7 +8,7 @@ import rsal.agent.AgentContext;
 import rsal.agent.team.Worker;
 import rsal.agents.driving.GoalService;
 import rsal.agents.driving.NavigationClient;
-import rsal.agents.driving.PlannedWays;
+import rsal.agents.driving.PlannedPaths;
 import rsal.agents.exploration.Exploring;
 import rsal.agents.parts.AgentTypeBase;
 import rsal.agents.parts.PoseReporter;
@@ -83,10 +83,10 @@ public abstract class Rescuer extends AgentTypeBase {
 
         @Override
         BooleanSupplier work(Parts parts, Arguments arguments) {
-            var errands = new GoalService(
+            var goals = new GoalService(
                     parts.self, parts.robot.id(), parts.driver, parts.exploring::pause, parts.exploring::goOn);
-            errands.begin();
-            return () -> !errands.busy();
+            goals.begin();
+            return () -> !goals.busy();
         }
     }
 
@@ -117,14 +117,14 @@ public abstract class Rescuer extends AgentTypeBase {
             Exploring exploring = parts.exploring;
             double reach = arguments.get(REACH);
             Duration stay = arguments.seconds(STAY_TIME);
-            var ways = new PlannedWays(parts.robot.find(Planner.class), Helping.near(reach));
-            var worker = new Worker(self, ways, parts.reporter::mapFromBase, now -> {
+            var wavefront = new PlannedPaths(parts.robot.find(Planner.class), Helping.near(reach));
+            var worker = new Worker(self, wavefront, parts.reporter::mapFromBase, now -> {
                 if (now.job().isEmpty()) {
                     exploring.say();
                 }
             });
             worker.learn(Help.class, new Helping(parts, reach, stay));
-            var errands = new GoalService(
+            var goals = new GoalService(
                     self,
                     parts.robot.id(),
                     driver,
@@ -136,9 +136,9 @@ public abstract class Rescuer extends AgentTypeBase {
                         exploring.goOn();
                         worker.fit();
                     });
-            errands.begin();
+            goals.begin();
             worker.begin();
-            return () -> worker.job().isEmpty() && !errands.busy();
+            return () -> worker.job().isEmpty() && !goals.busy();
         }
     }
 }

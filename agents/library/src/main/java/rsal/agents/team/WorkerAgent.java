@@ -10,7 +10,7 @@ import rsal.agents.driving.GoalService;
 import rsal.agents.driving.NavigationClient;
 import rsal.agents.driving.PathCostService;
 import rsal.agents.driving.PlaceSearch;
-import rsal.agents.driving.PlannedWays;
+import rsal.agents.driving.PlannedPaths;
 import rsal.agents.exploration.Chart;
 import rsal.agents.exploration.Charting;
 import rsal.agents.foraging.Spotting;
@@ -60,9 +60,10 @@ public final class WorkerAgent extends AgentTypeBase {
         var reporter = new PoseReporter(self, robot, arguments, _ -> {});
         Optional<Charting> charting =
                 robot.find(Mapper.class).map(mapper -> new Charting(self, robot.id(), driver, mapper));
-        PathCostEstimator planned = new PlannedWays(robot.find(Planner.class), NEAR);
-        PathCostEstimator ways = charting.map(skill -> skill.ways(planned)).orElse(planned);
-        var worker = new Worker(self, ways, reporter::mapFromBase, now -> {
+        PathCostEstimator planned = new PlannedPaths(robot.find(Planner.class), NEAR);
+        PathCostEstimator pathCosts =
+                charting.map(skill -> skill.pathCosts(planned)).orElse(planned);
+        var worker = new Worker(self, pathCosts, reporter::mapFromBase, now -> {
             if (now.job().isEmpty()) {
                 self.state("waiting for a job");
             }
@@ -83,7 +84,7 @@ public final class WorkerAgent extends AgentTypeBase {
                 () -> true,
                 () -> worker.unfit("charging"),
                 worker::fit);
-        var errands = new GoalService(self, robot.id(), driver, () -> worker.unfit("on an errand"), () -> {
+        var goals = new GoalService(self, robot.id(), driver, () -> worker.unfit("on an errand"), () -> {
             if (recharging.isCharging()) {
                 worker.unfit("charging");
             } else {
@@ -91,7 +92,7 @@ public final class WorkerAgent extends AgentTypeBase {
             }
         });
         recharging.begin();
-        errands.begin();
+        goals.begin();
         reporter.begin();
         PathCostService.begin(self, robot, reporter);
         PlaceSearch.begin(self, robot, reporter);

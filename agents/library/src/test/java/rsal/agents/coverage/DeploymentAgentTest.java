@@ -106,7 +106,7 @@ class DeploymentAgentTest {
         robot("b", 10, 0);
         dispersion("0 1; 10 1");
         scene.advance(4);
-        scene.society.deliverBy((message, listener) ->
+        scene.platform.deliverBy((message, listener) ->
                 message.sender().equals("b") || listener.equals("b") ? List.of() : List.of(Duration.ZERO));
         scene.advance(2);
         robot("c", 20, 0);
@@ -155,7 +155,7 @@ class DeploymentAgentTest {
         FakeRobot b = finder("b", 10);
         b.places.result = found(new Point2d(9, 0), new Point2d(1, 0));
         dispersion("");
-        scene.society.deliverBy(
+        scene.platform.deliverBy(
                 (message, _) -> // its poses are heard, so that it counts as there
                 message.sender().equals("a") && message.content() instanceof Act ? List.of() : List.of(Duration.ZERO));
         scene.advance(10);

@@ -29,7 +29,7 @@ class DispatchTest {
 
     /// Nobody hears a robot's agent, and it hears nobody, from now on.
     private void silence(String agent) {
-        scene.society.deliverBy((message, listener) ->
+        scene.platform.deliverBy((message, listener) ->
                 message.sender().equals(agent) || listener.equals(agent) ? List.of() : List.of(Duration.ZERO));
     }
 
@@ -49,7 +49,7 @@ class DispatchTest {
 
     @Test
     void aRobotThatDidNotHearWherePeopleSentItGoesThereAllTheSame() {
-        scene.society.deliverBy((message, listener) ->
+        scene.platform.deliverBy((message, listener) ->
                 message.content() instanceof NewGoal && listener.equals("r1") ? List.of() : List.of(Duration.ZERO));
         scene.order("r1", 3, -1);
         scene.advance(1);
@@ -86,7 +86,7 @@ class DispatchTest {
         scene.order("r1", 3, -1);
         scene.advance(2);
         assertThat(r1.navigator.driving()).isTrue();
-        scene.society.stop("r1");
+        scene.platform.stop("r1");
         scene.advance(8);
         assertThat(scene.said("dispatch", GoalReached.TOPIC))
                 .singleElement()

@@ -64,7 +64,7 @@ class NavigationAgentTest {
         scene.start("nav", r1, Map.of());
         scene.hear("operator", Hello.TOPIC, new Hello("", Kind.PING, ""));
         scene.hear("operator", Hello.TOPIC, new Hello("", Kind.HELLO, ""));
-        scene.society.stop("r1");
+        scene.platform.stop("r1");
         assertThat(scene.said("r1", Hello.TOPIC))
                 .containsExactly(
                         new Hello("r1", Kind.HELLO, ""),
@@ -76,7 +76,7 @@ class NavigationAgentTest {
     void stopsDrivingWhenItIsStopped() {
         scene.start("nav", r1, Map.of());
         scene.order("r1", 3, -1);
-        scene.society.stop("r1");
+        scene.platform.stop("r1");
         assertThat(r1.navigator.driving()).isFalse();
     }
 

@@ -41,11 +41,11 @@ class NavigationClientTest {
     @Test
     void agentThatThrowsWhenItsDriveEndsIsEnded() {
         var none = Arguments.defaults(List.of());
-        scene.society.start(new AgentSpec("bob", "tested", new Careless(r1), none, Optional.of(r1.robot), 1));
+        scene.platform.start(new AgentSpec("bob", "tested", new Careless(r1), none, Optional.of(r1.robot), 1));
         scene.advance(0);
         r1.navigator.reach();
         scene.advance(0);
-        assertThat(scene.society.views())
+        assertThat(scene.platform.views())
                 .singleElement()
                 .satisfies(bob -> assertThat(bob.status()).isEqualTo(AgentPlatform.Status.FAILED))
                 .satisfies(bob -> assertThat(bob.state()).isEqualTo("a slip of bob's"));

@@ -68,7 +68,7 @@ class WallFollowTest {
     @Test
     void letsGoOfTheRobotWhenItIsStopped() {
         scene.start("wall-follow", r1, Map.of());
-        scene.society.stop("r1");
+        scene.platform.stop("r1");
         assertThat(r1.pilot.engaged()).isFalse();
     }
 }

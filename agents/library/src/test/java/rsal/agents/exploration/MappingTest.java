@@ -94,7 +94,7 @@ class MappingTest {
     @Test
     void anotherGoesWhenOneHasGone() {
         mapEndsAt(26);
-        scene.society.stop("east");
+        scene.platform.stop("east");
         scene.advance(3);
         assertThat(west.navigator.goals).containsExactly(new Pose2d(25.5, 0, 0));
     }

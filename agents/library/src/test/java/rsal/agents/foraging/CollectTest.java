@@ -194,7 +194,7 @@ class CollectTest {
     @Test
     void anotherFetchesItWhenOneHasGone() {
         find();
-        scene.society.stop("near");
+        scene.platform.stop("near");
         scene.advance(3);
         assertThat(far.body.navigator.goals).containsExactly(new Pose2d(4, 0, 0));
     }
@@ -228,7 +228,7 @@ class CollectTest {
     void tellsThatItHasAGripper() {
         near.start();
         explore(Map.of());
-        assertThat(scene.society.directory().offering("gripper"))
+        assertThat(scene.platform.directory().offering("gripper"))
                 .extracting(Directory.Entry::name)
                 .containsExactly("near");
     }

@@ -140,14 +140,14 @@ class FormationTest {
         scene.advance(3);
         march(5);
         assertThat(ranks().slots()).hasSize(4);
-        scene.society.deliverBy((message, listener) ->
+        scene.platform.deliverBy((message, listener) ->
                 message.sender().equals("r1") || listener.equals("r1") ? List.of() : List.of(Duration.ZERO));
         march(4.5);
         assertThat(ranks().slots().keySet()).containsExactly("r0", "r2", "r3");
         assertThat(ranks().slots().values())
                 .extracting(slot -> slot.mapFromSlot().y())
                 .containsExactlyInAnyOrder(-2.0, 0.0, 2.0);
-        scene.society.deliverBy((_, _) -> List.of(Duration.ZERO));
+        scene.platform.deliverBy((_, _) -> List.of(Duration.ZERO));
         robots.get("r1").isAt(4, -1);
         march(2);
         assertThat(ranks().slots()).hasSize(4);
@@ -159,7 +159,7 @@ class FormationTest {
         formation("line", "0 0; 20 0");
         scene.advance(4);
         assertThat(robots.get("a").navigator.driving()).isTrue();
-        scene.society.stop("formation");
+        scene.platform.stop("formation");
         scene.advance(5);
         assertThat(robots.get("a").navigator.driving()).isFalse();
         assertThat(scene.state("a")).isEqualTo("waiting for a goal");

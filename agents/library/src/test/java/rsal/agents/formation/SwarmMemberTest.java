@@ -76,7 +76,7 @@ class SwarmMemberTest {
     void answersAPingAndSaysGoodbye() {
         scene.start("swarm", r1, Map.of());
         scene.hear("operator", Hello.TOPIC, new Hello("", Kind.PING, ""));
-        scene.society.stop("r1");
+        scene.platform.stop("r1");
         assertThat(scene.said("r1", Hello.TOPIC))
                 .extracting(Hello::kind)
                 .containsExactly(Kind.HELLO, Kind.PONG, Kind.BYE);

@@ -179,8 +179,8 @@ class FollowTest {
     void setsOffAgainAtTheInstantInWhichItHasStopped() {
         hunterAt(h1, 0, Map.of());
         scene.report("p1", "prey", 10, 0);
-        scene.society.publish("radio", Caught.TOPIC, new Caught("p1", "h2", 1));
-        scene.society.publish("radio", PoseReport.TOPIC, new PoseReport("p2", "prey", at(10)));
+        scene.platform.publish("radio", Caught.TOPIC, new Caught("p1", "h2", 1));
+        scene.platform.publish("radio", PoseReport.TOPIC, new PoseReport("p2", "prey", at(10)));
         scene.advance(0);
         assertThat(h1.navigator.driving()).isTrue();
     }
@@ -211,7 +211,7 @@ class FollowTest {
         scene.report("p2", "prey", -20, 0);
         scene.advance(2);
         assertThat(h1.navigator.goals.getLast()).isEqualTo(at(-20));
-        scene.society.stop("h2");
+        scene.platform.stop("h2");
         scene.report("p1", "prey", 10, 0);
         scene.advance(2);
         assertThat(h1.navigator.goals.getLast()).isEqualTo(at(10));

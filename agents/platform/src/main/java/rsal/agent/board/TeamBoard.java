@@ -42,7 +42,7 @@ public final class TeamBoard {
     private final Set<Note.Name> changed = new LinkedHashSet<>(); // and not known to the master
     private final Set<BoardWatch<?>> watches = new LinkedHashSet<>();
     private Optional<String> keeper = Optional.empty();
-    private Set<Note.Name> underWay = Set.of();
+    private Set<Note.Name> inProgress = Set.of();
     private long number;
     private long watched;
     private boolean silent;
@@ -216,7 +216,7 @@ public final class TeamBoard {
                 .findFirst();
         keeper.ifPresent(name -> {
             silent = false;
-            underWay = Set.of(); // those that were told are gone
+            inProgress = Set.of(); // those that were told are gone
             changed.addAll(own.keySet());
             listener.accept(new BoardEvent.Kept(name));
             send();
@@ -225,13 +225,13 @@ public final class TeamBoard {
     }
 
     private void send() {
-        if (keeper.isEmpty() || !underWay.isEmpty() || changed.isEmpty() || retryIsDue) {
+        if (keeper.isEmpty() || !inProgress.isEmpty() || changed.isEmpty() || retryIsDue) {
             return;
         }
         Set<Note.Name> next = new LinkedHashSet<>(
                 changed.stream().limit(BoardService.MOST_AT_ONCE).toList());
         changed.removeAll(next);
-        underWay = next;
+        inProgress = next;
         number++;
         var notes = new ArrayList<Note<?>>();
         var erased = new ArrayList<Note.Name>();
@@ -244,8 +244,8 @@ public final class TeamBoard {
 
     @SuppressWarnings("ReferenceEquality") // two may be of the same notes
     private void sent(String to, Set<Note.Name> what, ConversationResult<BoardService.Written> ending) {
-        if (underWay == what) {
-            underWay = Set.of();
+        if (inProgress == what) {
+            inProgress = Set.of();
         }
         switch (ending) {
             case ConversationResult.Informed<BoardService.Written>(BoardService.Written written) -> {

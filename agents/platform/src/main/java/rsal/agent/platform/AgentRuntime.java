@@ -57,7 +57,7 @@ final class AgentRuntime implements AgentContext {
     private static final Duration WINDOW = Duration.ofMillis(100);
     private static final Logger LOG = System.getLogger(Agent.class.getName());
 
-    private final AgentPlatform society;
+    private final AgentPlatform platform;
     private final AgentSpec spec;
     private final Directory.Entry entry;
     private final Scheduler hostLane;
@@ -83,12 +83,12 @@ final class AgentRuntime implements AgentContext {
     private Map<String, Integer> answers = new HashMap<>(); // that others may still give at its expense, by agent
     private Map<String, Integer> answersBefore = Map.of(); // in the window before
 
-    AgentRuntime(AgentPlatform society, AgentSpec spec, Scheduler hostLane) {
-        this.society = society;
+    AgentRuntime(AgentPlatform platform, AgentSpec spec, Scheduler hostLane) {
+        this.platform = platform;
         this.spec = spec;
         this.hostLane = hostLane;
-        this.isOnRunsLane = society.runs(hostLane);
-        this.turn = society.turns().of(spec.name());
+        this.isOnRunsLane = platform.runs(hostLane);
+        this.turn = platform.turns().of(spec.name());
         this.random = new SplittableRandom(spec.seed());
         this.blackboard = new Blackboard(hostLane);
         this.entry = new Directory.Entry(
@@ -178,7 +178,7 @@ final class AgentRuntime implements AgentContext {
                     .flatMap(robot -> robot.find(DriveBase.class))
                     .ifPresent(base -> letGo(() -> base.command(Twist2d.STOP)));
         }
-        society.went(this, reason);
+        platform.went(this, reason);
     }
 
     private void letGo(Subscription subscription) {
@@ -261,7 +261,7 @@ final class AgentRuntime implements AgentContext {
         if (status == AgentPlatform.Status.RUNNING) {
             countWhatItSetsOff();
             sent++;
-            society.publish(name(), topic, message);
+            platform.publish(name(), topic, message);
         }
     }
 
@@ -269,19 +269,19 @@ final class AgentRuntime implements AgentContext {
     public <M> void send(String to, Topic<M> topic, M message) {
         onLane("send");
         if (status == AgentPlatform.Status.RUNNING) {
-            if (society.member(to).filter(asker -> asker.paysFor(name())).isEmpty()) {
+            if (platform.member(to).filter(asker -> asker.paysFor(name())).isEmpty()) {
                 countWhatItSetsOff();
                 answers.merge(to, ANSWERS, (before, more) -> Math.min(before + more, LIMIT));
             }
             sent++;
-            society.send(name(), to, topic, message);
+            platform.send(name(), to, topic, message);
         }
     }
 
     @Override
     public <M> Subscription subscribe(Topic<M> topic, Interest<M> interest, Consumer<? super Message<M>> listener) {
         onLane("subscribe");
-        return new MessageListener<>(interest, listener).listenTo(ear -> society.listen(topic, name(), ear));
+        return new MessageListener<>(interest, listener).listenTo(ear -> platform.listen(topic, name(), ear));
     }
 
     /// The same for all of this agent's listeners.
@@ -289,7 +289,7 @@ final class AgentRuntime implements AgentContext {
     private void draw(Message<?> message) {
         if (drawnFor != message) {
             drawnFor = message;
-            copies = society.copies(message, name());
+            copies = platform.copies(message, name());
             arrival = null;
         }
     }
@@ -300,7 +300,7 @@ final class AgentRuntime implements AgentContext {
     private void note(Message<?> message) {
         if (lastHeard != message) {
             lastHeard = message;
-            society.heard(message, name());
+            platform.heard(message, name());
         }
     }
 
@@ -317,14 +317,14 @@ final class AgentRuntime implements AgentContext {
         void note() {
             if (!heard) {
                 heard = true;
-                society.heard(message, name());
+                platform.heard(message, name());
             }
         }
 
         /// A copy came late and did not reach it. When that was the last and none has, it has not heard it.
         void noteInVain() {
             if (onTheirWay == 0 && !heard) {
-                society.unheard(message, name());
+                platform.unheard(message, name());
             }
         }
     }
@@ -353,10 +353,10 @@ final class AgentRuntime implements AgentContext {
             return () -> {};
         }
         countWhatItSetsOff();
-        society.offer(entry, capability);
+        platform.offer(entry, capability);
         return () -> {
             onLane("cancel");
-            society.withdraw(entry, capability);
+            platform.withdraw(entry, capability);
         };
     }
 
@@ -369,7 +369,7 @@ final class AgentRuntime implements AgentContext {
     @Override
     public Optional<SimulationControl> simulation() {
         onLane("simulation");
-        return society.simulation();
+        return platform.simulation();
     }
 
     @Override
@@ -377,7 +377,7 @@ final class AgentRuntime implements AgentContext {
         onLane("state");
         if (status == AgentPlatform.Status.RUNNING && !words.equals(state)) {
             state = words;
-            society.changed(this);
+            platform.changed(this);
         }
     }
 
@@ -386,7 +386,7 @@ final class AgentRuntime implements AgentContext {
         onLane("print");
         if (status == AgentPlatform.Status.RUNNING) {
             state = line;
-            society.printed(new AgentPlatform.Print(name(), line));
+            platform.printed(new AgentPlatform.Print(name(), line));
         }
     }
 
@@ -400,14 +400,14 @@ final class AgentRuntime implements AgentContext {
         }
         if (status == AgentPlatform.Status.RUNNING) {
             countWhatItSetsOff();
-            society.measured(new AgentPlatform.Metric(name(), name, value));
+            platform.measured(new AgentPlatform.Metric(name(), name, value));
         }
     }
 
     @Override
     public void unhandled(String goal, String where) {
         onLane("unhandled");
-        society.unhandled(new AgentPlatform.Unhandled(name(), goal, where));
+        platform.unhandled(new AgentPlatform.Unhandled(name(), goal, where));
     }
 
     @Override
@@ -580,7 +580,7 @@ final class AgentRuntime implements AgentContext {
 
         private void hearLate(MessageDispatch<M> reported, Arrival drawn) {
             drawn.onTheirWay--;
-            if (society.reaches(drawn.message, name())) {
+            if (platform.reaches(drawn.message, name())) {
                 hear(reported, drawn);
             } else {
                 drawn.noteInVain();
@@ -670,25 +670,25 @@ final class AgentRuntime implements AgentContext {
         @Override
         public List<Entry> agents() {
             onLane("agents");
-            return society.directory().agents();
+            return platform.directory().agents();
         }
 
         @Override
         public List<ServiceDescription> capabilities(String agent) {
             onLane("capabilities");
-            return society.directory().capabilities(agent);
+            return platform.directory().capabilities(agent);
         }
 
         @Override
         public Subscription onChange(Consumer<? super Change> listener) {
             onLane("onChange");
-            return new AgentListener<Change>(listener).listenTo(society.directory()::onChange);
+            return new AgentListener<Change>(listener).listenTo(platform.directory()::onChange);
         }
 
         @Override
         public Subscription onDeparture(Consumer<? super Change.Went> listener) {
             onLane("onDeparture");
-            return new AgentListener<Change.Went>(listener).listenTo(society.directory()::onDeparture);
+            return new AgentListener<Change.Went>(listener).listenTo(platform.directory()::onDeparture);
         }
     }
 }

@@ -19,7 +19,7 @@ public final class AgentTurns {
     }
 
     /// The turns of those whose code runs now, by agent.
-    public Map<String, Long> underWay() {
+    public Map<String, Long> inProgress() {
         var numbers = new TreeMap<String, Long>();
         byAgent.forEach((agent, turn) -> {
             long count = turn.count.get();

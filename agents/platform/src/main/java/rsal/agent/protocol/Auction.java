@@ -22,7 +22,7 @@ import rsal.agent.AgentContext;
 /// @param <L> lot
 public final class Auction<L> {
     private final AgentContext self;
-    private final ConversationManager desk;
+    private final ConversationManager conversations;
     private final Class<L> lot;
     private final boolean rising;
 
@@ -38,7 +38,7 @@ public final class Auction<L> {
         this.self = self;
         this.lot = lot;
         this.rising = rising;
-        this.desk = new ConversationManager(self, name, grammar, lot, Double.class, Sale.class);
+        this.conversations = new ConversationManager(self, name, grammar, lot, Double.class, Sale.class);
     }
 
     /// Sells something.
@@ -51,7 +51,7 @@ public final class Auction<L> {
             throw new IllegalArgumentException("Prices of %s auction must %s, not change by '%s'."
                     .formatted(rising ? "an English" : "a Dutch", rising ? "rise" : "fall", prices.step));
         }
-        var selling = new Auctioneer(self.scheduler(), desk, rising, prices, round, seller);
+        var selling = new Auctioneer(self.scheduler(), conversations, rising, prices, round, seller);
         selling.begin(to, what);
         return selling;
     }
@@ -60,7 +60,7 @@ public final class Auction<L> {
     ///
     /// @throws IllegalStateException when this was called before
     public void answer(Bidder<L> bidder) {
-        desk.open(dialogue -> new Bids(dialogue, bidder));
+        conversations.open(dialogue -> new Bids(dialogue, bidder));
     }
 
     /// @param first price called

@@ -19,7 +19,7 @@ final class Auctioneer implements Conversation {
     private static final RetryPolicy PATIENCE = RetryPolicy.DEFAULT;
 
     private final Scheduler scheduler;
-    private final ConversationManager desk;
+    private final ConversationManager conversations;
     private final String id;
     private final boolean rising;
     private final Prices prices;
@@ -34,14 +34,14 @@ final class Auctioneer implements Conversation {
 
     Auctioneer(
             Scheduler scheduler,
-            ConversationManager desk,
+            ConversationManager conversations,
             boolean rising,
             Prices prices,
             Duration round,
             Seller seller) {
         this.scheduler = scheduler;
-        this.desk = desk;
-        this.id = desk.newConversation();
+        this.conversations = conversations;
+        this.id = conversations.newConversation();
         this.rising = rising;
         this.prices = prices;
         this.round = round;
@@ -50,7 +50,7 @@ final class Auctioneer implements Conversation {
 
     void begin(Collection<String> to, Object lot) {
         for (String name : new TreeSet<>(to)) {
-            Dialogue dialogue = desk.begin(id, name, PATIENCE, new BidListener(name));
+            Dialogue dialogue = conversations.begin(id, name, PATIENCE, new BidListener(name));
             bidders.put(name, dialogue);
             dialogue.say(Performative.INFORM, lot);
         }

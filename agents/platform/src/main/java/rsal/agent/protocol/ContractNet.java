@@ -17,7 +17,7 @@ import rsal.agent.AgentContext;
 /// @param <R> result
 public final class ContractNet<T, B, R> {
     private final AgentContext self;
-    private final ConversationManager desk;
+    private final ConversationManager conversations;
     private final Class<T> task;
     private final Class<B> bid;
     private final Class<R> result;
@@ -44,7 +44,7 @@ public final class ContractNet<T, B, R> {
         this.task = task;
         this.bid = bid;
         this.result = result;
-        this.desk = new ConversationManager(self, name, grammar, task, bid, result);
+        this.conversations = new ConversationManager(self, name, grammar, task, bid, result);
     }
 
     /// Calls for proposals.
@@ -59,7 +59,8 @@ public final class ContractNet<T, B, R> {
     /// @param patience with each partner, and with those whose bid was accepted until the task is done
     public ContractNetInitiator<T, B, R> call(
             Collection<String> to, T what, Duration replyWithin, RetryPolicy patience, Manager<T, B, R> manager) {
-        var tender = new ContractNetInitiator<>(self.scheduler(), desk, bid, result, replyWithin, patience, manager);
+        var tender = new ContractNetInitiator<>(
+                self.scheduler(), conversations, bid, result, replyWithin, patience, manager);
         tender.begin(Set.copyOf(to), what);
         return tender;
     }
@@ -68,7 +69,7 @@ public final class ContractNet<T, B, R> {
     ///
     /// @throws IllegalStateException when this was called before
     public void answer(Contractor<T, B, R> contractor) {
-        desk.open(dialogue -> new ContractNetParticipant<>(self.scheduler(), dialogue, task, contractor));
+        conversations.open(dialogue -> new ContractNetParticipant<>(self.scheduler(), dialogue, task, contractor));
     }
 
     /// The initiator, which has something done. Called on its agent's lane.

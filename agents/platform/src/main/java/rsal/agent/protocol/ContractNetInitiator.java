@@ -26,7 +26,7 @@ import rsal.time.Task;
 /// The manager's side of a contract net: one call, from its first round to the last result.
 public final class ContractNetInitiator<T, B, R> implements Conversation {
     private final Scheduler scheduler;
-    private final ConversationManager desk;
+    private final ConversationManager conversations;
     private final String id;
     private final Class<B> bidType;
     private final Class<R> resultType;
@@ -45,15 +45,15 @@ public final class ContractNetInitiator<T, B, R> implements Conversation {
 
     ContractNetInitiator(
             Scheduler scheduler,
-            ConversationManager desk,
+            ConversationManager conversations,
             Class<B> bidType,
             Class<R> resultType,
             Duration replyWithin,
             RetryPolicy patience,
             Manager<T, B, R> manager) {
         this.scheduler = scheduler;
-        this.desk = desk;
-        this.id = desk.newConversation();
+        this.conversations = conversations;
+        this.id = conversations.newConversation();
         this.bidType = bidType;
         this.resultType = resultType;
         this.replyWithin = replyWithin;
@@ -64,7 +64,7 @@ public final class ContractNetInitiator<T, B, R> implements Conversation {
     void begin(Collection<String> to, T task) {
         var inOrder = new TreeSet<>(to);
         for (String partner : inOrder) {
-            partners.put(partner, desk.begin(id, partner, patience, new Bidder(partner)));
+            partners.put(partner, conversations.begin(id, partner, patience, new Bidder(partner)));
         }
         call(inOrder, task);
     }
@@ -119,7 +119,7 @@ public final class ContractNetInitiator<T, B, R> implements Conversation {
         unknown.removeAll(proposals.keySet());
         if (!unknown.isEmpty()) {
             throw new IllegalStateException("Agent '%s' accepted bids of %s, who did not bid in this round; %s did."
-                    .formatted(desk.name(), new TreeSet<>(unknown), proposals.keySet()));
+                    .formatted(conversations.name(), new TreeSet<>(unknown), proposals.keySet()));
         }
         for (Proposal<B> proposal : List.copyOf(proposals.values())) {
             String name = proposal.from();

@@ -19,7 +19,7 @@ final class Dialogue {
     private static final int MOST_UNHEARD = 1_000;
     private static final int MOST_AHEAD = 64;
 
-    private final ConversationManager desk;
+    private final ConversationManager conversations;
     private final String conversation;
     private final String partner;
     private final Side side;
@@ -37,19 +37,19 @@ final class Dialogue {
     private boolean lingering;
 
     Dialogue(
-            ConversationManager desk,
+            ConversationManager conversations,
             String conversation,
             String partner,
             Side side,
             RetryPolicy patience,
             Listener listener) {
-        this.desk = desk;
+        this.conversations = conversations;
         this.conversation = conversation;
         this.partner = partner;
         this.side = side;
         this.patience = patience;
         this.listener = listener;
-        this.sign = desk.now();
+        this.sign = conversations.now();
     }
 
     String conversation() {
@@ -84,7 +84,7 @@ final class Dialogue {
 
     /// Whether the protocol allows this side to say that now.
     boolean may(Performative act) {
-        return desk.grammar().after(state, side, act).isPresent();
+        return conversations.grammar().after(state, side, act).isPresent();
     }
 
     void say(Performative performative, Object content) {
@@ -99,10 +99,10 @@ final class Dialogue {
             return;
         }
         ProtocolStateMachine.Next next =
-                desk.grammar().after(state, side, performative).orElseThrow(() -> outOfTurn(performative));
-        if (!desk.fits(next.content(), content)) {
+                conversations.grammar().after(state, side, performative).orElseThrow(() -> outOfTurn(performative));
+        if (!conversations.fits(next.content(), content)) {
             throw new IllegalStateException("Agent '%s' said '%s' with '%s', which is nothing for conversation '%s'."
-                    .formatted(desk.name(), performative, content, conversation));
+                    .formatted(conversations.name(), performative, content, conversation));
         }
         if (unheard.size() == MOST_UNHEARD) {
             lose("'%s' has not heard the last %d messages.".formatted(partner, MOST_UNHEARD));
@@ -115,12 +115,13 @@ final class Dialogue {
     private void utter(Performative performative, Optional<Instant> replyBy, Object content, String next) {
         state = next;
         said++;
-        var act = new Act(performative, desk.grammar().name(), conversation, side, said, heard, replyBy, content);
+        var act = new Act(
+                performative, conversations.grammar().name(), conversation, side, said, heard, replyBy, content);
         last = act;
         unheard.addLast(act);
-        desk.send(partner, act);
+        conversations.send(partner, act);
         if (isOver()) {
-            desk.over(this);
+            conversations.over(this);
         }
         watch();
     }
@@ -129,15 +130,15 @@ final class Dialogue {
         return new IllegalStateException(
                 "Agent '%s' said '%s' to '%s' in conversation '%s', which is over or waits for something else in '%s'."
                         .formatted(
-                                desk.name(),
+                                conversations.name(),
                                 performative,
                                 partner,
                                 conversation,
-                                desk.grammar().name()));
+                                conversations.grammar().name()));
     }
 
     void hear(Act act) {
-        sign = desk.now();
+        sign = conversations.now();
         while (!unheard.isEmpty() && unheard.getFirst().number() <= act.heard()) {
             unheard.removeFirst();
         }
@@ -157,14 +158,15 @@ final class Dialogue {
 
     private void take(Act act) {
         heard++;
-        Optional<ProtocolStateMachine.Next> next = desk.grammar().after(state, side.other(), act.performative());
-        if (next.isEmpty() || !desk.fits(next.get().content(), act.content())) {
+        Optional<ProtocolStateMachine.Next> next =
+                conversations.grammar().after(state, side.other(), act.performative());
+        if (next.isEmpty() || !conversations.fits(next.get().content(), act.content())) {
             doNotUnderstand(act);
             return;
         }
         state = next.get().state();
         if (isOver()) {
-            desk.over(this);
+            conversations.over(this);
         }
         if (act.performative() == Performative.CANCEL) {
             utter(Performative.INFORM, Optional.empty(), "cancelled", ProtocolStateMachine.END);
@@ -176,29 +178,29 @@ final class Dialogue {
 
     private void doNotUnderstand(Act act) {
         String why = "'%s' said '%s', which was not expected in '%s'."
-                .formatted(partner, act, desk.grammar().name());
+                .formatted(partner, act, conversations.grammar().name());
         utter(Performative.NOT_UNDERSTOOD, Optional.empty(), why, ProtocolStateMachine.END);
         listener.heard(Objects.requireNonNull(last));
     }
 
     private void repeat() {
         if (!unheard.isEmpty()) {
-            unheard.forEach(act -> desk.send(partner, act.again(heard)));
+            unheard.forEach(act -> conversations.send(partner, act.again(heard)));
         } else if (last != null) {
-            desk.send(partner, last.again(heard));
-        } else if (desk.grammar().isSilenceAnAnswer()) {
-            desk.send(partner, presence());
+            conversations.send(partner, last.again(heard));
+        } else if (conversations.grammar().isSilenceAnAnswer()) {
+            conversations.send(partner, presence());
         }
     }
 
     private Act presence() {
-        String protocol = desk.grammar().name();
+        String protocol = conversations.grammar().name();
         return new Act(Performative.INFORM, protocol, conversation, side, 0, heard, Optional.empty(), "I am here.");
     }
 
     /// How long nothing was heard of the partner.
     private Duration quiet() {
-        return Duration.between(sign, desk.now());
+        return Duration.between(sign, conversations.now());
     }
 
     /// The initiator asks again after a while, and more often when the last two times brought nothing.
@@ -208,7 +210,7 @@ final class Dialogue {
         }
         if (side == Side.INITIATOR && (!isOver() || lingering)) {
             boolean doubtful = quiet().compareTo(patience.repeat().multipliedBy(2)) > 0;
-            beat = desk.after(doubtful ? patience.repeat().dividedBy(4) : patience.repeat(), this::ask);
+            beat = conversations.after(doubtful ? patience.repeat().dividedBy(4) : patience.repeat(), this::ask);
         }
     }
 
@@ -234,7 +236,7 @@ final class Dialogue {
     void lose(String why) {
         if (!isOver()) {
             state = ProtocolStateMachine.END;
-            desk.over(this);
+            conversations.over(this);
             listener.lost(why);
         }
     }

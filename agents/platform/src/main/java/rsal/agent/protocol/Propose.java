@@ -8,13 +8,13 @@ import rsal.agent.AgentContext;
 ///
 /// @param <P> what is proposed
 public final class Propose<P> {
-    private final ConversationManager desk;
+    private final ConversationManager conversations;
     private final Class<P> proposal;
 
     /// @param name of the service; agents that use the same can propose to each other
     public Propose(AgentContext self, String name, Class<P> proposal) {
         this.proposal = proposal;
-        this.desk =
+        this.conversations =
                 new ConversationManager(self, name, ProtocolStateMachine.PROPOSE, proposal, String.class, String.class);
     }
 
@@ -26,7 +26,8 @@ public final class Propose<P> {
     /// the words of the one who did
     public Conversation propose(
             String to, P what, RetryPolicy patience, Consumer<? super ConversationResult<String>> onEnd) {
-        return Talk.begin(desk, to, patience, new ProtocolOutcome<>(String.class, onEnd), Performative.PROPOSE, what);
+        return Talk.begin(
+                conversations, to, patience, new ProtocolOutcome<>(String.class, onEnd), Performative.PROPOSE, what);
     }
 
     /// From now on decides about what others propose.
@@ -34,7 +35,7 @@ public final class Propose<P> {
     /// @param judge called on the agent's lane
     /// @throws IllegalStateException when this was called before
     public void answer(Function<? super Offer<P>, Verdict> judge) {
-        desk.open(dialogue -> new Answering(dialogue) {
+        conversations.open(dialogue -> new Answering(dialogue) {
             @Override
             public void heard(Act act) {
                 if (act.performative() == Performative.PROPOSE) {

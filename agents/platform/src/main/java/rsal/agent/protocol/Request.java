@@ -12,7 +12,7 @@ import rsal.agent.AgentContext;
 /// @param <Q> what is asked for
 /// @param <A> what comes of it
 public final class Request<Q, A> {
-    private final ConversationManager desk;
+    private final ConversationManager conversations;
     private final Class<Q> question;
     private final Class<A> answer;
 
@@ -20,7 +20,8 @@ public final class Request<Q, A> {
     public Request(AgentContext self, String name, Class<Q> question, Class<A> answer) {
         this.question = question;
         this.answer = answer;
-        this.desk = new ConversationManager(self, name, ProtocolStateMachine.REQUEST, question, String.class, answer);
+        this.conversations =
+                new ConversationManager(self, name, ProtocolStateMachine.REQUEST, question, String.class, answer);
     }
 
     public Conversation ask(String to, Q what, Consumer<? super ConversationResult<A>> onEnd) {
@@ -29,7 +30,8 @@ public final class Request<Q, A> {
 
     /// @param onEnd told once, on the agent's lane; at once when it is cancelled
     public Conversation ask(String to, Q what, RetryPolicy patience, Consumer<? super ConversationResult<A>> onEnd) {
-        return Talk.begin(desk, to, patience, new ProtocolOutcome<>(answer, onEnd), Performative.REQUEST, what);
+        return Talk.begin(
+                conversations, to, patience, new ProtocolOutcome<>(answer, onEnd), Performative.REQUEST, what);
     }
 
     /// From now on answers all that ask.
@@ -37,7 +39,7 @@ public final class Request<Q, A> {
     /// @param responder called on the agent's lane; answers then or later
     /// @throws IllegalStateException when this was called before
     public void answer(Consumer<? super Asked<Q, A>> responder) {
-        desk.open(dialogue -> new Question(dialogue, responder));
+        conversations.open(dialogue -> new Question(dialogue, responder));
     }
 
     /// Something another agent asks for. What is said after that agent has gone or cancelled it does nothing; a second

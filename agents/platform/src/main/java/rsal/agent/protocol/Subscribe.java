@@ -14,7 +14,7 @@ import rsal.agent.AgentContext;
 /// @param <Q> what somebody wants to be told about
 /// @param <A> news
 public final class Subscribe<Q, A> {
-    private final ConversationManager desk;
+    private final ConversationManager conversations;
     private final Class<Q> question;
     private final Class<A> news;
 
@@ -22,7 +22,8 @@ public final class Subscribe<Q, A> {
     public Subscribe(AgentContext self, String name, Class<Q> question, Class<A> news) {
         this.question = question;
         this.news = news;
-        this.desk = new ConversationManager(self, name, ProtocolStateMachine.SUBSCRIBE, question, String.class, news);
+        this.conversations =
+                new ConversationManager(self, name, ProtocolStateMachine.SUBSCRIBE, question, String.class, news);
     }
 
     public Conversation subscribe(
@@ -48,7 +49,7 @@ public final class Subscribe<Q, A> {
                 }
             }
         };
-        return Talk.begin(desk, to, patience, outcome, Performative.SUBSCRIBE, what);
+        return Talk.begin(conversations, to, patience, outcome, Performative.SUBSCRIBE, what);
     }
 
     /// From now on admits subscribers.
@@ -56,7 +57,7 @@ public final class Subscribe<Q, A> {
     /// @param teller called on the agent's lane for each; agrees or refuses, then or later
     /// @throws IllegalStateException when this was called before
     public void answer(Consumer<? super Subscriber<Q, A>> teller) {
-        desk.open(dialogue -> new Interest(dialogue, teller));
+        conversations.open(dialogue -> new Interest(dialogue, teller));
     }
 
     /// One who wants to be told. What is said to one that has gone or cancelled does nothing.

@@ -3,13 +3,13 @@ package rsal.agent.protocol;
 /// A conversation with one partner that ends once, for the one who began it.
 record Talk<A>(Dialogue dialogue, ProtocolOutcome<A> outcome) implements Conversation {
     static <A> Talk<A> begin(
-            ConversationManager desk,
+            ConversationManager conversations,
             String to,
             RetryPolicy patience,
             ProtocolOutcome<A> outcome,
             Performative opening,
             Object content) {
-        Dialogue dialogue = desk.begin(desk.newConversation(), to, patience, outcome);
+        Dialogue dialogue = conversations.begin(conversations.newConversation(), to, patience, outcome);
         dialogue.say(opening, content);
         return new Talk<>(dialogue, outcome);
     }

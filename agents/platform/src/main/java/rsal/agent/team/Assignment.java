@@ -106,27 +106,27 @@ public final class Assignment {
 
     /// The least that the longest way of an assignment can be, where all that can get something do.
     private static double shortestLongest(double[][] cost) {
-        double[] ways = Arrays.stream(cost)
+        double[] distances = Arrays.stream(cost)
                 .flatMapToDouble(Arrays::stream)
                 .filter(Double::isFinite)
                 .sorted()
                 .distinct()
                 .toArray();
-        if (ways.length == 0) {
+        if (distances.length == 0) {
             return 0;
         }
-        int most = tooLong(cost, ways[ways.length - 1]);
+        int most = tooLong(cost, distances[distances.length - 1]);
         int least = 0;
-        int enough = ways.length - 1;
+        int enough = distances.length - 1;
         while (least < enough) {
             int middle = (least + enough) / 2;
-            if (tooLong(cost, ways[middle]) <= most) {
+            if (tooLong(cost, distances[middle]) <= most) {
                 enough = middle;
             } else {
                 least = middle + 1;
             }
         }
-        return ways[enough];
+        return distances[enough];
     }
 
     /// How many ways are longer than a bound in the assignment that has fewest of them.

@@ -31,11 +31,11 @@ public record Estimate(boolean free, List<Double> first, List<List<Double>> afte
     public static Estimate straight(Point2d from, List<Point2d> places) {
         return new Estimate(
                 true,
-                ways(from, places),
-                places.stream().map(place -> ways(place, places)).toList());
+                costs(from, places),
+                places.stream().map(place -> costs(place, places)).toList());
     }
 
-    private static List<Double> ways(Point2d from, List<Point2d> places) {
+    private static List<Double> costs(Point2d from, List<Point2d> places) {
         return places.stream().map(from::distanceTo).toList();
     }
 

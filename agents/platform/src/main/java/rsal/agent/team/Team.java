@@ -223,12 +223,12 @@ public final class Team {
                 var cost = new double[urgency.length];
                 for (int job = 0; job < cost.length; job++) {
                     double loyal = open.get(job).isWith(member) ? LOYALTY : 1;
-                    double way = loyal * estimate.first().get(job);
+                    double distance = loyal * estimate.first().get(job);
                     double later = most - urgency[job];
                     cost[job] = switch (rules.objective()) {
-                        case SUM -> way + later;
-                        case LONGEST -> way * way + later * later;
-                        case NONE -> Double.isInfinite(way) ? way : job;
+                        case SUM -> distance + later;
+                        case LONGEST -> distance * distance + later * later;
+                        case NONE -> Double.isInfinite(distance) ? distance : job;
                     };
                 }
                 costs.put(member, cost);

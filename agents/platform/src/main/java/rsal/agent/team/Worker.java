@@ -29,7 +29,7 @@ public final class Worker {
     private static final String NAME = "work";
 
     private final AgentContext self;
-    private final PathCostEstimator ways;
+    private final PathCostEstimator pathCosts;
     private final Supplier<Optional<Pose2d>> mapFromBase;
     private final Consumer<Worker> onChange;
     private final Map<Class<? extends Job>, Skill<?>> skills = new LinkedHashMap<>();
@@ -41,11 +41,11 @@ public final class Worker {
     /// @param onChange told whenever it takes on a job or has ended one
     public Worker(
             AgentContext self,
-            PathCostEstimator ways,
+            PathCostEstimator pathCosts,
             Supplier<Optional<Pose2d>> mapFromBase,
             Consumer<Worker> onChange) {
         this.self = self;
-        this.ways = ways;
+        this.pathCosts = pathCosts;
         this.mapFromBase = mapFromBase;
         this.onChange = onChange;
         self.atEnd(this::letGo);
@@ -161,7 +161,7 @@ public final class Worker {
         private final List<Optional<TaskRoute>> courses;
         private final Call<Offer, Estimate> call;
         private final boolean free;
-        private final Map<Way, CompletableFuture<Double>> known = new HashMap<>(); // many jobs end at one depot
+        private final Map<Query, CompletableFuture<Double>> known = new HashMap<>(); // many jobs end at one depot
 
         Costing(List<Optional<TaskRoute>> courses, Call<Offer, Estimate> call) {
             this.courses = courses;
@@ -174,42 +174,45 @@ public final class Worker {
             Pose2d mapFromStart = left.map(TaskRoute::mapFromEnd).orElse(here);
             var before = left.map(course -> cost(here, course)).orElseGet(() -> CompletableFuture.completedFuture(0.0));
             var own = new ArrayList<CompletableFuture<Double>>();
-            var ways = new ArrayList<CompletableFuture<Double>>();
+            var pathCosts = new ArrayList<CompletableFuture<Double>>();
             for (Optional<TaskRoute> to : courses) {
-                own.add(to.map(course ->
-                                way(course.mapFromBegin(), course.mapFromEnd()).thenApply(way -> way + course.work()))
+                own.add(to.map(course -> pathCost(course.mapFromBegin(), course.mapFromEnd())
+                                .thenApply(way -> way + course.work()))
                         .orElseGet(Costing::never));
-                ways.add(to.map(course -> way(mapFromStart, course.mapFromBegin()))
+                pathCosts.add(to.map(course -> pathCost(mapFromStart, course.mapFromBegin()))
                         .orElseGet(Costing::never));
             }
             if (call.task().inRoutes()) {
                 for (Optional<TaskRoute> from : courses) {
                     for (Optional<TaskRoute> to : courses) {
-                        ways.add(
+                        pathCosts.add(
                                 from.isEmpty() || to.isEmpty()
                                         ? never()
-                                        : way(from.get().mapFromEnd(), to.get().mapFromBegin()));
+                                        : pathCost(
+                                                from.get().mapFromEnd(),
+                                                to.get().mapFromBegin()));
                     }
                 }
             }
-            var all = new ArrayList<>(ways);
+            var all = new ArrayList<>(pathCosts);
             all.addAll(own);
             all.add(before);
             CompletionStage<?> reported = CompletableFuture.allOf(all.toArray(CompletableFuture[]::new));
-            reported.thenRun(() -> self.scheduler().execute(() -> bid(before.join(), values(own), values(ways))));
+            reported.thenRun(() -> self.scheduler().execute(() -> bid(before.join(), values(own), values(pathCosts))));
         }
 
         private CompletableFuture<Double> cost(Pose2d here, TaskRoute left) {
-            return way(here, left.mapFromBegin())
-                    .thenCombine(way(left.mapFromBegin(), left.mapFromEnd()), (to, on) -> to + on + left.work());
+            return pathCost(here, left.mapFromBegin())
+                    .thenCombine(pathCost(left.mapFromBegin(), left.mapFromEnd()), (to, on) -> to + on + left.work());
         }
 
-        private CompletableFuture<Double> way(Pose2d from, Pose2d to) {
+        private CompletableFuture<Double> pathCost(Pose2d from, Pose2d to) {
             return from.equals(to)
                     ? CompletableFuture.completedFuture(0.0)
                     : known.computeIfAbsent(
-                            new Way(from, to),
-                            way -> ways.cost(way.mapFromStart, way.mapFromGoal)
+                            new Query(from, to),
+                            way -> pathCosts
+                                    .cost(way.mapFromStart, way.mapFromGoal)
                                     .exceptionally(_ -> Double.POSITIVE_INFINITY)
                                     .toCompletableFuture());
         }
@@ -222,15 +225,15 @@ public final class Worker {
             return futures.stream().map(CompletableFuture::join).toList();
         }
 
-        /// @param ways to each job, then from each job to each
-        private void bid(double before, List<Double> own, List<Double> ways) {
+        /// @param pathCosts to each job, then from each job to each
+        private void bid(double before, List<Double> own, List<Double> pathCosts) {
             int jobs = own.size();
             double farthest = reach.getAsDouble();
             var rows = new ArrayList<List<Double>>();
-            for (int row = 0; row < ways.size() / jobs; row++) {
+            for (int row = 0; row < pathCosts.size() / jobs; row++) {
                 var costs = new ArrayList<Double>();
                 for (int job = 0; job < jobs; job++) {
-                    double cost = (row == 0 ? before : 0) + ways.get(row * jobs + job) + own.get(job);
+                    double cost = (row == 0 ? before : 0) + pathCosts.get(row * jobs + job) + own.get(job);
                     costs.add(cost <= farthest ? cost : Double.POSITIVE_INFINITY);
                 }
                 rows.add(costs);
@@ -240,7 +243,7 @@ public final class Worker {
         }
     }
 
-    private record Way(Pose2d mapFromStart, Pose2d mapFromGoal) {}
+    private record Query(Pose2d mapFromStart, Pose2d mapFromGoal) {}
 
     /// The job it does.
     private final class Assigned implements Work {

@@ -151,12 +151,12 @@ class AgentPlatformTest {
             });
         });
         run.advance(3);
-        run.society.publish("operator", WORDS, "still there?");
+        run.platform.publish("operator", WORDS, "still there?");
         run.advance(1);
         assertThat(log).containsExactly("bob ticks", "bob went: a slip of bob's", "operator: still there?");
         assertThat(run.view("bob").status()).isEqualTo(Status.FAILED);
         assertThat(run.view("bob").state()).isEqualTo("a slip of bob's");
-        assertThat(run.society.directory().agents())
+        assertThat(run.platform.directory().agents())
                 .extracting(Directory.Entry::name)
                 .containsExactly("amy", "watcher");
     }
@@ -189,11 +189,11 @@ class AgentPlatformTest {
                 throw new IllegalStateException("in stop");
             }
         });
-        run.society.publish("operator", WORDS, "hi");
+        run.platform.publish("operator", WORDS, "hi");
         run.advance(1);
-        run.society.stop("in-stop");
-        assertThat(run.society.views()).extracting(AgentPlatform.View::status).containsOnly(Status.FAILED);
-        assertThat(run.society.views())
+        run.platform.stop("in-stop");
+        assertThat(run.platform.views()).extracting(AgentPlatform.View::status).containsOnly(Status.FAILED);
+        assertThat(run.platform.views())
                 .extracting(AgentPlatform.View::state)
                 .containsExactly("in start", "in listener", "in task", "StackOverflowError", "rsal/Missing", "in stop");
     }
@@ -262,9 +262,9 @@ class AgentPlatformTest {
         });
         run.startListener("bob", log::add);
         run.advance(0);
-        run.society.publish("operator", WORDS, "this is due when she ends");
+        run.platform.publish("operator", WORDS, "this is due when she ends");
         log.clear();
-        run.society.stop("amy");
+        run.platform.stop("amy");
         run.advance(5);
         assertThat(log)
                 .containsExactly("let go of the second", "let go of the first", "operator: this is due when she ends");
@@ -283,16 +283,16 @@ class AgentPlatformTest {
             }
         });
         run.advance(1);
-        run.society.stop("bob");
+        run.platform.stop("bob");
         run.advance(1);
         assertThat(log).containsExactly("bob: bye");
     }
 
     @Test
     void lastWordsAreSaidOnceThoughTheyEndTheRun() {
-        run.society.onMessage(m -> {
+        run.platform.onMessage(m -> {
             log.add(m.sender() + ": " + m.content());
-            run.society.close();
+            run.platform.close();
         });
         run.start("bob", new Agent() {
             @Override
@@ -304,7 +304,7 @@ class AgentPlatformTest {
             }
         });
         run.advance(1);
-        run.society.stop("bob");
+        run.platform.stop("bob");
         assertThat(log).containsExactly("bob: bye");
         assertThat(run.view("bob").status()).isEqualTo(Status.ENDED);
     }
@@ -414,7 +414,7 @@ class AgentPlatformTest {
             run.start(name, self -> self.subscribe(WORDS, _ -> self.publish(WORDS, "again")));
         }
         run.startListener("amy", _ -> {});
-        run.society.publish("operator", WORDS, "go");
+        run.platform.publish("operator", WORDS, "go");
         run.advance(1);
         assertThat(run.view("ping").status()).isEqualTo(Status.FAILED);
         assertThat(run.view("ping").state()).contains("'ping'").contains(String.valueOf(AgentRuntime.LIMIT));
@@ -468,7 +468,7 @@ class AgentPlatformTest {
             sayOften("asker-" + i, "amy", times);
         }
         run.advance(2);
-        assertThat(run.society.views()).extracting(AgentPlatform.View::status).containsOnly(Status.RUNNING);
+        assertThat(run.platform.views()).extracting(AgentPlatform.View::status).containsOnly(Status.RUNNING);
         assertThat(run.view("amy").sent()).isEqualTo(24L * times);
     }
 
@@ -486,7 +486,7 @@ class AgentPlatformTest {
         answer("pong", 1);
         answer("ping", 1);
         run.start("zoe", self -> {});
-        run.society.send("pong", "ping", WORDS, "?"); // in its name: not counted
+        run.platform.send("pong", "ping", WORDS, "?"); // in its name: not counted
         run.advance(1);
         assertThat(run.view("ping").status()).isEqualTo(Status.FAILED);
         assertThat(run.view("pong").status()).isEqualTo(Status.RUNNING);
@@ -507,7 +507,7 @@ class AgentPlatformTest {
             }
         });
         run.advance(1);
-        assertThat(run.society.views()).extracting(AgentPlatform.View::status).containsOnly(Status.FAILED);
+        assertThat(run.platform.views()).extracting(AgentPlatform.View::status).containsOnly(Status.FAILED);
     }
 
     @Test
@@ -530,19 +530,19 @@ class AgentPlatformTest {
         assertThatThrownBy(() -> run.startListener("amy", _ -> {}))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("'amy'");
-        run.society.stop("amy");
+        run.platform.stop("amy");
         run.startListener("amy", log::add);
         run.advance(0);
-        run.society.publish("operator", WORDS, "hi");
+        run.platform.publish("operator", WORDS, "hi");
         run.advance(0);
         assertThat(log).containsExactly("operator: hi");
-        assertThat(run.society.views()).hasSize(1);
+        assertThat(run.platform.views()).hasSize(1);
     }
 
     @Test
     void stoppingAnUnknownAgentSaysWhoIsThere() {
         run.startListener("amy", _ -> {});
-        assertThatThrownBy(() -> run.society.stop("any"))
+        assertThatThrownBy(() -> run.platform.stop("any"))
                 .hasMessageContaining("'any'")
                 .hasMessageContaining("amy");
     }
@@ -571,8 +571,8 @@ class AgentPlatformTest {
 
     @Test
     void peopleSeeAllThatIsSaidAndEveryChange() {
-        run.society.onMessage(m -> log.add(m.sender() + ": " + m.content()));
-        run.society.onChange(view -> log.add(view.agent().name() + " " + view.status() + " " + view.state()));
+        run.platform.onMessage(m -> log.add(m.sender() + ": " + m.content()));
+        run.platform.onChange(view -> log.add(view.agent().name() + " " + view.status() + " " + view.state()));
         run.start("amy", self -> {
             self.state("looking");
             self.state("looking");
@@ -582,7 +582,7 @@ class AgentPlatformTest {
         });
         run.advance(0);
         assertThat(run.view("amy").beliefs()).containsOnly(java.util.Map.entry("sees", "a wall"));
-        run.society.stop("amy");
+        run.platform.stop("amy");
         assertThat(log).containsExactly("amy RUNNING ", "amy RUNNING looking", "amy: hi", "amy ENDED looking");
     }
 
@@ -590,12 +590,12 @@ class AgentPlatformTest {
     void directoryKnowsWhoIsThereAndHasWhatRole() {
         run.startListener("amy", _ -> {});
         run.startListener("bob", _ -> {});
-        assertThat(run.society.directory().ofRole("tested"))
+        assertThat(run.platform.directory().ofRole("tested"))
                 .extracting(Directory.Entry::name)
                 .containsExactly("amy", "bob");
-        run.society.stop("amy");
-        assertThat(run.society.directory().find("amy")).isEmpty();
-        assertThat(run.society.directory().find("bob")).isPresent();
+        run.platform.stop("amy");
+        assertThat(run.platform.directory().find("amy")).isEmpty();
+        assertThat(run.platform.directory().find("bob")).isPresent();
     }
 
     @Test
@@ -616,7 +616,7 @@ class AgentPlatformTest {
             }
         });
         run.advance(0);
-        run.society.stop("amy");
+        run.platform.stop("amy");
         run.advance(0);
         assertThat(log).containsExactly("farewell", "amy went");
     }
@@ -627,10 +627,10 @@ class AgentPlatformTest {
             run.start(name, self -> self.atEnd(() -> log.add(name)));
         }
         run.advance(1);
-        run.society.close();
-        run.society.close();
+        run.platform.close();
+        run.platform.close();
         assertThat(log).containsExactly("bob", "amy");
-        assertThat(run.society.views()).extracting(AgentPlatform.View::status).containsOnly(Status.ENDED);
+        assertThat(run.platform.views()).extracting(AgentPlatform.View::status).containsOnly(Status.ENDED);
     }
 
     @Test
@@ -655,7 +655,7 @@ class AgentPlatformTest {
     private static List<String> talk() {
         var run = new Run();
         var said = new ArrayList<String>();
-        run.society.onMessage(m -> said.add(m.time() + " " + m.sender() + " " + m.content()));
+        run.platform.onMessage(m -> said.add(m.time() + " " + m.sender() + " " + m.content()));
         IntStream.range(0, 10)
                 .forEach(i -> run.start("agent-" + i, self -> {
                     Runnable speak = () ->

@@ -12,26 +12,26 @@ class AgentTurnsTest {
     void tellsWhoseTurnItIsAndWhichOne() {
         AgentTurns.Turn amy = turns.of("amy");
         AgentTurns.Turn bob = turns.of("bob");
-        assertThat(turns.underWay()).isEmpty();
+        assertThat(turns.inProgress()).isEmpty();
         assertThat(bob.begin()).isTrue();
-        long first = turns.underWay().get("bob");
+        long first = turns.inProgress().get("bob");
         assertThat(amy.begin()).isTrue();
-        assertThat(turns.underWay()).containsOnlyKeys("amy", "bob");
+        assertThat(turns.inProgress()).containsOnlyKeys("amy", "bob");
         bob.end();
-        assertThat(turns.underWay()).containsOnlyKeys("amy");
+        assertThat(turns.inProgress()).containsOnlyKeys("amy");
         assertThat(bob.begin()).isTrue();
-        assertThat(turns.underWay().get("bob")).isNotEqualTo(first);
+        assertThat(turns.inProgress().get("bob")).isNotEqualTo(first);
     }
 
     @Test
     void aTurnWithinATurnIsNoOther() {
         AgentTurns.Turn amy = turns.of("amy");
         assertThat(amy.begin()).isTrue();
-        long turn = turns.underWay().get("amy");
+        long turn = turns.inProgress().get("amy");
         assertThat(amy.begin()).isFalse();
-        assertThat(turns.underWay()).containsEntry("amy", turn);
+        assertThat(turns.inProgress()).containsEntry("amy", turn);
         amy.end();
-        assertThat(turns.underWay()).isEmpty();
+        assertThat(turns.inProgress()).isEmpty();
     }
 
     @Test
@@ -58,9 +58,9 @@ class AgentTurnsTest {
                 "amy",
                 self -> self.scheduler()
                         .execute(() ->
-                                seen.add("" + run.society.turns().underWay().keySet())));
+                                seen.add("" + run.platform.turns().inProgress().keySet())));
         run.advance(1);
         assertThat(seen).containsExactly("[amy]");
-        assertThat(run.society.turns().underWay()).isEmpty();
+        assertThat(run.platform.turns().inProgress()).isEmpty();
     }
 }

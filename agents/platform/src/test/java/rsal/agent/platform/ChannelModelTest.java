@@ -36,7 +36,7 @@ class ChannelModelTest {
         startListener("zoe");
         startListener("joe");
         startSpeaker("bob", "hi");
-        run.society.deliverBy((_, listener) -> switch (listener) {
+        run.platform.deliverBy((_, listener) -> switch (listener) {
             case "amy" -> List.of();
             case "zoe" -> List.of(Duration.ofSeconds(2));
             default -> List.of(Duration.ZERO, Duration.ofSeconds(1));
@@ -54,7 +54,7 @@ class ChannelModelTest {
             self.subscribe(WORDS, m -> log.add("two: " + m.content()));
         });
         startSpeaker("bob", "hi", "hi");
-        run.society.deliverBy((message, listener) -> {
+        run.platform.deliverBy((message, listener) -> {
             asked.add(message.sender() + " to " + listener);
             return asked.size() == 1 ? List.of() : ChannelModel.AT_ONCE;
         });
@@ -68,7 +68,7 @@ class ChannelModelTest {
         startListener("amy");
         startListener("zoe");
         startSpeaker("bob", "hi");
-        run.society.deliverBy(new ChannelModel() {
+        run.platform.deliverBy(new ChannelModel() {
             @Override
             public List<Duration> copies(Message<?> message, String listener) {
                 return List.of(Duration.ofSeconds(1));
@@ -88,9 +88,9 @@ class ChannelModelTest {
     void whatComesLateIsNotHeardByOneThatHasEnded() {
         startListener("amy");
         startSpeaker("bob", "hi");
-        run.society.deliverBy((_, _) -> List.of(Duration.ofSeconds(2)));
+        run.platform.deliverBy((_, _) -> List.of(Duration.ofSeconds(2)));
         run.advance(2);
-        run.society.stop("amy");
+        run.platform.stop("amy");
         run.advance(2);
         assertThat(log).isEmpty();
     }
@@ -98,10 +98,10 @@ class ChannelModelTest {
     @Test
     void peopleHearWhatIsSaidAnyway() {
         var said = new ArrayList<Object>();
-        run.society.onMessage(message -> said.add(message.content()));
+        run.platform.onMessage(message -> said.add(message.content()));
         startListener("amy");
         startSpeaker("bob", "hi");
-        run.society.deliverBy((_, _) -> List.of());
+        run.platform.deliverBy((_, _) -> List.of());
         run.advance(2);
         assertThat(said).containsExactly("hi");
         assertThat(log).isEmpty();
@@ -114,7 +114,7 @@ class ChannelModelTest {
             self.subscribe(WORDS, _ -> {});
         });
         startSpeaker("bob", "hi", "hi");
-        run.society.deliverBy(new ChannelModel() {
+        run.platform.deliverBy(new ChannelModel() {
             @Override
             public List<Duration> copies(Message<?> message, String listener) {
                 return AT_ONCE;
@@ -131,7 +131,7 @@ class ChannelModelTest {
 
     @Test
     void whoeverIsStoppedByOneWhoHeardBeforeHearsNoMore() {
-        run.startListener("amy", _ -> run.society.stop("zoe"));
+        run.startListener("amy", _ -> run.platform.stop("zoe"));
         startListener("zoe");
         startListener("joe");
         startSpeaker("bob", "hi");
@@ -173,7 +173,7 @@ class ChannelModelTest {
         startListener("zoe");
         startListener("joe");
         startSpeaker("bob", "hi");
-        run.society.deliverBy((_, listener) ->
+        run.platform.deliverBy((_, listener) ->
                 listener.equals("zoe") ? List.of(Duration.ZERO, Duration.ofSeconds(1)) : ChannelModel.AT_ONCE);
         run.advance(3);
         assertThat(log)
@@ -194,7 +194,7 @@ class ChannelModelTest {
         startListener("zoe");
         startListener("joe");
         startSpeaker("bob", "hi", "ho");
-        run.society.deliverBy(new ChannelModel() {
+        run.platform.deliverBy(new ChannelModel() {
             @Override
             public List<Duration> copies(Message<?> message, String listener) {
                 return switch (listener) {
@@ -228,7 +228,7 @@ class ChannelModelTest {
         });
         startListener("zoe");
         startSpeaker("bob", "hi");
-        run.society.deliverBy(new ChannelModel() {
+        run.platform.deliverBy(new ChannelModel() {
             @Override
             public List<Duration> copies(Message<?> message, String listener) {
                 return List.of(Duration.ofSeconds(2), Duration.ofSeconds(1));
@@ -252,10 +252,10 @@ class ChannelModelTest {
     void isNotToldOfOneThatHasEndedMeanwhile() {
         startListener("amy");
         startSpeaker("bob", "hi");
-        run.society.deliverBy(new ChannelModel() {
+        run.platform.deliverBy(new ChannelModel() {
             @Override
             public List<Duration> copies(Message<?> message, String listener) {
-                run.society.stop("amy");
+                run.platform.stop("amy");
                 return AT_ONCE;
             }
 

@@ -26,7 +26,7 @@ class InterestTest {
     }
 
     private void report(String robot, String role, double x) {
-        run.society.publish(robot, PoseReport.TOPIC, new PoseReport(robot, role, new Pose2d(x, 0, 0)));
+        run.platform.publish(robot, PoseReport.TOPIC, new PoseReport(robot, role, new Pose2d(x, 0, 0)));
         run.advance(0);
     }
 

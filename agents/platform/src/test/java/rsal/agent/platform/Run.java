@@ -20,39 +20,39 @@ public final class Run {
     static final Topic<String> WORDS = new Topic<>("words", String.class);
 
     public final LockstepScheduler scheduler = new LockstepScheduler();
-    final AgentPlatform society = new AgentPlatform(
+    final AgentPlatform platform = new AgentPlatform(
             scheduler, new PlainHostProvider().create(Arguments.defaults(List.of()), scheduler), Optional.empty());
 
     /// All that was said, as `zoe -> amy: request: ...`, in order.
     public List<String> transcript() {
         var lines = new ArrayList<String>();
-        society.onMessage(said ->
+        platform.onMessage(said ->
                 lines.add(said.sender() + " -> " + (said.isForAll() ? "all" : said.to()) + ": " + said.content()));
         return lines;
     }
 
     public void deliverBy(ChannelModel delivery) {
-        society.deliverBy(delivery);
+        platform.deliverBy(delivery);
     }
 
     public <M> void send(String sender, String to, Topic<M> topic, M message) {
-        society.send(sender, to, topic, message);
+        platform.send(sender, to, topic, message);
     }
 
     public <T> Optional<T> look(String name, Class<T> type) {
-        return society.look(name, type);
+        return platform.look(name, type);
     }
 
     public void stop(String name) {
-        society.stop(name);
+        platform.stop(name);
     }
 
     public void start(String name, Agent agent) {
-        society.start(spec(name, agent, Optional.empty()));
+        platform.start(spec(name, agent, Optional.empty()));
     }
 
     public void start(String name, Agent agent, Robot robot) {
-        society.start(spec(name, agent, Optional.of(robot)));
+        platform.start(spec(name, agent, Optional.of(robot)));
     }
 
     /// An agent that hears words and hands them on with the name of the one who said them: `bob: hi`.
@@ -65,7 +65,7 @@ public final class Run {
     }
 
     public AgentPlatform.View view(String name) {
-        return society.views().stream()
+        return platform.views().stream()
                 .filter(view -> view.agent().name().equals(name))
                 .findFirst()
                 .orElseThrow();

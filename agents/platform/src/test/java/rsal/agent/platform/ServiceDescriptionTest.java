@@ -18,7 +18,7 @@ class ServiceDescriptionTest {
     private final List<Object> log = new ArrayList<>();
 
     private List<String> offering(String capability) {
-        return run.society.directory().offering(capability).stream()
+        return run.platform.directory().offering(capability).stream()
                 .map(Directory.Entry::name)
                 .toList();
     }
@@ -36,9 +36,9 @@ class ServiceDescriptionTest {
         assertThat(offering("lift")).containsExactly("amy");
         run.advance(1);
         assertThat(offering("gripper")).containsExactly("bob");
-        run.society.stop("amy");
+        run.platform.stop("amy");
         assertThat(offering("lift")).isEmpty();
-        assertThat(run.society.directory().capabilities("amy")).isEmpty();
+        assertThat(run.platform.directory().capabilities("amy")).isEmpty();
     }
 
     @Test

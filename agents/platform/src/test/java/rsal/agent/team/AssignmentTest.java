@@ -55,15 +55,15 @@ class AssignmentTest {
                 costs.put("r" + robot, random.doubles(places, 0, 10).toArray());
             }
             Map<String, Integer> placeOf = Assignment.even(costs);
-            double[] ways = placeOf.entrySet().stream()
+            double[] distances = placeOf.entrySet().stream()
                     .mapToDouble(entry -> costs.get(entry.getKey())[entry.getValue()])
                     .toArray();
             assertThat(placeOf.values()).as("seed %d", seed).doesNotHaveDuplicates();
-            assertThat(ways).as("seed %d", seed).hasSize(Math.min(robots, places));
+            assertThat(distances).as("seed %d", seed).hasSize(Math.min(robots, places));
             double[][] all = costs.values().toArray(double[][]::new);
             double longest = leastLongest(all, 0, 0, Math.max(0, robots - places));
-            assertThat(Arrays.stream(ways).max().orElseThrow()).isLessThanOrEqualTo(1.05 * longest + 1e-9);
-            assertThat(Arrays.stream(ways).sum())
+            assertThat(Arrays.stream(distances).max().orElseThrow()).isLessThanOrEqualTo(1.05 * longest + 1e-9);
+            assertThat(Arrays.stream(distances).sum())
                     .as("seed %d", seed)
                     .isCloseTo(leastSum(all, 0, 0, Math.max(0, robots - places), 1.05 * longest), within(1e-9));
         }

@@ -17,7 +17,7 @@ import rsal.navigation.slam.Slam;
 /// A map with the ways on which it was made (blue) and where places were known again (red).
 final class MapPicture {
     private static final int LONGEST = 2000; // side [px]
-    private static final Color WAY = new Color(0x1f, 0x5f, 0xd0);
+    private static final Color PATH = new Color(0x1f, 0x5f, 0xd0);
     private static final Color LOOP = new Color(0xd0, 0x30, 0x30, 0x90);
     private static final int[] SHADES = {0xffffff, 0x202020, 0xc8ccd2}; // free, occupied, unknown
 
@@ -37,7 +37,7 @@ final class MapPicture {
         graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         List<Pose2d> poses = slam.poses();
         for (Relation.Source source : List.of(Relation.Source.LOOP, Relation.Source.ODOMETRY)) {
-            graphics.setColor(source == Relation.Source.LOOP ? LOOP : WAY);
+            graphics.setColor(source == Relation.Source.LOOP ? LOOP : PATH);
             for (Relation relation : slam.relations()) {
                 if (relation.source() == source) {
                     Pose2d from = poses.get(relation.from());

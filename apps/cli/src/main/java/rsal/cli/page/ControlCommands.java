@@ -53,7 +53,7 @@ public final class ControlCommands {
             status.path("agents").forEach(agent -> agents.row(agentRow(agent)));
             var goals = new StringBuilder();
             status.path("goals").forEach(goal -> {
-                if (SentTo.of(goal).isUnderWay()) {
+                if (SentTo.of(goal).isInProgress()) {
                     goals.append("  ").append(SentTo.of(goal)).append(System.lineSeparator());
                 }
             });
@@ -348,7 +348,7 @@ public final class ControlCommands {
                         .orElseThrow(() -> new Unreachable(
                                 "Goal %d is not known any more: another run is there now, or it ended long ago."
                                         .formatted(number)));
-                if (!goal.isUnderWay()) {
+                if (!goal.isInProgress()) {
                     return goal;
                 }
                 Thread.sleep(LOOK_MILLIS);
@@ -366,7 +366,7 @@ public final class ControlCommands {
             return reported.path("id").asInt();
         }
 
-        boolean isUnderWay() {
+        boolean isInProgress() {
             return status().equals("executing");
         }
 
@@ -402,7 +402,7 @@ public final class ControlCommands {
         @Override
         public String toString() {
             String why = reported.path("why").asString("");
-            return isUnderWay()
+            return isInProgress()
                     ? String.format(
                             Locale.ROOT,
                             "goal %d: '%s' drives to (%.2f, %.2f, %.0f°)",

@@ -85,7 +85,7 @@ final class RunRecorder implements AutoCloseable {
             recorder = next;
             counted = new Counted(counted.ended(), Optional.of(next));
             recorded = path;
-            return Optional.of(next.witness());
+            return Optional.of(next.observer());
         } catch (FileAlreadyExistsException _) {
             throw new InvalidSettings(
                     Location.of(path.toString()),

@@ -25,7 +25,7 @@ final class SweepProgress {
     private int before; // had ended in an earlier session
     private int ended;
     private int broken;
-    private boolean underWay;
+    private boolean inProgress;
 
     /// @param wanted how many runs there are
     SweepProgress(PrintWriter err, int wanted) {
@@ -34,7 +34,7 @@ final class SweepProgress {
     }
 
     synchronized void begin(List<Row> there, int jobs) {
-        underWay = true;
+        inProgress = true;
         before = there.size();
         ended = before;
         broken = (int) there.stream().filter(Row::isBroken).count();
@@ -66,7 +66,7 @@ final class SweepProgress {
 
     /// No more runs are done.
     synchronized void end() {
-        underWay = false;
+        inProgress = false;
         clear();
     }
 
@@ -74,7 +74,7 @@ final class SweepProgress {
     ///
     /// @param folder where the rows are
     synchronized void interrupted(String folder) {
-        if (!underWay) {
+        if (!inProgress) {
             return;
         }
         clear();

@@ -32,8 +32,8 @@ record SweepRecordings(Path folder, String command) implements Recordings {
 
     private record Recorded(Recorder recorder) implements Recording {
         @Override
-        public Optional<RunObserver> witness() {
-            return Optional.of(recorder.witness());
+        public Optional<RunObserver> observer() {
+            return Optional.of(recorder.observer());
         }
 
         @Override

@@ -139,7 +139,7 @@ public final class Live implements ViewerEndpoint {
     /// One viewer's socket. Jetty calls it and sends for it on threads of its own; it calls only public classes.
     public final class Connection extends Session.Listener.AbstractAutoDemanding implements Viewer.Line {
         private final Viewer viewer = new Viewer(this, counts);
-        private final AtomicInteger underWay = new AtomicInteger();
+        private final AtomicInteger inProgress = new AtomicInteger();
         private final long number = newest.incrementAndGet();
         private volatile boolean trusted; // it has shown the token
         private int patience = LONGEST_WAIT; // periods; the clock's thread only
@@ -241,13 +241,13 @@ public final class Live implements ViewerEndpoint {
         }
 
         private Callback sent() {
-            underWay.incrementAndGet();
-            return Callback.from(underWay::decrementAndGet, _ -> underWay.decrementAndGet());
+            inProgress.incrementAndGet();
+            return Callback.from(inProgress::decrementAndGet, _ -> inProgress.decrementAndGet());
         }
 
         @Override
         public boolean isClear() {
-            return underWay.get() == 0;
+            return inProgress.get() == 0;
         }
 
         @Override

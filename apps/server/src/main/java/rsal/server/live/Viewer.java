@@ -56,7 +56,7 @@ public final class Viewer {
 
     private final Line line;
     private final ViewerCounts counts;
-    private final Deque<Long> framesUnderWay = new ArrayDeque<>();
+    private final Deque<Long> framesInProgress = new ArrayDeque<>();
     private int run; // 0 is none
     private long newestFrame;
     private long details; // their version; 0 is none
@@ -144,7 +144,7 @@ public final class Viewer {
     }
 
     private boolean isWaitedFor() {
-        return !line.isClear() || !framesUnderWay.isEmpty() || eventsTaken < eventsSent;
+        return !line.isClear() || !framesInProgress.isEmpty() || eventsTaken < eventsSent;
     }
 
     /// Who and what has come, before the frame that has them.
@@ -176,7 +176,7 @@ public final class Viewer {
     }
 
     private boolean isDue(Feed feed) {
-        return newestFrame < feed.sequence() && framesUnderWay.size() < FRAMES;
+        return newestFrame < feed.sequence() && framesInProgress.size() < FRAMES;
     }
 
     private void sendFrame(Feed feed) {
@@ -191,7 +191,7 @@ public final class Viewer {
             counts.skipped(feed.sequence() - newestFrame - 1);
         }
         newestFrame = feed.sequence();
-        framesUnderWay.add(newestFrame);
+        framesInProgress.add(newestFrame);
         line.send(feed.frame());
         counts.sent(Kind.FRAME, feed.frame().length);
     }
@@ -203,7 +203,7 @@ public final class Viewer {
 
     private void begin(Feed feed) {
         run = feed.number();
-        framesUnderWay.clear();
+        framesInProgress.clear();
         shows = false;
         newestFrame = 0;
         details = 0;
@@ -238,7 +238,7 @@ public final class Viewer {
             wish = wish == null ? look : wish.then(look); // several may come between two offers
         });
         boolean taken = receipt.frame()
-                .map(frame -> framesUnderWay.removeIf(sent -> sent <= frame))
+                .map(frame -> framesInProgress.removeIf(sent -> sent <= frame))
                 .orElse(false);
         long events = Math.clamp(receipt.events().orElse(0L), eventsTaken, eventsSent);
         shows |= taken;

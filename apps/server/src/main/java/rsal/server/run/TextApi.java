@@ -28,13 +28,13 @@ public final class TextApi {
     private static final int MOST_CHECKS = 2; // one under way, and one that waits
 
     private final RunSlots seats;
-    private final ScenarioCatalog shelf;
+    private final ScenarioCatalog catalog;
     private final AccessControl gate;
     private final Semaphore checks = new Semaphore(MOST_CHECKS);
 
-    public TextApi(RunSlots seats, ScenarioCatalog shelf, AccessControl gate) {
+    public TextApi(RunSlots seats, ScenarioCatalog catalog, AccessControl gate) {
         this.seats = seats;
-        this.shelf = shelf;
+        this.catalog = catalog;
         this.gate = gate;
     }
 
@@ -44,7 +44,7 @@ public final class TextApi {
                 request -> request.contentType("application/schema+json").result(ScenarioSchema.json()));
         routes.get("/api/scenarios/text", request -> {
             String id = request.queryParam("scenario");
-            Http.answer(request, id == null ? shelf.text(present(request)) : shelf.text(id));
+            Http.answer(request, id == null ? catalog.text(present(request)) : catalog.text(id));
         });
         routes.post("/api/scenarios/check", request -> {
             gate.authorizeAdmin(request.header(Header.AUTHORIZATION));
@@ -61,7 +61,7 @@ public final class TextApi {
         routes.put("/api/scenarios/text", request -> {
             Http.authorizeAdmin(request, gate);
             TextToSave wish = Http.read(request, TextToSave.class, 2 * Http.MAX_TEXT);
-            shelf.save(wish.scenario(), wish.before(), wish.text());
+            catalog.save(wish.scenario(), wish.before(), wish.text());
             Http.answer(request, Map.of());
         });
     }
@@ -74,7 +74,7 @@ public final class TextApi {
     private synchronized TextCheck check(TextToCheck wish, Scenario present) {
         List<ConfigurationInfo> configurations = List.of();
         try {
-            Scenario scenario = shelf.edited(wish.scenario(), wish.text(), present);
+            Scenario scenario = catalog.edited(wish.scenario(), wish.text(), present);
             configurations = Descriptions.configurations(scenario);
             scenario.check();
             return new TextCheck(configurations, List.of());

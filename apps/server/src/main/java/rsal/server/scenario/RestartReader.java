@@ -16,16 +16,16 @@ import rsal.settings.Problem;
 /// Plans another run, of the same scenario or another one, as somebody wishes. Goes on after a mistake, so that all are
 /// reported together, each with the field that it was typed into.
 public final class RestartReader {
-    private final ScenarioCatalog shelf;
+    private final ScenarioCatalog catalog;
     private final RunPlan present;
     private final double speed;
     private final List<Mistake> mistakes = new ArrayList<>();
 
-    /// @param shelf where other scenarios are
+    /// @param catalog where other scenarios are
     /// @param present the plan that what is left out is taken from, when its scenario stays
     /// @param speed the same
-    public RestartReader(ScenarioCatalog shelf, RunPlan present, double speed) {
-        this.shelf = shelf;
+    public RestartReader(ScenarioCatalog catalog, RunPlan present, double speed) {
+        this.catalog = catalog;
         this.present = present;
         this.speed = speed;
     }
@@ -53,8 +53,8 @@ public final class RestartReader {
 
     private Scenario scenario(Restart wish) {
         return wish.text()
-                .map(text -> shelf.edited(wish.scenario(), text, present.scenario()))
-                .orElseGet(() -> wish.scenario().map(shelf::load).orElse(present.scenario()));
+                .map(text -> catalog.edited(wish.scenario(), text, present.scenario()))
+                .orElseGet(() -> wish.scenario().map(catalog::load).orElse(present.scenario()));
     }
 
     private RunOptions asNow() {

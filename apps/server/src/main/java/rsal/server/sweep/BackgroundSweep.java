@@ -116,7 +116,7 @@ final class BackgroundSweep implements AutoCloseable {
         return state.status() == SweepStatus.ENDED;
     }
 
-    boolean isUnderWay() {
+    boolean isInProgress() {
         return state.status() == SweepStatus.RUNS;
     }
 

@@ -72,7 +72,7 @@ public final class SweepApi {
     ///
     /// @throws Refusal when it would be disturbed
     public void checkBeside(RunPlan plan) {
-        if (plan.clock() == RunPlan.Clock.WALL && sweeps.isUnderWay()) {
+        if (plan.clock() == RunPlan.Clock.WALL && sweeps.isInProgress()) {
             throw new Refusal(
                     409, "This goes in real time, and a sweep beside it would make it late. Stop that first.");
         }

@@ -38,12 +38,12 @@ public final class SweepReader {
     private final Scenario scenario;
     private final List<Mistake> mistakes = new ArrayList<>();
 
-    /// @param shelf where scenarios are
+    /// @param catalog where scenarios are
     /// @throws Refusal when the scenario is not there, or can't be read
-    SweepReader(ScenarioCatalog shelf, SweepWish wish) {
+    SweepReader(ScenarioCatalog catalog, SweepWish wish) {
         this.wish = wish;
         try {
-            scenario = shelf.load(wish.scenario());
+            scenario = catalog.load(wish.scenario());
         } catch (InvalidSettings e) {
             throw refusal(e);
         }

@@ -40,19 +40,19 @@ public final class Sweeps implements AutoCloseable {
 
     private final Optional<SweepHome> sweeping;
     private final Optional<EarlierSweeps> earlier;
-    private final ScenarioCatalog shelf;
+    private final ScenarioCatalog catalog;
     private final FewAtOnce fewReports = new FewAtOnce("the sweep's report");
     private final int cores;
     private @Nullable BackgroundSweep newest;
     private boolean closed;
 
     /// @param sweeping empty where none can be begun
-    /// @param shelf where scenarios are
+    /// @param catalog where scenarios are
     /// @param cores how many of them sweeps may keep busy
-    public Sweeps(Optional<SweepHome> sweeping, ScenarioCatalog shelf, int cores) {
+    public Sweeps(Optional<SweepHome> sweeping, ScenarioCatalog catalog, int cores) {
         this.sweeping = sweeping;
         this.earlier = sweeping.map(here -> new EarlierSweeps(here.folder()));
-        this.shelf = shelf;
+        this.catalog = catalog;
         this.cores = cores;
     }
 
@@ -67,7 +67,7 @@ public final class Sweeps implements AutoCloseable {
 
     /// @throws Refusal with what is wrong with the wish
     SweepSize size(SweepWish wish) {
-        return new SweepReader(shelf, wish).size();
+        return new SweepReader(catalog, wish).size();
     }
 
     /// @param check throws when none may begin now; called last of all
@@ -76,7 +76,7 @@ public final class Sweeps implements AutoCloseable {
         SweepHome here = here();
         checkFree();
         int jobs = jobs(wish);
-        Sweep sweep = new SweepReader(shelf, wish).sweep(); // may take a while
+        Sweep sweep = new SweepReader(catalog, wish).sweep(); // may take a while
         synchronized (this) {
             checkFree();
             check.run();
@@ -127,8 +127,8 @@ public final class Sweeps implements AutoCloseable {
             SweepReader.tooLarge(design).ifPresent(mistake -> {
                 throw new Refusal(409, mistake.message());
             });
-            String scenario = shelf.idOf(last.scenario());
-            Sweep sweep = Sweep.of(shelf.load(scenario), design);
+            String scenario = catalog.idOf(last.scenario());
+            Sweep sweep = Sweep.of(catalog.load(scenario), design);
             return new BackgroundSweep.Order(nextNumber(), sweep, scenario, Math.clamp(last.jobs(), 1, cores), out);
         } catch (InvalidSettings e) {
             throw new Refusal(409, e);
@@ -226,8 +226,8 @@ public final class Sweeps implements AutoCloseable {
         return earlier.orElseThrow(Sweeps::notHere);
     }
 
-    boolean isUnderWay() {
-        return newest().filter(BackgroundSweep::isUnderWay).isPresent();
+    boolean isInProgress() {
+        return newest().filter(BackgroundSweep::isInProgress).isPresent();
     }
 
     private synchronized Optional<BackgroundSweep> newest() {
@@ -250,7 +250,7 @@ public final class Sweeps implements AutoCloseable {
         if (closed) {
             throw new Refusal(503, "The server is ending.");
         }
-        if (isUnderWay()) {
+        if (isInProgress()) {
             throw new Refusal(409, "A sweep is running already. Stop it first, or wait until it has ended.");
         }
     }

@@ -211,7 +211,7 @@ public class RecordedPastTest {
         var seen = new ArrayList<Snapshot>();
         try (Recorder recorder = Recorder.begin(file, true, origin, Backlog.Behind.WAIT, System::nanoTime)) {
             LiveRun run = LiveRun.of(plan)
-                    .observer(new Seen(recorder.witness(), seen))
+                    .observer(new Seen(recorder.observer(), seen))
                     .start();
             meddling.accept(run);
             RunResult result = run.result().toCompletableFuture().get(100, TimeUnit.SECONDS);

@@ -34,35 +34,35 @@ class ScenarioCatalogTest {
     @Test
     void offersWhatWasNamed() throws IOException {
         Path own = Files.writeString(folder.resolve("own.yaml"), TEXT);
-        var shelf = new ScenarioCatalog(List.of(own.toString(), "hunt-and-prey"));
+        var catalog = new ScenarioCatalog(List.of(own.toString(), "hunt-and-prey"));
 
-        assertThat(shelf.all().scenarios())
+        assertThat(catalog.all().scenarios())
                 .extracting(ScenarioInfo::id)
                 .containsExactly(own.toString(), "hunt-and-prey");
-        assertThat(shelf.all().scenarios()).extracting(ScenarioInfo::problem).containsOnly("");
-        assertThat(shelf.all().hosts()).extracting(HostInfo::key).contains("plain");
+        assertThat(catalog.all().scenarios()).extracting(ScenarioInfo::problem).containsOnly("");
+        assertThat(catalog.all().hosts()).extracting(HostInfo::key).contains("plain");
     }
 
     @Test
     void readsFilesAnewAndTellsWhatIsWrongWithThem() throws IOException {
         Path own = Files.writeString(folder.resolve("own.yaml"), TEXT);
-        var shelf = new ScenarioCatalog(List.of(own.toString(), "hunt-and-prey"));
-        byte[] first = shelf.picture(own.toString());
-        assertThat(shelf.picture(own.toString())).isSameAs(first);
+        var catalog = new ScenarioCatalog(List.of(own.toString(), "hunt-and-prey"));
+        byte[] first = catalog.picture(own.toString());
+        assertThat(catalog.picture(own.toString())).isSameAs(first);
         Files.writeString(own, TEXT.replace("My own", "Mine, mended"));
-        assertThat(shelf.all().scenarios().getFirst().title()).isEqualTo("Mine, mended");
+        assertThat(catalog.all().scenarios().getFirst().title()).isEqualTo("Mine, mended");
 
         Files.writeString(own, TEXT.replace("pioneer2dx", "pioneer9")); // which is found once it is to be run
         assertThat(own.toFile().setLastModified(own.toFile().lastModified() + 10_000))
                 .isTrue();
-        assertThatThrownBy(() -> shelf.picture(own.toString())).isInstanceOf(Refusal.class);
+        assertThatThrownBy(() -> catalog.picture(own.toString())).isInstanceOf(Refusal.class);
 
         Files.writeString(own, TEXT.replace("rsal: 1", "rsal: 7"));
-        assertThat(shelf.all().scenarios().getFirst().problem()).contains("own.yaml", "'7");
+        assertThat(catalog.all().scenarios().getFirst().problem()).contains("own.yaml", "'7");
 
         Files.delete(own);
-        assertThat(shelf.all().scenarios().getFirst().problem()).isNotEmpty();
-        assertThat(shelf.all().scenarios().getLast().problem()).isEmpty();
+        assertThat(catalog.all().scenarios().getFirst().problem()).isNotEmpty();
+        assertThat(catalog.all().scenarios().getLast().problem()).isEmpty();
     }
 
     @Test
@@ -70,13 +70,13 @@ class ScenarioCatalogTest {
         Path own = Files.createDirectory(folder.resolve("own"));
         File file = Files.writeString(own.resolve("own.yaml"), TEXT).toFile();
         long whenFolderChanged = own.toFile().lastModified();
-        var shelf = new ScenarioCatalog(List.of(own.toString()));
-        assertThat(shelf.picture(own.toString())).isNotEmpty();
+        var catalog = new ScenarioCatalog(List.of(own.toString()));
+        assertThat(catalog.picture(own.toString())).isNotEmpty();
 
         Files.writeString(file.toPath(), TEXT.replace("pioneer2dx", "pioneer9"));
         assertThat(file.setLastModified(file.lastModified() + 10_000)).isTrue();
         assertThat(own.toFile().lastModified()).isEqualTo(whenFolderChanged);
-        assertThatThrownBy(() -> shelf.picture(own.toString())).isInstanceOf(Refusal.class);
+        assertThatThrownBy(() -> catalog.picture(own.toString())).isInstanceOf(Refusal.class);
     }
 
     @Test

@@ -77,11 +77,11 @@ final class AlternativeHypotheses {
         return worst;
     }
 
-    /// @param way of the base since the last scan, in its old frame
+    /// @param motion of the base since the last scan, in its old frame
     /// @param uncertainty of the way
-    void follow(Pose2d way, Covariance2d uncertainty, Beams beams) {
+    void follow(Pose2d motion, Covariance2d uncertainty, Beams beams) {
         for (int i = 0; i < count; i++) {
-            poses[i] = poses[i].compose(way);
+            poses[i] = poses[i].compose(motion);
         }
         if (beams.count() == 0) {
             return;

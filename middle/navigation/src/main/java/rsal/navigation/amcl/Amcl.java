@@ -200,8 +200,8 @@ public final class Amcl {
             return false;
         }
         Beams seen = beams.get();
-        Pose2d way = this.odomFromBase.inverse().compose(odomFromBase);
-        Fates fates = fates(seen, newest.mapFromBase().compose(way));
+        Pose2d motion = this.odomFromBase.inverse().compose(odomFromBase);
+        Fates fates = fates(seen, newest.mapFromBase().compose(motion));
         return seen.cone() == 0
                 && fates.reported() >= FEWEST_BEAMS
                 && fates.through() > CONTRADICTED * fates.reported();
@@ -215,7 +215,7 @@ public final class Amcl {
         if (!odomFromBase.isFinite()) {
             throw new IllegalArgumentException("Odometry can't say '%s'.".formatted(odomFromBase));
         }
-        Pose2d way = fresh ? Pose2d.ORIGIN : this.odomFromBase.inverse().compose(odomFromBase);
+        Pose2d motion = fresh ? Pose2d.ORIGIN : this.odomFromBase.inverse().compose(odomFromBase);
         if (anywhere) {
             scatter(beams);
         } else if (!fresh) {
@@ -227,9 +227,9 @@ public final class Amcl {
         if (beams.count() > 0) {
             filter.weigh(beams);
         }
-        PoseEstimate clustered = seen(filter.estimate(), way, beams.count() > 0);
+        PoseEstimate clustered = seen(filter.estimate(), motion, beams.count() > 0);
         Pose2d pose = refinement.refine(beams, clustered.mapFromBase(), clustered.covariance());
-        if (newest != null && !newest.mapFromBase().compose(way).isNear(pose, NEAR, NEARLY)) {
+        if (newest != null && !newest.mapFromBase().compose(motion).isNear(pose, NEAR, NEARLY)) {
             evidence.restart(); // what spoke for the other place says nothing of this one
             trusted = false;
         }
@@ -239,7 +239,7 @@ public final class Amcl {
         }
         trusted &= !lost;
         if (rivals.count() > 0) {
-            rivals.follow(way, settings.odometry().covariance(way), beams);
+            rivals.follow(motion, settings.odometry().covariance(motion), beams);
             if (!rivals.hasNear(pose, NEAR, NEARLY)) {
                 rivals.add(pose, 0);
             }
@@ -298,16 +298,16 @@ public final class Amcl {
 
     /// Particles that scatter while nothing is seen fall into clusters, each of which is narrower than what is known:
     /// then the wheels alone tell, from where something was seen last.
-    private PoseEstimate seen(PoseEstimate clustered, Pose2d way, boolean something) {
+    private PoseEstimate seen(PoseEstimate clustered, Pose2d motion, boolean something) {
         blind = something ? 0 : blind + 1;
         Hypothesis before = newest;
         if (something || before == null) {
             return clustered;
         }
-        Pose2d pose = before.mapFromBase().compose(way);
+        Pose2d pose = before.mapFromBase().compose(motion);
         var grown = before.covariance()
                 .plus(settings.odometry()
-                        .covariance(way)
+                        .covariance(motion)
                         .turned(before.mapFromBase().theta()));
         var moved = new Hypothesis(before.weight(), pose, grown);
         return new PoseEstimate(pose, grown, List.of(moved), clustered.confidence(), clustered.quality());

@@ -23,7 +23,7 @@ import rsal.data.Pose2d;
 /// @param base how the robot drives
 public record OdometryModel(
         double distancePerMeter, double headingPerMeter, double headingPerRadian, double sidewaysPerMeter, Base base) {
-    private static final double NO_WAY = 1e-3;
+    private static final double NO_MOTION = 1e-3;
 
     /// How a robot drives.
     public enum Base {
@@ -81,8 +81,8 @@ public record OdometryModel(
         double dy = odomFromNew.y() - odomFromOld.y();
         double way = Math.hypot(dx, dy);
         double turn = Angles.difference(odomFromOld.theta(), odomFromNew.theta());
-        double firstTurn = way < NO_WAY ? turn / 2 : Angles.wrap(Math.atan2(dy, dx) - odomFromOld.theta());
-        if (Math.abs(firstTurn) > Math.PI / 2 && way >= NO_WAY) {
+        double firstTurn = way < NO_MOTION ? turn / 2 : Angles.wrap(Math.atan2(dy, dx) - odomFromOld.theta());
+        if (Math.abs(firstTurn) > Math.PI / 2 && way >= NO_MOTION) {
             firstTurn = Angles.wrap(firstTurn + Math.PI);
             way = -way;
         }
@@ -105,7 +105,7 @@ public record OdometryModel(
 
     private void slide(Pose2d way, Particles particles, RandomGenerator random) {
         double length = Math.hypot(way.x(), way.y());
-        double bearing = length < NO_WAY ? 0 : Math.atan2(way.y(), way.x());
+        double bearing = length < NO_MOTION ? 0 : Math.atan2(way.y(), way.x());
         double alongNoise = distancePerMeter * Math.sqrt(length);
         double acrossNoise = sidewaysPerMeter * Math.sqrt(length);
         double turn = way.theta();

@@ -13,7 +13,7 @@ import rsal.data.Twist2d;
 /// nothing that may move is beside or behind: of another robot it may see no more than a corner.
 public final class CollisionMonitor {
     private static final double LONGEST_STEP = 0.05; // s
-    private static final double LONGEST_WAY = 0.04; // m per step
+    private static final double LONGEST_DISTANCE = 0.04; // m per step
     private static final double[] SHARES = {1, 0.75, 0.5, 0.3, 0.15};
     private static final double HIDDEN = 0.4; // m; so large may be what is not seen of what may move
     private static final double REMEMBERED = 0.05; // m; what lies behind may be so much nearer than remembered
@@ -42,7 +42,7 @@ public final class CollisionMonitor {
     CollisionMonitor(Footprint footprint, DriveLimits limits, double margin, double behind, double reaction) {
         this.behind = behind;
         this.outline = new FootprintOutline(footprint, 0);
-        this.step = Math.min(LONGEST_STEP, LONGEST_WAY / limits.speed());
+        this.step = Math.min(LONGEST_STEP, LONGEST_DISTANCE / limits.speed());
         this.radius = footprint.circumscribedRadius();
         this.limits = limits;
         this.margin = margin;

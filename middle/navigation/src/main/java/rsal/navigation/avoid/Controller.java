@@ -10,17 +10,17 @@ import rsal.data.Twist2d;
 ///
 /// Keeps what it did last, so each robot needs its own, on one thread.
 public interface Controller {
-    /// How many points [#way] has at most.
-    int WAY_POINTS = 16;
+    /// How many points [#path] has at most.
+    int PATH_POINTS = 16;
 
     /// Where to go.
     ///
     /// @param place to head for
     /// @param arriving whether to come to rest there
-    /// @param way the next piece of the planned way, from the robot to the place and on; empty when nobody planned
-    record Target(Point2d place, boolean arriving, List<Point2d> way) {
+    /// @param path the next piece of the planned way, from the robot to the place and on; empty when nobody planned
+    record Target(Point2d place, boolean arriving, List<Point2d> path) {
         public Target {
-            way = List.copyOf(way);
+            path = List.copyOf(path);
         }
 
         /// A place to which nobody planned a way.
@@ -55,9 +55,9 @@ public interface Controller {
     Twist2d guarded(Obstacles obstacles, Twist2d wanted, Motion motion);
 
     /// The way that it means to go on by what it commanded last, for people to see: places of the base one after the
-    /// other, in the base frame as that was then [m], the first of them its origin; at most [#WAY_POINTS].
+    /// other, in the base frame as that was then [m], the first of them its origin; at most [#PATH_POINTS].
     /// Made when it is asked for. Empty where it stands or turns in place, and of one that tells none.
-    default List<Point2d> way() {
+    default List<Point2d> predictedTrajectory() {
         return List.of();
     }
 

@@ -73,7 +73,7 @@ public final class FootprintOutline {
     /// 0 when the point is inside.
     ///
     /// @param curvature of the arc, positive to the left [1/m]
-    public double way(double x, double y, double curvature) {
+    public double freeDistance(double x, double y, double curvature) {
         if (distance(x, y) <= 0) {
             return 0;
         }

@@ -16,7 +16,7 @@ public final class Shunt {
     private final List<Leg> legs;
     private final double speed;
     private int leg;
-    private double way; // made of the leg [m]
+    private double distance; // made of the leg [m]
     private double heading; // where the leg began, as it was planned, by odometry
     private Pose2d last;
 
@@ -43,12 +43,12 @@ public final class Shunt {
 
     /// What to command now; to be asked at each beat.
     public Twist2d drive(Motion motion) {
-        way += last.distanceTo(motion.odomFromBase());
+        distance += last.distanceTo(motion.odomFromBase());
         last = motion.odomFromBase();
         while (leg < legs.size()) {
             Leg now = legs.get(leg);
             double length = Math.abs(now.meters());
-            double share = length == 0 ? 1 : Math.min(1, way / length);
+            double share = length == 0 ? 1 : Math.min(1, distance / length);
             double missing = Angles.difference(last.theta(), heading + share * now.radians());
             if (length == 0 ? Math.abs(missing) > THERE : share < 1) {
                 return length == 0
@@ -58,7 +58,7 @@ public final class Shunt {
                                 speed * now.radians() / length + STEERING * missing);
             }
             leg++;
-            way = 0;
+            distance = 0;
             heading += now.radians();
         }
         return Twist2d.STOP;

@@ -53,7 +53,7 @@ final class TrajectoryPreview {
             return List.of();
         }
         double seconds = Math.min(SECONDS, longest / speed);
-        int pieces = Math.clamp((long) Math.ceil(Math.abs(turned(seconds)) / BEND), 1, Controller.WAY_POINTS - 1);
+        int pieces = Math.clamp((long) Math.ceil(Math.abs(turned(seconds)) / BEND), 1, Controller.PATH_POINTS - 1);
         double length = command.vx() * seconds / pieces;
         var points = new ArrayList<Point2d>(pieces + 1);
         double x = 0;

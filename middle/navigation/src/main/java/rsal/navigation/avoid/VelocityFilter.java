@@ -117,7 +117,7 @@ public final class VelocityFilter {
 
     /// Where what it let through last leads within 2 s, as [Controller#way] has it: on its arc, or into the
     /// direction that it turns to.
-    public List<Point2d> way() {
+    public List<Point2d> predictedTrajectory() {
         return ahead.points();
     }
 

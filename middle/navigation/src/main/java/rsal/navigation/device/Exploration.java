@@ -85,7 +85,7 @@ final class Exploration {
     /// when there are no others
     record Order(
             OccupancyGrid map,
-            Wavefront ways,
+            Wavefront wavefront,
             DistanceField toNotFree,
             Optional<Goal> goal,
             List<Mapper.End> ends,
@@ -176,7 +176,7 @@ final class Exploration {
         for (int robot = 0; robot < ready.size(); robot++) {
             Ready one = ready.get(robot);
             CostMap.Clearance room = one.body().clearance();
-            Found found = Found.by(now.ways(room), one.place(), frontiers);
+            Found found = Found.by(now.wavefront(room), one.place(), frontiers);
             if (found.leadsNowhere() && !frontiers.isEmpty()) {
                 Wavefront back = openWhereDriven.computeIfAbsent(
                         room, c -> new Wavefront(CostMap.of(map, now.toNotFree(), c, driven(seen, c))));
@@ -200,7 +200,7 @@ final class Exploration {
             boolean complete = found.leadsNowhere();
             orders.add(new Order(
                     map,
-                    found.ways(),
+                    found.wavefront(),
                     now.toNotFree(),
                     chosen.get(robot)
                             .map(i -> new Goal(
@@ -217,15 +217,15 @@ final class Exploration {
     ///
     /// @param known whether it knows what it can get to
     /// @param reaches of each frontier
-    private record Found(Wavefront ways, boolean known, List<Reach> reaches) {
-        static Found by(Wavefront ways, Point2d place, List<Frontier> frontiers) {
-            Optional<NavigationFunction> from = ways.everywhere(place, SLACK);
-            OccupancyGrid map = ways.map().grid();
+    private record Found(Wavefront wavefront, boolean known, List<Reach> reaches) {
+        static Found by(Wavefront wavefront, Point2d place, List<Frontier> frontiers) {
+            Optional<NavigationFunction> from = wavefront.everywhere(place, SLACK);
+            OccupancyGrid map = wavefront.map().grid();
             List<Reach> reaches = frontiers.stream()
                     .map(Frontier::place)
                     .map(end -> from.map(f -> reach(map, f, end)).orElse(Reach.none(end)))
                     .toList();
-            return new Found(ways, from.isPresent(), reaches);
+            return new Found(wavefront, from.isPresent(), reaches);
         }
 
         /// Whether it is sure that it can get to none.

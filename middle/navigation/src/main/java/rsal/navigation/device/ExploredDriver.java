@@ -53,7 +53,7 @@ public final class ExploredDriver implements DeviceDriver {
         double goalDistance = arguments.get(WavefrontDriver.GOAL_DISTANCE);
         return new MapPlanner(
                 new DeviceInfo(context.robot().id(), context.name(), key()),
-                () -> new WavefrontDriver.Waves(explorer.ways(), goalDistance),
+                () -> new WavefrontDriver.Waves(explorer.wavefront(), goalDistance),
                 context.scheduler());
     }
 }

@@ -49,7 +49,7 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
     private int looksForNothing; // in a row, in which there was nothing more to get to
     private boolean paused;
     private List<End> ends = List.of();
-    private Wavefront ways = nowhere();
+    private Wavefront wavefront = nowhere();
 
     /// @param localizer that tells where it is, `slam` or what stands in its place
     Explorer(
@@ -79,7 +79,9 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
 
     void start() {
         slam.knows(() -> team.mates(this));
-        navigator.on(ways, DistanceField.toNotFree(ways.map().grid())); // the run's map is not for robots that explore
+        navigator.on(
+                wavefront,
+                DistanceField.toNotFree(wavefront.map().grid())); // the run's map is not for robots that explore
         team.join(this);
         Instant begin = scheduler.instant().plus(FRESH);
         scheduler.every(Exploration.PERIOD, Phase.DEVICES, () -> {
@@ -154,8 +156,8 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
     }
 
     /// How its robot gets about on the map as told last.
-    Wavefront ways() {
-        return ways;
+    Wavefront wavefront() {
+        return wavefront;
     }
 
     void take(Exploration.Order order) {
@@ -169,9 +171,9 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
             publishNarrow(order);
         }
         deliver(new Stamped<>(scheduler.instant(), slam.frame(), order.map()));
-        ways = order.ways();
+        wavefront = order.wavefront();
         ends = order.ends();
-        navigator.on(ways, order.toNotFree());
+        navigator.on(wavefront, order.toNotFree());
         if (paused) {
             return;
         }

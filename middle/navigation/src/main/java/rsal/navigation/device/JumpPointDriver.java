@@ -14,7 +14,7 @@ import rsal.settings.Parameter;
 
 /// Makes planners that use [JumpPoints] on the run's map.
 public final class JumpPointDriver implements DeviceDriver {
-    private final GlobalPlanners ways = new GlobalPlanners();
+    private final GlobalPlanners planners = new GlobalPlanners();
 
     @Override
     public String key() {
@@ -44,7 +44,8 @@ public final class JumpPointDriver implements DeviceDriver {
 
     @Override
     public Device create(Context context, Arguments arguments) {
-        JumpPoints jumps = ways.shortest(context.map(), context.robot().model().footprint(), arguments);
+        JumpPoints jumps =
+                planners.shortest(context.map(), context.robot().model().footprint(), arguments);
         var search = new Jumps(jumps, arguments.get(WavefrontDriver.GOAL_DISTANCE));
         return new MapPlanner(
                 new DeviceInfo(context.robot().id(), context.name(), key()), () -> search, context.scheduler());

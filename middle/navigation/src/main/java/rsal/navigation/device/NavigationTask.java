@@ -70,7 +70,7 @@ final class NavigationTask {
         this.started = scheduler.instant();
         this.confidence = new PoseConfidence(started);
         this.planning = new PathPlanning(
-                parts.ways(), scheduler, mapFromGoal.position(), tolerance.distance(), settings.replanPeriod());
+                parts.planner(), scheduler, mapFromGoal.position(), tolerance.distance(), settings.replanPeriod());
         this.progress = new ProgressMonitor(parts.plugins().newProgressChecker(), settings.patience(), started);
         this.recoveries = parts.plugins().newRecoveries();
         this.lookingAround = parts.plugins().newLostRecovery();
@@ -102,7 +102,7 @@ final class NavigationTask {
     Path2d localPath() {
         return recoveries.followsOwnPath()
                 ? Path2d.EMPTY
-                : new Path2d(parts.avoidance().way().stream()
+                : new Path2d(parts.avoidance().predictedTrajectory().stream()
                         .map(mapFromBase::transform)
                         .toList());
     }

@@ -80,7 +80,7 @@ public final class NavigatorDriver implements DeviceDriver {
     private static final Parameter<PluginChoice> LOST_RECOVERY =
             Parameter.plugin("lostRecovery", "lookAround", RECOVERY_TYPES, "recovery while the robot is not localized");
 
-    private final GlobalPlanners ways = new GlobalPlanners();
+    private final GlobalPlanners planners = new GlobalPlanners();
 
     @Override
     public String key() {
@@ -188,9 +188,9 @@ public final class NavigatorDriver implements DeviceDriver {
                         laser,
                         sonars,
                         controller,
-                        ways.planner(context.map(), model.footprint(), arguments, arguments.get(PLANNER)),
+                        planners.planner(context.map(), model.footprint(), arguments, arguments.get(PLANNER)),
                         plugins(context, arguments, driven, controller),
-                        ways.field(context.map())),
+                        planners.field(context.map())),
                 new PathNavigator.Settings(
                         limits,
                         lookahead,

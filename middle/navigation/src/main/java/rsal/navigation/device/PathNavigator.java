@@ -62,7 +62,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
             Optional<LaserScanner> laser,
             Optional<SonarArray> sonars,
             Controller avoidance,
-            GlobalPlanner ways,
+            GlobalPlanner planner,
             TaskPlugins plugins,
             DistanceField toNotFree) {}
 
@@ -117,14 +117,14 @@ final class PathNavigator extends DeviceCore implements Navigator {
     }
 
     /// Gives it another map, from its next goal on.
-    void on(GlobalPlanner ways, DistanceField toNotFree) {
+    void on(GlobalPlanner planner, DistanceField toNotFree) {
         parts = new Parts(
                 parts.base(),
                 parts.localizer(),
                 parts.laser(),
                 parts.sonars(),
                 parts.avoidance(),
-                ways,
+                planner,
                 parts.plugins(),
                 toNotFree);
     }
@@ -174,7 +174,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
 
     @Override
     public Optional<OccupancyGrid> costMap() {
-        return Optional.of(parts.ways().map().shown());
+        return Optional.of(parts.planner().map().shown());
     }
 
     @Override

@@ -88,8 +88,8 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
 
         /// Moved as the wheels moved since.
         PoseEstimate at(Pose2d odomFromBaseNow) {
-            Pose2d way = odomFromBase.inverse().compose(odomFromBaseNow);
-            return tracking.moved(way).at(mapFromBase.compose(way));
+            Pose2d motion = odomFromBase.inverse().compose(odomFromBaseNow);
+            return tracking.moved(motion).at(mapFromBase.compose(motion));
         }
     }
 

@@ -54,7 +54,7 @@ final class Terrain {
 
     /// Paths of robots that keep a clearance. What was found out on the map before counts on, for the goals that they
     /// still have, if somebody asked for them there.
-    Wavefront ways(Clearance clearance) {
+    Wavefront wavefront(Clearance clearance) {
         return ways.computeIfAbsent(
                 clearance, c -> Optional.ofNullable(takenOver.remove(c)).orElseGet(() -> new Wavefront(costs(c))));
     }

@@ -46,7 +46,7 @@ public final class Dwa implements Controller {
     private final FootprintOutline outline;
     private final VelocityFilter caution;
     private final double[] values = new double[SPEEDS * TURNS];
-    private final double[] ways = new double[SPEEDS * TURNS]; // m
+    private final double[] distances = new double[SPEEDS * TURNS]; // m
     private int turning; // in place: 1 to the left, −1 to the right
 
     /// @param reaction how long a command lasts before the next one can take effect [s]
@@ -77,8 +77,8 @@ public final class Dwa implements Controller {
                 double speed = mix(slowest, fastest, i, SPEEDS);
                 double omega = mix(rightmost, leftmost, j, TURNS);
                 int choice = i * TURNS + j;
-                ways[choice] = free(speed, omega, obstacles);
-                values[choice] = value(speed, omega, ways[choice], target);
+                distances[choice] = free(speed, omega, obstacles);
+                values[choice] = value(speed, omega, distances[choice], target);
             }
         }
         int best = best();
@@ -89,7 +89,7 @@ public final class Dwa implements Controller {
         }
         turning = 0;
         Twist2d command = caution.guarded(Twist2d.drive(speed, omega), motion.velocity(), obstacles);
-        caution.upTo(target.arriving() ? Math.min(ways[best], target.distance()) : ways[best]);
+        caution.upTo(target.arriving() ? Math.min(distances[best], target.distance()) : distances[best]);
         return command;
     }
 
@@ -122,7 +122,7 @@ public final class Dwa implements Controller {
             double y = obstacles.y(i);
             double reach = way + outline.reach();
             if (x * x + y * y < reach * reach) {
-                way = Math.min(way, Math.max(0, outline.way(x, y, w / v) - obstacles.room(i)));
+                way = Math.min(way, Math.max(0, outline.freeDistance(x, y, w / v) - obstacles.room(i)));
             }
         }
         return way;
@@ -186,8 +186,8 @@ public final class Dwa implements Controller {
 
     /// On the arc that it chose, until something would be hit.
     @Override
-    public List<Point2d> way() {
-        return caution.way();
+    public List<Point2d> predictedTrajectory() {
+        return caution.predictedTrajectory();
     }
 
     @Override

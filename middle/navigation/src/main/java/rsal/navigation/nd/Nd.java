@@ -129,8 +129,8 @@ public final class Nd implements Controller {
     }
 
     @Override
-    public List<Point2d> way() {
-        return caution.way();
+    public List<Point2d> predictedTrajectory() {
+        return caution.predictedTrajectory();
     }
 
     @Override

@@ -65,14 +65,14 @@ final class Merging {
             return new Nowhere();
         }
         double most = places.getFirst().support();
-        List<Place> rivals =
+        List<Place> candidates =
                 places.stream().filter(p -> p.support() >= RIVAL * most).toList();
         var seenThrough = new ArrayList<Double>();
         var hitsOfA = new Transparency(LocalMap.of(framesA, a, 0, framesA.size() - 1, 0));
         var hitsOfB = new Transparency(LocalMap.of(framesB, b, 0, framesB.size() - 1, 0));
         int best = 0;
-        for (int i = 0; i < rivals.size(); i++) {
-            Pose2d aFromB = rivals.get(i).aFromB();
+        for (int i = 0; i < candidates.size(); i++) {
+            Pose2d aFromB = candidates.get(i).aFromB();
             seenThrough.add((hitsOfA.through(framesB, b, a.getFirst().inverse().compose(aFromB))
                             + hitsOfB.through(framesA, a, b.getFirst().inverse().compose(aFromB.inverse())))
                     / 2);
@@ -82,12 +82,13 @@ final class Merging {
             return new Nowhere();
         }
         double bound = MORE * seenThrough.get(best) + MORE_AT_LEAST;
-        for (int i = 0; i < rivals.size(); i++) {
+        for (int i = 0; i < candidates.size(); i++) {
             if (i != best && seenThrough.get(i) <= bound) {
-                return new Ambiguous(rivals.get(best).aFromB(), rivals.get(i).aFromB());
+                return new Ambiguous(
+                        candidates.get(best).aFromB(), candidates.get(i).aFromB());
             }
         }
-        return new One(rivals.get(best).aFromB());
+        return new One(candidates.get(best).aFromB());
     }
 
     private static List<Found> found(List<GraphNode> framesA, List<Pose2d> a, List<GraphNode> framesB, List<Pose2d> b) {

@@ -52,7 +52,7 @@ public final class Slam {
     private static final CorrelativeMatcher.Settings SEARCH = new CorrelativeMatcher.Settings(0.05, 0.08, 4);
     private static final double MOST_BENT =
             GraphResidual.TOO_MUCH * GraphResidual.TOO_MUCH; // the same of a step by odometry alone
-    private static final double LONG_WAY = 4; // of usual steps: the wheels were not lifted
+    private static final double LONG_DISTANCE = 4; // of usual steps: the wheels were not lifted
     private static final double MISFIT = 16; // square of a loop's error in deviations that is too much
     private static final double FAR = 1000; // m; between robots, as no way led from one to the other
     // how scans err beside what their points tell
@@ -117,13 +117,15 @@ public final class Slam {
         /// As small robots on carpets do.
         public static final Wheels ROUGH = new Wheels(0.06, 0.08, 0.04);
 
-        Covariance2d covariance(Pose2d way) {
-            double meters = 0.02 + metersPerMeter * Math.hypot(way.x(), way.y());
-            return Covariance2d.ofDeviations(meters, meters, radians(way));
+        Covariance2d covariance(Pose2d motion) {
+            double meters = 0.02 + metersPerMeter * Math.hypot(motion.x(), motion.y());
+            return Covariance2d.ofDeviations(meters, meters, radians(motion));
         }
 
-        double radians(Pose2d way) {
-            return 0.01 + radiansPerRadian * Math.abs(way.theta()) + radiansPerMeter * Math.hypot(way.x(), way.y());
+        double radians(Pose2d motion) {
+            return 0.01
+                    + radiansPerRadian * Math.abs(motion.theta())
+                    + radiansPerMeter * Math.hypot(motion.x(), motion.y());
         }
     }
 
@@ -151,13 +153,13 @@ public final class Slam {
             lastOdomFromBase = odomFromBase;
             return last;
         }
-        Pose2d way = lastOdomFromBase.inverse().compose(odomFromBase);
+        Pose2d motion = lastOdomFromBase.inverse().compose(odomFromBase);
         lastOdomFromBase = odomFromBase;
-        traveled += Math.hypot(way.x(), way.y());
-        Pose2d guess = last.frameFromBase().compose(way);
-        Optional<Match> match = match(cloud, guess, way);
-        track(cloud, way, match);
-        Pose2d frameFromBase = match.map(m -> joined(guess, way, m)).orElse(guess);
+        traveled += Math.hypot(motion.x(), motion.y());
+        Pose2d guess = last.frameFromBase().compose(motion);
+        Optional<Match> match = match(cloud, guess, motion);
+        track(cloud, motion, match);
+        Pose2d frameFromBase = match.map(m -> joined(guess, motion, m)).orElse(guess);
         last = new Located(base, frameFromBase);
         boolean apart = Math.hypot(frameFromBase.x(), frameFromBase.y()) >= settings.everyMeters()
                 || Math.abs(frameFromBase.theta()) >= settings.everyRadians();
@@ -189,9 +191,9 @@ public final class Slam {
         return last;
     }
 
-    private void track(Cloud cloud, Pose2d way, Optional<Match> match) {
+    private void track(Cloud cloud, Pose2d motion, Optional<Match> match) {
         double axes = poses.get(base).theta();
-        Tracking moved = tracking.moved(way);
+        Tracking moved = tracking.moved(motion);
         tracking = match.map(m -> moved.matched(
                         honest(m.covariance()).turned(axes), settings.odometry().covariance(Pose2d.ORIGIN), m.score()))
                 .orElseGet(() -> moved.missed(isComparable(cloud)));
@@ -208,8 +210,8 @@ public final class Slam {
     }
 
     /// What the match says and, along what it can't tell, the wheels.
-    private Pose2d joined(Pose2d guess, Pose2d way, Match match) {
-        return Gauss.mean(guess, settings.odometry().covariance(way), match.aFromB(), honest(match.covariance()));
+    private Pose2d joined(Pose2d guess, Pose2d motion, Match match) {
+        return Gauss.mean(guess, settings.odometry().covariance(motion), match.aFromB(), honest(match.covariance()));
     }
 
     static Covariance2d honest(Covariance2d c) {
@@ -225,12 +227,12 @@ public final class Slam {
 
     /// Where a scan that matches badly, or not, matches better though wheels hardly ever err so much, it does: a turn
     /// that they mistake once, by more than loops are searched for, would bend the map behind it for good.
-    private Optional<Match> match(Cloud cloud, Pose2d guess, Pose2d way) {
+    private Optional<Match> match(Cloud cloud, Pose2d guess, Pose2d motion) {
         if (lines.isEmpty() || search.isEmpty()) {
             return Optional.empty();
         }
-        double meters = 0.1 + 3 * settings.odometry().metersPerMeter() * Math.hypot(way.x(), way.y());
-        double radians = 3 * settings.odometry().radians(way);
+        double meters = 0.1 + 3 * settings.odometry().metersPerMeter() * Math.hypot(motion.x(), motion.y());
+        double radians = 3 * settings.odometry().radians(motion);
         var window = new Window(Math.min(1.5, meters), Math.min(0.8, radians), TRUST);
         Pose2d near = search.orElseThrow()
                 .match(cloud.thinned(SEARCHED), guess, window, LEAST_SCORE)
@@ -393,7 +395,7 @@ public final class Slam {
 
     /// How many steps lie so that their odometry is hardly possible, though nothing else tells of them and the wheels
     /// turned for long: where a log has a gap, say. A robot that was carried tells of no such way.
-    private static long bent(List<Relation> relations, List<Pose2d> poses, double leastWay) {
+    private static long bent(List<Relation> relations, List<Pose2d> poses, double leastDistance) {
         Set<Integer> seen = relations.stream()
                 .filter(r -> r.source() == Relation.Source.SCANS)
                 .map(Relation::to)
@@ -401,14 +403,14 @@ public final class Slam {
         return relations.stream()
                 .filter(r -> r.source() == Relation.Source.ODOMETRY)
                 .filter(r -> !seen.contains(r.to()))
-                .filter(r -> Math.hypot(r.fromFromTo().x(), r.fromFromTo().y()) >= leastWay)
+                .filter(r -> Math.hypot(r.fromFromTo().x(), r.fromFromTo().y()) >= leastDistance)
                 .filter(r -> PoseGraph.square(r, poses.get(r.from()), poses.get(r.to())) > MOST_BENT)
                 .count();
     }
 
     private boolean bendsMore(List<Relation> all, List<Pose2d> fitted) {
-        double leastWay = LONG_WAY * settings.everyMeters();
-        return bent(all, fitted, leastWay) > bent(relations, poses, leastWay);
+        double leastDistance = LONG_DISTANCE * settings.everyMeters();
+        return bent(all, fitted, leastDistance) > bent(relations, poses, leastDistance);
     }
 
     private static boolean isStrained(Relation relation, List<Pose2d> poses) {

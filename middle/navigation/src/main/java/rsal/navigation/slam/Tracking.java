@@ -44,15 +44,15 @@ public record Tracking(
 
     /// After the robot moved.
     ///
-    /// @param way as the wheels say
-    public Tracking moved(Pose2d way) {
+    /// @param motion as the wheels say
+    public Tracking moved(Pose2d motion) {
         return new Tracking(
                 wheels,
                 matched,
                 ground,
                 score,
-                meters + Math.hypot(way.x(), way.y()),
-                radians + Math.abs(way.theta()),
+                meters + Math.hypot(motion.x(), motion.y()),
+                radians + Math.abs(motion.theta()),
                 misses,
                 seeing,
                 strange);

@@ -113,8 +113,8 @@ public final class Snd implements Controller {
     }
 
     @Override
-    public List<Point2d> way() {
-        return caution.way();
+    public List<Point2d> predictedTrajectory() {
+        return caution.predictedTrajectory();
     }
 
     @Override

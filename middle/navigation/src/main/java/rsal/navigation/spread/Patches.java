@@ -97,9 +97,9 @@ final class Patches {
             for (int next = 0; next < end; next++) {
                 int column = queue[next] % width;
                 int row = queue[next] / width;
-                for (int way = 0; way < 4; way++) {
-                    int toColumn = column + (way == 0 ? 1 : way == 1 ? -1 : 0);
-                    int toRow = row + (way == 2 ? 1 : way == 3 ? -1 : 0);
+                for (int distance = 0; distance < 4; distance++) {
+                    int toColumn = column + (distance == 0 ? 1 : distance == 1 ? -1 : 0);
+                    int toRow = row + (distance == 2 ? 1 : distance == 3 ? -1 : 0);
                     int to = toRow * width + toColumn;
                     boolean within =
                             toColumn >= left && toColumn < left + side && toRow >= bottom && toRow < bottom + side;

@@ -131,8 +131,8 @@ public final class Vfh implements Controller {
     }
 
     @Override
-    public List<Point2d> way() {
-        return caution.way();
+    public List<Point2d> predictedTrajectory() {
+        return caution.predictedTrajectory();
     }
 
     @Override

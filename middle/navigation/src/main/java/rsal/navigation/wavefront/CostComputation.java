@@ -44,9 +44,9 @@ final class CostComputation {
     private void compute(List<CellWindow> windows, List<List<Point2d>> driven) {
         windows.forEach(this::compute);
         blockRim();
-        for (List<Point2d> way : driven) {
-            for (int i = 1; i < way.size(); i++) {
-                open(way.get(i - 1), way.get(i));
+        for (List<Point2d> path : driven) {
+            for (int i = 1; i < path.size(); i++) {
+                open(path.get(i - 1), path.get(i));
             }
         }
         for (CellWindow window : windows) {

@@ -178,7 +178,7 @@ public final class Wavefront implements GlobalPlanner {
     /// @param wave from the goal
     private Optional<Plan> toGoal(Wave wave, Ends.Cells ends, Point2d start, Point2d goal) {
         return wave.spread(ends.start())
-                ? Optional.of(way(wave, downhill(wave, ends.start()), wave.at(ends.start()), start, goal))
+                ? Optional.of(path(wave, downhill(wave, ends.start()), wave.at(ends.start()), start, goal))
                 : Optional.empty();
     }
 
@@ -197,7 +197,7 @@ public final class Wavefront implements GlobalPlanner {
             cells[i] = cells[j];
             cells[j] = swapped;
         }
-        return way(wave, cells, wave.at(end), start, goal);
+        return path(wave, cells, wave.at(end), start, goal);
     }
 
     /// The octile distance, as if nothing were in the way.
@@ -225,7 +225,7 @@ public final class Wavefront implements GlobalPlanner {
         return Arrays.copyOf(cells, count);
     }
 
-    private Plan.Found way(Wave wave, int[] cells, int cost, Point2d start, Point2d goal) {
+    private Plan.Found path(Wave wave, int[] cells, int cost, Point2d start, Point2d goal) {
         var points = new ArrayList<Point2d>();
         points.add(start);
         Point2d first = grid.middle(cells[0]);

@@ -92,10 +92,11 @@ class AmclTest {
         Pose2d odomFromBase = Pose2d.ORIGIN;
         PoseEstimate estimate = amcl.update(odomFromBase, SEEN.beams(truth, 60));
         for (int i = 1; i <= 24; i++) {
-            double way = -2 * Math.PI * i / 24; // around a circle of 0.6 m, which it never faces
-            truth = truth.compose(new Pose2d(0.15 * Math.cos(way - 0.05 * i), 0.15 * Math.sin(way - 0.05 * i), 0.05));
-            odomFromBase = odomFromBase.compose(
-                    new Pose2d(0.1575 * Math.cos(way - 0.05 * i), 0.1575 * Math.sin(way - 0.05 * i) + 0.004, 0.052));
+            double distance = -2 * Math.PI * i / 24; // around a circle of 0.6 m, which it never faces
+            truth = truth.compose(
+                    new Pose2d(0.15 * Math.cos(distance - 0.05 * i), 0.15 * Math.sin(distance - 0.05 * i), 0.05));
+            odomFromBase = odomFromBase.compose(new Pose2d(
+                    0.1575 * Math.cos(distance - 0.05 * i), 0.1575 * Math.sin(distance - 0.05 * i) + 0.004, 0.052));
             assertThat(SEEN.isFree(truth)).isTrue();
             estimate = amcl.update(odomFromBase, SEEN.beams(truth, 60));
             assertThat(estimate.mapFromBase().distanceTo(truth)).isLessThan(0.1);

@@ -101,13 +101,13 @@ class CollisionMonitorTest {
     private static double stoppingDistance(double velocity, double command, double reaction) {
         double dt = 1e-4;
         double v = velocity;
-        double way = 0;
+        double distance = 0;
         for (double time = 0; time < reaction || v > 1e-6; time += dt) {
             double wanted = time < reaction ? command : 0;
             v += Math.clamp(wanted - v, -LIMITS.acceleration() * dt, LIMITS.acceleration() * dt);
-            way += v * dt;
+            distance += v * dt;
         }
-        return way;
+        return distance;
     }
 
     /// With what is ahead at any distance, and at any speed that it has: the fastest share from which it can stop.
@@ -126,9 +126,9 @@ class CollisionMonitorTest {
                     double expectedLeast = 0;
                     double expectedMost = 0;
                     for (double share : new double[] {0.15, 0.3, 0.5, 0.75, 1}) {
-                        double way = stoppingDistance(velocity, share, reaction);
-                        expectedLeast = way < room - slack ? share : expectedLeast;
-                        expectedMost = way < room + slack ? share : expectedMost;
+                        double distance = stoppingDistance(velocity, share, reaction);
+                        expectedLeast = distance < room - slack ? share : expectedLeast;
+                        expectedMost = distance < room + slack ? share : expectedMost;
                     }
                     assertThat(got)
                             .as("reaction %s s, %s m/s, gap %s m", reaction, velocity, gap)

@@ -118,23 +118,24 @@ public abstract class ControllerContract {
     @Test
     void tellsTheWayThatItMeansToGo() {
         Controller planner = planner(BOX);
-        assertThat(planner.way()).isEmpty();
+        assertThat(planner.predictedTrajectory()).isEmpty();
         var nothing = new Obstacles(VIEW);
         var target = new Point2d(2, 0.5);
         var motion = new Motion(new Pose2d(3, 4, 1), Twist2d.drive(0.3, 0));
         planner.drive(nothing, Target.at(target, false), motion);
-        List<Point2d> way = planner.way();
-        assertThat(way.getLast().distanceTo(target)).isLessThan(new Point2d(0, 0).distanceTo(target) - 0.3);
-        assertThat(way.getLast().y()).isPositive();
+        List<Point2d> prediction = planner.predictedTrajectory();
+        assertThat(prediction.getLast().distanceTo(target)).isLessThan(new Point2d(0, 0).distanceTo(target) - 0.3);
+        assertThat(prediction.getLast().y()).isPositive();
         planner.drive(nothing, Target.at(new Point2d(0.25, 0), true), motion);
-        assertThat(new Path2d(planner.way()).length()).isBetween(0.05, 0.3);
+        assertThat(new Path2d(planner.predictedTrajectory()).length()).isBetween(0.05, 0.3);
         planner.turn(nothing, 1, motion);
-        assertThat(planner.way()).isEmpty();
+        assertThat(planner.predictedTrajectory()).isEmpty();
         planner.drive(nothing, Target.at(target, false), motion);
         planner.guarded(nothing, Twist2d.drive(-0.1, 0), motion);
-        assertThat(planner.way().getLast().distanceTo(new Point2d(-0.2, 0))).isLessThan(1e-9);
+        assertThat(planner.predictedTrajectory().getLast().distanceTo(new Point2d(-0.2, 0)))
+                .isLessThan(1e-9);
         planner.reset();
-        assertThat(planner.way()).isEmpty();
+        assertThat(planner.predictedTrajectory()).isEmpty();
     }
 
     @Test
@@ -167,7 +168,7 @@ public abstract class ControllerContract {
         for (int goal = 0; goal < 4; goal++) {
             drive.goTo(new Point2d(random.nextDouble(-4, 4), random.nextDouble(-4, 4)), 15);
         }
-        assertThat(drive.way).as("way made with seed %d", seed).isGreaterThan(0.5);
+        assertThat(drive.prediction).as("way made with seed %d", seed).isGreaterThan(0.5);
     }
 
     /// Drives among drums and sees whether the ways that it tells lead through one: for planners that know theirs to be
@@ -259,7 +260,7 @@ public abstract class ControllerContract {
         for (int goal = 0; goal < 4; goal++) {
             drive.goTo(new Point2d(random.nextDouble(-4, 4), random.nextDouble(-4, 4)), 15);
         }
-        assertThat(drive.way).as("way made with seed %d", seed).isGreaterThan(0.5);
+        assertThat(drive.prediction).as("way made with seed %d", seed).isGreaterThan(0.5);
     }
 
     /// People walk to and fro. They turn around before a robot that is in their way.
@@ -280,7 +281,7 @@ public abstract class ControllerContract {
         for (int goal = 0; goal < 4; goal++) {
             drive.goTo(new Point2d(random.nextDouble(-4, 4), random.nextDouble(-4, 4)), 20);
         }
-        assertThat(drive.way).as("way made with seed %d", seed).isGreaterThan(0.5);
+        assertThat(drive.prediction).as("way made with seed %d", seed).isGreaterThan(0.5);
         assertThat(drive.people).allMatch(person -> person.walked > 2);
     }
 
@@ -344,7 +345,7 @@ public abstract class ControllerContract {
         private Pose2d pose = Pose2d.ORIGIN;
         private Twist2d velocity = Twist2d.STOP;
         private double fastest;
-        private double way;
+        private double prediction;
         private int sonars; // around it; 0 for a laser
         private double inside = Double.POSITIVE_INFINITY; // its outline on the ways that it tells
         private int freeWays;
@@ -416,7 +417,7 @@ public abstract class ControllerContract {
         }
 
         private void assertTellsAWay(Twist2d command) {
-            List<Point2d> reported = planner.way();
+            List<Point2d> reported = planner.predictedTrajectory();
             if (Math.abs(command.vx()) < 0.01) {
                 assertThat(reported).isEmpty();
                 return;
@@ -424,7 +425,7 @@ public abstract class ControllerContract {
                 assertThat(Math.abs(command.vx())).isLessThan(0.03);
                 return;
             }
-            assertThat(reported).hasSizeBetween(2, Controller.WAY_POINTS);
+            assertThat(reported).hasSizeBetween(2, Controller.PATH_POINTS);
             assertThat(reported.getFirst()).isEqualTo(new Point2d(0, 0));
             assertThat(reported.get(1).x() * command.vx()).isPositive();
             assertThat(new Path2d(reported).length()).isLessThan(LIMITS.speed() * 2 + 0.01);
@@ -433,16 +434,17 @@ public abstract class ControllerContract {
             }
         }
 
-        private void assertIsFree(List<Point2d> way) {
-            for (int i = 1; i < way.size() - 1; i++) {
-                Point2d before = way.get(i - 1);
-                Point2d after = way.get(i + 1);
+        private void assertIsFree(List<Point2d> prediction) {
+            for (int i = 1; i < prediction.size() - 1; i++) {
+                Point2d before = prediction.get(i - 1);
+                Point2d after = prediction.get(i + 1);
                 double heading = Math.atan2(after.y() - before.y(), after.x() - before.x());
-                Pose2d there = new Pose2d(way.get(i).x(), way.get(i).y(), heading).inverse();
+                Pose2d there =
+                        new Pose2d(prediction.get(i).x(), prediction.get(i).y(), heading).inverse();
                 for (int k = 0; k < obstacles.count(); k++) {
                     Point2d seen = there.transform(obstacles.at(k));
                     assertThat(body.distance(seen.x(), seen.y()))
-                            .as("%s from place %d of %s", seen, i, way)
+                            .as("%s from place %d of %s", seen, i, prediction)
                             .isGreaterThan(-inside);
                 }
             }
@@ -450,8 +452,8 @@ public abstract class ControllerContract {
         }
 
         /// Heads for what is next on a way, as navigators do.
-        void along(Path2d way, CostMap map, double seconds) {
-            var route = new Route(way);
+        void along(Path2d prediction, CostMap map, double seconds) {
+            var route = new Route(prediction);
             for (int beat = 0; beat * BEAT < seconds && pose.position().distanceTo(route.end()) > 0.3; beat++) {
                 route.advance(pose.position());
                 Pose2d baseFromMap = pose.inverse();
@@ -472,7 +474,7 @@ public abstract class ControllerContract {
                         approach(velocity.vx(), command.vx(), LIMITS.acceleration() * dt),
                         approach(velocity.omega(), command.omega(), LIMITS.turnAcceleration() * dt));
                 pose = pose.compose(new Pose2d(velocity.vx() * dt, 0, velocity.omega() * dt));
-                way += Math.abs(velocity.vx()) * dt;
+                prediction += Math.abs(velocity.vx()) * dt;
                 fastest = Math.max(fastest, velocity.vx());
                 posts.forEach(this::assertIsBeside);
                 for (Walker person : people) {

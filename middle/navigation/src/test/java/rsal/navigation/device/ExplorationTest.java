@@ -87,7 +87,7 @@ class ExplorationTest {
         List<PosedScan> scans = new ArrayList<>(around(place));
         Wavefront first = team.orders(List.of(new Seen(SMALL, List.copyOf(scans))), ready, List.of())
                 .getFirst()
-                .ways();
+                .wavefront();
         first.plan(place.position(), goal, 0.1);
         first.plan(place.position(), goal, 0.1);
         assertThat(first.kept()).isEqualTo(1);
@@ -95,7 +95,7 @@ class ExplorationTest {
         scans.addAll(around(new Pose2d(3.0, 1.8, 0)));
         Wavefront second = team.orders(List.of(new Seen(SMALL, scans)), ready, List.of())
                 .getFirst()
-                .ways();
+                .wavefront();
 
         assertThat(second.map().grid().cells()).isNotEqualTo(first.map().grid().cells());
         assertThat(second.kept()).isEqualTo(1);

@@ -33,16 +33,16 @@ class TerrainTest {
             assertThat(meters(terrain.toNotFree())).as(what).isEqualTo(meters(toNotFree));
             for (Clearance clearance : List.of(SMALL, LARGE)) {
                 if (random.nextInt(4) > 0) {
-                    Wavefront ways = terrain.ways(clearance);
-                    handedOn += ways.kept();
+                    Wavefront wavefront = terrain.wavefront(clearance);
+                    handedOn += wavefront.kept();
                     var anew = new Wavefront(CostMap.of(map, toNotFree, clearance));
-                    assertThat(ways.map().grid()).as(what).isSameAs(map);
-                    assertThat(ways.map().shown().cells())
+                    assertThat(wavefront.map().grid()).as(what).isSameAs(map);
+                    assertThat(wavefront.map().shown().cells())
                             .as(what)
                             .isEqualTo(anew.map().shown().cells());
                     var start = new Point2d(random.nextDouble(0, 8), random.nextDouble(3, 9));
                     var goal = new Point2d(4, 6);
-                    assertThat(ways.plan(start, goal, 1)).as(what).isEqualTo(anew.plan(start, goal, 1));
+                    assertThat(wavefront.plan(start, goal, 1)).as(what).isEqualTo(anew.plan(start, goal, 1));
                 }
             }
         }
@@ -63,13 +63,17 @@ class TerrainTest {
         var first = Terrain.of(map, null);
         for (Clearance clearance : List.of(SMALL, LARGE)) {
             for (int i = 0; i < 2; i++) {
-                first.ways(clearance).plan(new Point2d(1, 4), new Point2d(7, 8), 1);
+                first.wavefront(clearance).plan(new Point2d(1, 4), new Point2d(7, 8), 1);
             }
         }
         var second = Terrain.of(map, first);
-        assertThat(second.ways(SMALL).kept()).as("asked for on the first map").isEqualTo(1);
+        assertThat(second.wavefront(SMALL).kept())
+                .as("asked for on the first map")
+                .isEqualTo(1);
         var third = Terrain.of(map, second);
-        assertThat(third.ways(SMALL).kept()).as("asked for on both").isEqualTo(1);
-        assertThat(third.ways(LARGE).kept()).as("not asked for on the second").isZero();
+        assertThat(third.wavefront(SMALL).kept()).as("asked for on both").isEqualTo(1);
+        assertThat(third.wavefront(LARGE).kept())
+                .as("not asked for on the second")
+                .isZero();
     }
 }

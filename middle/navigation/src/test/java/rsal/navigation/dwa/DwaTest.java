@@ -41,18 +41,18 @@ class DwaTest extends ControllerContract {
     private record Choice(double v, double w, double value) {}
 
     /// How far the box, 4 cm larger all around, gets on an arc until a thing is in it [m], in steps of 4 mm.
-    private static double way(double v, double w, List<Point2d> things) {
+    private static double distance(double v, double w, List<Point2d> things) {
         double step = 0.004;
-        for (double way = 0; way < SETTINGS.lookahead(); way += step) {
-            double theta = w / v * way;
-            double x = w == 0 ? way : v / w * Math.sin(theta);
+        for (double distance = 0; distance < SETTINGS.lookahead(); distance += step) {
+            double theta = w / v * distance;
+            double x = w == 0 ? distance : v / w * Math.sin(theta);
             double y = w == 0 ? 0 : v / w * (1 - Math.cos(theta));
             for (Point2d thing : things) {
                 double forward = Math.cos(theta) * (thing.x() - x) + Math.sin(theta) * (thing.y() - y);
                 double left = Math.cos(theta) * (thing.y() - y) - Math.sin(theta) * (thing.x() - x);
                 if (Math.abs(forward + 0.05) < 0.25 + VelocityFilter.MARGIN
                         && Math.abs(left) < 0.2 + VelocityFilter.MARGIN) {
-                    return Math.max(0, way - step / 2);
+                    return Math.max(0, distance - step / 2);
                 }
             }
         }
@@ -60,10 +60,10 @@ class DwaTest extends ControllerContract {
     }
 
     private static double value(double v, double w, Point2d target, List<Point2d> things) {
-        double way = v < 0.02 ? SETTINGS.lookahead() : way(v, w, things);
+        double distance = v < 0.02 ? SETTINGS.lookahead() : distance(v, w, things);
         double braking = v * v / (2 * SLOW.acceleration());
         double turning = v < 0.02 ? 0 : w * w / (2 * SLOW.turnAcceleration()) * Math.abs(v / w);
-        if (braking > way || (w != 0 && turning > way)) {
+        if (braking > distance || (w != 0 && turning > distance)) {
             return 0;
         }
         double turned = w * 0.25 + w * Math.abs(w) / (2 * SLOW.turnAcceleration());
@@ -71,7 +71,7 @@ class DwaTest extends ControllerContract {
         double bearing =
                 Math.atan2(target.y() - driven * Math.sin(turned / 2), target.x() - driven * Math.cos(turned / 2));
         double off = Math.abs(Angles.difference(turned, bearing));
-        return 2 * (1 - off / Math.PI) + 0.2 * way / 3 + 0.2 * v / SLOW.speed();
+        return 2 * (1 - off / Math.PI) + 0.2 * distance / 3 + 0.2 * v / SLOW.speed();
     }
 
     /// The best mean of a choice and its neighbors in a window of 11 speeds and 21 turns that it can reach in 0.25 s.

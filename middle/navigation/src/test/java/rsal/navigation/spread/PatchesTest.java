@@ -15,7 +15,7 @@ class PatchesTest {
     void ofSingleCellsAreAsFarApartAsTheWaysBetween(long seed) {
         var random = new SplittableRandom(seed);
         OccupancyGrid map = RandomMaps.of(random, 15, 12, 0.3 * random.nextDouble());
-        var slow = new SlowWays(map, 0);
+        var slow = new SlowPaths(map, 0);
         var ground = ReachableSpace.around(map, 0, slow.place(0));
         var patches = new Patches(ground, 1);
         int source = random.nextInt(slow.count());

@@ -37,7 +37,7 @@ class ReachableSpaceTest {
         OccupancyGrid map =
                 RandomMaps.of(random, random.nextInt(6, 18), random.nextInt(6, 18), 0.3 * random.nextDouble());
         double clearance = random.nextInt(3) * 0.03;
-        var slow = new SlowWays(map, clearance);
+        var slow = new SlowPaths(map, clearance);
         if (slow.count() == 0) {
             assertThatThrownBy(() -> ReachableSpace.largest(map, clearance))
                     .isInstanceOf(IllegalArgumentException.class);

@@ -50,7 +50,7 @@ class SpreaderTest {
     @ParameterizedTest
     @ValueSource(ints = {3, 4, 5, 7, 10, 20, 40})
     void isAsEvenAsTheBestOfAHundredRunsOfLloyds(int number) {
-        var slow = new SlowWays(FOUR_ROOMS.grid(), 0);
+        var slow = new SlowPaths(FOUR_ROOMS.grid(), 0);
         double best = slow.bestOfLloyd(number, 100, new SplittableRandom(number));
         for (long seed = 1; seed <= 3; seed++) {
             Spread spread = spread(ReachableSpace.largest(FOUR_ROOMS.grid(), 0), number, seed);
@@ -64,7 +64,7 @@ class SpreaderTest {
     void twoPlacesAreTheBestOfAllPairs(long seed) {
         var random = new SplittableRandom(seed);
         OccupancyGrid map = RandomMaps.of(random, 14, 11, 0.25);
-        var slow = new SlowWays(map, 0);
+        var slow = new SlowPaths(map, 0);
         double best = Double.POSITIVE_INFINITY;
         double bestAlone = Double.POSITIVE_INFINITY;
         for (int a = 0; a < slow.count(); a++) {

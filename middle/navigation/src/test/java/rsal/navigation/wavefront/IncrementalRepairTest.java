@@ -97,22 +97,22 @@ class IncrementalRepairTest {
         var random = new SplittableRandom(seed);
         var clearance = new Clearance(0.06, 0.2, 3);
         CostMap map = costs(RandomMaps.of(random, 150, 120, 0.005), clearance);
-        var ways = new Wavefront(map);
+        var wavefront = new Wavefront(map);
         Point2d goal = map.grid().middle(open(map, random));
         int handedOn = 0;
         int found = 0;
         for (int i = 0; i < 80; i++) {
             if (random.nextInt(4) == 0) {
                 CostMap next = costs(RandomMaps.changed(map.grid(), random), clearance);
-                ways = ways.over(next);
-                handedOn += ways.kept();
+                wavefront = wavefront.over(next);
+                handedOn += wavefront.kept();
                 map = next;
                 goal = map.isPassable(goal) ? goal : map.grid().middle(open(map, random));
             }
             Point2d start = map.grid().middle(open(map, random));
             Point2d asked = random.nextInt(3) == 0 ? near(goal, random) : goal;
             List<Point2d> obstacles = random.nextInt(3) == 0 ? List.of(near(start, random)) : List.of();
-            Plan plan = ways.plan(start, asked, 0.1, obstacles);
+            Plan plan = wavefront.plan(start, asked, 0.1, obstacles);
             assertThat(plan)
                     .as("seed %d, %d", seed, i)
                     .isEqualTo(new Wavefront(map).plan(start, asked, 0.1, obstacles));
@@ -145,9 +145,9 @@ class IncrementalRepairTest {
             Wavefront next = old.over(after);
             var asked = new ArrayList<Future<Plan>>();
             for (int i = 0; i < 200; i++) {
-                Wavefront ways = i % 3 == 0 ? old : next;
+                Wavefront wavefront = i % 3 == 0 ? old : next;
                 Point2d start = starts.get(i % 10);
-                asked.add(threads.submit(() -> ways.plan(start, goal, 0.1)));
+                asked.add(threads.submit(() -> wavefront.plan(start, goal, 0.1)));
             }
             for (int i = 0; i < 200; i++) {
                 CostMap map = i % 3 == 0 ? before : after;
@@ -178,11 +178,11 @@ class IncrementalRepairTest {
     /// How many of one wave over a room of 40 × 40 cells are kept over another map.
     private static int keptBy(OccupancyGrid next) {
         var clearance = new Clearance(0, 0, 0);
-        var ways = new Wavefront(costs(new OccupancyGrid(40, 40, 0.1, 0, 0, new byte[1600]), clearance));
-        ways.plan(new Point2d(1, 1), new Point2d(3, 3), 0);
-        ways.plan(new Point2d(1, 1), new Point2d(3, 3), 0);
-        assertThat(ways.kept()).isEqualTo(1);
-        return ways.over(costs(next, clearance)).kept();
+        var wavefront = new Wavefront(costs(new OccupancyGrid(40, 40, 0.1, 0, 0, new byte[1600]), clearance));
+        wavefront.plan(new Point2d(1, 1), new Point2d(3, 3), 0);
+        wavefront.plan(new Point2d(1, 1), new Point2d(3, 3), 0);
+        assertThat(wavefront.kept()).isEqualTo(1);
+        return wavefront.over(costs(next, clearance)).kept();
     }
 
     @Test
@@ -192,15 +192,15 @@ class IncrementalRepairTest {
         CostMap same = costs(new OccupancyGrid(40, 40, 0.1, 0, 0, new byte[1600]), clearance);
         Point2d start = new Point2d(1, 1);
         Point2d goal = new Point2d(3, 3);
-        var ways = new Wavefront(map);
-        ways.plan(start, goal, 0);
-        ways.plan(start, goal, 0);
-        ways = ways.over(same).over(map);
-        assertThat(ways.kept()).as("asked for two maps ago").isEqualTo(1);
-        ways.plan(start, goal, 0);
-        ways = ways.over(same).over(map);
-        assertThat(ways.kept()).as("likewise, after being mended").isEqualTo(1);
-        assertThat(ways.over(same).kept()).isZero();
+        var wavefront = new Wavefront(map);
+        wavefront.plan(start, goal, 0);
+        wavefront.plan(start, goal, 0);
+        wavefront = wavefront.over(same).over(map);
+        assertThat(wavefront.kept()).as("asked for two maps ago").isEqualTo(1);
+        wavefront.plan(start, goal, 0);
+        wavefront = wavefront.over(same).over(map);
+        assertThat(wavefront.kept()).as("likewise, after being mended").isEqualTo(1);
+        assertThat(wavefront.over(same).kept()).isZero();
     }
 
     private static int[] field(Wave wave, CostMap map) {

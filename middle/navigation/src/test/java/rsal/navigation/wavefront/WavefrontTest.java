@@ -448,9 +448,9 @@ class WavefrontTest {
         while (changed) {
             changed = false;
             for (int cell = 0; cell < ground.length; cell++) {
-                for (int way = 0; way < 9 && field[cell] != Wave.UNREACHED; way++) {
-                    int dx = way % 3 - 1;
-                    int dy = way / 3 - 1;
+                for (int distance = 0; distance < 9 && field[cell] != Wave.UNREACHED; distance++) {
+                    int dx = distance % 3 - 1;
+                    int dy = distance / 3 - 1;
                     int next = cell + dy * width + dx;
                     boolean diagonal = dx != 0 && dy != 0;
                     boolean open = ground[next] != CostMap.BLOCKED

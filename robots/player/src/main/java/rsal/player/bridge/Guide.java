@@ -19,7 +19,7 @@ final class Guide {
     private final Localizer localizer;
     private final Tolerance tolerance;
     private @Nullable Pose2d wanted; // in the frame of odometry
-    private @Nullable GoalHandle<Progress, Result> trip; // there
+    private @Nullable GoalHandle<Progress, Result> drive; // there
 
     Guide(DriveBase base, Navigator navigator, Localizer localizer, Tolerance tolerance) {
         this.base = base;
@@ -32,7 +32,7 @@ final class Guide {
     void goTo(Pose2d odomFromGoal) {
         if (!odomFromGoal.equals(wanted)) {
             wanted = odomFromGoal;
-            trip = null; // the navigator goes on from that one
+            drive = null; // the navigator goes on from that one
             begin();
         }
     }
@@ -41,7 +41,7 @@ final class Guide {
     void begin() {
         var odometry = base.latest().map(Stamped::value);
         var estimate = localizer.latest().map(Stamped::value);
-        if (wanted == null || trip != null || odometry.isEmpty() || estimate.isEmpty()) {
+        if (wanted == null || drive != null || odometry.isEmpty() || estimate.isEmpty()) {
             return;
         }
         Pose2d baseFromGoal = odometry.get().odomFromBase().inverse().compose(wanted);
@@ -51,18 +51,18 @@ final class Guide {
             return;
         }
         var going = navigator.goTo(mapFromGoal, tolerance);
-        trip = going;
+        drive = going;
         going.result().thenAccept(_ -> {
-            if (going.equals(trip)) {
-                trip = null;
+            if (going.equals(drive)) {
+                drive = null;
                 wanted = null;
             }
         });
     }
 
     void letGo() {
-        GoalHandle<Progress, Result> last = trip;
-        trip = null;
+        GoalHandle<Progress, Result> last = drive;
+        drive = null;
         wanted = null;
         if (last != null) {
             last.cancel();

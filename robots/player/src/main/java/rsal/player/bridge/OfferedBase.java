@@ -34,7 +34,7 @@ final class OfferedBase extends Offered implements ExclusiveControl.Holder {
     private final DriveBase base;
     private final RobotModel model;
     private final Optional<Guide> guide;
-    private final ExclusiveControl reins;
+    private final ExclusiveControl control;
     private final CommandTimeout timeout;
     private final CommandWatch watch;
     private Optional<ClientCommand> wanted = Optional.empty();
@@ -47,14 +47,14 @@ final class OfferedBase extends Offered implements ExclusiveControl.Holder {
             DriveBase base,
             RobotModel model,
             Optional<Guide> guide,
-            ExclusiveControl reins,
+            ExclusiveControl control,
             CommandTimeout timeout,
             Scheduler scheduler) {
         super(Interface.POSITION2D, index, base.info(), scheduler);
         this.base = base;
         this.model = model;
         this.guide = guide;
-        this.reins = reins;
+        this.control = control;
         this.timeout = timeout;
         this.watch = timeout.watch();
     }
@@ -168,12 +168,12 @@ final class OfferedBase extends Offered implements ExclusiveControl.Holder {
         }
         if (subtype == Position2d.GOAL && guide.isPresent()) {
             Pose2d goal = goal(command);
-            reins.take(this);
+            control.take(this);
             wanted = Optional.empty();
             guide.get().goTo(goal);
         } else {
             ClientCommand wish = wish(command);
-            reins.take(this);
+            control.take(this);
             guide.ifPresent(Guide::letGo);
             wanted = Optional.of(wish);
             lasting = subtype == Position2d.GOAL;

@@ -29,8 +29,8 @@ final class OfferedNavigator extends Offered implements ExclusiveControl.Holder 
     private final Navigator navigator;
     private final Optional<Localizer> localizer;
     private final Tolerance tolerance;
-    private final ExclusiveControl reins;
-    private @Nullable GoalHandle<Progress, Result> trip; // that a client wants
+    private final ExclusiveControl control;
+    private @Nullable GoalHandle<Progress, Result> drive; // that a client wants
     private @Nullable Pose2d mapFromGoal; // that a client wanted last
     private boolean reached;
     private boolean paused; // by a client
@@ -40,13 +40,13 @@ final class OfferedNavigator extends Offered implements ExclusiveControl.Holder 
             Navigator navigator,
             Optional<Localizer> localizer,
             Tolerance tolerance,
-            ExclusiveControl reins,
+            ExclusiveControl control,
             Scheduler scheduler) {
         super(Interface.PLANNER, index, navigator.info(), scheduler);
         this.navigator = navigator;
         this.localizer = localizer;
         this.tolerance = tolerance;
-        this.reins = reins;
+        this.control = control;
     }
 
     @Override
@@ -128,7 +128,7 @@ final class OfferedNavigator extends Offered implements ExclusiveControl.Holder 
         if (command.header().subtype() == PlannerInterface.GOAL) {
             Pose2d wanted =
                     command.body(PlannerInterface.Place.class).mapFromPlace().to2d();
-            if (trip == null || !wanted.equals(mapFromGoal)) {
+            if (drive == null || !wanted.equals(mapFromGoal)) {
                 goTo(wanted);
             }
         }
@@ -136,13 +136,13 @@ final class OfferedNavigator extends Offered implements ExclusiveControl.Holder 
 
     private void goTo(Pose2d wanted) {
         GoalHandle<Progress, Result> going = navigator.goTo(wanted, tolerance); // refuses what is not finite
-        reins.take(this);
+        control.take(this);
         mapFromGoal = wanted;
         reached = false;
-        trip = going;
+        drive = going;
         going.result().thenAccept(result -> {
-            if (going.equals(trip)) {
-                trip = null;
+            if (going.equals(drive)) {
+                drive = null;
                 reached = result instanceof Result.Reached;
             }
         });
@@ -150,8 +150,8 @@ final class OfferedNavigator extends Offered implements ExclusiveControl.Holder 
 
     @Override
     public void letGo() {
-        GoalHandle<Progress, Result> last = trip;
-        trip = null;
+        GoalHandle<Progress, Result> last = drive;
+        drive = null;
         if (last != null) {
             last.cancel();
         }

@@ -31,7 +31,7 @@ final class Offers {
     private final Robot robot;
     private final CommandTimeout timeout;
     private final Scheduler scheduler;
-    private final ExclusiveControl reins = new ExclusiveControl();
+    private final ExclusiveControl control = new ExclusiveControl();
     private final Map<Gripper, GripperCommands> commands = new HashMap<>();
 
     /// @param timeout of what is said again and again
@@ -101,7 +101,7 @@ final class Offers {
                 switch (device) {
                     case DriveBase base
                     when as == Interface.POSITION2D ->
-                        new OfferedBase(index, base, robot.model(), Optional.empty(), reins, timeout, scheduler);
+                        new OfferedBase(index, base, robot.model(), Optional.empty(), control, timeout, scheduler);
                     case LaserScanner laser
                     when as == Interface.RANGER || as == Interface.LASER ->
                         new OfferedLaser(as, index, laser, scheduler);
@@ -131,7 +131,7 @@ final class Offers {
                     case Navigator navigator
                     when as == Interface.PLANNER ->
                         new OfferedNavigator(
-                                index, navigator, robot.find(Localizer.class), tolerance, reins, scheduler);
+                                index, navigator, robot.find(Localizer.class), tolerance, control, scheduler);
                     case Navigator navigator
                     when as == Interface.POSITION2D ->
                         new OfferedBase(
@@ -139,7 +139,7 @@ final class Offers {
                                 robot.require(DriveBase.class),
                                 robot.model(),
                                 Optional.of(guide(navigator, tolerance)),
-                                reins,
+                                control,
                                 timeout,
                                 scheduler);
                     default -> null;

@@ -35,8 +35,8 @@ final class PlayerGripper extends PlayerSensor<GripperState> implements Gripper 
     private final InstantSource clock;
     private final Optional<PlayerLift> lift;
     private final Optional<PlayerBeams> beams;
-    private final Errand paddles = new Errand();
-    private final Errand lifting = new Errand();
+    private final Motion paddles = new Motion();
+    private final Motion lifting = new Motion();
     private @Nullable State reported;
     private Instant changed = Instant.EPOCH; // anything of it
     private boolean news;
@@ -127,8 +127,8 @@ final class PlayerGripper extends PlayerSensor<GripperState> implements Gripper 
                 holds());
     }
 
-    private boolean isUnderway(Errand errand) {
-        return errand.goal != null && base.enabled();
+    private boolean isUnderway(Motion motion) {
+        return motion.goal != null && base.enabled();
     }
 
     private boolean isAt(int code) {
@@ -170,11 +170,11 @@ final class PlayerGripper extends PlayerSensor<GripperState> implements Gripper 
     }
 
     /// As soon as it may.
-    private void begin(Errand errand) {
+    private void begin(Motion motion) {
         if (!server.isConnected()) {
-            errand.end(new Result.Stuck(state(), server.reason()));
+            motion.end(new Result.Stuck(state(), server.reason()));
         } else if (base.enabled()) {
-            errand.goOn(clock.instant());
+            motion.goOn(clock.instant());
         }
     }
 
@@ -212,15 +212,15 @@ final class PlayerGripper extends PlayerSensor<GripperState> implements Gripper 
     @Override
     public void look(Instant now) {
         super.look(now);
-        for (Errand errand : new Errand[] {paddles, lifting}) {
-            if (isUnderway(errand) && errand.begun.isBefore(now.minus(PATIENCE))) {
-                errand.end(new Result.Stuck(state(), "It does not get there."));
+        for (Motion motion : new Motion[] {paddles, lifting}) {
+            if (isUnderway(motion) && motion.begun.isBefore(now.minus(PATIENCE))) {
+                motion.end(new Result.Stuck(state(), "It does not get there."));
             }
         }
     }
 
     /// What paddles or lift are to do: be at 0 (open, down) or 1.
-    private static final class Errand {
+    private static final class Motion {
         private int target;
         private Instant begun = Instant.MIN;
         private Runnable move = () -> {};

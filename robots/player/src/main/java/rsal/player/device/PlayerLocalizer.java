@@ -34,7 +34,7 @@ import rsal.player.wire.Address;
 final class PlayerLocalizer extends PlayerSensor<PoseEstimate> implements Localizer {
     private static final int REMEMBERED = 50; // odometry, to know where the robot was when it was localized
     private static final double SURE = 0.5; // m, rad: with deviations of less a robot is localized
-    private static final double LONG_WAY = 3; // m, on which one that works says something
+    private static final double LONG_DISTANCE = 3; // m, on which one that works says something
     private static final double LONG_TURN = 2 * Math.PI; // rad; the same
     private static final Duration LOOK_AGAIN = Duration.ofMillis(500); // at particles
 
@@ -43,7 +43,7 @@ final class PlayerLocalizer extends PlayerSensor<PoseEstimate> implements Locali
     private final Deque<Stamped<Odometry>> driven = new ArrayDeque<>();
     private @Nullable PoseEstimate known;
     private Pose2d odomFromKnown = Pose2d.ORIGIN;
-    private double way; // driven since then [m]
+    private double distance; // driven since then [m]
     private double turn; // to either side [rad]
     private Optional<Stamped<ParticleCloud>> particles = Optional.empty();
     private Instant asked = Instant.MIN; // for particles
@@ -59,7 +59,7 @@ final class PlayerLocalizer extends PlayerSensor<PoseEstimate> implements Locali
         Pose2d odomFromBase = odometry.value().odomFromBase();
         Pose2d before =
                 driven.isEmpty() ? odomFromBase : driven.getLast().value().odomFromBase();
-        way += before.distanceTo(odomFromBase);
+        distance += before.distanceTo(odomFromBase);
         turn += Math.abs(Angles.difference(before.theta(), odomFromBase.theta()));
         driven.addLast(odometry);
         if (driven.size() > REMEMBERED) {
@@ -69,8 +69,8 @@ final class PlayerLocalizer extends PlayerSensor<PoseEstimate> implements Locali
         if (last == null) {
             return;
         }
-        if (way > LONG_WAY || turn > LONG_TURN) {
-            health(new Health.Stale("It has not looked for %.0f m or a whole turn.".formatted(LONG_WAY)));
+        if (distance > LONG_DISTANCE || turn > LONG_TURN) {
+            health(new Health.Stale("It has not looked for %.0f m or a whole turn.".formatted(LONG_DISTANCE)));
         } else {
             publish(odometry.time(), last.moved(odomFromKnown.inverse().compose(odomFromBase)));
         }
@@ -145,7 +145,7 @@ final class PlayerLocalizer extends PlayerSensor<PoseEstimate> implements Locali
     private void believe(PoseEstimate estimate, Instant time) {
         known = estimate;
         odomFromKnown = odomFromBase(time);
-        way = 0;
+        distance = 0;
         turn = 0;
         if (driven.isEmpty() || driven.getLast().time().isBefore(time)) {
             publish(time, estimate);

@@ -25,7 +25,7 @@ import rsal.player.wire.Address;
 /// server has it so. The protocol has no way to call a goal off: the planner is switched off then, until there is a new
 /// one. Nor does every base mind that its motors are off (Stage's does not): so the planner is switched off with them.
 final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
-    private static final Duration NO_WAY = Duration.ofSeconds(5); // without one a goal has none
+    private static final Duration NO_PATH = Duration.ofSeconds(5); // without one a goal has none
     private static final Duration STUCK = Duration.ofSeconds(60); // without getting nearer
     private static final Duration ASK = Duration.ofSeconds(1); // for waypoints
     private static final double NEARER = 0.2; // m
@@ -217,7 +217,7 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
                 stop();
             }
             end(new Result.Reached(mapFromBase));
-        } else if (Duration.between(now.valid, time).compareTo(NO_WAY) > 0) {
+        } else if (Duration.between(now.valid, time).compareTo(NO_PATH) > 0) {
             stop();
             end(new Result.NoPath("The robot's own planner has no way there."));
         } else if (Duration.between(now.nearer, time).compareTo(STUCK) > 0) {

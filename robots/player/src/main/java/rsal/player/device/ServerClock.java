@@ -9,7 +9,7 @@ import java.time.temporal.ChronoUnit;
 /// been on their way; at most 200 ms, as simulated time may go slower than ours. May be used on any thread.
 final class ServerClock {
     private static final Duration WINDOW = Duration.ofSeconds(2);
-    private static final Duration LONGEST_WAY = Duration.ofMillis(200);
+    private static final Duration LONGEST_DELAY = Duration.ofMillis(200);
 
     private Instant windowEnds = Instant.MIN;
     private Duration least = Duration.ZERO; // of this window, that a stamp is behind its arrival
@@ -30,10 +30,11 @@ final class ServerClock {
         } else if (behind.compareTo(least) < 0) {
             least = behind;
         }
-        Duration way = behind.minus(least.compareTo(leastBefore) < 0 ? least : leastBefore);
-        if (way.isNegative()) {
+        Duration delay = behind.minus(least.compareTo(leastBefore) < 0 ? least : leastBefore);
+        if (delay.isNegative()) {
             return arrival;
         }
-        return arrival.minus(way.compareTo(LONGEST_WAY) < 0 ? way : LONGEST_WAY).truncatedTo(ChronoUnit.MICROS);
+        return arrival.minus(delay.compareTo(LONGEST_DELAY) < 0 ? delay : LONGEST_DELAY)
+                .truncatedTo(ChronoUnit.MICROS);
     }
 }

@@ -152,9 +152,9 @@ class NavigatedBridgeTest extends BridgeBench {
         assertThat(state().mapFromGoal()).isEqualTo(wire(A));
         assertThat(state().waypointIndex()).isZero();
         assertThat(state().done()).isZero();
-        var ways = asked(Interface.PLANNER, PlannerInterface.WAYPOINTS, PlannerInterface.Waypoints.class);
-        assertThat(ways.distance()).isBetween(1.0, START.distanceTo(A) + 0.01);
-        assertThat(ways.waypoints().getLast()).isEqualTo(new Pose(A.x(), A.y(), 0));
+        var wavefront = asked(Interface.PLANNER, PlannerInterface.WAYPOINTS, PlannerInterface.Waypoints.class);
+        assertThat(wavefront.distance()).isBetween(1.0, START.distanceTo(A) + 0.01);
+        assertThat(wavefront.waypoints().getLast()).isEqualTo(new Pose(A.x(), A.y(), 0));
         until(() -> state().done() == 1);
         assertThat(state().waypointIndex()).isEqualTo(-1);
         assertThat(state().mapFromBase().x()).isCloseTo(A.x(), within(0.5));

@@ -28,9 +28,9 @@ class ServerClockTest {
         double error = 0;
         for (int i = 0; i < 500; i++) {
             double taken = 0.1 * i;
-            double way = 0.001 + (i % 10 == 0 ? 0 : 0.05 * random.nextDouble());
-            Instant reported = clock.taken(777 + taken, at(taken + way));
-            assertThat(reported).isBeforeOrEqualTo(at(taken + way));
+            double distance = 0.001 + (i % 10 == 0 ? 0 : 0.05 * random.nextDouble());
+            Instant reported = clock.taken(777 + taken, at(taken + distance));
+            assertThat(reported).isBeforeOrEqualTo(at(taken + distance));
             if (i > 0) { // whoever came first can't be judged
                 error = Math.max(error, Math.abs(seconds(reported) - taken));
             }

@@ -33,7 +33,7 @@ public record Arc(Pose2d from, double forward, double left, double turn) {
     /// The longest way that any point of a body makes, at most [m].
     ///
     /// @param radius of the body around its base's origin [m]
-    double longestWay(double radius) {
+    double longestDistance(double radius) {
         double straight = left == 0 ? Math.abs(forward) : Math.sqrt(forward * forward + left * left);
         return straight + radius * Math.abs(turn);
     }

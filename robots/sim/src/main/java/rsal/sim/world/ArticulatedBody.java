@@ -82,8 +82,8 @@ final class ArticulatedBody {
         double farthest = 0;
         for (PlacedShape[] limb : pieces) {
             for (PlacedShape piece : limb) {
-                double way = Math.hypot(piece.x() - mapFromBase.x(), piece.y() - mapFromBase.y());
-                farthest = Math.max(farthest, way + piece.radius());
+                double distance = Math.hypot(piece.x() - mapFromBase.x(), piece.y() - mapFromBase.y());
+                farthest = Math.max(farthest, distance + piece.radius());
             }
         }
         return farthest;

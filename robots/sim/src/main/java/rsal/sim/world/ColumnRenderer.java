@@ -137,7 +137,7 @@ public final class ColumnRenderer {
     }
 
     /// The sum over its rows of how far away, as seen from above, the ray of each meets it [m].
-    public double ways(int patch) {
+    public double distances(int patch) {
         return patchWays[patch];
     }
 
@@ -344,12 +344,12 @@ public final class ColumnRenderer {
         int row = from;
         while (row < to) {
             int start = row;
-            double ways = 0;
+            double distances = 0;
             while (row < to && shows[row] == shows[start]) {
-                ways += way[row++];
+                distances += way[row++];
             }
             if (shows[start] != NONE && tells(surface[shows[start]])) {
-                addPatch(column, start, row, shows[start], ways);
+                addPatch(column, start, row, shows[start], distances);
             }
         }
     }
@@ -432,7 +432,7 @@ public final class ColumnRenderer {
         }
     }
 
-    private void addPatch(int column, int firstRow, int endRow, int its, double ways) {
+    private void addPatch(int column, int firstRow, int endRow, int its, double distances) {
         if (count == patchColumn.length) {
             int size = Math.max(64, 2 * count);
             patchColumn = Arrays.copyOf(patchColumn, size);
@@ -445,7 +445,7 @@ public final class ColumnRenderer {
         patchFirst[count] = rowsAbove + firstRow;
         patchEnd[count] = rowsAbove + endRow;
         patchMet[count] = its;
-        patchWays[count] = ways;
+        patchWays[count] = distances;
         if (tellsAll) {
             noteRows(firstRow, endRow);
         }

@@ -102,33 +102,33 @@ public final class GripperGeometry {
         return meets(root, across, 1, 0, length, held);
     }
 
-    private boolean meets(double fromX, double fromY, double dx, double dy, double way, @Nullable Body held) {
-        if (held != null && meets(held, fromX, fromY, dx, dy, way)) {
+    private boolean meets(double fromX, double fromY, double dx, double dy, double distance, @Nullable Body held) {
+        if (held != null && meets(held, fromX, fromY, dx, dy, distance)) {
             return true;
         }
         PieceGrid.Found near = near();
         for (int i = 0; i < near.count; i++) {
             PlacedShape piece = world.now(near.slots[i]);
-            if (world.owner(near.slots[i]) != robot && meets(piece, fromX, fromY, dx, dy, way)) {
+            if (world.owner(near.slots[i]) != robot && meets(piece, fromX, fromY, dx, dy, distance)) {
                 return true;
             }
         }
         return false;
     }
 
-    private boolean meets(Body held, double fromX, double fromY, double dx, double dy, double way) {
+    private boolean meets(Body held, double fromX, double fromY, double dx, double dy, double distance) {
         for (PlacedShape piece : held.figure.pieces) {
-            if (meets(piece, fromX, fromY, dx, dy, way)) {
+            if (meets(piece, fromX, fromY, dx, dy, distance)) {
                 return true;
             }
         }
         return false;
     }
 
-    private boolean meets(PlacedShape piece, double fromX, double fromY, double dx, double dy, double way) {
+    private boolean meets(PlacedShape piece, double fromX, double fromY, double dx, double dy, double distance) {
         double range = piece.ray(
                 x + cos * fromX - sin * fromY, y + sin * fromX + cos * fromY, cos * dx - sin * dy, sin * dx + cos * dy);
-        return piece.surface.grippable() && piece.isBetween(low, high) && range <= way;
+        return piece.surface.grippable() && piece.isBetween(low, high) && range <= distance;
     }
 
     private PieceGrid.Found near() {

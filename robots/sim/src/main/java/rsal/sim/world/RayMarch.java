@@ -150,10 +150,10 @@ final class RayMarch {
             for (int i = bunch * BUNCH; i < end(bunch, count); i++) {
                 int ray = i * SIZE;
                 boolean outside = apart && !walls.isInside(its[ray + COLUMN], its[ray + ROW]);
-                double way = outside ? toGrid(walls, ray) : bunchWay[bunch];
-                its[ray + WAY] = way;
+                double distance = outside ? toGrid(walls, ray) : bunchWay[bunch];
+                its[ray + WAY] = distance;
                 under[out] = ray;
-                out += way <= its[ray + LIMIT] ? 1 : 0;
+                out += distance <= its[ray + LIMIT] ? 1 : 0;
             }
         }
         return out;
@@ -225,15 +225,15 @@ final class RayMarch {
         int left = 0;
         for (int k = 0; k < count; k++) {
             int ray = walking[k];
-            double way = its[ray + WAY];
-            int column = (int) (its[ray + COLUMN] + way * its[ray + COLUMNS_PER_METER]);
-            int row = (int) (its[ray + ROW] + way * its[ray + ROWS_PER_METER]);
-            column += left(column, its[ray + ORIGIN_COLUMN], its[ray + METERS_PER_COLUMN], way);
-            row += left(row, its[ray + ORIGIN_ROW], its[ray + METERS_PER_ROW], way);
+            double distance = its[ray + WAY];
+            int column = (int) (its[ray + COLUMN] + distance * its[ray + COLUMNS_PER_METER]);
+            int row = (int) (its[ray + ROW] + distance * its[ray + ROWS_PER_METER]);
+            column += left(column, its[ray + ORIGIN_COLUMN], its[ray + METERS_PER_COLUMN], distance);
+            row += left(row, its[ray + ORIGIN_ROW], its[ray + METERS_PER_ROW], distance);
             cell[place(ray)] = column;
             cell[place(ray) + 1] = row;
             if (walls.roomIn(column, row) == RasterWalls.SOLID) {
-                its[ray + WAY] = Math.max(0, way - walls.guard);
+                its[ray + WAY] = Math.max(0, distance - walls.guard);
                 meeting[met++] = ray;
             } else {
                 walking[left++] = ray;
@@ -243,8 +243,8 @@ final class RayMarch {
     }
 
     /// What leads to the next cell of an axis when this one was left before, else 0.
-    private static int left(int cell, double origin, double metersPerCell, double way) {
-        return -negative((cell - origin) * metersPerCell - way) & ahead(metersPerCell);
+    private static int left(int cell, double origin, double metersPerCell, double distance) {
+        return -negative((cell - origin) * metersPerCell - distance) & ahead(metersPerCell);
     }
 
     /// Lets those near walls go from cell to cell, until they meet one, or come free, or their limit is passed.
@@ -318,9 +318,9 @@ final class RayMarch {
     private void note(RasterWalls walls, Rays rays) {
         for (int k = 0; k < met; k++) {
             int ray = meeting[k];
-            double way = numbers[ray + WAY];
-            if (way <= numbers[ray + LIMIT] && !walls.isFence(cell[place(ray)], cell[place(ray) + 1])) {
-                rays.range[ray / SIZE] = way;
+            double distance = numbers[ray + WAY];
+            if (distance <= numbers[ray + LIMIT] && !walls.isFence(cell[place(ray)], cell[place(ray) + 1])) {
+                rays.range[ray / SIZE] = distance;
                 rays.met[ray / SIZE] = Rays.WALL;
             }
         }

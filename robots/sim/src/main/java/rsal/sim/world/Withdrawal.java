@@ -19,12 +19,12 @@ final class Withdrawal {
     /// Moves the body, which overlaps others, as they were [World#put] into it, as far as that leads no deeper
     /// into any of them and into nothing else. It is checked every few millimeters.
     ///
-    /// @param way that any point of it makes, at most [m]
+    /// @param distance that any point of it makes, at most [m]
     /// @return how much of the way it made, 0–1; when less than 1, [World#obstacle] says why
-    double goOn(Arc arc, double way) {
+    double goOn(Arc arc, double distance) {
         var depths = new HashMap<Body, Double>();
         isNoDeeper(body.figure, _ -> Double.NEGATIVE_INFINITY, depths);
-        int strides = (int) Math.ceil(way / STRIDE);
+        int strides = (int) Math.ceil(distance / STRIDE);
         for (int made = 0; made < strides; made++) {
             body.trial.placeAt(arc.at((made + 1.0) / strides), body.height());
             var now = new HashMap<Body, Double>();
@@ -52,7 +52,7 @@ final class Withdrawal {
             for (int i = 0; i < near.count; i++) {
                 Body owner = world.owner(near.slots[i]);
                 PlacedShape other = world.now(near.slots[i]);
-                if (owner != body && World.inTheWay(piece, other)) {
+                if (owner != body && World.obstructing(piece, other)) {
                     double gap = piece.separation(other);
                     if (gap < least.applyAsDouble(owner)) {
                         world.obstacle(owner);

@@ -229,25 +229,25 @@ public final class World {
 
     /// As [#advance], of which others do not know yet.
     double sweep(Body body, Arc arc) {
-        double way = arc.longestWay(body.figure.radius());
-        if (way == 0) {
+        double distance = arc.longestDistance(body.figure.radius());
+        if (distance == 0) {
             return 1;
         }
         if (body.jam.holds(arc)) {
             obstacle = body.jam.obstacle();
             return 0;
         }
-        double reach = Math.min(way + HAIR, LOOK_AHEAD);
+        double reach = Math.min(distance + HAIR, LOOK_AHEAD);
         double free = clearance(body.figure, body, reach);
-        if (free >= way + HAIR) { // as most are
+        if (free >= distance + HAIR) { // as most are
             body.figure.placeAt(arc.at(1), body.height());
             return 1;
         }
         double made = free < 0
-                ? new Withdrawal(this, body).goOn(arc, way)
+                ? new Withdrawal(this, body).goOn(arc, distance)
                 : approach(
                         body,
-                        way,
+                        distance,
                         free,
                         figure -> clearance(figure, body, reach),
                         part -> body.trial.placeAt(arc.at(part), body.height()));
@@ -259,16 +259,16 @@ public final class World {
 
     /// Lets actuators carry pieces of a body until one would touch something, or all the way.
     ///
-    /// @param way that any point of it makes, at most [m]
+    /// @param distance that any point of it makes, at most [m]
     /// @param shifts of each of its [Body#carriers], by part of the way
     /// @return how much of the way it made, 0–1; when less than 1, [#obstacle] says why
-    public double bend(Body body, double way, DoubleFunction<List<Shift>> shifts) {
+    public double bend(Body body, double distance, DoubleFunction<List<Shift>> shifts) {
         body.trial.placeAt(body.figure);
-        double reach = Math.min(way + HAIR, LOOK_AHEAD);
+        double reach = Math.min(distance + HAIR, LOOK_AHEAD);
         boolean rises = !rises(shifts.apply(0)).equals(rises(shifts.apply(1)));
         ToDoubleFunction<Figure> room = figure -> clearance(figure, body, reach, rises);
         double free = room.applyAsDouble(body.figure);
-        double made = approach(body, way, free, room, part -> body.trial.bend(shifts.apply(part)));
+        double made = approach(body, distance, free, room, part -> body.trial.bend(shifts.apply(part)));
         body.trial.placeAt(body.figure);
         if (made > 0) {
             arrive(body);
@@ -282,20 +282,20 @@ public final class World {
 
     /// Advances conservatively.
     ///
-    /// @param way longest of any point [m]
+    /// @param distance longest of any point [m]
     /// @param free room that it has at first [m]
     /// @param roomOf how much room a figure has, as far as that is of interest [m]
     /// @param tryPart places the body's trial where it is after a part of the way
     private double approach(
-            Body body, double way, double free, ToDoubleFunction<Figure> roomOf, DoubleConsumer tryPart) {
+            Body body, double distance, double free, ToDoubleFunction<Figure> roomOf, DoubleConsumer tryPart) {
         double made = 0;
         double room = free;
         while (made < 1) {
-            double step =
-                    Math.min(1 - made, (Math.max(0, room) + HAIR) / way); // less than 0 if it was put into something
+            double step = Math.min(
+                    1 - made, (Math.max(0, room) + HAIR) / distance); // less than 0 if it was put into something
             tryPart.accept(made + step);
             room = roomOf.applyAsDouble(body.trial);
-            while (room < HAIR && step * way > HAIR / 4) {
+            while (room < HAIR && step * distance > HAIR / 4) {
                 step /= 2;
                 tryPart.accept(made + step);
                 room = roomOf.applyAsDouble(body.trial);
@@ -456,7 +456,7 @@ public final class World {
             for (int i = 0; i < near.count; i++) {
                 Body owner = owner(near.slots[i]);
                 PlacedShape other = Objects.requireNonNull(now.get(near.slots[i]));
-                if (owner != itself && (inTheWay(piece, other) || (rises && other.surface.obstacle()))) {
+                if (owner != itself && (obstructing(piece, other) || (rises && other.surface.obstacle()))) {
                     double gap = piece.separation(other);
                     if (gap < least && !piece.isLevelWith(other)) {
                         gap = Math.max(gap, piece.gapAbove(other) + HAIR);
@@ -471,7 +471,7 @@ public final class World {
         return least;
     }
 
-    static boolean inTheWay(PlacedShape one, PlacedShape other) {
+    static boolean obstructing(PlacedShape one, PlacedShape other) {
         return one.surface.obstacle() && other.surface.obstacle() && one.isLevelWith(other);
     }
 }

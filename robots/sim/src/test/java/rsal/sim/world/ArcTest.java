@@ -39,12 +39,12 @@ class ArcTest {
             var arc = new Arc(
                     Pose2d.ORIGIN, random.nextDouble(-2, 2), random.nextDouble(-2, 2), random.nextDouble(-7, 7));
             Pose2d point = Pose2d.polar(0.3, random.nextDouble(-3, 3));
-            double way = 0;
+            double distance = 0;
             for (int step = 0; step < 1000; step++) {
                 Pose2d from = arc.at(step / 1000.0).compose(point);
-                way += from.distanceTo(arc.at((step + 1) / 1000.0).compose(point));
+                distance += from.distanceTo(arc.at((step + 1) / 1000.0).compose(point));
             }
-            assertThat(way).as("%s", arc).isLessThanOrEqualTo(arc.longestWay(0.3) + 1e-9);
+            assertThat(distance).as("%s", arc).isLessThanOrEqualTo(arc.longestDistance(0.3) + 1e-9);
         }
     }
 }

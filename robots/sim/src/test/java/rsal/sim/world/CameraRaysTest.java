@@ -25,16 +25,17 @@ class CameraRaysTest {
 
     /// What a pixel shows.
     ///
-    /// @param way to where its ray meets that, seen from above [m]
-    private record Shown(@Nullable Surface surface, double way) {
+    /// @param distance to where its ray meets that, seen from above [m]
+    private record Shown(@Nullable Surface surface, double distance) {
         static final Shown NOTHING = new Shown(null, Double.POSITIVE_INFINITY);
 
         Shown or(Surface other, double itsWay) {
-            return itsWay < way ? new Shown(other, itsWay) : this;
+            return itsWay < distance ? new Shown(other, itsWay) : this;
         }
 
         boolean isSame(Shown other) {
-            return Objects.equals(surface, other.surface) && (surface == null || Math.abs(way - other.way) < 1e-6);
+            return Objects.equals(surface, other.surface)
+                    && (surface == null || Math.abs(distance - other.distance) < 1e-6);
         }
     }
 
@@ -69,8 +70,8 @@ class CameraRaysTest {
                     double far = 1000;
                     double from = piece.ray(mapFromCamera.x(), mapFromCamera.y(), dx, dy);
                     double to = far - piece.ray(mapFromCamera.x() + far * dx, mapFromCamera.y() + far * dy, -dx, -dy);
-                    double way = Math.max(from, enters);
-                    shown = way <= Math.min(to, most) ? shown.or(piece.surface, way) : shown;
+                    double distance = Math.max(from, enters);
+                    shown = distance <= Math.min(to, most) ? shown.or(piece.surface, distance) : shown;
                 }
             }
             return shown.surface != null && (all || shown.surface.blob()) ? shown : Shown.NOTHING;
@@ -86,7 +87,7 @@ class CameraRaysTest {
                     }
                 }
             }
-            return shown.way > 0;
+            return shown.distance > 0;
         }
 
         /// How far a ray is when it comes to heights above the camera; +∞ when it never does.
@@ -94,13 +95,13 @@ class CameraRaysTest {
             if (low <= 0 && 0 < high) {
                 return 0;
             }
-            double way = (low > 0 ? low : high) / slope;
-            return way >= 0 ? way : Double.POSITIVE_INFINITY;
+            double distance = (low > 0 ? low : high) / slope;
+            return distance >= 0 ? distance : Double.POSITIVE_INFINITY;
         }
 
         private static double leavesLayer(double slope, double low, double high) {
-            double way = (slope > 0 ? high : low) / slope;
-            return way >= 0 ? way : Double.POSITIVE_INFINITY;
+            double distance = (slope > 0 ? high : low) / slope;
+            return distance >= 0 ? distance : Double.POSITIVE_INFINITY;
         }
     }
 
@@ -195,11 +196,11 @@ class CameraRaysTest {
                             .as("seed %d, pixel %d", seed, pixel)
                             .isEqualTo(color);
                     if (right.surface != null) {
-                        double depth = right.way / Math.hypot(1, left);
+                        double depth = right.distance / Math.hypot(1, left);
                         assertThat(depths[pixel]).isCloseTo((float) depth, within(1e-4f));
                     }
                 } else {
-                    unsure += right.way == 0 ? 0 : 1;
+                    unsure += right.distance == 0 ? 0 : 1;
                 }
                 shown += right.surface == null ? 0 : 1;
             }
@@ -230,7 +231,7 @@ class CameraRaysTest {
                     new CameraRays(baseFromCamera, columns, rows, fieldOfView, HEIGHT).look(world, self, shift, reach);
             int[][] patches = patches(sight, columns, rows);
             double apart = fieldOfView / columns;
-            double[] ways = new double[sight.count()]; // NaN where that is not sure
+            double[] distances = new double[sight.count()]; // NaN where that is not sure
             for (int column = 0; column < columns; column++) {
                 Surface above = null;
                 for (int row = 0; row < rows; row++) {
@@ -245,17 +246,17 @@ class CameraRaysTest {
                                 .isEqualTo(right.surface);
                     }
                     if (patch >= 0) {
-                        ways[patch] += sure ? right.way : Double.NaN;
+                        distances[patch] += sure ? right.distance : Double.NaN;
                     }
                     shown += right.surface == null ? 0 : 1;
-                    unsure += sure || right.way == 0 ? 0 : 1;
+                    unsure += sure || right.distance == 0 ? 0 : 1;
                     beside += above != null && right.surface != null && !right.surface.equals(above) ? 1 : 0;
                     above = right.surface;
                 }
             }
-            for (int i = 0; i < ways.length; i++) {
-                assertThat(Double.isNaN(ways[i]) || Math.abs(sight.ways(i) - ways[i]) < 1e-6)
-                        .as("seed %d, patch %d: %s", seed, i, ways[i])
+            for (int i = 0; i < distances.length; i++) {
+                assertThat(Double.isNaN(distances[i]) || Math.abs(sight.distances(i) - distances[i]) < 1e-6)
+                        .as("seed %d, patch %d: %s", seed, i, distances[i])
                         .isTrue();
             }
         }
@@ -285,7 +286,7 @@ class CameraRaysTest {
     /// How far what is in the middle of a view is; +∞ when nothing is.
     private static double ahead(World world, Body self) {
         ColumnRenderer sight = new CameraRays(Pose2d.ORIGIN, 1, 1, 0.1, 0).look(world, self, 9);
-        return sight.count() == 0 ? Double.POSITIVE_INFINITY : sight.ways(0);
+        return sight.count() == 0 ? Double.POSITIVE_INFINITY : sight.distances(0);
     }
 
     @Test

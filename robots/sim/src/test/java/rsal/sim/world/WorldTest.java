@@ -46,7 +46,7 @@ class WorldTest {
             }
             if (made < 1) {
                 blocked++;
-                double next = made + 0.002 / arc.longestWay(body.figure.radius());
+                double next = made + 0.002 / arc.longestDistance(body.figure.radius());
                 assertThat(random.hits(RandomWorld.shape(RandomWorld.box(0.3, 0.2, -0.04, 0.002), arc.at(next))))
                         .as("seed %d, %s: there is room after %s", seed, arc, made)
                         .isTrue();
@@ -194,21 +194,22 @@ class WorldTest {
         }
         int stuck = 0;
         int freed = 0;
-        var ways = new Pose2d[bodies.size()];
+        var wavefront = new Pose2d[bodies.size()];
         var before = new boolean[bodies.size()];
         for (int step = 0; step < 120; step++) {
             for (int i = 0; i < bodies.size(); i++) {
                 Body body = bodies.get(i);
-                if (step % 30 == 0 || ways[i] == null) {
-                    ways[i] = new Pose2d(random.random.nextDouble(-0.05, 0.05), 0, random.random.nextDouble(-0.1, 0.1));
+                if (step % 30 == 0 || wavefront[i] == null) {
+                    wavefront[i] =
+                            new Pose2d(random.random.nextDouble(-0.05, 0.05), 0, random.random.nextDouble(-0.1, 0.1));
                     before[i] = false;
                 }
                 Pose2d from = body.pose();
-                var arc = Arc.ahead(from, ways[i].x(), ways[i].theta());
+                var arc = Arc.ahead(from, wavefront[i].x(), wavefront[i].theta());
                 boolean moved = world.advance(body, arc) > 0;
                 if (!moved) {
                     assertThat(body.pose()).isEqualTo(from);
-                    Pose2d next = arc.at(0.001 / arc.longestWay(body.radius()));
+                    Pose2d next = arc.at(0.001 / arc.longestDistance(body.radius()));
                     assertThat(world.place(body, next))
                             .as("seed %d, step %d: %s", seed, step, body.name())
                             .isFalse();

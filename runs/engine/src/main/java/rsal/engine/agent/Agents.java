@@ -77,7 +77,7 @@ public final class Agents implements AutoCloseable {
     private final Links links;
     private Optional<Radio> radio = Optional.empty();
     private int byHand;
-    private Optional<AgentPlatform> society = Optional.empty();
+    private Optional<AgentPlatform> platform = Optional.empty();
     private boolean closed;
 
     public Agents(
@@ -116,7 +116,7 @@ public final class Agents implements AutoCloseable {
                 "Multi-agent system '%s'".formatted(provider.key()),
                 () -> provider.create(plan.mas().settings(), scheduler));
         var agents = new AgentPlatform(scheduler, host, simulation, turns);
-        society = Optional.of(agents);
+        platform = Optional.of(agents);
         agents.reserve(Topics.installed());
         agents.onMessage(this::heard);
         agents.onChange(this::changed);
@@ -145,13 +145,13 @@ public final class Agents implements AutoCloseable {
     }
 
     public boolean isGathered() {
-        return society.isPresent();
+        return platform.isPresent();
     }
 
     public void start(PlannedAgent agent) {
         started.put(agent.name(), agent);
         agent.robot().ifPresent(robot -> faults.mans(robot, agent.name()));
-        society.orElseThrow()
+        platform.orElseThrow()
                 .start(new AgentSpec(
                         agent.name(),
                         agent.role(),
@@ -201,7 +201,7 @@ public final class Agents implements AutoCloseable {
             return notRunning(name);
         }
         eventLog.event(OPERATOR, name, "stopped");
-        society.orElseThrow().stop(name);
+        platform.orElseThrow().stop(name);
         return new Answer.Done();
     }
 
@@ -219,15 +219,15 @@ public final class Agents implements AutoCloseable {
         String said = to.isEmpty() ? "all are told on %s: %s" : "is told on %s: %s";
         eventLog.event(OPERATOR, to, said.formatted(phrase.topic().name(), words));
         if (to.isEmpty()) {
-            society.orElseThrow().publish(OPERATOR, phrase.topic(), phrase.message());
+            platform.orElseThrow().publish(OPERATOR, phrase.topic(), phrase.message());
         } else {
-            society.orElseThrow().send(OPERATOR, to, phrase.topic(), phrase.message());
+            platform.orElseThrow().send(OPERATOR, to, phrase.topic(), phrase.message());
         }
         return new Answer.Done();
     }
 
     private boolean isRunning(String name) {
-        return society.flatMap(agents -> agents.view(name))
+        return platform.flatMap(agents -> agents.view(name))
                 .filter(view -> view.status() == AgentPlatform.Status.RUNNING)
                 .isPresent();
     }
@@ -242,7 +242,7 @@ public final class Agents implements AutoCloseable {
     /// A robot has left: its agents end as they would at the end of the run.
     public void leave(String robot) {
         sent.forget(robot);
-        society.ifPresent(agents -> agents.directory().agents().stream()
+        platform.ifPresent(agents -> agents.directory().agents().stream()
                 .filter(agent -> agent.robot().equals(robot))
                 .forEach(agent -> agents.stop(agent.name())));
     }
@@ -250,7 +250,7 @@ public final class Agents implements AutoCloseable {
     /// Whether somebody hears where a robot is to drive: an agent of it, or one without a robot, as those who send
     /// teams.
     public boolean takeOrdersFor(String robot) {
-        AgentPlatform all = society.orElseThrow();
+        AgentPlatform all = platform.orElseThrow();
         return all.directory().agents().stream()
                 .filter(agent -> agent.robot().equals(robot) || agent.robot().isEmpty())
                 .anyMatch(agent -> all.listens(agent.name(), NewGoal.TOPIC));
@@ -262,7 +262,7 @@ public final class Agents implements AutoCloseable {
     public void ask(String robot, Pose2d mapFromGoal, Consumer<GoalReached> onEnd) {
         eventLog.event(OPERATOR, robot, "sent to " + mapFromGoal.rounded());
         sent.send(robot, mapFromGoal, onEnd);
-        society.orElseThrow().publish(OPERATOR, NewGoal.TOPIC, new NewGoal(robot, mapFromGoal));
+        platform.orElseThrow().publish(OPERATOR, NewGoal.TOPIC, new NewGoal(robot, mapFromGoal));
     }
 
     private void heard(Message<?> message) {
@@ -313,15 +313,15 @@ public final class Agents implements AutoCloseable {
         if (agent == null) {
             return Optional.empty();
         }
-        Optional<AgentPlatform.View> shown = society.orElseThrow().view(name);
-        Optional<Mind.View> mind = society.orElseThrow().look(name, Mind.View.class);
+        Optional<AgentPlatform.View> shown = platform.orElseThrow().view(name);
+        Optional<Mind.View> mind = platform.orElseThrow().look(name, Mind.View.class);
         beliefHistory.look(name, held(shown, mind), now);
         return Optional.of(new AgentInspection(
                 name,
                 Optional.of(agent),
                 shown,
                 mind,
-                society.orElseThrow().look(name, Mind.Program.class),
+                platform.orElseThrow().look(name, Mind.Program.class),
                 beliefHistory.of(name),
                 Optional.of(mailboxes.of(name)),
                 talks.of(name),
@@ -343,7 +343,7 @@ public final class Agents implements AutoCloseable {
 
     /// After each step: notes what changed in those that people look into.
     public void observe() {
-        society.ifPresent(agents -> beliefHistory.step(name -> {
+        platform.ifPresent(agents -> beliefHistory.step(name -> {
             try {
                 return Optional.of(held(agents.view(name), agents.look(name, Mind.View.class)));
             } catch (IllegalArgumentException _) { // the one that asks is told
@@ -357,19 +357,19 @@ public final class Agents implements AutoCloseable {
     /// @param chosen id of the robot whose links are told when there are many robots; maybe of none
     /// @param now in real time [ns]
     public Answer.Linked links(String chosen, long now) {
-        if (society.isEmpty()) {
+        if (platform.isEmpty()) {
             return Answer.Linked.NONE;
         }
         var speakers = new LinkedHashMap<String, List<String>>(); // names of those who run, by robot
-        for (Directory.Entry agent : society.get().directory().agents()) {
+        for (Directory.Entry agent : platform.get().directory().agents()) {
             if (!agent.robot().isEmpty()) {
                 speakers.computeIfAbsent(agent.robot(), _ -> new ArrayList<>()).add(agent.name());
             }
         }
         var places = new HashMap<String, Optional<Point2d>>();
         var air = new Links.Air(
-                (from, to) -> radio.filter(way -> hears(
-                                way, speakers.getOrDefault(from, List.of()), speakers.getOrDefault(to, List.of())))
+                (from, to) -> radio.filter(channel -> hears(
+                                channel, speakers.getOrDefault(from, List.of()), speakers.getOrDefault(to, List.of())))
                         .isPresent(),
                 (one, other) -> radio.orElseThrow()
                         .reaches(places.computeIfAbsent(one, this::place), places.computeIfAbsent(other, this::place)));
@@ -384,9 +384,9 @@ public final class Agents implements AutoCloseable {
     }
 
     /// Whether anybody of those in range would be heard by one of the others.
-    private boolean hears(Radio way, List<String> senders, List<String> listeners) {
+    private boolean hears(Radio channel, List<String> senders, List<String> listeners) {
         return senders.stream()
-                .filter(sender -> way.sends(sender, scheduler.instant()))
+                .filter(sender -> channel.sends(sender, scheduler.instant()))
                 .anyMatch(sender -> listeners.stream().anyMatch(listener -> !faults.blocks(sender, listener)));
     }
 
@@ -398,12 +398,12 @@ public final class Agents implements AutoCloseable {
 
     /// What those believe and want that show it, by name.
     public Map<String, Mind.View> minds() {
-        return society.map(agents -> lookInto(agents.views())).orElse(Map.of());
+        return platform.map(agents -> lookInto(agents.views())).orElse(Map.of());
     }
 
     /// The same of some of them.
     public Map<String, Mind.View> minds(List<String> some) {
-        return society.map(agents -> lookInto(some.stream()
+        return platform.map(agents -> lookInto(some.stream()
                         .flatMap(name -> agents.view(name).stream())
                         .toList()))
                 .orElse(Map.of());
@@ -415,7 +415,7 @@ public final class Agents implements AutoCloseable {
                 .filter(view -> view.status() == AgentPlatform.Status.RUNNING)
                 .map(view -> view.agent().name())
                 .forEach(name ->
-                        society.orElseThrow().look(name, Mind.View.class).ifPresent(mind -> minds.put(name, mind)));
+                        platform.orElseThrow().look(name, Mind.View.class).ifPresent(mind -> minds.put(name, mind)));
         return minds;
     }
 
@@ -461,14 +461,14 @@ public final class Agents implements AutoCloseable {
 
     /// What went wrong with those that have failed, by name.
     public Map<String, String> failed() {
-        return society.stream()
+        return platform.stream()
                 .flatMap(agents -> agents.views().stream())
                 .filter(view -> view.status() == AgentPlatform.Status.FAILED)
                 .collect(Collectors.toMap(view -> view.agent().name(), AgentPlatform.View::state));
     }
 
     public List<AgentView> views() {
-        return society.stream()
+        return platform.stream()
                 .flatMap(agents -> agents.views().stream())
                 .map(this::view)
                 .toList();
@@ -483,6 +483,6 @@ public final class Agents implements AutoCloseable {
     @Override
     public void close() {
         closed = true;
-        society.ifPresent(AgentPlatform::close);
+        platform.ifPresent(AgentPlatform::close);
     }
 }

@@ -33,7 +33,8 @@ public final class MessageRouter implements ChannelModel {
             traffic.unheard(message, listener);
             return List.of();
         }
-        List<Duration> byRadio = radio.map(way -> way.copies(message, listener)).orElse(AT_ONCE);
+        List<Duration> byRadio =
+                radio.map(channel -> channel.copies(message, listener)).orElse(AT_ONCE);
         if (byRadio.isEmpty()) {
             traffic.lost(message, listener, radio.orElseThrow().why());
             return byRadio;

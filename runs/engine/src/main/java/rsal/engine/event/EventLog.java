@@ -39,7 +39,7 @@ public final class EventLog {
     private final MessageDigest digest;
     private final Supplier<Duration> time;
     private final Runnable onEvent;
-    private final Optional<RunObserver> witness;
+    private final Optional<RunObserver> observer;
     private String operator = ""; // who has ordered what is done now; empty when nobody knows
     private long sequence;
     private long happened; // events, with those that are not kept
@@ -50,11 +50,11 @@ public final class EventLog {
         this(time, onEvent, Optional.empty());
     }
 
-    /// @param witness told of each event and message
-    public EventLog(Supplier<Duration> time, Runnable onEvent, Optional<RunObserver> witness) {
+    /// @param observer told of each event and message
+    public EventLog(Supplier<Duration> time, Runnable onEvent, Optional<RunObserver> observer) {
         this.time = time;
         this.onEvent = onEvent;
-        this.witness = witness;
+        this.observer = observer;
         try {
             this.digest = MessageDigest.getInstance("SHA-256");
         } catch (NoSuchAlgorithmException e) {
@@ -104,7 +104,7 @@ public final class EventLog {
             keep(kind, subject, text, said);
         }
         happened++;
-        witness.ifPresent(
+        observer.ifPresent(
                 seen -> seen.happened(new RunEvent(happened, time.get(), kind, subject, text, said), hashSoFar()));
     }
 
@@ -122,7 +122,7 @@ public final class EventLog {
     /// Something was said, in words for people.
     public void said(Message<?> message, String words) {
         Object content = message.content() instanceof Act act ? act.content() : message.content();
-        witness.ifPresent(seen -> seen.heard(of(message, words), content));
+        observer.ifPresent(seen -> seen.heard(of(message, words), content));
     }
 
     private SentMessage of(Message<?> message, String words) {

@@ -33,7 +33,7 @@ public final class SentGoals {
         cancel(robot, "Another goal came.");
         var goals = new ArrayList<>(all);
         goals.add(new SentGoal(++count, robot, mapFromGoal, Status.EXECUTING, time.get(), Optional.empty(), ""));
-        while (goals.size() > MOST && !goals.getFirst().isUnderWay()) {
+        while (goals.size() > MOST && !goals.getFirst().isInProgress()) {
             goals.removeFirst();
         }
         all = List.copyOf(goals);
@@ -43,7 +43,7 @@ public final class SentGoals {
     /// Nothing happens where it has ended before.
     void end(int id, Status how, String why) {
         all = all.stream()
-                .map(goal -> goal.id() == id && goal.isUnderWay() ? goal.ended(how, time.get(), why) : goal)
+                .map(goal -> goal.id() == id && goal.isInProgress() ? goal.ended(how, time.get(), why) : goal)
                 .toList();
     }
 
@@ -64,7 +64,7 @@ public final class SentGoals {
 
     private void ofRobot(String robot, Status how, String why) {
         all.stream()
-                .filter(goal -> goal.robot().equals(robot) && goal.isUnderWay())
+                .filter(goal -> goal.robot().equals(robot) && goal.isInProgress())
                 .forEach(goal -> end(goal.id(), how, why));
     }
 }

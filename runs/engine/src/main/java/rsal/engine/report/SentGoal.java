@@ -34,7 +34,7 @@ public record SentGoal(
         return new SentGoal(id, robot, mapFromGoal, how, sent, Optional.of(now), reason);
     }
 
-    public boolean isUnderWay() {
+    public boolean isInProgress() {
         return status == Status.EXECUTING;
     }
 }

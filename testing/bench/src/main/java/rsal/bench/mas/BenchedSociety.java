@@ -26,7 +26,7 @@ final class BenchedSociety implements AutoCloseable {
     private static final Duration STEP = Duration.ofMillis(1);
 
     private final Scheduler time;
-    private final AgentPlatform society;
+    private final AgentPlatform platform;
     private final List<String> names = new ArrayList<>();
 
     private BenchedSociety(AgentHostProvider host, Scheduler time) {
@@ -34,7 +34,7 @@ final class BenchedSociety implements AutoCloseable {
         var made = new AgentPlatform[1];
         act(() -> made[0] =
                 new AgentPlatform(time, host.create(Arguments.defaults(host.parameters()), time), Optional.empty()));
-        this.society = made[0];
+        this.platform = made[0];
     }
 
     static BenchedSociety inRealTime(AgentHostProvider host) {
@@ -77,14 +77,14 @@ final class BenchedSociety implements AutoCloseable {
     void start(List<AgentSpec> specs) {
         act(() -> specs.forEach(spec -> {
             names.add(spec.name());
-            society.start(spec);
+            platform.start(spec);
         }));
     }
 
     /// What an agent reveals of itself; empty when it has not begun.
     <T> Optional<T> look(String agent, Class<T> type) {
         var seen = new AtomicReference<Optional<T>>(Optional.empty());
-        act(() -> seen.set(society.look(agent, type)));
+        act(() -> seen.set(platform.look(agent, type)));
         return seen.get();
     }
 
@@ -117,7 +117,7 @@ final class BenchedSociety implements AutoCloseable {
 
     @Override
     public void close() {
-        act(society::close);
+        act(platform::close);
         if (time instanceof WallScheduler real) {
             real.close();
         }

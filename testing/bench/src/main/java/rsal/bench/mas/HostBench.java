@@ -90,10 +90,10 @@ public final class HostBench implements Bench {
                 assignment.reach(name, i, repeats);
                 var begun = new LongAdder();
                 var watch = new Stopwatch();
-                try (var society = BenchedSociety.inRealTime(host)) {
+                try (var platform = BenchedSociety.inRealTime(host)) {
                     start[i] = watch.wall();
-                    society.start(count, _ -> begun.increment());
-                    society.until(() -> begun.sum() == count);
+                    platform.start(count, _ -> begun.increment());
+                    platform.until(() -> begun.sum() == count);
                     seconds[i] = watch.wall() - start[i];
                 }
             }
@@ -107,14 +107,14 @@ public final class HostBench implements Bench {
         var cpu = new double[repeats];
         var rate = new double[repeats];
         var heard = new LongAdder();
-        try (var society = BenchedSociety.inRealTime(host)) {
-            publishPoses(society, heard);
-            society.pass(WARM);
+        try (var platform = BenchedSociety.inRealTime(host)) {
+            publishPoses(platform, heard);
+            platform.pass(WARM);
             for (int i = 0; i < repeats; i++) {
                 assignment.reach(name(host, "load"), i, repeats);
                 heard.reset();
                 var watch = new Stopwatch();
-                society.pass(WINDOW);
+                platform.pass(WINDOW);
                 rate[i] = heard.sum() / watch.wall();
                 cpu[i] = watch.cpu() / watch.wall();
             }
@@ -124,8 +124,8 @@ public final class HostBench implements Bench {
     }
 
     /// Starts a hundred that tell each other their poses ten times a second.
-    static void publishPoses(BenchedSociety society, LongAdder heard) {
-        society.start(TEAM, self -> {
+    static void publishPoses(BenchedSociety platform, LongAdder heard) {
+        platform.start(TEAM, self -> {
             self.subscribe(POSES, _ -> heard.increment());
             self.scheduler().every(PERIOD, () -> self.publish(POSES, Pose2d.ORIGIN));
         });
@@ -136,21 +136,21 @@ public final class HostBench implements Bench {
         /// Starts agents that do it.
         ///
         /// @param done counts how often it is done
-        void begin(BenchedSociety society, LongAdder done);
+        void begin(BenchedSociety platform, LongAdder done);
     }
 
     private static void most(AgentHostProvider host, String what, Work work, BenchmarkRequest assignment) {
         int repeats = assignment.repeats();
         var rate = new double[repeats];
         var done = new LongAdder();
-        try (var society = BenchedSociety.of(host)) {
-            work.begin(society, done);
-            society.pass(WARM);
+        try (var platform = BenchedSociety.of(host)) {
+            work.begin(platform, done);
+            platform.pass(WARM);
             for (int i = 0; i < repeats; i++) {
                 assignment.reach(name(host, what), i, repeats);
                 done.reset();
                 var watch = new Stopwatch();
-                society.pass(WINDOW);
+                platform.pass(WINDOW);
                 rate[i] = done.sum() / watch.wall();
             }
         }
@@ -158,10 +158,10 @@ public final class HostBench implements Bench {
     }
 
     /// All speak, and again once all have heard all.
-    private static void deliveries(BenchedSociety society, LongAdder done) {
+    private static void deliveries(BenchedSociety platform, LongAdder done) {
         var agents = new ArrayList<AgentContext>();
         var left = new int[1]; // of this burst; written in turn
-        society.start(TEAM, self -> {
+        platform.start(TEAM, self -> {
             agents.add(self);
             self.subscribe(POSES, _ -> {
                 done.increment();
@@ -188,14 +188,14 @@ public final class HostBench implements Bench {
     }
 
     /// A manager calls, awards and calls again.
-    static void contracts(BenchedSociety society, LongAdder done) {
-        society.start(BIDDERS, self -> net(self).answer(new Bidder()));
-        society.start(1, self -> {
+    static void contracts(BenchedSociety platform, LongAdder done) {
+        platform.start(BIDDERS, self -> net(self).answer(new Bidder()));
+        platform.start(1, self -> {
             var calls = new Calls(
                     self.scheduler(),
-                    society.moment(),
+                    platform.moment(),
                     net(self),
-                    society.names().subList(0, BIDDERS),
+                    platform.names().subList(0, BIDDERS),
                     done);
             self.scheduler().after(Duration.ofSeconds(1), calls::call);
         });

@@ -143,8 +143,8 @@ public final class OverheadBench implements Bench {
     /// Of a hundred that tell each other their poses: messages heard.
     private static PlatformLoad poses(AgentHostProvider host) {
         var heard = new LongAdder();
-        try (var society = BenchedSociety.inRealTime(host)) {
-            HostBench.publishPoses(society, heard);
+        try (var agents = BenchedSociety.inRealTime(host)) {
+            HostBench.publishPoses(agents, heard);
             return PlatformLoad.of(heard::sum, OverheadBench::pass);
         }
     }
@@ -160,9 +160,9 @@ public final class OverheadBench implements Bench {
     /// Of a manager and bidders that do nothing else: contract nets ended.
     private static PlatformLoad nets(AgentHostProvider host) {
         var ended = new LongAdder();
-        try (var society = BenchedSociety.of(host)) {
-            HostBench.contracts(society, ended);
-            return PlatformLoad.of(ended::sum, society::pass);
+        try (var agents = BenchedSociety.of(host)) {
+            HostBench.contracts(agents, ended);
+            return PlatformLoad.of(ended::sum, agents::pass);
         }
     }
 

@@ -47,8 +47,7 @@ public final class WrittenBench implements Bench {
 
         Side ours() {
             Map<Program, AgentType> types = types();
-            Function<BenchedSociety, Team> team =
-                    society -> new Team(new WrittenSociety(society, types), society::pass);
+            Function<BenchedSociety, Team> team = agents -> new Team(new WrittenSociety(agents, types), agents::pass);
             return new Side(
                     "written",
                     () -> team.apply(BenchedSociety.inRealTime(host)),

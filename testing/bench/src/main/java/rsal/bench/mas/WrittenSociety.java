@@ -13,7 +13,7 @@ import rsal.bare.BareLanguage.Program;
 /// Programs of a language on our host.
 ///
 /// @param types the programs, as the host has read them
-record WrittenSociety(BenchedSociety society, Map<Program, AgentType> types) implements BareLanguage.Platform {
+record WrittenSociety(BenchedSociety platform, Map<Program, AgentType> types) implements BareLanguage.Platform {
     @Override
     public void start(Map<String, Program> agents) {
         var specs = new ArrayList<AgentSpec>();
@@ -21,18 +21,18 @@ record WrittenSociety(BenchedSociety society, Map<Program, AgentType> types) imp
             AgentType type = Objects.requireNonNull(types.get(program));
             specs.add(BenchedSociety.spec(name, specs.size(), type, arguments(type)));
         });
-        society.start(specs);
+        platform.start(specs);
     }
 
     private Map<String, Double> arguments(AgentType type) {
         boolean waits = type.parameters().stream()
                 .anyMatch(parameter -> parameter.name().equals(BareLanguage.MOMENT));
-        return waits ? Map.of(BareLanguage.MOMENT, (double) society.moment().toMillis()) : Map.of();
+        return waits ? Map.of(BareLanguage.MOMENT, (double) platform.moment().toMillis()) : Map.of();
     }
 
     @Override
     public long count(String agent) {
-        return society.look(agent, Mind.View.class)
+        return platform.look(agent, Mind.View.class)
                 .flatMap(mind -> Optional.ofNullable(mind.beliefs().get(BareLanguage.COUNT)))
                 .map(WrittenSociety::number)
                 .orElse(0L); // it has not begun
@@ -45,6 +45,6 @@ record WrittenSociety(BenchedSociety society, Map<Program, AgentType> types) imp
 
     @Override
     public void close() {
-        society.close();
+        platform.close();
     }
 }

@@ -66,7 +66,7 @@ final class BarnRun {
     private final ObstacleMemory blindSpot = new ObstacleMemory(1.5, Duration.ofSeconds(5));
     private double turnRate;
     private double turned; // changes of the turn rate, summed up [rad/s]
-    private double way;
+    private double distance;
 
     /// How it ended.
     ///
@@ -160,12 +160,12 @@ final class BarnRun {
                 time.advance(STEP);
                 seconds = time.elapsed().toNanos() * 1e-9;
                 Pose2d next = truth.truth(ID).orElseThrow();
-                way += at.distanceTo(next);
+                distance += at.distanceTo(next);
                 at = next;
                 reached = at.position().distanceTo(BarnWorld.GOAL) <= ARRIVED;
                 touched = !truth.contacts().isEmpty();
             }
-            return new Outcome(reached && !touched, touched, seconds, turned / seconds, way);
+            return new Outcome(reached && !touched, touched, seconds, turned / seconds, distance);
         }
     }
 }

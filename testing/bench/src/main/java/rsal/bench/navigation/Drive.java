@@ -92,8 +92,8 @@ final class Drive {
                 Pose2d pose = truth.getLast();
                 double bearing = pose.bearingTo(next);
                 double turn = Math.clamp(bearing, -MOST_TURN, MOST_TURN);
-                double way = Math.abs(bearing) > 0.5 ? 0 : STEP;
-                truth.add(pose.compose(new Pose2d(0, 0, turn)).compose(new Pose2d(way, 0, 0)));
+                double distance = Math.abs(bearing) > 0.5 ? 0 : STEP;
+                truth.add(pose.compose(new Pose2d(0, 0, turn)).compose(new Pose2d(distance, 0, 0)));
             }
         }
     }

@@ -54,9 +54,9 @@ public final class OfficeBench implements Bench {
             try (var worker = Executors.newSingleThreadExecutor(threads);
                     var run = new OfficeRun(Map.of("controller", planner), repeat, worker)) {
                 assignment.reach(name(planner, "runs"), repeat, assignment.repeats());
-                List<Errand> errands = run.run(GOALS);
-                List<Errand> ended = errands.stream().filter(Errand::reached).toList();
-                reached[repeat] = (double) ended.size() / errands.size();
+                List<Errand> goals = run.run(GOALS);
+                List<Errand> ended = goals.stream().filter(Errand::reached).toList();
+                reached[repeat] = (double) ended.size() / goals.size();
                 contacts[repeat] = run.contacts();
                 ratio[repeat] = ended.stream().mapToDouble(Errand::seconds).sum()
                         / ended.stream().mapToDouble(Errand::shortest).sum();

@@ -106,7 +106,7 @@ final class OfficeRun implements AutoCloseable {
     private void send(Robot robot) {
         Pose2d from = pioneers.truth(robot);
         Pose2d goal = place();
-        double way = switch (shortest.plan(from.position(), goal.position(), 0.2)) {
+        double distance = switch (shortest.plan(from.position(), goal.position(), 0.2)) {
             case Plan.Found found -> found.path().length();
             case Plan.None _ -> from.distanceTo(goal);
         };
@@ -120,7 +120,7 @@ final class OfficeRun implements AutoCloseable {
                 .thenAccept(result -> {
                     double seconds = pioneers.time.elapsed().minus(start).toMillis() * 1e-3;
                     errands.add(new Errand(
-                            result, way / SPEED, seconds, ride.turned - turnedBefore, ride.meters - metersBefore));
+                            result, distance / SPEED, seconds, ride.turned - turnedBefore, ride.meters - metersBefore));
                 });
     }
 

@@ -98,34 +98,34 @@ public final class PlanningBench implements Bench {
         var random = new SplittableRandom(1);
         DistanceField toNotFree = DistanceField.toNotFree(map);
         CostMap costs = CostMap.of(map, toNotFree, CLEARANCE);
-        Wavefront ways = new Wavefront(costs);
+        Wavefront wavefront = new Wavefront(costs);
         var jumps = new JumpPoints(costs);
         List<Point2d> places = places(costs, random);
         Point2d goal = places.getFirst();
         for (Point2d start : places.subList(1, 1 + PLANS)) {
-            found(ways.plan(start, goal, SLACK)); // so that it is kept, whatever is measured first
+            found(wavefront.plan(start, goal, SLACK)); // so that it is kept, whatever is measured first
         }
-        Plan.Found plan = (Plan.Found) ways.plan(places.get(1), goal, SLACK);
-        Known known = new Known(toNotFree, ways);
+        Plan.Found plan = (Plan.Found) wavefront.plan(places.get(1), goal, SLACK);
+        Known known = new Known(toNotFree, wavefront);
         Known nothingKept = new Known(toNotFree, new Wavefront(costs));
         Consumer<Wavefront> replan = now -> found(now.plan(places.get(1), goal, SLACK));
-        Point2d inTheWay = plan.path().points().get(plan.path().points().size() / 2);
+        Point2d obstructing = plan.path().points().get(plan.path().points().size() / 2);
         for (String kind : KINDS) {
             if (!assignment.wants(site.name(kind))) {
                 continue;
             }
             IntConsumer job = switch (kind) {
-                case "full." -> _ -> check(ways.everywhere(goal, SLACK).isPresent());
-                case "again." -> i -> found(ways.plan(places.get(1 + i % PLANS), goal, SLACK));
+                case "full." -> _ -> check(wavefront.everywhere(goal, SLACK).isPresent());
+                case "again." -> i -> found(wavefront.plan(places.get(1 + i % PLANS), goal, SLACK));
                 case "mended." -> changing(known, withBox(map, along(plan.path(), AHEAD)), replan);
-                case "mended.halfway." -> changing(known, withBox(map, inTheWay), replan);
+                case "mended.halfway." -> changing(known, withBox(map, obstructing), replan);
                 case "mended.goal." ->
                     changing(known, withBox(map, along(plan.path(), plan.path().length() - AHEAD)), replan);
                 case "mended.costs." -> changing(nothingKept, withBox(map, along(plan.path(), AHEAD)), _ -> {});
-                case "around." -> _ -> found(ways.plan(places.get(1), goal, SLACK, List.of(inTheWay)));
+                case "around." -> _ -> found(wavefront.plan(places.get(1), goal, SLACK, List.of(obstructing)));
                 case "shortest." -> i -> found(jumps.plan(places.get(1 + i % PLANS), goal, SLACK));
                 case "costs." -> _ -> CostMap.of(map, DistanceField.toNotFree(map), CLEARANCE);
-                default -> i -> found(ways.plan(places.get(1 + i % PLANS), places.get(20 + i % FRESH), SLACK));
+                default -> i -> found(wavefront.plan(places.get(1 + i % PLANS), places.get(20 + i % FRESH), SLACK));
             };
             var result = Result.less(site.name(kind), "ms", times(job, assignment.repeats()));
             assignment.report(result);
@@ -137,9 +137,9 @@ public final class PlanningBench implements Bench {
         return bars;
     }
 
-    /// @param way from its start [m]
-    private static Point2d along(Path2d path, double way) {
-        double left = way;
+    /// @param distance from its start [m]
+    private static Point2d along(Path2d path, double distance) {
+        double left = distance;
         for (int i = 1; i < path.points().size(); i++) {
             Point2d from = path.points().get(i - 1);
             Point2d to = path.points().get(i);
@@ -154,16 +154,16 @@ public final class PlanningBench implements Bench {
     }
 
     /// What is known of a map.
-    private record Known(DistanceField toNotFree, Wavefront ways) {
+    private record Known(DistanceField toNotFree, Wavefront wavefront) {
         OccupancyGrid map() {
-            return ways.map().grid();
+            return wavefront.map().grid();
         }
 
         /// The same of another that differs little.
         Known over(OccupancyGrid next) {
             Difference difference = Difference.between(map(), next).orElseThrow();
             DistanceField toNotFreeNext = DistanceField.toNotFree(difference, toNotFree);
-            return new Known(toNotFreeNext, ways.over(ways.map().over(difference, toNotFreeNext)));
+            return new Known(toNotFreeNext, wavefront.over(wavefront.map().over(difference, toNotFreeNext)));
         }
     }
 
@@ -172,7 +172,7 @@ public final class PlanningBench implements Bench {
         var now = new AtomicReference<>(first);
         return i -> {
             Known next = now.get().over(i % 2 == 0 ? other : first.map());
-            then.accept(next.ways());
+            then.accept(next.wavefront());
             now.set(next);
         };
     }
@@ -209,7 +209,7 @@ public final class PlanningBench implements Bench {
     /// Places between which there is a way.
     private static List<Point2d> places(CostMap costs, SplittableRandom random) {
         OccupancyGrid grid = costs.grid();
-        var ways = new Wavefront(costs);
+        var wavefront = new Wavefront(costs);
         var anywhere = new ArrayList<Point2d>();
         while (anywhere.size() < 2 * FRESH) {
             var place = new Point2d(
@@ -221,7 +221,7 @@ public final class PlanningBench implements Bench {
         }
         List<Point2d> best = List.of();
         for (Point2d goal : anywhere.subList(0, 5)) {
-            var function = ways.everywhere(goal, SLACK).orElseThrow();
+            var function = wavefront.everywhere(goal, SLACK).orElseThrow();
             var reached = new ArrayList<>(List.of(goal));
             anywhere.stream()
                     .filter(place -> !place.equals(goal) && Double.isFinite(function.cost(place)))

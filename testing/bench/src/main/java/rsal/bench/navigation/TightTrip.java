@@ -76,7 +76,7 @@ record TightTrip(OccupancyGrid floor, OccupancyGrid believed, Pose2d start, Poin
     static List<TightTrip> besideThings(int count, long seed) {
         var random = new SplittableRandom(seed);
         var toNotFree = DistanceField.toNotFree(Office.MAP);
-        var ways = new Wavefront(CostMap.of(Office.MAP, toNotFree, new Clearance(0.35, 0.35, 0)));
+        var wavefront = new Wavefront(CostMap.of(Office.MAP, toNotFree, new Clearance(0.35, 0.35, 0)));
         List<Point2d> body = body(Pioneers.model(Pioneers.LASER).footprint());
         var trips = new ArrayList<TightTrip>();
         while (trips.size() < count) {
@@ -85,9 +85,9 @@ record TightTrip(OccupancyGrid floor, OccupancyGrid believed, Pose2d start, Poin
             if (room < 0.01 || room > 0.12) {
                 continue;
             }
-            Point2d goal = Office.place(random, ways.map()::isPassable).position();
+            Point2d goal = Office.place(random, wavefront.map()::isPassable).position();
             double far = start.position().distanceTo(goal);
-            if (far >= 2 && far <= 11 && ways.plan(start.position(), goal, 0) instanceof Plan.Found) {
+            if (far >= 2 && far <= 11 && wavefront.plan(start.position(), goal, 0) instanceof Plan.Found) {
                 trips.add(new TightTrip(Office.MAP, Office.MAP, start, goal, random.nextLong()));
             }
         }

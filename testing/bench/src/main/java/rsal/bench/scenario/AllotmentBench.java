@@ -132,15 +132,15 @@ public final class AllotmentBench implements Bench {
     /// What ways to places spread over the office floor cost robots anywhere on it, by draw.
     private static List<NavigableMap<String, double[]>> floors() {
         var ground = ReachableSpace.largest(Office.MAP, CLEARANCE);
-        var ways = new Wavefront(CostMap.of(
+        var wavefront = new Wavefront(CostMap.of(
                 Office.MAP, DistanceField.toNotFree(Office.MAP), new CostMap.Clearance(CLEARANCE, 2 * CLEARANCE, 3)));
         return LongStream.rangeClosed(1, DRAWS)
-                .mapToObj(seed -> floor(new SplittableRandom(seed), ground, ways))
+                .mapToObj(seed -> floor(new SplittableRandom(seed), ground, wavefront))
                 .toList();
     }
 
     private static NavigableMap<String, double[]> floor(
-            SplittableRandom random, ReachableSpace ground, Wavefront ways) {
+            SplittableRandom random, ReachableSpace ground, Wavefront wavefront) {
         int size = random.nextInt(2, 9);
         List<Point2d> places =
                 new Spreader(ground, size).spread(random, _ -> {}).places();
@@ -149,7 +149,7 @@ public final class AllotmentBench implements Bench {
             Point2d start = Office.place(random, ground::contains).position();
             costs.put(
                     "r" + robot,
-                    ways.costs(start, places, SLACK).stream()
+                    wavefront.costs(start, places, SLACK).stream()
                             .mapToDouble(Double::doubleValue)
                             .toArray());
         }

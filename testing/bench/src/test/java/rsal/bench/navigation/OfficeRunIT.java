@@ -11,11 +11,11 @@ class OfficeRunIT {
     @Trials({"vfh, 1", "nd, 2", "snd, 2"})
     void threeRobotsReachTheirGoalsInTimeWithoutTouchingAnything(String planner, long seed) {
         try (var run = new OfficeRun(Map.of("controller", planner), seed, Runnable::run)) {
-            List<Errand> errands = run.run(15);
-            assertThat(errands).hasSize(15).allMatch(Errand::reached);
+            List<Errand> goals = run.run(15);
+            assertThat(goals).hasSize(15).allMatch(Errand::reached);
             assertThat(run.contacts()).isZero();
-            double took = errands.stream().mapToDouble(Errand::seconds).sum();
-            double shortest = errands.stream().mapToDouble(Errand::shortest).sum();
+            double took = goals.stream().mapToDouble(Errand::seconds).sum();
+            double shortest = goals.stream().mapToDouble(Errand::shortest).sum();
             assertThat(took / shortest).isLessThan(1.5);
         }
     }

@@ -63,10 +63,11 @@ public class Waves2560 {
         while (!front.isEmpty()) {
             Reached next = front.poll();
             int cell = next.cell;
-            for (int way = 0; way < 8 && next.cost == field[cell]; way++) {
-                int to = cell + DY[way] * width + DX[way];
-                int cost = next.cost + map.step(cell, to, way % 2 == 1);
-                boolean isOpen = map.isOpen(to) && map.isOpen(cell + DX[way]) && map.isOpen(cell + DY[way] * width);
+            for (int distance = 0; distance < 8 && next.cost == field[cell]; distance++) {
+                int to = cell + DY[distance] * width + DX[distance];
+                int cost = next.cost + map.step(cell, to, distance % 2 == 1);
+                boolean isOpen =
+                        map.isOpen(to) && map.isOpen(cell + DX[distance]) && map.isOpen(cell + DY[distance] * width);
                 if (isOpen && cost < field[to]) {
                     field[to] = cost;
                     front.add(new Reached(cost, to));

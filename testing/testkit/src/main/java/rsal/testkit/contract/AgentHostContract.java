@@ -239,8 +239,8 @@ public abstract class AgentHostContract extends ContractNetContract {
         try (var run = run()) {
             run.start("amy", self -> self.subscribe(WORDS, m -> log.add(m.sender() + ": " + m.content())));
             run.untilAllHaveBegun();
-            run.act(() -> run.society().publish("operator", WORDS, "to all"));
-            run.act(() -> run.society().send("operator", "amy", WORDS, "to you"));
+            run.act(() -> run.platform().publish("operator", WORDS, "to all"));
+            run.act(() -> run.platform().send("operator", "amy", WORDS, "to you"));
             run.until("it has heard", () -> isLogged(2));
         }
         assertThat(log).containsExactly("operator: to all", "operator: to you");
@@ -260,9 +260,9 @@ public abstract class AgentHostContract extends ContractNetContract {
             });
             run.untilAllHaveBegun();
             List.of("before", "enough")
-                    .forEach(words -> run.act(() -> run.society().publish("operator", WORDS, words)));
+                    .forEach(words -> run.act(() -> run.platform().publish("operator", WORDS, words)));
             run.until("it has heard", () -> isLogged(2));
-            run.act(() -> run.society().publish("operator", WORDS, "after"));
+            run.act(() -> run.platform().publish("operator", WORDS, "after"));
             run.pass(200);
         }
         assertThat(log).containsExactly("before", "enough");
@@ -275,8 +275,8 @@ public abstract class AgentHostContract extends ContractNetContract {
             run.untilAllHaveBegun();
             run.deliverBy(
                     (message, _) -> message.content().equals("lost") ? List.of() : List.of(Duration.ofMillis(50)));
-            run.act(() -> run.society().publish("operator", WORDS, "lost"));
-            run.act(() -> run.society().publish("operator", WORDS, "late"));
+            run.act(() -> run.platform().publish("operator", WORDS, "lost"));
+            run.act(() -> run.platform().publish("operator", WORDS, "late"));
             run.until("it has heard", () -> isLogged(1));
         }
         assertThat(log).containsExactly("late");
@@ -316,7 +316,7 @@ public abstract class AgentHostContract extends ContractNetContract {
                     mail.add("%s: %s, %s".formatted(listener, message.sender(), message.content()));
                 }
             });
-            run.act(() -> run.society().send("operator", "eve", NUMBERS, 1));
+            run.act(() -> run.platform().send("operator", "eve", NUMBERS, 1));
             run.until("all have heard all", () -> isLogged(2 * (2 + 1 + 1)));
         }
         assertThat(mail)
@@ -365,7 +365,7 @@ public abstract class AgentHostContract extends ContractNetContract {
             });
             run.until("it beats", () -> isLogged(1));
             run.stop("amy");
-            run.act(() -> run.society().publish("operator", WORDS, "hi"));
+            run.act(() -> run.platform().publish("operator", WORDS, "hi"));
             run.pass(300);
             assertThat(log.getLast()).isEqualTo("stopped");
             assertThat(log.subList(0, log.size() - 1)).containsOnly("beat");
@@ -406,7 +406,7 @@ public abstract class AgentHostContract extends ContractNetContract {
             });
             run.until("it has begun again", () -> isLogged(2));
             run.pass(100);
-            run.act(() -> run.society().publish("operator", WORDS, "hi"));
+            run.act(() -> run.platform().publish("operator", WORDS, "hi"));
             run.until("it hears", () -> isLogged(3));
         }
         assertThat(log).containsExactly("first", "second", "hi");
@@ -653,7 +653,7 @@ public abstract class AgentHostContract extends ContractNetContract {
                 });
             });
             run.until("it is no more", () -> isLogged(2));
-            run.act(() -> assertThat(run.society().directory().capabilities("bob"))
+            run.act(() -> assertThat(run.platform().directory().capabilities("bob"))
                     .containsExactly(ServiceDescription.of("lift")));
         }
         assertThat(log).containsExactly("bob", "withdrew gripper");
@@ -684,7 +684,7 @@ public abstract class AgentHostContract extends ContractNetContract {
                             List.of(
                                     new GoalView("dig", GoalState.PURSUED, 2, ways, List.of("dig: by hand"), failure),
                                     new GoalView("rest", GoalState.WAITING, 1, rest, List.of(), ""))));
-            run.act(() -> run.society().publish("operator", WORDS, "deep enough"));
+            run.act(() -> run.platform().publish("operator", WORDS, "deep enough"));
             untilItShows(
                     run,
                     new Mind.View(
@@ -693,7 +693,7 @@ public abstract class AgentHostContract extends ContractNetContract {
                                     new GoalView("dig", GoalState.REACHED, 2, ways, List.of(), failure),
                                     new GoalView("rest", GoalState.PURSUED, 1, rest, List.of("rest: lie down"), ""))));
             run.stop("amy");
-            assertThat(run.ask(() -> run.society().look("amy", Mind.View.class)))
+            assertThat(run.ask(() -> run.platform().look("amy", Mind.View.class)))
                     .isEmpty();
         }
     }
@@ -701,7 +701,7 @@ public abstract class AgentHostContract extends ContractNetContract {
     private static void untilItShows(HostRun run, Mind.View mind) {
         run.until(
                 "it shows " + mind,
-                () -> run.society().look("amy", Mind.View.class).equals(Optional.of(mind)));
+                () -> run.platform().look("amy", Mind.View.class).equals(Optional.of(mind)));
     }
 
     @Test
@@ -715,10 +715,10 @@ public abstract class AgentHostContract extends ContractNetContract {
                     }));
             run.untilAllHaveBegun();
             run.act(() -> {
-                assertThat(run.society().look("amy", Integer.class)).contains(42);
-                assertThat(run.society().look("amy", Mind.View.class)).isEmpty();
-                assertThat(run.society().look("nobody", Mind.View.class)).isEmpty();
-                assertThatThrownBy(() -> run.society().look("bob", Integer.class))
+                assertThat(run.platform().look("amy", Integer.class)).contains(42);
+                assertThat(run.platform().look("amy", Mind.View.class)).isEmpty();
+                assertThat(run.platform().look("nobody", Mind.View.class)).isEmpty();
+                assertThatThrownBy(() -> run.platform().look("bob", Integer.class))
                         .isInstanceOf(IllegalArgumentException.class)
                         .hasMessage("Agent 'bob' can't be looked into: a secret");
             });

@@ -45,7 +45,7 @@ public final class HostRun implements AutoCloseable {
     private final AtomicInteger begun = new AtomicInteger(); // of those it has started
     private final Optional<LockstepScheduler> simulated;
     private final Scheduler scheduler;
-    private final AgentPlatform society;
+    private final AgentPlatform platform;
     private int started;
 
     /// @param settings what is not as its fallback
@@ -65,15 +65,15 @@ public final class HostRun implements AutoCloseable {
         scheduler = simulated
                 .<Scheduler>map(time -> time)
                 .orElseGet(() -> new WallScheduler("tested run", Runnable::run, failures::add));
-        society = ask(() -> new AgentPlatform(scheduler, host.apply(scheduler), Optional.empty()));
+        platform = ask(() -> new AgentPlatform(scheduler, host.apply(scheduler), Optional.empty()));
     }
 
     Scheduler scheduler() {
         return scheduler;
     }
 
-    public AgentPlatform society() {
-        return society;
+    public AgentPlatform platform() {
+        return platform;
     }
 
     public void start(String name, Agent agent) {
@@ -91,7 +91,7 @@ public final class HostRun implements AutoCloseable {
     private void start(String name, AgentType type, Arguments arguments, Optional<Robot> robot) {
         var noting = new Noting(type, begun::incrementAndGet);
         started++;
-        act(() -> society.start(new AgentSpec(name, "tested", noting, arguments, robot, name.hashCode())));
+        act(() -> platform.start(new AgentSpec(name, "tested", noting, arguments, robot, name.hashCode())));
     }
 
     void untilAllHaveBegun() {
@@ -129,15 +129,15 @@ public final class HostRun implements AutoCloseable {
     }
 
     void stop(String name) {
-        act(() -> society.stop(name));
+        act(() -> platform.stop(name));
     }
 
-    void deliverBy(ChannelModel way) {
-        act(() -> society.deliverBy(way));
+    void deliverBy(ChannelModel channel) {
+        act(() -> platform.deliverBy(channel));
     }
 
     AgentPlatform.Status status(String name) {
-        return ask(() -> society.views().stream()
+        return ask(() -> platform.views().stream()
                 .filter(view -> view.agent().name().equals(name))
                 .map(AgentPlatform.View::status)
                 .findFirst()
@@ -216,7 +216,7 @@ public final class HostRun implements AutoCloseable {
 
     @Override
     public void close() {
-        act(society::close);
+        act(platform::close);
         if (scheduler instanceof WallScheduler time) {
             time.close();
         }

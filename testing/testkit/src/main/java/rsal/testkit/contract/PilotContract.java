@@ -155,14 +155,14 @@ public abstract class PilotContract extends SensorContract<Decision, Pilot> {
     void theThesissPioneerFollowsTheWallAndTouchesNothing() {
         needs(Capability.TRUTH);
         device().engage(PioneerStack.followLeftWall(model()));
-        double way = 0;
+        double distance = 0;
         Pose2d last = truth();
         for (int step = 0; step < 1200; step++) {
             run.advance(STEP);
-            way += last.distanceTo(truth());
+            distance += last.distanceTo(truth());
             last = truth();
         }
         assertThat(simulation().contacts()).isEmpty();
-        assertThat(way).isGreaterThan(24);
+        assertThat(distance).isGreaterThan(24);
     }
 }

@@ -68,7 +68,7 @@ public abstract class RepeatableHostContract extends AgentHostContract {
     private List<String> talkOfAHundred() {
         var said = new ArrayList<String>();
         try (var run = run()) {
-            run.act(() -> run.society().onMessage(m -> said.add(millis(run) + " " + m.sender() + " " + m.content())));
+            run.act(() -> run.platform().onMessage(m -> said.add(millis(run) + " " + m.sender() + " " + m.content())));
             for (int i = 0; i < 100; i++) {
                 run.start("agent-" + i, self -> {
                     var pause = Duration.ofMillis(100 + self.random().nextInt(900));

@@ -24,7 +24,7 @@ import rsal.navigation.wavefront.CostMap.Clearance;
 @Fork(1)
 @Warmup(iterations = 3, time = 2)
 @Measurement(iterations = 5, time = 2)
-public class ShortestWays {
+public class ShortestPaths {
     private static final int WAYS = 20;
     private static final double RESOLUTION = 0.05; // m
     private static final int SIDE = 10; // as jump points count
@@ -53,11 +53,13 @@ public class ShortestWays {
         map = CostMap.of(cave, DistanceField.toNotFree(cave), new Clearance(0.25, 0.25, 0));
         jumps = new JumpPoints(map);
         var random = new SplittableRandom(1);
-        for (int way = 0; way < WAYS; way++) {
+        for (int distance = 0; distance < WAYS; distance++) {
             do {
-                starts[way] = random.nextInt(cave.cells().length);
-                goals[way] = random.nextInt(cave.cells().length);
-            } while (!map.isOpen(starts[way]) || !map.isOpen(goals[way]) || jumps.search(starts[way], goals[way]) <= 0);
+                starts[distance] = random.nextInt(cave.cells().length);
+                goals[distance] = random.nextInt(cave.cells().length);
+            } while (!map.isOpen(starts[distance])
+                    || !map.isOpen(goals[distance])
+                    || jumps.search(starts[distance], goals[distance]) <= 0);
         }
         if (kernel() != slow()) {
             throw new IllegalStateException("Ways of %d are not as long as %d.".formatted(kernel(), slow()));
@@ -68,8 +70,8 @@ public class ShortestWays {
     @OperationsPerInvocation(WAYS)
     public long kernel() {
         long sum = 0;
-        for (int way = 0; way < WAYS; way++) {
-            sum += jumps.search(starts[way], goals[way]);
+        for (int distance = 0; distance < WAYS; distance++) {
+            sum += jumps.search(starts[distance], goals[distance]);
         }
         return sum;
     }
@@ -78,8 +80,8 @@ public class ShortestWays {
     @OperationsPerInvocation(WAYS)
     public long slow() {
         long sum = 0;
-        for (int way = 0; way < WAYS; way++) {
-            sum += search(starts[way], goals[way]);
+        for (int distance = 0; distance < WAYS; distance++) {
+            sum += search(starts[distance], goals[distance]);
         }
         return sum;
     }
@@ -95,11 +97,11 @@ public class ShortestWays {
             if (next.cell == goal) {
                 return next.cost;
             }
-            for (int way = 0; way < 8 && next.cost == costs[next.cell]; way++) {
-                int row = DY[way] * map.grid().width();
-                int to = next.cell + row + DX[way];
-                int cost = next.cost + (way % 2 == 1 ? DIAGONAL : SIDE);
-                boolean isOpen = map.isOpen(to) && map.isOpen(next.cell + DX[way]) && map.isOpen(next.cell + row);
+            for (int distance = 0; distance < 8 && next.cost == costs[next.cell]; distance++) {
+                int row = DY[distance] * map.grid().width();
+                int to = next.cell + row + DX[distance];
+                int cost = next.cost + (distance % 2 == 1 ? DIAGONAL : SIDE);
+                boolean isOpen = map.isOpen(to) && map.isOpen(next.cell + DX[distance]) && map.isOpen(next.cell + row);
                 if (isOpen && cost < costs[to]) {
                     costs[to] = cost;
                     front.add(new Reached(cost + estimate(to, goal), cost, to));

@@ -13,13 +13,13 @@ import rsal.data.Point2d;
 
 /// Ways between all cells of a small map in which a robot can be, slowly and obviously: by Dijkstra's algorithm from
 /// each, steps along sides and diagonals, none past a corner.
-final class SlowWays {
+final class SlowPaths {
     private final OccupancyGrid map;
     private final List<Integer> cells; // of the largest part
     private final double[][] ways;
     private final boolean[] open;
 
-    SlowWays(OccupancyGrid map, double clearance) {
+    SlowPaths(OccupancyGrid map, double clearance) {
         this.map = map;
         this.open = new boolean[map.cells().length];
         var left = new ArrayList<Integer>();
@@ -60,11 +60,11 @@ final class SlowWays {
     }
 
     private double[] dijkstra(int from) {
-        record Reached(int cell, double way) {}
+        record Reached(int cell, double distance) {}
         var ways = new double[map.cells().length];
         Arrays.fill(ways, Double.POSITIVE_INFINITY);
         ways[from] = 0;
-        var queue = new PriorityQueue<>(Comparator.comparingDouble(Reached::way));
+        var queue = new PriorityQueue<>(Comparator.comparingDouble(Reached::distance));
         queue.add(new Reached(from, 0));
         while (!queue.isEmpty()) {
             Reached now = queue.remove();
@@ -72,10 +72,10 @@ final class SlowWays {
                 for (int dx = -1; dx <= 1; dx++) {
                     int to = now.cell + dy * map.width() + dx;
                     boolean passable = open[to] && open[now.cell + dx] && open[now.cell + dy * map.width()];
-                    double way = now.way + map.resolution() * Math.hypot(dx, dy);
-                    if (passable && way < ways[to] - 1e-9) {
-                        ways[to] = way;
-                        queue.add(new Reached(to, way));
+                    double distance = now.distance + map.resolution() * Math.hypot(dx, dy);
+                    if (passable && distance < ways[to] - 1e-9) {
+                        ways[to] = distance;
+                        queue.add(new Reached(to, distance));
                     }
                 }
             }

@@ -17,7 +17,7 @@ import rsal.data.Point2d;
 @Fork(1)
 @Warmup(iterations = 3, time = 2)
 @Measurement(iterations = 5, time = 2)
-public class ArcWays {
+public class ArcPaths {
     private static final int POINTS = 1000;
     private static final double STEP = 0.01; // m
     private static final double FAR = 3; // m
@@ -43,7 +43,7 @@ public class ArcWays {
     public double kernel() {
         double sum = 0;
         for (int i = 0; i < POINTS; i++) {
-            sum += Math.min(FAR, outline.way(x[i], y[i], curvature[i]));
+            sum += Math.min(FAR, outline.freeDistance(x[i], y[i], curvature[i]));
         }
         return sum;
     }

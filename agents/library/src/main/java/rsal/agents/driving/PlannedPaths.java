@@ -11,19 +11,19 @@ import rsal.device.Planner;
 
 /// What ways cost by a robot's planner. A way that ends farther from a place than that, because the robot does not fit
 /// there, leads nowhere: it would not be driven either.
-public final class PlannedWays implements PathCostEstimator {
+public final class PlannedPaths implements PathCostEstimator {
     private final Optional<Planner> planner;
     private final double near;
 
     /// Ways that lead to the place itself.
     ///
     /// @param planner without one, ways are straight
-    public PlannedWays(Optional<Planner> planner) {
+    public PlannedPaths(Optional<Planner> planner) {
         this(planner, 0);
     }
 
     /// @param near how far from a place a way may end [m]
-    public PlannedWays(Optional<Planner> planner, double near) {
+    public PlannedPaths(Optional<Planner> planner, double near) {
         this.planner = planner;
         this.near = near;
     }
