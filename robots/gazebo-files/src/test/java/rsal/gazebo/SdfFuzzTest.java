@@ -88,7 +88,7 @@ class SdfFuzzTest {
 
     @Test
     void aDamagedWorldIsReadOrRefused() {
-        for (long seed = 0; seed < Rounds.of(300, 10_000); seed++) {
+        for (long seed = 0; seed < Rounds.of(75, 10_000); seed++) {
             readOrRefuse("seed " + seed, worlds(damaged(seed)));
         }
     }
@@ -96,7 +96,7 @@ class SdfFuzzTest {
     /// The same without a map, which takes most of the time.
     @Test
     void aMillionOfThem() {
-        for (long seed = 0; seed < Rounds.of(2_000, 1_000_000); seed++) {
+        for (long seed = 0; seed < Rounds.of(500, 1_000_000); seed++) {
             Worlds worlds = worlds(damaged(seed));
             try {
                 new SdfWorldReader("worlds/test.sdf", new SdfFiles(worlds.source(), "worlds/test.sdf", Map.of()))
@@ -152,14 +152,14 @@ class SdfFuzzTest {
 
     @Test
     void aWorldCutShortIsReadOrRefused() {
-        for (int length = 0; length < GOOD.length(); length += Rounds.of(17, 1)) {
+        for (int length = 0; length < GOOD.length(); length += Rounds.of(67, 1)) {
             readOrRefuse("cut to " + length, worlds(GOOD.substring(0, length)));
         }
     }
 
     @Test
     void aDamagedMeshIsReadOrLeftOut() {
-        for (long seed = 0; seed < Rounds.of(300, 10_000); seed++) {
+        for (long seed = 0; seed < Rounds.of(75, 10_000); seed++) {
             var random = new Random(seed);
             byte[] mesh = Arrays.copyOf(STL, random.nextInt(2 * STL.length));
             for (int i = random.nextInt(6); i > 0 && mesh.length > 0; i--) {

@@ -10,6 +10,7 @@ import org.assertj.core.api.recursive.comparison.RecursiveComparisonConfiguratio
 import org.junit.jupiter.api.Test;
 import rsal.data.Blobs.Blob;
 import rsal.data.Rgb;
+import rsal.testkit.Rounds;
 
 class BlobExtractorTest {
     private static final Rgb RED = new Rgb(255, 0, 0);
@@ -18,7 +19,7 @@ class BlobExtractorTest {
     /// Strips may show different things of one color, so that one begins where the one above it ends.
     @Test
     void blobsAreThePixelsOfOneColorThatHangTogether() {
-        for (long seed = 0; seed < 500; seed++) {
+        for (long seed = 0; seed < Rounds.of(100, 500); seed++) {
             var random = new SplittableRandom(seed);
             int columns = random.nextInt(1, 30);
             int rows = random.nextInt(1, 20);

@@ -18,9 +18,11 @@ import rsal.robot.RobotModel;
 import rsal.settings.Arguments;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
+import rsal.testkit.LongTest;
 
 /// The office floor is made for robots that follow their left wall.
 class OfficeTourTest {
+    @LongTest
     @ParameterizedTest
     @CsvSource({"1, pioneer2dx, urg04lx", "2, pioneer2dx, urg04lx", "3, pioneer3at, utm30lx"})
     void aWallFollowerToursTheOfficeAndGetsStuckNowhere(long seed, String name, String laser) {

@@ -96,6 +96,7 @@ class WorldBoundsIT {
                 .isSameAs(world.models().getLast().traits());
     }
 
+    @LongTest
     @Test
     void endlessGuesses() {
         var text = new StringBuilder();

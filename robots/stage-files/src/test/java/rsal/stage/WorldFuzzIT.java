@@ -115,7 +115,7 @@ class WorldFuzzIT {
 
     @Test
     void aDamagedWorldIsReadOrRefused() {
-        for (long seed = 0; seed < Rounds.of(1000, 4000); seed++) {
+        for (long seed = 0; seed < Rounds.of(250, 4000); seed++) {
             var random = new Random(seed);
             var text = new StringBuilder(GOOD);
             for (int change = 0; change <= random.nextInt(6); change++) {
@@ -140,7 +140,7 @@ class WorldFuzzIT {
 
     @Test
     void aSoupOfWordsIsReadOrRefused() {
-        for (long seed = 0; seed < Rounds.of(1500, 6000); seed++) {
+        for (long seed = 0; seed < Rounds.of(375, 6000); seed++) {
             var random = new Random(seed);
             var text = new StringBuilder(random.nextBoolean() ? "include \"parts.inc\"\n" : "");
             int words = random.nextInt(120);
@@ -153,7 +153,7 @@ class WorldFuzzIT {
 
     @Test
     void worldsGrownFromTheGrammarAreReadOrRefused() {
-        for (long seed = 0; seed < Rounds.of(500, 2000); seed++) {
+        for (long seed = 0; seed < Rounds.of(125, 2000); seed++) {
             var random = new Random(seed);
             var text = new StringBuilder("include \"parts.inc\"\n");
             for (int i = 0; i < 8; i++) {
@@ -197,7 +197,7 @@ class WorldFuzzIT {
 
     @Test
     void noiseIsReadOrRefused() {
-        for (long seed = 0; seed < Rounds.of(500, 2000); seed++) {
+        for (long seed = 0; seed < Rounds.of(125, 2000); seed++) {
             var bytes = new byte[new Random(seed).nextInt(300)];
             new Random(seed).nextBytes(bytes);
             readOrRefuse("seed " + seed, worlds("").and("test.world", bytes));
@@ -209,7 +209,7 @@ class WorldFuzzIT {
     @Test
     void aDamagedImageIsReadOrRefused() {
         byte[] image = "P5 # gray\n4 3\n255\nabcdefghijkl".getBytes(StandardCharsets.ISO_8859_1);
-        for (long seed = 0; seed < Rounds.of(750, 3000); seed++) {
+        for (long seed = 0; seed < Rounds.of(187, 3000); seed++) {
             var random = new Random(seed);
             byte[] damaged = Arrays.copyOf(image, random.nextInt(image.length) + 1);
             for (int i = random.nextInt(4); i > 0; i--) {

@@ -161,6 +161,7 @@ class FindAndCollectIT {
         assertThat(all.said()).isEqualTo(all.cans.size());
     }
 
+    @LongTest
     @Trials({"1", "2", "3"})
     void agentsInAgentSpeakCollectAllEachSeedTheSameWay(long seed) {
         Collection all = collect("jason", seed);
@@ -198,6 +199,7 @@ class FindAndCollectIT {
                 .toList();
     }
 
+    @LongTest
     @Trials({"1", "2", "3"})
     void theOtherFetchesWhatOneInAgentSpeakWasAwardedThatStops(long seed) throws IOException {
         Collection all = collectTwo(seed, "{kind: gone, robots: collector-1, at: 9}");
@@ -211,6 +213,7 @@ class FindAndCollectIT {
                 .containsExactly("thing 1 goes to collect-1", "collect-1 does not answer", "thing 1 goes to collect-2");
     }
 
+    @LongTest
     @Test
     void anAwardInAgentSpeakThatIsLostIsMadeAgain() throws IOException {
         Collection all = collectTwo(1, "{kind: lost, topics: speech, from: fetch, at: 5.5, for: 1}");
@@ -237,6 +240,7 @@ class FindAndCollectIT {
                 .isNotEmpty();
     }
 
+    @LongTest
     @Trials({"1", "2", "3"})
     void theOthersCollectAllAlsoWhatOneWasOnItsWayToThatStops(long seed) {
         Collection all = collect("faulty", seed);
@@ -258,6 +262,7 @@ class FindAndCollectIT {
         assertThat(all.metric("collisions")).isZero();
     }
 
+    @LongTest
     @Trials({"office, 1", "four-rooms, 1", "four-rooms, 2", "four-rooms, 3", "office, 2"})
     void foragersBringAllByThemselvesAndKeepTheirBatteriesCharged(String configuration, long seed) {
         Collection all = collect(ALONE, configuration, seed, Map.of());

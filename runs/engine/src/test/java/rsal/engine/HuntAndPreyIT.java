@@ -72,6 +72,7 @@ class HuntAndPreyIT {
         });
     }
 
+    @LongTest
     @Trials({"1", "2", "3", "4", "5"})
     void agentsInAgentSpeakCatchThePreyEachSeedTheSameWay(long seed) {
         Hunt hunt = hunt("jason", seed);
@@ -208,6 +209,7 @@ class HuntAndPreyIT {
         }
     }
 
+    @LongTest
     @Trials({"1", "2", "3"})
     void fourHuntersThatBidCatchThreeCleverPrey(long seed) {
         Hunt hunt = hunt("advanced", seed);

@@ -61,6 +61,7 @@ class RescueIT {
         }
     }
 
+    @LongTest
     @Trials({"1", "2", "3"})
     void allVictimsAreFoundAndHelped(long seed) {
         Rescue rescue = run("virtual", seed);

@@ -41,6 +41,7 @@ class SwarmIT {
         return result.metrics().get(name).getAsDouble();
     }
 
+    @LongTest
     @Trials({"1", "2", "3"})
     void tenSpreadOutAlongTheWallsAndKnowWhereTheyAre(long seed) {
         RunResult result = run("ten", seed, 40, 1);
@@ -50,6 +51,7 @@ class SwarmIT {
         assertThat(metric(result, "receivedMessages")).isEqualTo(9 * metric(result, "messages"));
     }
 
+    @LongTest
     @Trials({"1", "2", "3"})
     void tenAreFartherFromEachOtherThanTheyWereAtFirst(long seed) {
         assertThat(apart(seed, 40)).isGreaterThan(apart(seed, 0.1));

@@ -102,6 +102,7 @@ class SweepRunTest {
         assertThat(SweepFolder.manifest(out).sessions()).hasSize(2);
     }
 
+    @LongTest
     @Test
     void goesOnInAFolderOfWindows() throws Exception {
         try (FileSystem windows = Jimfs.newFileSystem(Configuration.windows())) {
@@ -167,6 +168,7 @@ class SweepRunTest {
                 .withMessageContaining("not empty");
     }
 
+    @LongTest
     @Test
     void onlyOneWritesToAFolder() {
         try (var _ = create(sweep)) {
@@ -176,6 +178,7 @@ class SweepRunTest {
         }
     }
 
+    @LongTest
     @Test
     void seesThatARunComesOutOtherwiseNow() throws Exception {
         run(sweep, create(sweep), 2);
@@ -194,6 +197,7 @@ class SweepRunTest {
     }
 
     /// With the second seed nothing is free for so many large robots; with the first there is.
+    @LongTest
     @Test
     void whatCantBeginBecomesARowWithItsReason() throws Exception {
         String crowded = Guards.TEXT.replace(

@@ -20,6 +20,7 @@ import rsal.map.Maps;
 import rsal.mcap.McapFile;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
+import rsal.testkit.LongTest;
 
 class CsvExportTest {
     private static final String SCENARIO = "find-and-collect";
@@ -32,6 +33,7 @@ class CsvExportTest {
         export(folder);
     }
 
+    @LongTest
     @Test
     void exportsToAFolderOfWindows() throws Exception {
         try (FileSystem windows = Jimfs.newFileSystem(Configuration.windows())) {

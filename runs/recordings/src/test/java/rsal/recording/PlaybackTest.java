@@ -42,6 +42,7 @@ import rsal.recording.Playback.Reported;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
+import rsal.testkit.LongTest;
 import rsal.testkit.Rounds;
 
 class PlaybackTest {
@@ -378,6 +379,7 @@ class PlaybackTest {
     }
 
     /// Bytes that are not as they were: the file is refused in words, or shown as far as it goes.
+    @LongTest
     @Test
     void damageIsToldOrLeftOut() throws Exception {
         Path file = folder.resolve("run.mcap");

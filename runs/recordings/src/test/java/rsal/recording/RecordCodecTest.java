@@ -15,6 +15,7 @@ import rsal.mcap.ByteSink;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.ProtoWriter;
 import rsal.robot.DeviceKinds;
+import rsal.testkit.Rounds;
 
 class RecordCodecTest {
     enum Word {
@@ -81,7 +82,7 @@ class RecordCodecTest {
     void whatIsWrittenIsRead() throws IOException {
         RecordCodec<Any> codec = codec(Any.class);
         var random = new SplittableRandom(4);
-        for (int draw = 0; draw < 300; draw++) {
+        for (int draw = 0; draw < Rounds.of(60, 300); draw++) {
             Any value = any(random);
             assertThat(again(codec, value)).usingRecursiveComparison().isEqualTo(value);
         }

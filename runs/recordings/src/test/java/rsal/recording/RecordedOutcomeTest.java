@@ -11,8 +11,10 @@ import rsal.engine.report.RunResult;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
+import rsal.testkit.LongTest;
 
 class RecordedOutcomeTest {
+    @LongTest
     @Test
     void keepsWhichAgentsFailed() {
         RunPlan plan = Scenario.load("patrol").plan(RunOptions.NONE);

@@ -28,6 +28,7 @@ import rsal.recording.proto.ProtoReader;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
+import rsal.testkit.LongTest;
 import rsal.testkit.Rounds;
 
 class RecorderTest {
@@ -36,6 +37,7 @@ class RecorderTest {
     @TempDir
     Path folder;
 
+    @LongTest
     @Test
     void aRunOfAnEditedTextHasThatTextAndCanBeRunAgain() throws Exception {
         Scenario patrol = Scenario.load("patrol");
@@ -110,6 +112,7 @@ class RecorderTest {
                 .isEqualTo(new Recorder.Tally(Files.size(file) + 1, 2, 3));
     }
 
+    @LongTest
     @Test
     void whatIsCutOffIsComparedUpToThere() throws Exception {
         Path file = folder.resolve("run.mcap");

@@ -10,6 +10,7 @@ import java.util.SortedMap;
 import java.util.SplittableRandom;
 import java.util.TreeMap;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rsal.data.Point2d;
@@ -81,6 +82,7 @@ class JobRoutesTest {
         }
     }
 
+    @EnabledIfSystemProperty(named = "rsal.test.all", matches = "true", disabledReason = "runs by ./rsal test --all")
     @ParameterizedTest
     @EnumSource(Objective.class)
     void isNearTheBestForMore(Objective objective) {

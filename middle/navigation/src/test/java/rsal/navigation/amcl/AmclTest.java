@@ -19,6 +19,7 @@ import rsal.data.PoseEstimate;
 import rsal.data.PoseEstimate.Hypothesis;
 import rsal.data.PoseEstimate.Quality;
 import rsal.testkit.DrawnMap;
+import rsal.testkit.LongTest;
 import rsal.testkit.Trials;
 
 class AmclTest {
@@ -106,6 +107,7 @@ class AmclTest {
     }
 
     /// Nobody tells it where it is, and after 100 updates somebody carries it to the other side of a wall.
+    @LongTest
     @Trials(
             value = {"16, 1", "8, 1", "16, 2", "16, 3", "8, 2", "8, 3"},
             landing = 2)
@@ -251,6 +253,7 @@ class AmclTest {
                 .isLessThan(0.1);
     }
 
+    @LongTest
     @Trials(
             value = {"1", "2", "3", "4", "5", "6"},
             landing = 2)

@@ -19,6 +19,7 @@ import rsal.navigation.log.LogEntry.Scan;
 import rsal.navigation.log.LogFormats;
 import rsal.navigation.log.RobotLog;
 import rsal.navigation.log.Skipped;
+import rsal.testkit.Rounds;
 
 /// Damages logs in all ways that come to mind: what comes out is sound, or a [BrokenLog] that says where.
 class CarmenFuzzTest {
@@ -56,7 +57,7 @@ class CarmenFuzzTest {
     @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
     void whatComesOutOfADamagedLogIsSound(long seed) throws IOException {
         var random = new SplittableRandom(seed);
-        for (int i = 0; i < 2000; i++) {
+        for (int i = 0; i < Rounds.of(400, 2000); i++) {
             read(damagedWords(random).getBytes(StandardCharsets.UTF_8));
             read(damagedBytes(SOUND.getBytes(StandardCharsets.UTF_8), random));
             read(damagedBytes(CarmenReaderTest.gzip(SOUND), random));

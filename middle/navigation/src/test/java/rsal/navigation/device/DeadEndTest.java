@@ -14,6 +14,7 @@ import rsal.data.OccupancyGrid;
 import rsal.device.Navigator.Result;
 import rsal.device.Navigator.Tolerance;
 import rsal.testkit.DrawnMap;
+import rsal.testkit.LongTest;
 
 /// A robot that is sent to what lies behind the end of a nook, from before the nook or from in it.
 class DeadEndTest {
@@ -58,6 +59,7 @@ class DeadEndTest {
         assertThat(run.simulation.contacts()).isEmpty();
     }
 
+    @LongTest
     @ParameterizedTest
     @CsvSource({"vfh, a", "vfh, b", "nd, a", "nd, b", "snd, a", "snd, b", "dwa, a", "mpc, a", "mpc, b"})
     void findsOutOfADeadEndThatIsNotOnItsMap(String planner, char from) {

@@ -19,6 +19,7 @@ import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 import rsal.sim.SimProvider;
 import rsal.system.RobotSystemProvider;
+import rsal.testkit.LongTest;
 import rsal.testkit.contract.RobotBench;
 
 /// An explorer whose localizer has faults, as scenarios give them.
@@ -79,6 +80,7 @@ class ExplorerFaultTest extends RobotBench {
         return map.isFree(WORLD.pose(place, 0).x(), WORLD.pose(place, 0).y());
     }
 
+    @LongTest
     @Test
     void standsAndSaysSoWhileItsLocalizerTellsNothingAndGoesOnAfterwards() {
         advance(20);

@@ -13,6 +13,7 @@ import rsal.device.Planner;
 import rsal.robot.DeviceDriver;
 import rsal.sim.SimProvider;
 import rsal.system.RobotSystemProvider;
+import rsal.testkit.LongTest;
 import rsal.testkit.contract.DeviceContract;
 
 class ExplorerTest extends DeviceContract<Explorer> {
@@ -73,6 +74,7 @@ class ExplorerTest extends DeviceContract<Explorer> {
         assertThat(truth()).isNotEqualTo(stands);
     }
 
+    @LongTest
     @Test
     void whoPausesItDrivesByItsNavigatorOnWhatIsMapped() {
         Navigator navigator = robot().require(Navigator.class);

@@ -12,6 +12,7 @@ import rsal.data.Pose2d;
 import rsal.device.Navigator.Result;
 import rsal.device.Navigator.Tolerance;
 import rsal.testkit.DrawnMap;
+import rsal.testkit.LongTest;
 
 /// Two robots that must pass the same narrow door at the same time, each the other way.
 class NarrowDoorTest {
@@ -47,6 +48,7 @@ class NarrowDoorTest {
     }
 
     /// They may get stuck there.
+    @LongTest
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3})
     void withDwaTheyTouchNothingAndSayWhatCameOfIt(long seed) {

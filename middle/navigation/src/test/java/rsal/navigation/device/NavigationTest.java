@@ -29,6 +29,7 @@ import rsal.navigation.wavefront.Wavefront;
 import rsal.robot.RobotSpec;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
+import rsal.testkit.LongTest;
 import rsal.testkit.Trials;
 import rsal.testkit.contract.RobotBench;
 
@@ -70,6 +71,7 @@ class NavigationTest {
         assertThat(placesAfterAMinute(Runnable::run)).isEqualTo(alone);
     }
 
+    @LongTest
     @ParameterizedTest
     @ValueSource(longs = {1, 2})
     void withoutAStartItFindsOutWhereItIs(long seed) {
@@ -121,6 +123,7 @@ class NavigationTest {
         assertThat(run.error("r0")).isLessThan(0.3);
     }
 
+    @LongTest
     @Test
     void itGoesOnWhenMotorsAreOnAgainHoweverLongTheyWereOff() {
         NavigationRun run = officeRun(8, Runnable::run, new SplittableRandom(8));

@@ -24,6 +24,7 @@ import rsal.device.Navigator;
 import rsal.robot.DeviceDriver;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
+import rsal.testkit.LongTest;
 import rsal.testkit.contract.RobotBench;
 import rsal.testkit.fake.FakeDriveBase;
 import rsal.testkit.fake.FakeLaserScanner;
@@ -274,6 +275,7 @@ class SilenceTest {
 
     /// Someone turns the robot and its wheels don't: what it maps then is believed until a loop closes, which bends the
     /// map where it was turned.
+    @LongTest
     @Test
     void aMapperWhoseMapIsBentSaysThatItMayBeWrong() {
         Localizer mapper = mapper();

@@ -13,6 +13,7 @@ import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.navigation.grid.ScanMapper.PosedScan;
 import rsal.navigation.grid.ScanMapper.Settings;
+import rsal.testkit.LongTest;
 
 class IncrementalMapTest {
     private static final int SEEDS = 100;
@@ -21,6 +22,7 @@ class IncrementalMapTest {
 
     private final IncrementalMap drawing = new IncrementalMap(SETTINGS);
 
+    @LongTest
     @Test
     void whatIsDrawnBitByBitIsWhatIsDrawnAtOnce() {
         for (int seed = 0; seed < SEEDS; seed++) {

@@ -16,6 +16,7 @@ import rsal.data.Pose2d;
 import rsal.data.PoseEstimate.Quality;
 import rsal.navigation.grid.ScanMapper;
 import rsal.navigation.scanmatch.Walls;
+import rsal.testkit.LongTest;
 
 class SlamTest {
     /// Corridors around a block with niches, 26 m × 18 m.
@@ -101,6 +102,7 @@ class SlamTest {
         assertThat(map.width() * map.resolution()).isBetween(26.0, 28.0);
     }
 
+    @LongTest
     @Test
     void givesAWrongLoopUpWhenOthersContradictIt() {
         var random = new SplittableRandom(11);
@@ -190,6 +192,7 @@ class SlamTest {
         assertThat(run.poses().get(8).isNear(drive.truth().get(8), 0.3, 0.1)).isTrue();
     }
 
+    @LongTest
     @Test
     void findsItsWayInAllOfItsMapWhenItMayKeepNoMore() {
         Drive drive = drive(new SplittableRandom(3));
@@ -208,6 +211,7 @@ class SlamTest {
         assertThat(run.slam().tracking().quality()).isEqualTo(Quality.LOCALIZED);
     }
 
+    @LongTest
     @Test
     void findsATurnAgainThatTheWheelsMistakeByFar() {
         var random = new SplittableRandom(5);
@@ -479,6 +483,7 @@ class SlamTest {
         return slam;
     }
 
+    @LongTest
     @Test
     void likeRoomsWithOtherFurnitureStayTwo() {
         var random = new SplittableRandom(4);

@@ -18,6 +18,7 @@ import rsal.navigation.grid.RandomMaps;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
 import rsal.testkit.DrawnMap;
+import rsal.testkit.LongTest;
 
 class SpreaderTest {
     private static final DrawnMap FOUR_ROOMS = DrawnMap.grid(0.5, """
@@ -94,6 +95,7 @@ class SpreaderTest {
         assertThat(rooms).hasSize(4);
     }
 
+    @LongTest
     @ParameterizedTest
     @ValueSource(ints = {1, 3, 10, 40, 150})
     void placesInTheOfficeCanBeReachedAndBlockNoDoor(int number) {
@@ -108,6 +110,7 @@ class SpreaderTest {
         assertThat(spread.evenness().rms()).isLessThan(spread.evenness().greatest());
     }
 
+    @LongTest
     @Test
     void tenPlacesInTheOfficeAreAsEvenAsLloydsBest() {
         var spreader = new Spreader(ReachableSpace.largest(OFFICE, 0.3), 10);

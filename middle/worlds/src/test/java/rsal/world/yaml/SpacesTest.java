@@ -9,6 +9,7 @@ import rsal.data.FreeSpace;
 import rsal.data.OccupancyGrid;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
+import rsal.testkit.LongTest;
 
 class SpacesTest {
     private static final Location HERE = Location.of("here");
@@ -26,6 +27,7 @@ class SpacesTest {
         assertThat(spaces.with(0.501, HERE)).isSameAs(space);
     }
 
+    @LongTest
     @Test
     void onlySomeOfALargeMapAreKept() {
         var spaces = new Spaces(map(4000));

@@ -141,7 +141,7 @@ class WorldFuzzIT {
 
     @Test
     void aDamagedWorldIsReadOrRefused() {
-        for (long seed = 0; seed < Rounds.of(375, 1500); seed++) {
+        for (long seed = 0; seed < Rounds.of(93, 1500); seed++) {
             var random = new Random(seed);
             var text = new StringBuilder(good);
             for (int change = 0; change <= random.nextInt(5); change++) {
@@ -165,7 +165,7 @@ class WorldFuzzIT {
     /// Values of the good one, each replaced by something else: what is left is YAML.
     @Test
     void aWorldOfOtherValuesIsReadOrRefused() {
-        for (long seed = 0; seed < Rounds.of(150, 600); seed++) {
+        for (long seed = 0; seed < Rounds.of(37, 600); seed++) {
             var random = new Random(seed);
             String[] words = good.split("(?<=[ ,:\\[\\]{}])|(?=[ ,:\\[\\]{}])", -1);
             for (int change = 0; change <= random.nextInt(4); change++) {
@@ -182,7 +182,7 @@ class WorldFuzzIT {
 
     @Test
     void aWorldGrownFromKeysIsReadOrRefused() {
-        for (long seed = 0; seed < Rounds.of(1000, 4000); seed++) {
+        for (long seed = 0; seed < Rounds.of(250, 4000); seed++) {
             var random = new Random(seed);
             var text = new StringBuilder("rsal: 1\n");
             for (String section : List.of("walls", "things", "fields", "models", "robots")) {
@@ -211,7 +211,7 @@ class WorldFuzzIT {
 
     @Test
     void noiseIsReadOrRefused() {
-        for (long seed = 0; seed < Rounds.of(500, 2000); seed++) {
+        for (long seed = 0; seed < Rounds.of(125, 2000); seed++) {
             var bytes = new byte[new Random(seed).nextInt(300)];
             new Random(seed).nextBytes(bytes);
             readOrRefuse("seed " + seed, worlds("").and(Worlds.FILE, bytes));
@@ -248,7 +248,7 @@ class WorldFuzzIT {
     @Test
     void aDamagedImageIsReadOrRefused() {
         byte[] image = "P5 # gray\n4 3\n255\nabcdefghijkl".getBytes(StandardCharsets.ISO_8859_1);
-        for (long seed = 0; seed < Rounds.of(250, 1000); seed++) {
+        for (long seed = 0; seed < Rounds.of(62, 1000); seed++) {
             var random = new Random(seed);
             byte[] damaged = Arrays.copyOf(image, random.nextInt(image.length) + 1);
             for (int i = random.nextInt(4); i > 0; i--) {

@@ -241,7 +241,7 @@ class BagFormatIT {
 
     private void damage(byte[] whole, String name) throws Exception {
         var random = new SplittableRandom(3);
-        for (int i = 0; i < Rounds.of(60, 3_000); i++) {
+        for (int i = 0; i < Rounds.of(20, 3_000); i++) {
             byte[] bytes = Arrays.copyOf(whole, random.nextBoolean() ? whole.length : random.nextInt(whole.length));
             for (int k = random.nextInt(6); k > 0 && bytes.length > 0; k--) {
                 bytes[random.nextInt(bytes.length)] = (byte) random.nextInt();

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.io.TempDir;
 import rsal.navigation.log.LaserHints;
 import rsal.navigation.log.LogFormats;
 import rsal.navigation.log.RobotLog;
+import rsal.testkit.LongTest;
 import rsal.testkit.OfficialBagReader;
 
 /// What is written of logs is read by rosbags and by MCAP's package.
@@ -16,6 +17,7 @@ class BagLogWriterIT {
     @TempDir
     private Path folder;
 
+    @LongTest
     @Test
     void aLogOfCarmenIsABagForOthers() throws Exception {
         Path log = Files.writeString(folder.resolve("lab.log"), CarmenText.of(40, false));

@@ -11,6 +11,7 @@ import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.robot.Shift;
 import rsal.scene.Surface;
+import rsal.testkit.Rounds;
 
 class BumperGeometryTest {
     private static final Footprint BOX = RandomWorld.box(0.4, 0.3, 0, 0);
@@ -21,7 +22,7 @@ class BumperGeometryTest {
     void isPressedWhereSomethingIsUpToACentimeterOutsideOfIt() {
         int pressed = 0;
         int sure = 0;
-        for (long seed = 0; seed < 4000; seed++) {
+        for (long seed = 0; seed < Rounds.of(800, 4000); seed++) {
             var random = new RandomWorld(seed, 0.1, 0.02);
             var walls = RasterWalls.of(random.map);
             var world = new World(walls);

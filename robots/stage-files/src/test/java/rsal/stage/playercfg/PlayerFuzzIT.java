@@ -102,7 +102,7 @@ class PlayerFuzzIT {
 
     @Test
     void aDamagedConfigurationIsReadOrRefused() {
-        for (long seed = 0; seed < Rounds.of(750, 3000); seed++) {
+        for (long seed = 0; seed < Rounds.of(187, 3000); seed++) {
             var random = new Random(seed);
             var text = new StringBuilder(GOOD);
             for (int change = 0; change <= random.nextInt(6); change++) {
@@ -127,7 +127,7 @@ class PlayerFuzzIT {
 
     @Test
     void aSoupOfWordsIsReadOrRefused() {
-        for (long seed = 0; seed < Rounds.of(1000, 4000); seed++) {
+        for (long seed = 0; seed < Rounds.of(250, 4000); seed++) {
             var random = new Random(seed);
             var text = new StringBuilder(random.nextBoolean() ? GOOD : "");
             int words = random.nextInt(120);
@@ -150,7 +150,7 @@ class PlayerFuzzIT {
 
     @Test
     void noiseIsReadOrRefused() {
-        for (long seed = 0; seed < Rounds.of(500, 2000); seed++) {
+        for (long seed = 0; seed < Rounds.of(125, 2000); seed++) {
             var bytes = new byte[new Random(seed).nextInt(300)];
             new Random(seed).nextBytes(bytes);
             readOrRefuse("seed " + seed, configs("").and(Configs.FILE, bytes));
