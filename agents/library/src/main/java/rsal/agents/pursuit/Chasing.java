@@ -92,7 +92,7 @@ final class Chasing implements Skill<Catch> {
         } else if (evasion.isEmpty() || hunters.isEmpty()) {
             go(prey);
         } else {
-            evasion.get().flee(prey, hunters, path -> {
+            evasion.get().flee(prey, hunters, Optional.empty(), path -> {
                 if (path.isEmpty()) {
                     goOn(work, prey);
                 } else {

@@ -13,9 +13,8 @@ import rsal.device.Planner;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
-/// A clever prey: explores along walls, monitors its battery, and runs from hunters that it or other prey see, where
-/// these
-/// get much later than it does. Caught like any other.
+/// A clever prey: explores along walls, monitors its battery, and runs from hunters that it or other prey see, to where
+/// these come last. Caught like any other.
 public final class Evade extends AgentTypeBase {
     static final Parameter<Double> SENSING_RANGE = Parameter.number(
             "sensingRange",

@@ -27,12 +27,12 @@ import rsal.robot.Robot;
 import rsal.settings.Arguments;
 
 /// One clever prey's part of a hunt: wants to explore, to have a full battery, and most of all not to be caught. It
-/// sees hunters that are near and tells the other prey, as they tell it; and runs where hunters get much later than it
-/// does ([Evasion]). One that knows hunters by their markers tells nobody where it is itself.
+/// sees hunters that are near and tells the other prey, as they tell it; and runs where hunters come last
+/// ([Evasion]). One that knows hunters by their markers tells nobody where it is itself.
 final class Evader {
     private static final Duration MEMORY = Duration.ofSeconds(5); // of a hunter that nobody sees any more
     private static final Duration THINK = Duration.ofSeconds(1);
-    private static final Duration NEW_WAY = Duration.ofSeconds(3); // between two choices of where to run to
+    private static final Duration NEW_CHOICE = Duration.ofSeconds(1); // of where to run to
     private static final double RELIEF = 1.3; // times as far as where it began to run, hunters worry it no more
     private static final double SAME = 0.5; // m
     private static final double LOW = 0.25; // share of its battery
@@ -53,6 +53,7 @@ final class Evader {
     private final List<Goal> goals = new ArrayList<>();
     private final Belief<Double> nearest; // hunter [m]
     private boolean running;
+    private Optional<Pose2d> mapFromAim = Optional.empty(); // where it runs to
 
     Evader(AgentContext self, Robot robot, Arguments arguments) {
         this.self = self;
@@ -165,9 +166,10 @@ final class Evader {
 
     private void run(PlanContext doing) {
         running = true;
-        var choices = self.scheduler().every(NEW_WAY, this::choose);
+        var choices = self.scheduler().every(NEW_CHOICE, this::choose);
         doing.onEnd(() -> {
             running = false;
+            mapFromAim = Optional.empty();
             choices.cancel();
             driver.stop();
             pilot.release();
@@ -175,22 +177,34 @@ final class Evader {
         choose();
     }
 
-    /// Runs to where it has the greatest lead; where there is no such place, it follows the wall.
+    /// Runs to where hunters come last. Stands where they come later than anywhere else. Follows the wall as long as it
+    /// knows no places.
     private void choose() {
         Optional<Pose2d> here = reporter.mapFromBase();
         if (here.isEmpty() || !running) {
             return;
         }
-        evasion.flee(here.get(), hunters().values(), path -> {
+        evasion.flee(here.get(), hunters().values(), mapFromAim, path -> {
             if (!running) {
                 return;
             }
-            path.ifPresentOrElse(this::run, () -> pilot.engage(PioneerStack.followLeftWall(robot.model())));
+            path.ifPresentOrElse(this::run, this::stay);
         });
+    }
+
+    private void stay() {
+        mapFromAim = Optional.empty();
+        if (evasion.knowsPlaces()) {
+            driver.stop();
+            pilot.release();
+        } else {
+            pilot.engage(PioneerStack.followLeftWall(robot.model()));
+        }
     }
 
     private void run(Path2d path) {
         Pose2d mapFromRefuge = AgentWords.pose(path.points().getLast());
+        mapFromAim = Optional.of(mapFromRefuge);
         if (!driver.isOnItsWayTo(mapFromRefuge, SAME)) {
             pilot.release();
             driver.goTo(mapFromRefuge, Tolerance.position(SAME), _ -> {});

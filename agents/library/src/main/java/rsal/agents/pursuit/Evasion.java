@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import rsal.agent.AgentContext;
 import rsal.agents.driving.PlannedPaths;
 import rsal.agents.parts.AgentWords;
@@ -19,18 +20,27 @@ import rsal.device.PlaceFinder;
 import rsal.device.Planner;
 import rsal.robot.Robot;
 
-/// Knows where prey run to: of places spread over the map the one that a prey reaches with the greatest lead over those
-/// that are after it, by a way that leads past none of them. For prey that choose, and for hunters that guess.
+/// Knows where prey run to: the place that hunters reach last, by a path on which the prey is before them everywhere.
+/// For
+/// prey that choose, and for hunters that predict what prey choose.
+///
+/// The rule is that of TrailMax: a prey maximizes the time until hunters that answer as well as they can stop it (C.
+/// Moldenhauer and N. R. Sturtevant, "Evaluating strategies for running from the cops", IJCAI 2009). Where we depart
+/// from it: it does not search all cells of the map, but a number of places that are spread over it, the shortest path
+/// to each, and such a path is checked every [#STRIDE]. Times are measured in meters of the prey's path.
 final class Evasion {
     /// Hunters than prey, as these fear.
     private static final double FASTER = 1.5;
 
-    private static final int PLACES = 24;
+    private static final int PLACES = 48;
+    private static final int MOST_PATHS = 10; // that are planned and checked for one decision
     private static final double CLEARANCE = 0.4; // m
-    private static final double FAR = 1000; // m, where no way leads
-    private static final double STRIDE = 1.5; // m between two places where prey may be met
+    private static final double STRIDE = 1.0; // m between two places where hunters may be sooner
+    private static final double MARGIN = 1.0; // m of the prey's path, by which it has to be sooner
+    private static final double BETTER = 1.1; // times as long, before it runs to another place than it runs to now
+    private static final double SAME = 0.5; // m
+    private static final double MEETING = 1.5; // m between two places where prey may be met
     private static final int MOST_MEETINGS = 12;
-    private static final double BERTH = 2.0; // m from hunters on its way
 
     private final AgentContext self;
     private final Planner planner;
@@ -61,89 +71,154 @@ final class Evasion {
                 }));
     }
 
+    /// Whether it has places to choose from.
+    boolean knowsPlaces() {
+        return !mapFromRefuges.isEmpty();
+    }
+
     /// @param mapFromPrey where it is
     /// @param mapFromHunters where they are
-    /// @param reported on the agent's lane: the way that it takes; empty when there is nowhere to run to
-    void flee(Pose2d mapFromPrey, Collection<Pose2d> mapFromHunters, Consumer<Optional<Path2d>> reported) {
-        var own = new double[mapFromRefuges.size()];
-        var theirs = new double[own.length]; // the nearest hunter's
-        Arrays.fill(theirs, FAR);
-        List<Pose2d> refuges = mapFromRefuges;
-        var asked = new Object() {
-            private int waitsFor = 1 + mapFromHunters.size();
-
-            void answered() {
-                waitsFor--;
-                if (waitsFor == 0) {
-                    Iterator<Pose2d> byLead = IntStream.range(0, own.length)
-                            .filter(i -> Double.isFinite(own[i]))
+    /// @param mapFromAim where it runs to now, if it runs
+    /// @param reported on the agent's thread: the path that it takes; empty where no place is better than its own
+    void flee(
+            Pose2d mapFromPrey,
+            Collection<Pose2d> mapFromHunters,
+            Optional<Pose2d> mapFromAim,
+            Consumer<Optional<Path2d>> reported) {
+        List<Pose2d> places =
+                Stream.concat(Stream.of(mapFromPrey), mapFromRefuges.stream()).toList();
+        costs(
+                mapFromPrey,
+                places,
+                own -> arrivals(mapFromHunters, places, theirs -> {
+                    List<Pose2d> best = IntStream.range(1, places.size())
+                            .filter(i -> Double.isFinite(own.get(i)))
                             .boxed()
-                            .sorted(Comparator.comparingDouble(i -> FASTER * own[i] - theirs[i]))
-                            .map(refuges::get)
-                            .iterator();
-                    choose(mapFromPrey, mapFromHunters, byLead, reported);
+                            .sorted(Comparator.<Integer, Boolean>comparing(i -> own.get(i) + MARGIN > theirs[i])
+                                    .thenComparing(i ->
+                                            -(own.get(i) + MARGIN > theirs[i] ? theirs[i] - own.get(i) : theirs[i])))
+                            .limit(MOST_PATHS)
+                            .map(places::get)
+                            .toList();
+                    paths(mapFromPrey, best, paths -> choose(theirs[0], paths, mapFromHunters, mapFromAim, reported));
+                }));
+    }
+
+    /// The path on which hunters stop it last, if this is later than where it is.
+    private void choose(
+            double ifItStays,
+            List<Path2d> paths,
+            Collection<Pose2d> mapFromHunters,
+            Optional<Pose2d> mapFromAim,
+            Consumer<Optional<Path2d>> reported) {
+        List<List<Pose2d>> steps = paths.stream()
+                .map(path -> along(path, STRIDE, Integer.MAX_VALUE))
+                .toList();
+        arrivals(mapFromHunters, steps.stream().flatMap(List::stream).toList(), theirs -> {
+            Optional<Path2d> best = Optional.empty();
+            double longest = ifItStays;
+            int from = 0;
+            for (int i = 0; i < paths.size(); i++) {
+                int count = steps.get(i).size();
+                double end = end(theirs, from, count);
+                Point2d place = paths.get(i).points().getLast();
+                double worth = mapFromAim
+                                .filter(aim -> aim.position().distanceTo(place) < SAME)
+                                .isPresent()
+                        ? BETTER * end
+                        : end;
+                if (worth > longest) {
+                    longest = worth;
+                    best = Optional.of(paths.get(i));
                 }
+                from += count;
             }
-        };
-        costs(mapFromPrey, refuges, costs -> {
-            Arrays.setAll(own, costs::get);
-            asked.answered();
+            reported.accept(best);
         });
+    }
+
+    /// When hunters stop it on a path [m of its path]: at the end, or before the first step at which they are sooner.
+    ///
+    /// @param theirs when hunters may be at the steps; those of the path begin at `from`
+    private static double end(double[] theirs, int from, int count) {
+        for (int i = 0; i < count; i++) {
+            if (STRIDE * (i + 1) + MARGIN > theirs[from + i]) {
+                return Math.max(STRIDE * i, theirs[from + i]);
+            }
+        }
+        return count == 0 ? 0 : theirs[from + count - 1];
+    }
+
+    /// When the first hunter may be at places [m of the prey's path].
+    private void arrivals(Collection<Pose2d> mapFromHunters, List<Pose2d> places, Consumer<double[]> reported) {
+        var first = new double[places.size()];
+        Arrays.fill(first, Double.POSITIVE_INFINITY);
+        var asked = new Object() {
+            private int waitsFor = mapFromHunters.size();
+        };
+        if (asked.waitsFor == 0 || places.isEmpty()) {
+            reported.accept(first);
+            return;
+        }
         for (Pose2d hunter : mapFromHunters) {
-            costs(hunter, refuges, costs -> {
-                Arrays.setAll(theirs, i -> Math.min(theirs[i], costs.get(i)));
-                asked.answered();
+            costs(hunter, places, costs -> {
+                Arrays.setAll(first, i -> Math.min(first[i], costs.get(i) / FASTER));
+                asked.waitsFor--;
+                if (asked.waitsFor == 0) {
+                    reported.accept(first);
+                }
             });
         }
     }
 
-    /// The first refuge to which a way leads that keeps clear of hunters.
-    private void choose(
-            Pose2d mapFromPrey,
-            Collection<Pose2d> mapFromHunters,
-            Iterator<Pose2d> refuges,
-            Consumer<Optional<Path2d>> reported) {
-        if (!refuges.hasNext()) {
-            reported.accept(Optional.empty());
-            return;
-        }
-        planner.plan(mapFromPrey, refuges.next())
-                .handle((result, _) -> Optional.ofNullable(result))
-                .thenAccept(result -> self.scheduler().execute(() -> {
-                    if (result.orElse(null) instanceof Planner.Result.Found found
-                            && keepsClear(found.path(), mapFromHunters)) {
-                        reported.accept(Optional.of(found.path()));
-                    } else {
-                        choose(mapFromPrey, mapFromHunters, refuges, reported);
-                    }
-                }));
+    /// Paths from one place to others, as far as there are any, in the places' order.
+    private void paths(Pose2d mapFromStart, List<Pose2d> mapFromGoals, Consumer<List<Path2d>> reported) {
+        var paths = new ArrayList<Path2d>();
+        Iterator<Pose2d> goals = mapFromGoals.iterator();
+        var next = new Object() {
+            void plan() {
+                if (!goals.hasNext()) {
+                    reported.accept(paths);
+                    return;
+                }
+                planner.plan(mapFromStart, goals.next())
+                        .handle((result, _) -> Optional.ofNullable(result))
+                        .thenAccept(result -> self.scheduler().execute(() -> {
+                            if (result.orElse(null) instanceof Planner.Result.Found found) {
+                                paths.add(found.path());
+                            }
+                            plan();
+                        }));
+            }
+        };
+        next.plan();
     }
 
-    /// Where a hunter gets to before a prey that takes a way, as early on it as can be.
+    /// Where a hunter gets to before a prey that takes a path, as early on it as can be.
     ///
-    /// @param reported on the agent's lane; empty when there is no such place
-    void intercept(Pose2d mapFromHunter, Path2d way, Consumer<Optional<Pose2d>> reported) {
-        List<Pose2d> meetings = meetings(way);
+    /// @param reported on the agent's thread; empty when there is no such place
+    void intercept(Pose2d mapFromHunter, Path2d path, Consumer<Optional<Pose2d>> reported) {
+        List<Pose2d> meetings = along(path, MEETING, MOST_MEETINGS);
         costs(mapFromHunter, meetings, costs -> {
             int first = 0;
-            while (first < costs.size() && costs.get(first) > FASTER * STRIDE * (first + 1)) {
+            while (first < costs.size() && costs.get(first) > FASTER * MEETING * (first + 1)) {
                 first++;
             }
             reported.accept(meetings.stream().skip(first).findFirst());
         });
     }
 
-    /// Places along a way, one every [#STRIDE].
-    private static List<Pose2d> meetings(Path2d way) {
+    /// Places along a path, one every few meters.
+    private static List<Pose2d> along(Path2d path, double stride, int most) {
         var meetings = new ArrayList<Pose2d>();
         double before = 0; // m, length of the legs until here
-        List<Point2d> points = way.points();
+        List<Point2d> points = path.points();
         for (int i = 1; i < points.size(); i++) {
             Point2d from = points.get(i - 1);
             Point2d to = points.get(i);
             double leg = from.distanceTo(to);
-            while (meetings.size() < MOST_MEETINGS && STRIDE * (meetings.size() + 1) <= before + leg) {
-                double share = (STRIDE * (meetings.size() + 1) - before) / leg;
+            while (meetings.size() < most && stride * (meetings.size() + 1) <= before + leg) {
+                double share = (stride * (meetings.size() + 1) - before) / leg;
                 meetings.add(
                         new Pose2d(from.x() + share * (to.x() - from.x()), from.y() + share * (to.y() - from.y()), 0));
             }
@@ -152,32 +227,10 @@ final class Evasion {
         return meetings;
     }
 
-    /// @param reported on the agent's lane: what the ways cost [m]; +∞ where that is not known
+    /// @param reported on the agent's thread: what the paths cost [m]; +∞ where that is not known
     private void costs(Pose2d mapFromStart, List<Pose2d> mapFromGoals, Consumer<List<Double>> reported) {
         plannedPaths
                 .costs(mapFromStart, mapFromGoals)
                 .thenAccept(costs -> self.scheduler().execute(() -> reported.accept(costs)));
-    }
-
-    private static boolean keepsClear(Path2d way, Collection<Pose2d> mapFromHunters) {
-        List<Point2d> points = way.points();
-        for (int i = 1; i < points.size(); i++) {
-            for (Pose2d hunter : mapFromHunters) {
-                if (distance(hunter, points.get(i - 1), points.get(i)) < BERTH) {
-                    return false;
-                }
-            }
-        }
-        return true;
-    }
-
-    /// From a leg of a way [m].
-    private static double distance(Pose2d mapFromHunter, Point2d from, Point2d to) {
-        double dx = to.x() - from.x();
-        double dy = to.y() - from.y();
-        double square = dx * dx + dy * dy;
-        double along = (mapFromHunter.x() - from.x()) * dx + (mapFromHunter.y() - from.y()) * dy;
-        double share = square == 0 ? 0 : Math.clamp(along / square, 0.0, 1.0);
-        return mapFromHunter.position().distanceTo(new Point2d(from.x() + share * dx, from.y() + share * dy));
     }
 }

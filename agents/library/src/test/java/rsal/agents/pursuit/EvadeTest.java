@@ -32,6 +32,10 @@ class EvadeTest {
     private void preyAtOrigin(String chargers) {
         p1.places.result =
                 new PlaceFinder.Result.Found(List.of(new Point2d(20, 0), new Point2d(-20, 0), new Point2d(0, 15)));
+        begin(chargers);
+    }
+
+    private void begin(String chargers) {
         var robot = p1.robot.with(p1.places).with(battery).with(new FakePlanner("p1"));
         var arguments = new HashMap<String, Object>(HUNTED);
         arguments.put("chargers", chargers);
@@ -53,6 +57,39 @@ class EvadeTest {
         assertThat(scene.state("p1")).isEqualTo("not be caught: run");
         assertThat(p1.navigator.goals).containsExactly(new Pose2d(-20, 0, 0));
         assertThat(p1.pilot.engaged()).isFalse();
+    }
+
+    @Test
+    void runsOnWhereItsLeadGetsNoGreater() {
+        p1.places.result = new PlaceFinder.Result.Found(List.of(new Point2d(-5, 0), new Point2d(-20, 0)));
+        begin("0 30");
+        scene.report("h1", "hunter", 5, 0);
+        scene.advance(0);
+        assertThat(p1.navigator.goals).containsExactly(new Pose2d(-20, 0, 0));
+    }
+
+    @Test
+    void standsWhereEachPathLeadsToTheHunter() {
+        p1.places.result = new PlaceFinder.Result.Found(List.of(new Point2d(5, 0), new Point2d(8, 0)));
+        begin("0 30");
+        scene.report("h1", "hunter", 4, 0);
+        scene.advance(2);
+        assertThat(p1.navigator.goals).isEmpty();
+        assertThat(p1.pilot.engaged()).as("it follows no wall").isFalse();
+    }
+
+    @Test
+    void runsToAnotherPlaceOnlyIfThatIsClearlyBetter() {
+        p1.places.result = new PlaceFinder.Result.Found(List.of(new Point2d(-10, 1), new Point2d(-10, -1)));
+        begin("0 30");
+        scene.report("h1", "hunter", 5, 0.5);
+        scene.advance(0);
+        assertThat(p1.navigator.goals).containsExactly(new Pose2d(-10, -1, 0));
+        for (int i = 1; i <= 3; i++) {
+            scene.report("h1", "hunter", 5, i % 2 == 0 ? 0.5 : -0.5);
+            scene.advance(1);
+        }
+        assertThat(p1.navigator.goals).containsExactly(new Pose2d(-10, -1, 0));
     }
 
     @Test
