@@ -304,8 +304,8 @@ class WallSchedulerTest {
         var records = new CopyOnWriteArrayList<LogRecord>();
         var noting = new Handler() {
             @Override
-            public void publish(LogRecord told) {
-                records.add(told);
+            public void publish(LogRecord reported) {
+                records.add(reported);
             }
 
             @Override

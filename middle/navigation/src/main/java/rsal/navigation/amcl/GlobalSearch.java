@@ -228,12 +228,12 @@ final class GlobalSearch {
             boolean better = true;
             while (better) {
                 better = false;
-                for (int way = 0; way < 6; way++) {
-                    double sign = way % 2 == 0 ? 1 : -1;
+                for (int distance = 0; distance < 6; distance++) {
+                    double sign = distance % 2 == 0 ? 1 : -1;
                     var tried = new Pose2d(
-                            pose.x() + (way / 2 == 0 ? sign * meters : 0),
-                            pose.y() + (way / 2 == 1 ? sign * meters : 0),
-                            pose.theta() + (way / 2 == 2 ? sign * radians : 0));
+                            pose.x() + (distance / 2 == 0 ? sign * meters : 0),
+                            pose.y() + (distance / 2 == 1 ? sign * meters : 0),
+                            pose.theta() + (distance / 2 == 2 ? sign * radians : 0));
                     double reached = field.log(beams, tried.x(), tried.y(), tried.theta());
                     if (reached > score && map.grid.isFree(tried.x(), tried.y())) {
                         pose = tried;

@@ -166,12 +166,12 @@ public final class Mpc implements Controller {
 
     /// Where the planned way leaves what is in view, or its end; the target, when nobody planned.
     Point2d goal(Target to) {
-        if (to.way().isEmpty()) {
+        if (to.path().isEmpty()) {
             return to.place();
         }
         double half = settings.view() / 2 - 1.5;
-        Point2d goal = to.way().getFirst();
-        for (Point2d next : to.way()) {
+        Point2d goal = to.path().getFirst();
+        for (Point2d next : to.path()) {
             double reach = Math.max(Math.abs(next.x()), Math.abs(next.y()));
             if (reach > half) {
                 double from = Math.max(Math.abs(goal.x()), Math.abs(goal.y()));
@@ -322,8 +322,8 @@ public final class Mpc implements Controller {
 
     /// The best of those that it drove in its head, as far as that is to lead; where it has none, where it was let go.
     @Override
-    public List<Point2d> way() {
-        List<Point2d> let = caution.way();
+    public List<Point2d> predictedTrajectory() {
+        List<Point2d> let = caution.predictedTrajectory();
         return planned && !let.isEmpty() ? rollout() : let;
     }
 

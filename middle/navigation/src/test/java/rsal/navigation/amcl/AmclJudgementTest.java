@@ -56,8 +56,8 @@ class AmclJudgementTest {
         return amcl.update(odometry, Seen.NOTHING);
     }
 
-    private boolean isDue(Pose2d way, Beams beams) {
-        return amcl.due(odometry.compose(way), () -> {
+    private boolean isDue(Pose2d motion, Beams beams) {
+        return amcl.due(odometry.compose(motion), () -> {
             asked.incrementAndGet();
             return beams;
         });
@@ -171,9 +171,9 @@ class AmclJudgementTest {
         amcl.start(PoseEstimate.of(MIDDLE, KNOWN));
         look(beams(8, 0, 0)); // what was before does not count
         amcl.start(belief(Quality.LOCALIZED, one, other));
-        PoseEstimate told = amcl.update(odometry, Seen.NOTHING);
-        assertThat(told.quality()).isEqualTo(sure ? Quality.LOCALIZED : Quality.AMBIGUOUS);
-        assertThat(told.confidence()).isCloseTo(sure ? TRUSTED * 0.97 : 0.5 * 0.5 * 0.97, within(1e-9));
+        PoseEstimate reported = amcl.update(odometry, Seen.NOTHING);
+        assertThat(reported.quality()).isEqualTo(sure ? Quality.LOCALIZED : Quality.AMBIGUOUS);
+        assertThat(reported.confidence()).isCloseTo(sure ? TRUSTED * 0.97 : 0.5 * 0.5 * 0.97, within(1e-9));
         amcl.start(belief(Quality.AMBIGUOUS, one, other));
         assertThat(amcl.update(odometry, Seen.NOTHING).quality()).isEqualTo(Quality.AMBIGUOUS);
         amcl.start(belief(Quality.LOST, 1));
@@ -191,28 +191,28 @@ class AmclJudgementTest {
         assertThat(before.confidence()).isCloseTo(TRUSTED, within(1e-9));
         double confidence = before.confidence();
         for (int blind = 1; blind <= 35; blind++) {
-            PoseEstimate told = blindly();
+            PoseEstimate reported = blindly();
             Pose2d on = before.mapFromBase().compose(STEP);
-            assertThat(told.mapFromBase().isNear(on, 1e-9, 1e-9))
+            assertThat(reported.mapFromBase().isNear(on, 1e-9, 1e-9))
                     .as("update %d", blind)
                     .isTrue();
-            assertThat(told.hypotheses()).hasSize(1);
+            assertThat(reported.hypotheses()).hasSize(1);
             Covariance2d grown = before.covariance()
                     .plus(settings.odometry()
                             .covariance(STEP)
                             .turned(before.mapFromBase().theta()));
-            assertThat(told.covariance().xx()).isCloseTo(grown.xx(), within(1e-9));
-            assertThat(told.covariance().yy()).isCloseTo(grown.yy(), within(1e-9));
-            assertThat(told.covariance().xy()).isCloseTo(grown.xy(), within(1e-9));
-            assertThat(told.covariance().thetaTheta()).isCloseTo(grown.thetaTheta(), within(1e-9));
-            boolean precise = told.covariance().positionDeviation() <= 0.5;
-            assertThat(told.quality())
+            assertThat(reported.covariance().xx()).isCloseTo(grown.xx(), within(1e-9));
+            assertThat(reported.covariance().yy()).isCloseTo(grown.yy(), within(1e-9));
+            assertThat(reported.covariance().xy()).isCloseTo(grown.xy(), within(1e-9));
+            assertThat(reported.covariance().thetaTheta()).isCloseTo(grown.thetaTheta(), within(1e-9));
+            boolean precise = reported.covariance().positionDeviation() <= 0.5;
+            assertThat(reported.quality())
                     .as("update %d", blind)
                     .isEqualTo(
                             blind >= 30 ? Quality.LOST : blind < 5 && precise ? Quality.LOCALIZED : Quality.AMBIGUOUS);
             double share = blind >= 30 ? 0.1 : blind >= 5 ? 0.5 : 1;
-            assertThat(told.confidence()).isCloseTo(share * confidence * Math.pow(0.97, blind), within(1e-9));
-            before = told;
+            assertThat(reported.confidence()).isCloseTo(share * confidence * Math.pow(0.97, blind), within(1e-9));
+            before = reported;
         }
         odometry = odometry.compose(STEP);
     }
@@ -226,9 +226,9 @@ class AmclJudgementTest {
             amcl.update(odometry, Seen.NOTHING);
         }
         assertThat(amcl.update(odometry, Seen.NOTHING).quality()).isEqualTo(Quality.AMBIGUOUS);
-        PoseEstimate told = look(beams(40, 0, 0));
-        assertThat(told.quality()).isEqualTo(Quality.LOCALIZED);
-        assertThat(told.confidence()).isCloseTo(TRUSTED, within(1e-9));
+        PoseEstimate reported = look(beams(40, 0, 0));
+        assertThat(reported.quality()).isEqualTo(Quality.LOCALIZED);
+        assertThat(reported.confidence()).isCloseTo(TRUSTED, within(1e-9));
     }
 
     /// Where it may be half a meter elsewhere it is not sure.
@@ -236,8 +236,8 @@ class AmclJudgementTest {
     @ValueSource(doubles = {0.2, 0.9})
     void whoKnowsItOnlyRoughlyIsNotSure(double deviation) {
         amcl.start(PoseEstimate.of(MIDDLE, Covariance2d.ofDeviations(deviation, deviation, 0.02)));
-        PoseEstimate told = amcl.update(odometry, Seen.NOTHING);
-        assertThat(told.quality()).isEqualTo(deviation < 0.5 ? Quality.LOCALIZED : Quality.AMBIGUOUS);
+        PoseEstimate reported = amcl.update(odometry, Seen.NOTHING);
+        assertThat(reported.quality()).isEqualTo(deviation < 0.5 ? Quality.LOCALIZED : Quality.AMBIGUOUS);
     }
 
     /// Of one scan whose beams go through walls, 3 of 10 that reach one must not: of those that end before a
@@ -267,9 +267,9 @@ class AmclJudgementTest {
         amcl.start(PoseEstimate.of(MIDDLE, Covariance2d.ofDeviations(0.001, 0.001, 0.001)));
         for (int[] fates : new int[][] {{40, 0, 0}, {30, 10, 0}, {32, 4, 4}, {20, 4, 16}}) {
             monitor.add(fates[0], fates[1], fates[2]);
-            PoseEstimate told = look(beams(fates[0], fates[1], fates[2]));
-            assertThat(told.quality()).isEqualTo(Quality.LOCALIZED);
-            assertThat(told.confidence()).isCloseTo(monitor.probability(), within(1e-9));
+            PoseEstimate reported = look(beams(fates[0], fates[1], fates[2]));
+            assertThat(reported.quality()).isEqualTo(Quality.LOCALIZED);
+            assertThat(reported.confidence()).isCloseTo(monitor.probability(), within(1e-9));
         }
     }
 
@@ -284,8 +284,8 @@ class AmclJudgementTest {
     void looksElsewhereOnceMoreBeamsThanUsualGoThroughWalls(int hits, int through, int every, int looks) {
         amcl.start(PoseEstimate.of(MIDDLE, Covariance2d.ofDeviations(0.001, 0.001, 0.001)));
         for (int scan = 1; scan <= looks; scan++) {
-            PoseEstimate told = look(scan % every == 1 % every ? beams(hits, through, 0) : beams(40, 0, 0));
-            assertThat(told.quality())
+            PoseEstimate reported = look(scan % every == 1 % every ? beams(hits, through, 0) : beams(40, 0, 0));
+            assertThat(reported.quality())
                     .as("scan %d", scan)
                     .isEqualTo(scan < looks ? Quality.LOCALIZED : Quality.AMBIGUOUS);
         }
@@ -307,12 +307,12 @@ class AmclJudgementTest {
             assertThat(quality == Quality.LOST).as("scan %d", scan).isEqualTo(refuted);
         }
         assertThat(qualities).contains(Quality.LOST);
-        PoseEstimate told = look(beams(26, 14, 0));
-        assertThat(told.confidence()).isLessThanOrEqualTo(0.1);
-        for (int scan = 0; scan < 20 && told.quality() == Quality.LOST; scan++) {
-            told = look(beams(40, 0, 0));
+        PoseEstimate reported = look(beams(26, 14, 0));
+        assertThat(reported.confidence()).isLessThanOrEqualTo(0.1);
+        for (int scan = 0; scan < 20 && reported.quality() == Quality.LOST; scan++) {
+            reported = look(beams(40, 0, 0));
         }
-        assertThat(told.quality())
+        assertThat(reported.quality())
                 .as("a square hall looks the same from four sides")
                 .isEqualTo(Quality.AMBIGUOUS);
     }
@@ -323,15 +323,15 @@ class AmclJudgementTest {
         amcl.startAnywhere();
         Pose2d truth = new Pose2d(2, 3.5, 0);
         var seen = new Seen(new DrawnMap(HALL.grid, Map.of()));
-        PoseEstimate told = look(seen.beams(truth, 40));
+        PoseEstimate reported = look(seen.beams(truth, 40));
         for (int scan = 0; scan < 4; scan++) {
-            told = look(seen.beams(truth, 40));
-            assertThat(told.quality()).isNotEqualTo(Quality.LOCALIZED);
+            reported = look(seen.beams(truth, 40));
+            assertThat(reported.quality()).isNotEqualTo(Quality.LOCALIZED);
         }
         for (int quarter = 0; quarter < 4; quarter++) {
             Pose2d twin = MIDDLE.compose(new Pose2d(0, 0, quarter * Math.PI / 2))
                     .compose(MIDDLE.inverse().compose(truth));
-            List<Hypothesis> near = told.hypotheses().stream()
+            List<Hypothesis> near = reported.hypotheses().stream()
                     .filter(h -> h.mapFromBase().isNear(twin, 0.2, 0.2))
                     .toList();
             assertThat(near).as("quarter %d", quarter).hasSize(1);

@@ -26,10 +26,10 @@ class FootprintOutlineTest {
     @Test
     void goesStraightUntilItMeetsAPoint() {
         var outline = new FootprintOutline(BOX, 0);
-        assertThat(outline.way(1, 0.1, 0)).isCloseTo(0.8, within(1e-9));
-        assertThat(outline.way(1, 0.3, 0)).isInfinite();
-        assertThat(outline.way(-1, 0, 0)).isInfinite();
-        assertThat(outline.way(0, 0, 0)).isZero();
+        assertThat(outline.freeDistance(1, 0.1, 0)).isCloseTo(0.8, within(1e-9));
+        assertThat(outline.freeDistance(1, 0.3, 0)).isInfinite();
+        assertThat(outline.freeDistance(-1, 0, 0)).isInfinite();
+        assertThat(outline.freeDistance(0, 0, 0)).isZero();
     }
 
     /// The slow, obvious way: many small steps.
@@ -53,7 +53,7 @@ class FootprintOutlineTest {
                 pose = pose.compose(new Pose2d(step, 0, 0)).compose(new Pose2d(0, 0, step * curvature));
                 stepped += step;
             }
-            double way = outline.way(x, y, curvature);
+            double way = outline.freeDistance(x, y, curvature);
             if (stepped < full) {
                 assertThat(way).as("(%s, %s), curvature %s", x, y, curvature).isCloseTo(stepped, within(0.03));
             } else {
@@ -85,7 +85,7 @@ class FootprintOutlineTest {
             while (stepped < 3 && outline.distance(x - stepped, y) > 0) {
                 stepped += 1e-3;
             }
-            double way = outline.way(x, y, i % 2 == 0 ? 0 : 5e-5);
+            double way = outline.freeDistance(x, y, i % 2 == 0 ? 0 : 5e-5);
             if (stepped < 3) {
                 assertThat(way).as("(%s, %s)", x, y).isCloseTo(stepped, within(2e-3));
                 met++;

@@ -18,7 +18,7 @@ class TrajectoryPreviewTest {
     void isTheArcOfACommandForTwoSeconds(double vx, double omega) {
         ahead.on(Twist2d.drive(vx, omega));
         List<Point2d> points = ahead.points();
-        assertThat(points).hasSizeBetween(2, Controller.WAY_POINTS);
+        assertThat(points).hasSizeBetween(2, Controller.PATH_POINTS);
         assertThat(points.getFirst()).isEqualTo(new Point2d(0, 0));
         Point2d end = omega == 0
                 ? new Point2d(2 * vx, 0)

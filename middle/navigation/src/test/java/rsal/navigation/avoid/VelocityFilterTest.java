@@ -121,25 +121,25 @@ class VelocityFilterTest {
     /// Where what it let through leads within 2 s: on its arc, and no farther than it is told.
     @Test
     void saysWhereItsLastCommandLeads() {
-        assertThat(filter.way()).isEmpty();
+        assertThat(filter.predictedTrajectory()).isEmpty();
         Target far = Target.at(new Point2d(5, 0), false);
         filter.towards(0, 1, far, STANDING, nothing);
-        assertThat(filter.way().getFirst()).isEqualTo(new Point2d(0, 0));
-        assertThat(filter.way().getLast().x()).isCloseTo(1.6, within(0.01)); // 0.8 m/s
+        assertThat(filter.predictedTrajectory().getFirst()).isEqualTo(new Point2d(0, 0));
+        assertThat(filter.predictedTrajectory().getLast().x()).isCloseTo(1.6, within(0.01)); // 0.8 m/s
         filter.upTo(0.5);
-        assertThat(filter.way().getLast().x()).isCloseTo(0.5, within(0.01));
+        assertThat(filter.predictedTrajectory().getLast().x()).isCloseTo(0.5, within(0.01));
         Target near = Target.at(new Point2d(0.3, 0), true);
         filter.towards(0, 1, near, STANDING, nothing);
-        assertThat(filter.way().getLast().x()).isCloseTo(0.3, within(0.01));
+        assertThat(filter.predictedTrajectory().getLast().x()).isCloseTo(0.3, within(0.01));
         filter.towards(0, 1, far, STANDING, nothing);
         filter.arrivesAt(far);
-        assertThat(filter.way().getLast().x()).as("it goes on there").isCloseTo(1.6, within(0.01));
+        assertThat(filter.predictedTrajectory().getLast().x()).as("it goes on there").isCloseTo(1.6, within(0.01));
         filter.stands();
-        assertThat(filter.way()).isEmpty();
+        assertThat(filter.predictedTrajectory()).isEmpty();
         filter.guarded(Twist2d.drive(0.5, 0), Twist2d.STOP, nothing);
-        assertThat(filter.way().getLast().x()).isCloseTo(1, within(0.01));
+        assertThat(filter.predictedTrajectory().getLast().x()).isCloseTo(1, within(0.01));
         filter.reset();
-        assertThat(filter.way()).isEmpty();
+        assertThat(filter.predictedTrajectory()).isEmpty();
     }
 
     private static Obstacles beside(double... more) {

@@ -91,13 +91,13 @@ class NearnessDiagramTest {
         Point2d post = Pose2d.polar(0.6, Math.toRadians(-60)).position();
         obstacles.add(post.x(), post.y()); // a circle of 0.02 m, which is 1.9° to each side
         diagram.fill(obstacles);
-        var told = new ArrayList<Double>();
+        var reported = new ArrayList<Double>();
         diagram.forEach((direction, distance) -> {
             assertThat(distance).isCloseTo(0.6, within(1e-6));
-            told.add(Math.toDegrees(direction));
+            reported.add(Math.toDegrees(direction));
         });
-        assertThat(told).hasSize(3);
-        assertThat(told.stream().mapToDouble(Double::doubleValue).sum()).isCloseTo(-180, within(1e-6));
+        assertThat(reported).hasSize(3);
+        assertThat(reported.stream().mapToDouble(Double::doubleValue).sum()).isCloseTo(-180, within(1e-6));
     }
 
     /// The robot's width is 0.5 m, and so is the least jump of nearness.
@@ -134,12 +134,12 @@ class NearnessDiagramTest {
         obstacles.add(0, -1.2);
         obstacles.keepRoom(0, room);
         diagram.fill(obstacles);
-        var told = new ArrayList<Double>();
+        var reported = new ArrayList<Double>();
         diagram.forEach((direction, distance) -> {
             assertThat(Math.toDegrees(direction)).isCloseTo(-90, within(2.0));
-            told.add(distance);
+            reported.add(distance);
         });
-        assertThat(told)
+        assertThat(reported)
                 .isNotEmpty()
                 .allSatisfy(distance -> assertThat(distance).isCloseTo(nearness, within(1e-6)));
     }

@@ -42,7 +42,7 @@ class ReportedHealthTest extends RobotBench {
 
     private final MemoryNetwork network = new MemoryNetwork();
     private final RosLink others = network.join();
-    private final List<Health> told = new ArrayList<>(); // of the laser
+    private final List<Health> reported = new ArrayList<>(); // of the laser
     private Publication diagnostics;
     private Bridge bridge;
     private Ros2System system;
@@ -66,7 +66,7 @@ class ReportedHealthTest extends RobotBench {
         var found = system.discover().toCompletableFuture();
         advance(3);
         remote = found.join().getFirst();
-        remote.require(LaserScanner.class).onHealth(told::add);
+        remote.require(LaserScanner.class).onHealth(reported::add);
     }
 
     @AfterEach
@@ -118,7 +118,7 @@ class ReportedHealthTest extends RobotBench {
         lose(robot().require(LaserScanner.class), Optional.empty());
         advance(1.5);
         assertAllWell();
-        assertThat(told).as("once each").hasSize(2);
+        assertThat(reported).as("once each").hasSize(2);
     }
 
     @Test
@@ -163,7 +163,7 @@ class ReportedHealthTest extends RobotBench {
     void nobodyIsAlarmedForOthers(int level, String name, String hardware, String why) {
         report(level, name, "oh", hardware == null ? "" : hardware);
         assertAllWell();
-        assertThat(told).as(why).isEmpty();
+        assertThat(reported).as(why).isEmpty();
     }
 
     /// The bridge says that all is well, once a second; the driver says something else under another name.
