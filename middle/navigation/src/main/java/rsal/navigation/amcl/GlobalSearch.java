@@ -135,7 +135,7 @@ final class GlobalSearch {
     }
 
     /// The best pose of each bin of poses, and of these the best ones.
-    private List<Candidate> coarse(Beams beams) {
+    List<Candidate> coarse(Beams beams) {
         OccupancyGrid grid = map.grid;
         double resolution = grid.resolution();
         int stride = Math.max(1, (int) Math.round(STEP / resolution));
@@ -205,19 +205,20 @@ final class GlobalSearch {
         return sorted[Math.max(0, sorted.length - LOOKED_AT)];
     }
 
-    private Candidate better(Beams beams, Pose2d one, Pose2d other) {
+    /// The one that fits better, with its score.
+    Candidate better(Beams beams, Pose2d one, Pose2d other) {
         double scoreOfOne = score(beams, one);
         double scoreOfOther = score(beams, other);
         return scoreOfOne >= scoreOfOther ? new Candidate(scoreOfOne, one) : new Candidate(scoreOfOther, other);
     }
 
     /// First on a blurred map, then on the sharp one. Gets over hills on which climbing ends.
-    private Pose2d slide(Beams beams, Pose2d start) {
+    Pose2d slide(Beams beams, Pose2d start) {
         return sharp.refine(beams, blurred.refine(beams, start, ABOUT_HERE), ABOUT_HERE);
     }
 
     /// Hill climbing with ever smaller steps.
-    private Pose2d climb(Beams beams, Pose2d start) {
+    Pose2d climb(Beams beams, Pose2d start) {
         Pose2d pose = start;
         double meters = STEP / 2;
         double radians = Math.PI / HEADINGS;
@@ -247,7 +248,8 @@ final class GlobalSearch {
         return pose;
     }
 
-    private static Beams thin(Beams beams) {
+    /// Of many beams some, evenly spread.
+    static Beams thin(Beams beams) {
         int every = Math.max(1, Math.ceilDiv(beams.count(), COARSE_BEAMS));
         int count = Math.ceilDiv(beams.count(), every);
         var thin = new Beams(new float[count], new float[count], new float[count], new float[count], beams.cone());

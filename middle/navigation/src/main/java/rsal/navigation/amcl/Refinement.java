@@ -28,6 +28,7 @@ final class Refinement {
     private final double independentBeams;
     private final double[] slope = new double[3]; // distance, and how it grows along x and y
     private final double[] sums = new double[9]; // upper triangle of the information, row by row, and its right side
+    private final double[] change = new double[3]; // along x and y, and of the heading
 
     /// @param toWall how far the nearest place is where a beam may end
     /// @param deviation how far hits are from the walls of the map [m]
@@ -54,28 +55,16 @@ final class Refinement {
         double theta = start.theta();
         for (int step = 0; step < STEPS; step++) {
             add(beams, x, y, theta, scale);
-            double a = sums[0] + priorX;
-            double b = sums[1];
-            double c = sums[2];
-            double d = sums[3] + priorY;
-            double e = sums[4];
-            double f = sums[5] + priorTheta;
-            double u = sums[6] + priorX * (start.x() - x);
-            double v = sums[7] + priorY * (start.y() - y);
-            double w = sums[8] + priorTheta * Angles.difference(theta, start.theta());
-            // Cholesky: the prior keeps it positive definite
-            double l11 = Math.sqrt(a);
-            double l21 = b / l11;
-            double l31 = c / l11;
-            double l22 = Math.sqrt(Math.max(1e-12, d - l21 * l21));
-            double l32 = (e - l31 * l21) / l22;
-            double l33 = Math.sqrt(Math.max(1e-12, f - l31 * l31 - l32 * l32));
-            double z1 = u / l11;
-            double z2 = (v - l21 * z1) / l22;
-            double z3 = (w - l31 * z1 - l32 * z2) / l33;
-            double dTheta = z3 / l33;
-            double dy = (z2 - l32 * dTheta) / l22;
-            double dx = (z1 - l21 * dy - l31 * dTheta) / l11;
+            sums[0] += priorX;
+            sums[3] += priorY;
+            sums[5] += priorTheta;
+            sums[6] += priorX * (start.x() - x);
+            sums[7] += priorY * (start.y() - y);
+            sums[8] += priorTheta * Angles.difference(theta, start.theta());
+            solve(sums, change);
+            double dx = change[0];
+            double dy = change[1];
+            double dTheta = change[2];
             x += dx;
             y += dy;
             theta += dTheta;
@@ -90,7 +79,28 @@ final class Refinement {
         return new Pose2d(x, y, theta);
     }
 
-    private void add(Beams beams, double x, double y, double theta, double scale) {
+    /// Solves three linear equations of a symmetric, positive definite matrix, which the prior makes it: by Cholesky.
+    ///
+    /// @param sums upper triangle of the matrix, row by row, and the right side
+    /// @param into gets the solution
+    static void solve(double[] sums, double[] into) {
+        double l11 = Math.sqrt(sums[0]);
+        double l21 = sums[1] / l11;
+        double l31 = sums[2] / l11;
+        double l22 = Math.sqrt(Math.max(1e-12, sums[3] - l21 * l21));
+        double l32 = (sums[4] - l31 * l21) / l22;
+        double l33 = Math.sqrt(Math.max(1e-12, sums[5] - l31 * l31 - l32 * l32));
+        double z1 = sums[6] / l11;
+        double z2 = (sums[7] - l21 * z1) / l22;
+        double z3 = (sums[8] - l31 * z1 - l32 * z2) / l33;
+        into[2] = z3 / l33;
+        into[1] = (z2 - l32 * into[2]) / l22;
+        into[0] = (z1 - l21 * into[1] - l31 * into[2]) / l11;
+    }
+
+    /// Sums up what beams tell about a pose: the upper triangle of the information, row by row, and its right side.
+    /// They hold until the next call.
+    double[] add(Beams beams, double x, double y, double theta, double scale) {
         double cos = Math.cos(theta);
         double sin = Math.sin(theta);
         double near = 4 * deviation * deviation;
@@ -119,5 +129,6 @@ final class Refinement {
             sums[7] -= weight * gy * distance;
             sums[8] -= weight * gTheta * distance;
         }
+        return sums;
     }
 }

@@ -111,7 +111,7 @@ public final class Mpc implements Controller {
     }
 
     /// Points of the outline, about as far apart as two cells.
-    private static double[][] samples(Footprint footprint) {
+    static double[][] samples(Footprint footprint) {
         var corners = footprint.corners();
         int[] perSide = new int[corners.size()];
         int count = 0;
@@ -134,7 +134,7 @@ public final class Mpc implements Controller {
     }
 
     /// How fast a robot may be whose base is so far from the next obstacle, whichever way it looks.
-    private double speedAmidst(double distance) {
+    double speedAmidst(double distance) {
         double room = distance - outer - settings.margin();
         if (distance < inner + settings.margin()) {
             return 0;
@@ -165,7 +165,7 @@ public final class Mpc implements Controller {
     }
 
     /// Where the planned way leaves what is in view, or its end; the target, when nobody planned.
-    private Point2d goal(Target to) {
+    Point2d goal(Target to) {
         if (to.path().isEmpty()) {
             return to.place();
         }
@@ -193,7 +193,7 @@ public final class Mpc implements Controller {
     /// Finds the best plan.
     ///
     /// @return its cost
-    private double search(Motion motion) {
+    double search(Motion motion) {
         double least = Double.POSITIVE_INFINITY;
         if (planned) {
             for (int k = 0; k < KNOTS; k++) {
@@ -235,7 +235,7 @@ public final class Mpc implements Controller {
     }
 
     private double consider(double least, Motion motion) {
-        double cost = cost(motion, least);
+        double cost = cost(trial, motion, least);
         if (cost < least) {
             System.arraycopy(trial, 0, best, 0, best.length);
             return cost;
@@ -245,21 +245,22 @@ public final class Mpc implements Controller {
 
     /// Drives through a trial.
     ///
+    /// @param tried v [m/s] and ω [rad/s], knot by knot
     /// @param enough a cost above which it need not be known
-    private double cost(Motion motion, double enough) {
+    double cost(double[] tried, Motion motion, double enough) {
         double x = motion.odomFromBase().x();
         double y = motion.odomFromBase().y();
         double theta = motion.odomFromBase().theta();
         double v = motion.velocity().vx();
         double w = motion.velocity().omega();
-        double cost = LATER * Math.abs(trial[1] - w) / limits.turnRate();
+        double cost = LATER * Math.abs(tried[1] - w) / limits.turnRate();
         double gain = limits.acceleration() * DT;
         double turnGain = limits.turnAcceleration() * DT;
         double room = 0;
         for (int step = 0; step < STEPS; step++) {
             int knot = step / STEPS_PER_KNOT;
-            v += Math.clamp(trial[2 * knot] - v, -gain, gain);
-            w += Math.clamp(trial[2 * knot + 1] - w, -turnGain, turnGain);
+            v += Math.clamp(tried[2 * knot] - v, -gain, gain);
+            w += Math.clamp(tried[2 * knot + 1] - w, -turnGain, turnGain);
             theta += w * DT;
             x += v * DT * Math.cos(theta - w * DT / 2);
             y += v * DT * Math.sin(theta - w * DT / 2);
@@ -288,7 +289,7 @@ public final class Mpc implements Controller {
     }
 
     /// Between the outline and what is nearest, less the margin [m]; negative when that is not kept.
-    private double room(double x, double y, double theta) {
+    double room(double x, double y, double theta) {
         double middle = map.distance(x, y);
         if (middle - outer > settings.margin() + 0.5) {
             return middle - outer - settings.margin();

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
@@ -13,6 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.OccupancyGrid;
+import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.testkit.DrawnMap;
 import rsal.testkit.LongTest;
@@ -115,9 +117,8 @@ class GlobalSearchTest {
         assertThat(verdict(Seen.CUT_OFF.grid(), Seen.CUT_OFF.pose('@', 0), 3)).isEqualTo(GlobalSearch.Verdict.OUTSIDE);
     }
 
-    /// The mean over beams: a hit counts by the likelihood of its end, one that is short or leaves the map like one
-    /// that
-    /// is unlikely, and one that goes through a wall twice that.
+    /// The mean over beams: a hit counts by the likelihood of its end, one that is short or leaves the map like
+    /// one that is unlikely, and one that goes through a wall twice that.
     @Test
     void theScoreIsTheMeanOfBeams() {
         var map = new LocalizationMap(Seen.hall(60, 60, 0, 0), 0.1, 0.05);
@@ -187,5 +188,178 @@ class GlobalSearchTest {
                     .as("quarter %d", quarter)
                     .anyMatch(c -> c.mapFromBase().isNear(twin, 0.06, 0.04));
         }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 5, 32, 33, 64, 65, 100, 400})
+    void ofManyBeamsSomeAreLookedAtThatAreEvenlySpread(int count) {
+        var beams = new Beams(new float[count], new float[count], new float[count], new float[count], 0.3);
+        for (int i = 0; i < count; i++) {
+            beams.x()[i] = i;
+            beams.y()[i] = -i;
+            beams.originX()[i] = 2 * i;
+            beams.originY()[i] = 3 * i;
+        }
+        Beams thin = GlobalSearch.thin(beams);
+        assertThat(thin.count()).isBetween(Math.min(count, 17), 32);
+        assertThat(thin.cone()).isEqualTo(0.3);
+        for (int i = 0; i < thin.count(); i++) {
+            float beam = thin.x()[i];
+            assertThat(beam).isEqualTo(i == 0 ? 0 : thin.x()[i - 1] + thin.x()[1]);
+            assertThat(thin.y()[i]).isEqualTo(-beam);
+            assertThat(thin.originX()[i]).isEqualTo(2 * beam);
+            assertThat(thin.originY()[i]).isEqualTo(3 * beam);
+        }
+        if (count > 0) {
+            assertThat(count - thin.x()[thin.count() - 1])
+                    .as("beams after the last")
+                    .isLessThanOrEqualTo(13);
+        }
+    }
+
+    /// All poses of a step of 0.3 m and of 5° that are on free floor, 0.15 m from walls, by bins of three
+    /// steps.
+    private static Map<List<Integer>, Double> bestOfBins(LocalizationMap map, Beams beams) {
+        OccupancyGrid grid = map.grid;
+        int stride = (int) Math.round(0.3 / grid.resolution());
+        var best = new HashMap<List<Integer>, Double>();
+        for (int row = 0; row * stride < grid.height(); row++) {
+            for (int column = 0; column * stride < grid.width(); column++) {
+                double x = grid.x(Math.min(column * stride + stride / 2, grid.width() - 1));
+                double y = grid.y(Math.min(row * stride + stride / 2, grid.height() - 1));
+                if (!grid.isFree(x, y) || map.toOccupied.at(x, y) < 0.15) {
+                    continue;
+                }
+                for (int heading = 0; heading < 72; heading++) {
+                    var bin = List.of(column / 3, row / 3, heading / 3);
+                    best.merge(bin, blurred(map, beams, new Pose2d(x, y, Math.toRadians(5 * heading))), Math::max);
+                }
+            }
+        }
+        return best;
+    }
+
+    /// The logarithm of how likely a scan is on the blurred map.
+    private static double blurred(LocalizationMap map, Beams beams, Pose2d pose) {
+        double sum = 0;
+        for (int i = 0; i < beams.count(); i++) {
+            Point2d end = pose.transform(new Point2d(beams.x()[i], beams.y()[i]));
+            sum += map.nearWalls.log(end.x(), end.y());
+        }
+        return sum;
+    }
+
+    @Test
+    void firstTheBestPoseOfEachBinIsTaken() {
+        for (DrawnMap drawn : List.of(Seen.ROOM, new DrawnMap(Seen.hall(52, 31, -2, 3), Map.of()))) {
+            var map = new LocalizationMap(drawn.grid(), 0.1, 0.05);
+            Beams beams = new Seen(Seen.ROOM).beams(Seen.ROOM.pose('a', 33), 17);
+            Map<List<Integer>, Double> best = bestOfBins(map, beams);
+            List<GlobalSearch.Candidate> found = new GlobalSearch(map).coarse(beams);
+            assertThat(found).hasSameSizeAs(best.keySet());
+            int different = 0; // where a beam ends at the very border of a cell
+            for (GlobalSearch.Candidate candidate : found) {
+                Pose2d pose = candidate.mapFromBase();
+                double heading = Math.toDegrees(pose.theta());
+                var bin = List.of(
+                        (int) ((pose.x() - map.grid.originX()) / 0.9),
+                        (int) ((pose.y() - map.grid.originY()) / 0.9),
+                        (int) Math.round(heading < -1e-9 ? heading + 360 : heading) / 5 / 3);
+                assertThat(best).as("%s", pose).containsKey(bin);
+                boolean same = Math.abs(candidate.score() - best.get(bin)) < 1e-3
+                        && Math.abs(candidate.score() - blurred(map, beams, pose)) < 1e-3;
+                different += same ? 0 : 1;
+            }
+            assertThat(different).isLessThan(2 + found.size() / 50);
+        }
+    }
+
+    /// On a large floor with posts here and there.
+    @Test
+    void sixThousandBinsAreLookedAt() {
+        int[] posts = new SplittableRandom(3).ints(300, 0, 160 * 150).toArray();
+        var map = new LocalizationMap(Seen.hall(160, 150, 0, 0, posts), 0.1, 0.05);
+        Beams beams = new Seen(Seen.ROOM).beams(Seen.ROOM.pose('a', 33), 7);
+        double[] scores = bestOfBins(map, beams).values().stream()
+                .mapToDouble(Double::doubleValue)
+                .sorted()
+                .toArray();
+        assertThat(scores.length).isGreaterThan(6_500);
+        List<GlobalSearch.Candidate> found = new GlobalSearch(map).coarse(beams);
+        double least = scores[scores.length - 6_000];
+        assertThat(found).allMatch(candidate -> candidate.score() >= least - 1e-3);
+        assertThat(found.size()).isBetween(6_000, scores.length - 1);
+    }
+
+    /// From as far off as the nearest pose that was tried is.
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
+    void climbsToWhereNoStepIsBetter(long seed) {
+        var random = new SplittableRandom(seed);
+        var map = new LocalizationMap(Seen.ROOM.grid(), 0.1, 0.05);
+        var search = new GlobalSearch(map);
+        Pose2d truth = Seen.ROOM.pose(seed % 2 == 0 ? 'a' : 'b', random.nextDouble(360));
+        Beams beams = new Seen(Seen.ROOM).beams(truth, 60);
+        Pose2d start = new Pose2d(
+                truth.x() + random.nextDouble(-0.15, 0.15),
+                truth.y() + random.nextDouble(-0.15, 0.15),
+                truth.theta() + random.nextDouble(-0.04, 0.04));
+        Pose2d top = search.climb(beams, start);
+        double reached = map.walls.log(beams, top.x(), top.y(), top.theta());
+        assertThat(reached).isGreaterThan(map.walls.log(beams, start.x(), start.y(), start.theta()));
+        assertThat(top.isNear(truth, 0.08, 0.04)).as("%s, not %s", top, truth).isTrue();
+        double meters = 0.3 / 2 / 8;
+        double radians = Math.PI / 72 / 8;
+        for (int sign = -1; sign <= 1; sign += 2) {
+            for (Pose2d next : List.of(
+                    new Pose2d(top.x() + sign * meters, top.y(), top.theta()),
+                    new Pose2d(top.x(), top.y() + sign * meters, top.theta()),
+                    new Pose2d(top.x(), top.y(), top.theta() + sign * radians))) {
+                assertThat(map.walls.log(beams, next.x(), next.y(), next.theta()))
+                        .isLessThanOrEqualTo(reached);
+            }
+        }
+    }
+
+    /// The beams would fit best where a wall is, from 2.9 m to 3.3 m.
+    @Test
+    void climbsNowhereThatIsNotFree() {
+        var wall = new int[4 * 58];
+        for (int i = 0; i < wall.length; i++) {
+            wall[i] = (i / 4 + 1) * 60 + 29 + i % 4;
+        }
+        var map = new LocalizationMap(Seen.hall(60, 60, 0, 0, wall), 0.1, 0.05);
+        Pose2d top = new GlobalSearch(map).climb(Seen.straight(2.9f, 2.9f, 2.9f), new Pose2d(2.7, 3, 0));
+        assertThat(map.grid.isFree(top.x(), top.y())).isTrue();
+        assertThat(top.x()).isBetween(2.8, 2.9);
+    }
+
+    /// Farther off than a step.
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
+    void slidesToWhereTheScanWasTaken(long seed) {
+        var random = new SplittableRandom(seed);
+        var search = new GlobalSearch(new LocalizationMap(Seen.ROOM.grid(), 0.1, 0.05));
+        Pose2d truth = Seen.ROOM.pose(seed % 2 == 0 ? 'a' : 'b', random.nextDouble(360));
+        Beams beams = new Seen(Seen.ROOM).beams(truth, 60);
+        Pose2d start = new Pose2d(
+                truth.x() + random.nextDouble(-0.25, 0.25),
+                truth.y() + random.nextDouble(-0.25, 0.25),
+                truth.theta() + random.nextDouble(-0.15, 0.15));
+        Pose2d found = search.slide(beams, start);
+        assertThat(found.isNear(truth, 0.03, 0.02))
+                .as("%s, not %s", found, truth)
+                .isTrue();
+    }
+
+    @Test
+    void ofTwoPlacesTheOneThatFitsIsTaken() {
+        var search = new GlobalSearch(new LocalizationMap(Seen.ROOM.grid(), 0.1, 0.05));
+        Pose2d truth = Seen.ROOM.pose('a', 30);
+        Beams beams = new Seen(Seen.ROOM).beams(truth, 60);
+        Pose2d off = truth.compose(new Pose2d(0.2, 0, 0));
+        var expected = new GlobalSearch.Candidate(search.score(beams, truth), truth);
+        assertThat(search.better(beams, truth, off)).isEqualTo(expected);
+        assertThat(search.better(beams, off, truth)).isEqualTo(expected);
     }
 }

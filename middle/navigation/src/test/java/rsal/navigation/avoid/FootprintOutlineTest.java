@@ -70,4 +70,37 @@ class FootprintOutlineTest {
         var triangle = new Footprint(List.of(new Point2d(-0.1, -0.1), new Point2d(0.5, -0.1), new Point2d(-0.1, 0.3)));
         assertThat(FootprintOutline.radius(triangle)).isCloseTo(Math.sqrt(0.12 / Math.PI), within(1e-9));
     }
+
+    /// The slow, obvious way, straight on: of a body whose sides are slanted.
+    @Test
+    void waysStraightOnAreThoseOfManySmallSteps() {
+        var wedge = new Footprint(List.of(new Point2d(0.4, 0.05), new Point2d(-0.3, 0.25), new Point2d(-0.2, -0.35)));
+        var outline = new FootprintOutline(wedge, 0);
+        var random = new SplittableRandom(2);
+        int met = 0;
+        for (int i = 0; i < 300; i++) {
+            double x = random.nextDouble(-1, 2);
+            double y = random.nextDouble(-0.5, 0.5);
+            double stepped = 0;
+            while (stepped < 3 && outline.distance(x - stepped, y) > 0) {
+                stepped += 1e-3;
+            }
+            double way = outline.freeDistance(x, y, i % 2 == 0 ? 0 : 5e-5);
+            if (stepped < 3) {
+                assertThat(way).as("(%s, %s)", x, y).isCloseTo(stepped, within(2e-3));
+                met++;
+            } else {
+                assertThat(way).as("(%s, %s)", x, y).isInfinite();
+            }
+        }
+        assertThat(met).isBetween(50, 250);
+    }
+
+    /// Of each corner as far as the sides are pushed outward.
+    @Test
+    void itsReachIsThatOfItsFarthestCorner() {
+        assertThat(new FootprintOutline(BOX, 0.1).reach()).isCloseTo(Math.hypot(0.5, 0.3), within(1e-9));
+        Footprint ahead = Footprint.box(0.6, 0.4, new Point2d(0.5, -0.3));
+        assertThat(new FootprintOutline(ahead, 0).reach()).isCloseTo(Math.hypot(0.8, 0.5), within(1e-9));
+    }
 }

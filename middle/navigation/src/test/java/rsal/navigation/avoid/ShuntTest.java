@@ -77,4 +77,57 @@ class ShuntTest {
         var shunt = new Shunt(List.of(new Leg(0.3, 0.1), new Leg(-0.1, 1), new Leg(0, -0.25)), 0.1, Pose2d.ORIGIN);
         assertThat(shunt.seconds()).isCloseTo(1 + 3 + 1 + 2 + 1 + 0.5, within(1e-9));
     }
+
+    private static Twist2d first(Leg leg, Pose2d began, Pose2d now) {
+        var shunt = new Shunt(List.of(leg), 0.1, began);
+        assertThat(shunt.drive(new Motion(began, Twist2d.STOP))).isNotEqualTo(Twist2d.STOP);
+        return shunt.drive(new Motion(now, Twist2d.STOP));
+    }
+
+    /// v as told, ω = v · turn / length + 2 · what is missing to the turn that is due after this much of the
+    /// way.
+    @Test
+    void steersBackOntoItsArc() {
+        Pose2d began = new Pose2d(1, 2, 3);
+        for (double length : new double[] {0.4, -0.4}) {
+            for (double off : new double[] {0, 0.05, -0.05}) {
+                Pose2d now = new Pose2d(1.06, 2.08, 3 + off); // a quarter of the way
+                Twist2d command = first(new Leg(length, 0.8), began, now);
+                assertThat(command.vx()).isEqualTo(Math.copySign(0.1, length));
+                assertThat(command.omega()).isCloseTo(0.1 * 0.8 / 0.4 + 2 * (0.25 * 0.8 - off), within(1e-9));
+            }
+        }
+    }
+
+    /// In place by 2 · what is missing, at most 0.5 rad/s.
+    @Test
+    void turnsInPlaceTheSlowerTheLessIsMissing() {
+        Pose2d began = new Pose2d(1, 2, 3);
+        for (double turn : new double[] {1, -1, 0.1, -0.1, 0.04, -0.04}) {
+            Twist2d command = first(new Leg(0, turn), began, began);
+            assertThat(command.vx()).isZero();
+            assertThat(command.omega()).isCloseTo(Math.clamp(2 * turn, -0.5, 0.5), within(1e-9));
+        }
+        var there = new Shunt(List.of(new Leg(0, 0.03)), 0.1, began);
+        assertThat(there.drive(new Motion(began, Twist2d.STOP)))
+                .as("2° are near enough")
+                .isEqualTo(Twist2d.STOP);
+        assertThat(there.done()).isTrue();
+    }
+
+    /// What one leg turned too little or too far the next one makes up for.
+    @Test
+    void eachLegBeginsWhereTheOneBeforeShouldHaveEnded() {
+        var shunt = new Shunt(List.of(new Leg(0.2, 0.4), new Leg(-0.5, 0)), 0.1, Pose2d.ORIGIN);
+        shunt.drive(new Motion(Pose2d.ORIGIN, Twist2d.STOP));
+        Twist2d back = shunt.drive(new Motion(new Pose2d(0.2, 0, 0.3), Twist2d.STOP));
+        assertThat(back.vx()).isEqualTo(-0.1);
+        assertThat(back.omega()).isCloseTo(2 * 0.1, within(1e-9));
+        Twist2d on = shunt.drive(new Motion(new Pose2d(-0.29, 0, 0.4), Twist2d.STOP));
+        assertThat(on.vx()).as("0.49 m of it").isEqualTo(-0.1);
+        assertThat(shunt.done()).isFalse();
+        assertThat(shunt.drive(new Motion(new Pose2d(-0.301, 0, 0.4), Twist2d.STOP)))
+                .isEqualTo(Twist2d.STOP);
+        assertThat(shunt.done()).isTrue();
+    }
 }

@@ -75,4 +75,56 @@ class TrajectoryPreviewTest {
     private static double bearing(Point2d from, Point2d to) {
         return Math.atan2(to.y() - from.y(), to.x() - from.x());
     }
+
+    /// A piece for each 0.2 rad, fifteen at most.
+    @ParameterizedTest
+    @CsvSource({"0.05, 2", "0.09, 2", "0.11, 3", "0.75, 9", "-0.75, 9", "1.45, 16", "9, 16"})
+    void hasAsManyPointsAsItBends(double omega, int points) {
+        ahead.on(Twist2d.drive(0.5, omega));
+        assertThat(ahead.points()).hasSize(points);
+    }
+
+    @Test
+    void onAnArcItEndsWhereItIsToEnd() {
+        ahead.on(Twist2d.drive(-0.5, 0.8));
+        ahead.upTo(0.3);
+        double seconds = 0.3 / 0.5;
+        var end = new Point2d(-0.5 / 0.8 * Math.sin(0.8 * seconds), -0.5 / 0.8 * (1 - Math.cos(0.8 * seconds)));
+        assertThat(ahead.points().getLast().distanceTo(end)).isLessThan(1e-9);
+        ahead.upTo(0);
+        assertThat(ahead.points()).isEmpty();
+        ahead.upTo(-1);
+        assertThat(ahead.points()).isEmpty();
+        ahead.upTo(9);
+        assertThat(ahead.points().getLast().x())
+                .as("for two seconds")
+                .isCloseTo(-0.5 / 0.8 * Math.sin(1.6), within(1e-9));
+    }
+
+    @Test
+    void whoIsSlowerThanTwoCentimetersASecondStands() {
+        ahead.on(Twist2d.drive(0.019, 0.1));
+        assertThat(ahead.points()).isEmpty();
+        ahead.on(Twist2d.drive(-0.021, 0.1));
+        assertThat(ahead.points()).isNotEmpty();
+    }
+
+    /// What is missing decays as 1 - exp(-ω t / turn): by small steps of that.
+    @ParameterizedTest
+    @CsvSource({"0.7, 0.5, 1.4", "-0.7, 0.5, -1.4", "1.5, 0.3, 0.6", "-0.4, -0.2, -0.5"})
+    void theTurnDecays(double turn, double vx, double omega) {
+        ahead.into(turn, Twist2d.drive(vx, omega));
+        double x = 0;
+        double y = 0;
+        int steps = 20_000;
+        for (int i = 0; i < steps; i++) {
+            double time = 2.0 * (i + 0.5) / steps;
+            double theta = turn * (1 - Math.exp(-omega / turn * time));
+            x += vx * 2 / steps * Math.cos(theta);
+            y += vx * 2 / steps * Math.sin(theta);
+        }
+        assertThat(ahead.points().getLast().distanceTo(new Point2d(x, y))).isLessThan(0.02);
+        ahead.into(-turn, Twist2d.drive(vx, omega));
+        assertThat(ahead.points()).as("not as it should").containsExactly(new Point2d(0, 0), new Point2d(2 * vx, 0));
+    }
 }

@@ -133,14 +133,72 @@ class VelocityFilterTest {
         assertThat(filter.predictedTrajectory().getLast().x()).isCloseTo(0.3, within(0.01));
         filter.towards(0, 1, far, STANDING, nothing);
         filter.arrivesAt(far);
-        assertThat(filter.predictedTrajectory().getLast().x())
-                .as("it goes on there")
-                .isCloseTo(1.6, within(0.01));
+        assertThat(filter.predictedTrajectory().getLast().x()).as("it goes on there").isCloseTo(1.6, within(0.01));
         filter.stands();
         assertThat(filter.predictedTrajectory()).isEmpty();
         filter.guarded(Twist2d.drive(0.5, 0), Twist2d.STOP, nothing);
         assertThat(filter.predictedTrajectory().getLast().x()).isCloseTo(1, within(0.01));
         filter.reset();
         assertThat(filter.predictedTrajectory()).isEmpty();
+    }
+
+    private static Obstacles beside(double... more) {
+        var beside = new Obstacles(5);
+        beside.add(-0.32, -0.24); // behind the rear corner that swings out
+        beside.add(0.32, 0.24);
+        for (int i = 0; i < more.length; i += 2) {
+            beside.add(more[i], more[i + 1]);
+        }
+        return beside;
+    }
+
+    /// It creeps on the way it began, until it can't, or can turn, or is told to forget it.
+    @Test
+    void goesOnCreepingTheWayItBegan() {
+        assertThat(filter.turn(0.7, Twist2d.STOP, beside()).vx()).isEqualTo(0.08);
+        assertThat(filter.turn(2.5, Twist2d.STOP, beside()).vx())
+                .as("as before")
+                .isEqualTo(0.08);
+        filter.reset();
+        assertThat(filter.turn(2.5, Twist2d.STOP, beside()).vx()).isEqualTo(-0.08);
+        assertThat(filter.turn(0.7, Twist2d.STOP, beside()).vx())
+                .as("as before")
+                .isEqualTo(-0.08);
+        assertThat(filter.turn(0.7, Twist2d.STOP, nothing).omega())
+                .as("it can turn")
+                .isPositive();
+        assertThat(filter.turn(0.7, Twist2d.STOP, beside()).vx()).isEqualTo(0.08);
+        assertThat(filter.turn(0.05, Twist2d.STOP, beside()).vx())
+                .as("it need not turn")
+                .isZero();
+        assertThat(filter.turn(2.5, Twist2d.STOP, beside()).vx()).isEqualTo(-0.08);
+    }
+
+    @Test
+    void creepsBackWhereItCanNotCreepOn() {
+        Obstacles before = beside(0.35, 0);
+        assertThat(filter.turn(0.7, Twist2d.STOP, before).vx()).isEqualTo(-0.08);
+        assertThat(filter.turn(0.7, Twist2d.STOP, before).vx())
+                .as("and goes on so")
+                .isEqualTo(-0.08);
+        Twist2d enclosed = filter.turn(0.7, Twist2d.STOP, beside(0.35, 0, -0.36, 0));
+        assertThat(enclosed.vx()).isZero();
+        assertThat(enclosed.omega()).isZero();
+    }
+
+    /// From a right angle on it creeps back.
+    @Test
+    void aRightAngleIsTurnedToBackward() {
+        for (double side : new double[] {1, -1}) {
+            var here = new Obstacles(5);
+            here.add(-0.32, side * -0.24);
+            here.add(0.32, side * 0.24);
+            for (double degrees : new double[] {4, 6, 89, 91, 170}) {
+                double vx = new VelocityFilter(BOX, LIMITS, 0.2)
+                        .turn(side * Math.toRadians(degrees), Twist2d.STOP, here)
+                        .vx();
+                assertThat(vx).as("%s°", degrees).isEqualTo(degrees < 5 ? 0 : degrees < 90 ? 0.08 : -0.08);
+            }
+        }
     }
 }

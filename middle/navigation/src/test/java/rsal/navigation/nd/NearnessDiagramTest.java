@@ -126,4 +126,36 @@ class NearnessDiagramTest {
             obstacles.add(place.x(), place.y());
         }
     }
+
+    /// What keeps more room is as much nearer.
+    @ParameterizedTest
+    @CsvSource({"0, 1.2", "0.3, 0.9", "1.5, 0"})
+    void roomThatIsKeptMakesThingsNearer(double room, double nearness) {
+        obstacles.add(0, -1.2);
+        obstacles.keepRoom(0, room);
+        diagram.fill(obstacles);
+        var reported = new ArrayList<Double>();
+        diagram.forEach((direction, distance) -> {
+            assertThat(Math.toDegrees(direction)).isCloseTo(-90, within(2.0));
+            reported.add(distance);
+        });
+        assertThat(reported)
+                .isNotEmpty()
+                .allSatisfy(distance -> assertThat(distance).isCloseTo(nearness, within(1e-6)));
+    }
+
+    /// Where nothing is seen there is a gap at each end of a wall; the region reaches around to its other end.
+    @ParameterizedTest
+    @CsvSource({"0, -30, -1", "20, 50, 1"})
+    void aWallAloneHasAGapAtEachEnd(double goal, double corner, int side) {
+        arc(-30, 50, 1);
+        assertThat(region(goal, 3)).hasValueSatisfying(region -> {
+            assertThat(region.goal()).isFalse();
+            assertThat(Math.toDegrees(region.corner())).isCloseTo(corner, within(2.5));
+            assertThat(region.direction()).isEqualTo(region.corner());
+            assertThat(region.side()).isEqualTo(side);
+            assertThat(region.cornerDistance()).isCloseTo(1, within(1e-3));
+            assertThat(Math.toDegrees(region.width())).isCloseTo(280, within(5.0));
+        });
+    }
 }

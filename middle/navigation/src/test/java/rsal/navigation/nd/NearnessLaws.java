@@ -13,6 +13,7 @@ import rsal.navigation.avoid.Controller.Motion;
 import rsal.navigation.avoid.Controller.Target;
 import rsal.navigation.avoid.DriveLimits;
 import rsal.navigation.avoid.Obstacles;
+import rsal.navigation.avoid.VelocityFilter;
 import rsal.navigation.nd.NearnessDiagram.Region;
 
 /// What controllers with a nearness diagram have in common, by numbers. A direction shows in the turn rate, which is
@@ -86,5 +87,24 @@ public abstract class NearnessLaws {
         Twist2d command = drive(40, 3);
         assertThat(command.vx()).isZero();
         assertThat(command.omega()).isPositive();
+    }
+
+    @Test
+    void turnsAndCommandsOfOthersAreUpToTheFilter() {
+        Controller controller = controller();
+        var filter = new VelocityFilter(SQUARE, LIMITS, 0.2);
+        var motion = new Motion(Pose2d.ORIGIN, Twist2d.drive(0.1, 0.1));
+        postAt(0, 0.2);
+        assertThat(controller.turn(obstacles, -0.7, motion)).isEqualTo(filter.turn(-0.7, motion.velocity(), obstacles));
+        Twist2d wanted = Twist2d.drive(0.4, 0.2);
+        Twist2d safe = filter.guarded(wanted, motion.velocity(), obstacles);
+        assertThat(controller.guarded(obstacles, wanted, motion))
+                .isEqualTo(safe)
+                .isNotEqualTo(wanted);
+        assertThat(controller.way()).isEqualTo(filter.way());
+        controller.guarded(new Obstacles(5), wanted, motion);
+        assertThat(controller.way()).isNotEmpty();
+        controller.reset();
+        assertThat(controller.way()).isEmpty();
     }
 }

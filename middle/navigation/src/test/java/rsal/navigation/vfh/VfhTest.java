@@ -17,6 +17,7 @@ import rsal.navigation.avoid.Controller.Motion;
 import rsal.navigation.avoid.Controller.Target;
 import rsal.navigation.avoid.DriveLimits;
 import rsal.navigation.avoid.Obstacles;
+import rsal.navigation.avoid.VelocityFilter;
 
 class VfhTest {
     private static final Footprint BOX = Footprint.box(0.44, 0.38, new Point2d(-0.04, 0));
@@ -113,11 +114,15 @@ class VfhTest {
         }
     }
 
-    @Test
-    void stopsWhereNoDirectionIsOpen() {
+    private void enclose() {
         for (int i = 0; i < 360; i += 3) {
             obstacles.add(0.6 * Math.cos(Math.toRadians(i)), 0.6 * Math.sin(Math.toRadians(i)));
         }
+    }
+
+    @Test
+    void stopsWhereNoDirectionIsOpen() {
+        enclose();
         assertThat(drive(obstacles, 0, 3, false, 0)).isEqualTo(Twist2d.STOP);
     }
 
@@ -181,7 +186,8 @@ class VfhTest {
         assertThat(Math.abs(turn)).isLessThan(0.6);
     }
 
-    /// Rays of posts leave a narrow opening from 20° to 110°, of which asin(grown / 1 m) is closed at each side.
+    /// Rays of posts leave a narrow opening from 20° to 110°, of which asin(grown / 1 m) is closed at each
+    /// side.
     @ParameterizedTest
     @ValueSource(ints = {1, -1})
     void takesTheMiddleOfANarrowOpening(int side) {
@@ -193,9 +199,8 @@ class VfhTest {
                 .isCloseTo(side * Math.toRadians(65), within(Math.toRadians(2.6)));
     }
 
-    /// Section 2.3: at 0.4 m/s it drives circles of 1 m at least, around (0, 1) and (0, -1). What is within such a
-    /// circle,
-    /// grown by the radius and the safety distance, bars all directions beyond it on that side.
+    /// Section 2.3: at 0.4 m/s it drives circles of 1 m at least, around (0, 1) and (0, -1). What is within
+    /// such a circle, grown by the radius and the safety distance, bars all directions beyond it on that side.
     @ParameterizedTest
     @CsvSource({
         "0.5, 0.5, true",
@@ -228,9 +233,8 @@ class VfhTest {
         }
     }
 
-    /// As fast as the room beside the way allows: (room / safetyDistancePerSpeed)² + acceleration × what is ahead, its
-    /// square
-    /// root.
+    /// As fast as the room beside the way allows: (room / safetyDistancePerSpeed)² + acceleration × what is
+    /// ahead, its square root.
     @ParameterizedTest
     @CsvSource({"0.3, 0.4", "0.3, -0.4", "0.25, 0.45", "0.35, -0.38", "0.32, 0.5"})
     void theRoomBesideTheWayLimitsTheSpeed(double ahead, double beside) {
@@ -274,12 +278,16 @@ class VfhTest {
 
     /// One that turns so fast that its turn rate shows where it is heading for.
     private static Vfh agile(Vfh.Turning turning, double lookahead) {
+        return agile(turning, lookahead, 0.1);
+    }
+
+    private static Vfh agile(Vfh.Turning turning, double lookahead, double safetyDistance) {
         return new Vfh(
                 SQUARE,
                 new DriveLimits(0.4, 6.3, 0.8, 100),
                 new Vfh.Settings(
                         lookahead,
-                        0.1,
+                        safetyDistance,
                         0.3,
                         Math.toRadians(5),
                         Vfh.Openings.ANY_SPEED,
@@ -309,5 +317,106 @@ class VfhTest {
         for (double y = fromY; y <= toY; y += 0.05) {
             obstacles.add(x, y);
         }
+    }
+
+    /// Of a post 1 m ahead asin((0.18 + 0.1) / 1) = 16° are closed to each side, by sectors of 5°; an opening
+    /// begins at 20°, or at 25° where 0.1 m more room is kept. In what is wider than 80° it keeps 40° from the
+    /// edge.
+    @ParameterizedTest
+    @CsvSource({"1, 0, 60", "1, 0.1, 65", "0.7, 0, 65"})
+    void inAWideOpeningItKeepsToTheEdge(double distance, double room, double degrees) {
+        for (int side = -1; side <= 1; side += 2) {
+            obstacles.clear();
+            obstacles.add(distance, 0);
+            obstacles.keepRoom(0, room);
+            assertThat(turnOf(agile(Vfh.Turning.ANY_RATE, 1.4), side * 0.01, 0))
+                    .isCloseTo(side * Math.toRadians(degrees), within(1e-6));
+        }
+    }
+
+    /// With 0.48 m kept from its middle: what is nearer, or hardly farther away, closes 75° to each side.
+    @ParameterizedTest
+    @CsvSource({"0.31, 120", "0.47, 120", "0.49, 120", "0.6, 95"})
+    void whatIsTooNearClosesAllThatIsAhead(double distance, double degrees) {
+        for (int side = -1; side <= 1; side += 2) {
+            obstacles.clear();
+            obstacles.add(distance, 0);
+            Vfh planner = agile(Vfh.Turning.ANY_RATE, 1.4, 0.3);
+            assertThat(turnOf(planner, side * 0.01, 0)).isCloseTo(side * Math.toRadians(degrees), within(1e-6));
+        }
+    }
+
+    /// The same in a frame of odometry that is turned by sectors.
+    @ParameterizedTest
+    @ValueSource(ints = {0, 5, 35, -90, 175, 180})
+    void sectorsAreThoseOfTheFrameOfOdometry(int heading) {
+        obstacles.add(1, 0);
+        Vfh planner = agile(Vfh.Turning.ANY_RATE, 1.4);
+        var target = Target.at(Pose2d.polar(3, 0.01).position(), false);
+        var motion = new Motion(new Pose2d(4, -5, Math.toRadians(heading + 1e-6)), Twist2d.STOP);
+        Twist2d command = planner.drive(obstacles, target, motion);
+        assertThat(command.omega() / 2).isCloseTo(Math.toRadians(60), within(1e-4));
+    }
+
+    /// Linear from standing to 1 m/s, and no more beyond that.
+    @ParameterizedTest
+    @CsvSource({"0, 0.5", "0.5, 0.35", "-0.5, 0.35", "1, 0.2", "3, 0.2"})
+    void turnsSlowerTheFasterItIs(double speed, double rate) {
+        assertThat(new Vfh.Turning(0.5, 0.2, 1).most(speed)).isCloseTo(rate, within(1e-12));
+        assertThat(Vfh.Turning.ANY_RATE.most(speed)).isInfinite();
+    }
+
+    /// Turning away from what was chosen before costs: of two sides that are as good, the last is taken again,
+    /// and so is one that is a little worse.
+    @ParameterizedTest
+    @ValueSource(doubles = {0.01, 0.05, 0.1})
+    void whatWasChosenBeforeIsCheaper(double bearing) {
+        obstacles.add(1, 0);
+        Vfh planner = agile(Vfh.Turning.ANY_RATE, 1.4);
+        assertThat(turnOf(planner, 0.01, 0)).isPositive();
+        // 5 x 2 bearing more to the target on that side, and 2 x 120° less from the choice before
+        assertThat(turnOf(planner, -bearing, 0)).isPositive();
+        planner.reset();
+        assertThat(turnOf(planner, -bearing, 0)).isNegative();
+    }
+
+    @Test
+    void fromWhatMayMoveItKeepsMoreRoomBesideTheWay() {
+        var careful = new Vfh(SQUARE, LIMITS, Vfh.Settings.of(0.1, 0.1, 2), 0.2);
+        obstacles.add(0.3, 0.5);
+        obstacles.keepRoom(0, 0.05);
+        double allowed = (0.5 - 0.18 - 0.1 - 0.05) / 2;
+        var target = Target.at(new Point2d(3, 0), false);
+        assertThat(careful.drive(obstacles, target, new Motion(Pose2d.ORIGIN, Twist2d.STOP))
+                        .vx())
+                .isCloseTo(Math.sqrt(allowed * allowed + 0.8 * 0.12), within(1e-6));
+    }
+
+    @Test
+    void turnsAndCommandsOfOthersAreUpToTheFilter() {
+        var filter = new VelocityFilter(BOX, LIMITS, 0.2);
+        var motion = new Motion(Pose2d.ORIGIN, Twist2d.drive(0.1, 0.1));
+        obstacles.add(0.24, 0.1);
+        assertThat(vfh.turn(obstacles, -0.7, motion)).isEqualTo(filter.turn(-0.7, motion.velocity(), obstacles));
+        Twist2d wanted = Twist2d.drive(0.4, 0.2);
+        Twist2d safe = filter.guarded(wanted, motion.velocity(), obstacles);
+        assertThat(vfh.guarded(obstacles, wanted, motion)).isEqualTo(safe).isNotEqualTo(wanted);
+        assertThat(vfh.way()).isEqualTo(filter.way());
+        vfh.guarded(new Obstacles(3), wanted, motion);
+        assertThat(vfh.way()).isNotEmpty();
+        vfh.reset();
+        assertThat(vfh.way()).isEmpty();
+    }
+
+    /// What it says of its way ends at a target where it comes to rest, and is nothing where it stands.
+    @Test
+    void saysWhereItGoes() {
+        drive(obstacles, 0, 0.3, true, 0);
+        assertThat(vfh.way().getLast().x()).isCloseTo(0.3, within(1e-6));
+        drive(obstacles, 0, 0.3, false, 0);
+        assertThat(vfh.way().getLast().x()).isCloseTo(0.8, within(1e-6)); // 0.4 m/s for 2 s
+        enclose();
+        drive(obstacles, 0, 3, false, 0);
+        assertThat(vfh.way()).isEmpty();
     }
 }

@@ -35,6 +35,7 @@ import rsal.testkit.contract.RobotBench;
 /// Devices of a robot of our own bridge, whose health comes by `/diagnostics`.
 class ReportedHealthTest extends RobotBench {
     private static final String TYPE = "diagnostic_msgs/msg/DiagnosticArray";
+    private static final int WELL = 0;
     private static final int WARN = 1;
     private static final int ERROR = 2;
     private static final int STALE = 3;
@@ -191,22 +192,44 @@ class ReportedHealthTest extends RobotBench {
         assertThat(((Health.Lost) laser()).reason()).contains("blocked");
     }
 
+    /// A thousand reports are kept, each under its name: the device is well again once so many have ended, and not
+    /// before, whatever else was reported. Of a long text the beginning is told.
     @Test
     void manyErrorsAndLongTextsAreBounded() {
-        for (int i = 0; i < 1_500; i++) {
-            diagnostics.publish(RosMessages.write(new CdrWriter(), run.instant())
-                    .text("")
-                    .int32(1)
-                    .int8((byte) ERROR)
-                    .text("laser " + i)
-                    .text("x".repeat(5_000))
-                    .text("r1")
-                    .int32(0)
-                    .toBytes());
-            run.runPending();
+        int kept = 1_000;
+        for (int i = 0; i < kept + 500; i++) {
+            say(ERROR, "laser " + i, "x".repeat(5_000));
         }
         advance(0.2);
         assertThat(laser()).isInstanceOf(Health.Lost.class);
-        assertThat(((Health.Lost) laser()).reason()).hasSizeLessThan(500);
+        assertThat(((Health.Lost) laser()).reason())
+                .hasSizeLessThan(500)
+                .startsWith("'laser 0' reports: xxxx")
+                .endsWith("…");
+        for (int i = 0; i < kept - 1; i++) {
+            say(WELL, "laser " + i, "");
+        }
+        advance(0.2);
+        assertThat(((Health.Lost) laser()).reason()).startsWith("'laser %d' reports: xxxx".formatted(kept - 1));
+        say(WELL, "laser " + (kept - 1), "");
+        advance(0.2);
+        assertAllWell();
+        say(ERROR, "laser again", "there is room again");
+        advance(0.2);
+        assertThat(laser()).isEqualTo(new Health.Lost("'laser again' reports: there is room again"));
+    }
+
+    /// Of the robot's hardware, without waiting.
+    private void say(int level, String name, String message) {
+        diagnostics.publish(RosMessages.write(new CdrWriter(), run.instant())
+                .text("")
+                .int32(1)
+                .int8((byte) level)
+                .text(name)
+                .text(message)
+                .text("r1")
+                .int32(0)
+                .toBytes());
+        run.runPending();
     }
 }
