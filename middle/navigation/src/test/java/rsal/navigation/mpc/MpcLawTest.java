@@ -361,7 +361,7 @@ class MpcLawTest {
         Twist2d command = goTo(5, 0, moving(THERE, 0, 0));
         assertThat(command.vx()).isEqualTo(0.6);
         assertThat(command.omega()).isCloseTo(0, within(0.02));
-        List<Point2d> way = mpc.way();
+        List<Point2d> way = mpc.predictedTrajectory();
         assertThat(way).hasSize(9);
         for (int point = 0; point < 9; point++) {
             int k = 3 * point;
@@ -379,7 +379,7 @@ class MpcLawTest {
         Pose2d pose = Pose2d.ORIGIN;
         double v = 0.3;
         double w = side * 0.2;
-        List<Point2d> way = mpc.way();
+        List<Point2d> way = mpc.predictedTrajectory();
         for (int step = 1; step <= 6; step++) {
             v += Math.clamp(command.vx() - v, -0.048, 0.048);
             w += Math.clamp(command.omega() - w, -0.18, 0.18);
@@ -396,7 +396,7 @@ class MpcLawTest {
     @Test
     void whatItSaysEndsWhereItArrives() {
         goTo(0.5, 0, moving(THERE, 0.3, 0));
-        List<Point2d> way = mpc.way();
+        List<Point2d> way = mpc.predictedTrajectory();
         assertThat(way.getLast().distanceTo(new Point2d(0.5, 0))).isLessThan(0.15);
         assertThat(way.get(way.size() - 2).distanceTo(new Point2d(0.5, 0))).isGreaterThanOrEqualTo(0.15);
     }
@@ -418,7 +418,7 @@ class MpcLawTest {
         double angle = enclosed ? Math.atan2(y, x) : turned(way, Pose2d.ORIGIN);
         var filter = new VelocityFilter(BOX, LIMITS, 0.2);
         assertThat(command).isEqualTo(filter.turn(angle, Twist2d.STOP, obstacles));
-        assertThat(mpc.way()).isEqualTo(filter.way());
+        assertThat(mpc.predictedTrajectory()).isEqualTo(filter.predictedTrajectory());
     }
 
     @Test
@@ -449,11 +449,11 @@ class MpcLawTest {
         Twist2d wanted = Twist2d.drive(0.6, 0.2);
         Twist2d safe = filter.guarded(wanted, motion.velocity(), obstacles);
         assertThat(mpc.guarded(obstacles, wanted, motion)).isEqualTo(safe).isNotEqualTo(wanted);
-        assertThat(mpc.way()).isEqualTo(filter.way());
+        assertThat(mpc.predictedTrajectory()).isEqualTo(filter.predictedTrajectory());
         obstacles.clear();
         goTo(3, 0, motion);
-        assertThat(mpc.way()).isNotEmpty();
+        assertThat(mpc.predictedTrajectory()).isNotEmpty();
         mpc.reset();
-        assertThat(mpc.way()).isEmpty();
+        assertThat(mpc.predictedTrajectory()).isEmpty();
     }
 }

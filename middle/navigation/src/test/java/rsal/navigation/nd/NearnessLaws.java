@@ -101,10 +101,10 @@ public abstract class NearnessLaws {
         assertThat(controller.guarded(obstacles, wanted, motion))
                 .isEqualTo(safe)
                 .isNotEqualTo(wanted);
-        assertThat(controller.way()).isEqualTo(filter.way());
+        assertThat(controller.predictedTrajectory()).isEqualTo(filter.predictedTrajectory());
         controller.guarded(new Obstacles(5), wanted, motion);
-        assertThat(controller.way()).isNotEmpty();
+        assertThat(controller.predictedTrajectory()).isNotEmpty();
         controller.reset();
-        assertThat(controller.way()).isEmpty();
+        assertThat(controller.predictedTrajectory()).isEmpty();
     }
 }
