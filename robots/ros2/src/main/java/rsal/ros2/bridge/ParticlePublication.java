@@ -44,8 +44,11 @@ final class ParticlePublication {
 
     private void tell(Stamped<ParticleCloud> cloud) {
         told = cloud.time();
-        clouds.publish(
-                CloudMessage.write(writer.clear(), cloud.time(), outlet.frames().map(), cloud.value())
-                        .toBytes());
+        clouds.publish(CloudMessage.write(
+                        writer.clear(),
+                        outlet.stamp(cloud.time()),
+                        outlet.frames().map(),
+                        cloud.value())
+                .toBytes());
     }
 }

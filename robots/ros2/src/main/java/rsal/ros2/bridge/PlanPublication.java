@@ -47,9 +47,12 @@ final class PlanPublication {
             if (!path.equals(told)) {
                 told = path;
                 toldAt = now;
-                paths.publish(
-                        PathMessage.write(writer.clear(), now, outlet.frames().map(), PathMessage.poses(path))
-                                .toBytes());
+                paths.publish(PathMessage.write(
+                                writer.clear(),
+                                outlet.stamp(now),
+                                outlet.frames().map(),
+                                PathMessage.poses(path))
+                        .toBytes());
             }
         }
     }

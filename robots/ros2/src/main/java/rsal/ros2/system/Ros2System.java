@@ -102,6 +102,14 @@ final class Ros2System implements RobotSystem {
         timeListener = listener;
     }
 
+    /// A simulator that waits is not to wait for robots to be found.
+    @Override
+    public void reached(Instant time) {
+        if (discovered.isDone() && !closed) {
+            clock.ifPresent(simulator -> simulator.reached(time));
+        }
+    }
+
     /// Robots are found and motors kept safe in real time, so also while that of the run stands.
     @Override
     public CompletionStage<List<Robot>> discover() {
