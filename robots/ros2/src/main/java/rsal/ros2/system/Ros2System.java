@@ -247,6 +247,8 @@ final class Ros2System implements RobotSystem {
                 present.put(robot, true);
                 robot.join();
             });
+            // so that a simulator that waits does so from now on, as a run takes a while to begin
+            clock.ifPresent(simulator -> simulator.reached(scheduler.instant()));
             discovered.complete(ready.stream().map(RosRobot::robot).toList());
         } else if (isTooLate) {
             discovered.completeExceptionally(new IOException(missing(endpoints)));

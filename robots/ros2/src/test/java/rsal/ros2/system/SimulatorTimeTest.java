@@ -140,11 +140,12 @@ class SimulatorTimeTest {
         clockIsThere();
         advance(3, 1);
         assertThat(found).isCompleted();
+        assertThat(reached).as("as the run is about to begin").hasSize(1);
         system.reached(Instant.ofEpochSecond(9, 5));
-        assertThat(reached).containsExactly(9_000_000_005L);
+        assertThat(reached).last().isEqualTo(9_000_000_005L);
         system.close();
         system.reached(Instant.ofEpochSecond(10));
-        assertThat(reached).hasSize(1);
+        assertThat(reached).hasSize(2);
     }
 
     @Test
