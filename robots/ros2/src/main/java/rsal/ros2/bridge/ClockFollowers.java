@@ -89,7 +89,7 @@ final class ClockFollowers {
         clock.publish(bytes);
     }
 
-    /// The time begins again. Who follows says anew what it has reached.
+    /// The time begins again. Programs that follow say again what they have reached.
     void restart() {
         reached.clear();
         tooSlow.clear();
