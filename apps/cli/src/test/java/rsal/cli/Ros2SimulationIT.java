@@ -41,8 +41,8 @@ class Ros2SimulationIT {
     private static List<String> answers(String printed) {
         var answers = new ArrayList<String>();
         for (String line : printed.lines().toList()) {
-            JsonNode told = JsonMapper.shared().readTree(line);
-            answers.add(told.get(0).asString() + " " + told.get(1));
+            JsonNode reported = JsonMapper.shared().readTree(line);
+            answers.add(reported.get(0).asString() + " " + reported.get(1));
         }
         return answers;
     }
@@ -54,8 +54,8 @@ class Ros2SimulationIT {
         Process robots = new Rsal(folder)
                 .inEnvironment(Map.of("ROS_DOMAIN_ID", domain))
                 .start("bridge", "ros2", "hunt-and-prey", "--no-agents", "--seed", "7", "--json");
-        try (BufferedReader told = robots.inputReader()) {
-            assertThat(told.readLine()).contains("/prey_1/odom");
+        try (BufferedReader reported = robots.inputReader()) {
+            assertThat(reported.readLine()).contains("/prey_1/odom");
             List<String> answers = answers(OfficialPython.run(script(), domain, version, NEW_SPAWNABLES));
             assertThat(answers)
                     .containsSubsequence(

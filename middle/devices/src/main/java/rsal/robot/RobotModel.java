@@ -476,11 +476,11 @@ public record RobotModel(
                 double y = baseFromJoint.y();
                 return switch (joint) {
                     case LINEAR -> {
-                        double way = moved * StrictMath.cos(slope);
+                        double distance = moved * StrictMath.cos(slope);
                         yield new Shift(
                                 new Pose2d(
-                                        way * StrictMath.cos(baseFromJoint.theta()),
-                                        way * StrictMath.sin(baseFromJoint.theta()),
+                                        distance * StrictMath.cos(baseFromJoint.theta()),
+                                        distance * StrictMath.sin(baseFromJoint.theta()),
                                         0),
                                 moved * StrictMath.sin(slope));
                     }

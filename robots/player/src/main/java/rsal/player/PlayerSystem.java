@@ -84,9 +84,9 @@ final class PlayerSystem implements RobotSystem {
         if (closed) {
             return CompletableFuture.failedStage(new IllegalStateException("This robot system is closed."));
         }
-        berths.values().stream().flatMap(berth -> berth.servers().stream()).forEach(this::server);
+        berths.values().stream().flatMap(address -> address.servers().stream()).forEach(this::server);
         List<CompletableFuture<Robot>> found = berths.entrySet().stream()
-                .map(berth -> find(berth.getKey(), berth.getValue()).toCompletableFuture())
+                .map(address -> find(address.getKey(), address.getValue()).toCompletableFuture())
                 .toList();
         CompletionStage<Void> seen = overseer.map(this::oversee).orElse(CompletableFuture.completedStage(null));
         return seen.thenCompose(_ -> waiting.late() ? early(found) : complete(found));
@@ -131,13 +131,13 @@ final class PlayerSystem implements RobotSystem {
                 return false;
             }
             if (error == null) {
-                changes.tell(new Change.Appeared(robot));
+                changes.publish(new Change.Appeared(robot));
                 join(robot);
                 return true;
             }
             String why = "It can't join: " + RemoteServer.words(error);
             if (!why.equals(reported)) {
-                changes.tell(new Change.Gone(spec.id(), why));
+                changes.publish(new Change.Gone(spec.id(), why));
             }
             scheduler.after(RETRY, () -> {
                 if (!closed) {
@@ -182,13 +182,13 @@ final class PlayerSystem implements RobotSystem {
                 stages.stream().map(CompletionStage::toCompletableFuture).toArray(CompletableFuture[]::new));
     }
 
-    private CompletionStage<Robot> find(RobotSpec spec, ServerAddress berth) {
-        List<RemoteServer> its = berth.servers().stream().map(servers::get).toList();
+    private CompletionStage<Robot> find(RobotSpec spec, ServerAddress address) {
+        List<RemoteServer> its = address.servers().stream().map(servers::get).toList();
         CompletionStage<Void> known = all(its.stream().map(this::known).toList());
         return known.thenCompose(_ -> {
                     RemoteRobot robot;
                     try {
-                        robot = new RemoteRobot(spec, its, before(spec, berth), watchdog, armed, scheduler);
+                        robot = new RemoteRobot(spec, its, before(spec, address), watchdog, armed, scheduler);
                     } catch (IOException e) {
                         return CompletableFuture.failedStage(e);
                     }
@@ -211,10 +211,10 @@ final class PlayerSystem implements RobotSystem {
 
     /// Models of the robots that its servers have before it; those that are not ours are believed to be like
     /// it.
-    private List<RobotModel> before(RobotSpec spec, ServerAddress berth) {
-        return IntStream.range(0, berth.index())
+    private List<RobotModel> before(RobotSpec spec, ServerAddress address) {
+        return IntStream.range(0, address.index())
                 .mapToObj(index -> berths.entrySet().stream()
-                        .filter(other -> other.getValue().equals(new ServerAddress(berth.servers(), index)))
+                        .filter(other -> other.getValue().equals(new ServerAddress(address.servers(), index)))
                         .map(other -> other.getKey().model())
                         .findFirst()
                         .orElse(spec.model()))
@@ -224,9 +224,9 @@ final class PlayerSystem implements RobotSystem {
     /// It is there as long as all of its servers are.
     private void changed(Robot robot, List<RemoteServer> its, Optional<String> lost) {
         if (lost.isPresent()) {
-            changes.tell(new Change.Gone(robot.id(), lost.get()));
+            changes.publish(new Change.Gone(robot.id(), lost.get()));
         } else if (its.stream().allMatch(RemoteServer::isConnected)) {
-            changes.tell(new Change.Appeared(robot));
+            changes.publish(new Change.Appeared(robot));
         }
     }
 

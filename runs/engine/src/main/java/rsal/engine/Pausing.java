@@ -108,7 +108,7 @@ final class Pausing {
         wanted = Math.max(0, wanted - 1);
         stepping.ifPresent(steps -> {
             steps.made++;
-            steps.goal.tell(new Stamped<>(clock.instant(), "", steps.made));
+            steps.goal.publish(new Stamped<>(clock.instant(), "", steps.made));
             if (steps.made >= steps.count) {
                 endStepping();
             }

@@ -114,7 +114,7 @@ final class RunLoop {
             case WALL -> new WallScheduler(name, this.helpers, this::breaksOnItsThread, phaseTimes, drivenTime);
         };
         this.clock = new RunClock(scheduler);
-        this.eventLog = new EventLog(clock::elapsed, eventViewers::tell, monitors.observer());
+        this.eventLog = new EventLog(clock::elapsed, eventViewers::publish, monitors.observer());
         this.metrics = new MetricsObserver(plan, eventLog, clock);
         this.traffic = new Traffic(eventLog, metrics, plan.communication().isPresent());
         this.pacer = new Pacer(System::nanoTime, plan.clock() == RunPlan.Clock.WALL ? 1 : plan.speed());

@@ -166,7 +166,7 @@ public final class BridgeCommand extends Subcommand {
         RunPlan plan = noAgents ? asked.unmanned() : asked;
         checkServices(plan);
         checkPace(provider, plan);
-        tellNotes(plan);
+        printNotes(plan);
         return RunCommand.exit(page ? runWithPage(plan, provider, at) : run(plan, provider, at));
     }
 
@@ -176,7 +176,7 @@ public final class BridgeCommand extends Subcommand {
             offer(run, provider, at);
             RunResult result = new Progress(err(), false).await(run);
             ending.checkNoSignal();
-            tell(plan, result);
+            printResult(plan, result);
             return result;
         }
     }
@@ -190,13 +190,13 @@ public final class BridgeCommand extends Subcommand {
 
             @Override
             public void ended(LiveRun run, RunResult result) {
-                tell(run.plan(), result);
+                printResult(run.plan(), result);
             }
         });
     }
 
     private void offer(LiveRun run, BridgeProvider provider, InetSocketAddress at) throws Exception {
-        tell(
+        printResult(
                 at,
                 run.operator()
                         .bridge(provider, at, timeout.limit(), isPaced())
@@ -204,7 +204,7 @@ public final class BridgeCommand extends Subcommand {
                         .get());
     }
 
-    private void tell(RunPlan plan, RunResult result) {
+    private void printResult(RunPlan plan, RunResult result) {
         if (!json) { // that is what was offered
             print(plan, result);
         }
@@ -268,7 +268,7 @@ public final class BridgeCommand extends Subcommand {
         }
     }
 
-    private void tell(InetSocketAddress at, Answer answer) {
+    private void printAnswer(InetSocketAddress at, Answer answer) {
         switch (answer) {
             case Answer.Bridged(List<ExportedDevice> offers) -> {
                 if (json) {

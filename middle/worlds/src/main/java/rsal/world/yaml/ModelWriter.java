@@ -103,15 +103,15 @@ final class ModelWriter {
         var mounts = new LinkedHashMap<String, Object>();
         var sensors = new LinkedHashMap<String, Object>();
         model.sensors().forEach((device, part) -> {
-            var told = PartWriter.write(part);
-            var mount = new ArrayList<>(SceneWriter.pose(told.mount(), 0));
+            var properties = PartWriter.write(part);
+            var mount = new ArrayList<>(SceneWriter.pose(properties.mount(), 0));
             Double height = model.heights().get(device);
             if (height != null) {
                 mount.add(height);
             }
             String carrier = model.carriers().get(device);
             mounts.put(device, carrier == null ? mount : onActuator(carrier, mount));
-            sensors.put(device, partName(part.name(), told.settings()));
+            sensors.put(device, partName(part.name(), properties.settings()));
         });
         if (!sensors.isEmpty()) {
             written.put("mounts", mounts);
@@ -161,16 +161,16 @@ final class ModelWriter {
                 "maxTurnAcceleration",
                 new Axis(degrees(drive.turn().speed()), degrees(drive.turn().acceleration())));
         OdometryNoise noise = drive.odometryNoise();
-        var told = new LinkedHashMap<String, Object>();
-        told.put("distancePerMeter", noise.distancePerMeter());
-        told.put("headingPerMeter", YamlText.degrees(noise.headingPerMeter()));
-        told.put(
+        var properties = new LinkedHashMap<String, Object>();
+        properties.put("distancePerMeter", noise.distancePerMeter());
+        properties.put("headingPerMeter", YamlText.degrees(noise.headingPerMeter()));
+        properties.put(
                 "headingPerDegree",
                 YamlText.inverse(
                         noise.headingPerRadian(),
                         root -> ROOT_OF_DEGREE * root,
                         noise.headingPerRadian() / ROOT_OF_DEGREE));
-        written.put("odometryNoise", told);
+        written.put("odometryNoise", properties);
         return written;
     }
 

@@ -49,10 +49,10 @@ final class CameraPublication {
     }
 
     static void begin(Camera camera, RobotOutlet outlet) {
-        outlet.keep(camera.subscribe(new CameraPublication(camera, outlet)::tell));
+        outlet.keep(camera.subscribe(new CameraPublication(camera, outlet)::publish));
     }
 
-    private void tell(Stamped<CameraImage> reading) {
+    private void publish(Stamped<CameraImage> reading) {
         if (outlet.robot().model().sensors().get(name) instanceof Part.Registered part
                 && outlet.mountCamera(reading.time(), name, part.baseFromDevice())) {
             outlet.publishMounts(reading.time());
@@ -62,12 +62,12 @@ final class CameraPublication {
         }
         published = reading.time();
         CameraImage image = reading.value();
-        tell(color, reading, "rgb8", 3, image.rgb());
-        tell(depth, reading, "16UC1", 2, image.depth());
+        publish(color, reading, "rgb8", 3, image.rgb());
+        publish(depth, reading, "16UC1", 2, image.depth());
     }
 
     /// @param pixel its size [bytes]
-    private void tell(Stream stream, Stamped<CameraImage> reading, String encoding, int pixel, byte[] data) {
+    private void publish(Stream stream, Stamped<CameraImage> reading, String encoding, int pixel, byte[] data) {
         CameraImage image = reading.value();
         if (outlet.isHeard(stream.infoTopic)) {
             stream.infos.publish(info(reading.time(), image));

@@ -23,7 +23,7 @@ final class CostPublication {
     private final RobotOutlet outlet;
     private final RosTopic topic;
     private final Publication grids;
-    private Optional<OccupancyGrid> told = Optional.empty();
+    private Optional<OccupancyGrid> reported = Optional.empty();
     private Instant looked = Instant.MIN;
 
     private CostPublication(Navigator navigator, RobotOutlet outlet) {
@@ -48,14 +48,14 @@ final class CostPublication {
         if (!looked.plus(PERIOD).isAfter(now) && outlet.isHeard(topic)) {
             looked = now;
             navigator.costMap().filter(this::isNew).ifPresent(costs -> {
-                told = Optional.of(costs);
+                reported = Optional.of(costs);
                 grids.publish(messages.map(now, costs, outlet.frames().map()));
             });
         }
     }
 
     private boolean isNew(OccupancyGrid costs) {
-        return told.filter(before -> before.width() == costs.width()
+        return reported.filter(before -> before.width() == costs.width()
                         && before.originX() == costs.originX()
                         && before.originY() == costs.originY()
                         && Arrays.equals(before.cells(), costs.cells()))

@@ -28,17 +28,17 @@ final class GripperPublication {
     private static final class Flag {
         private final Predicate<GripperState> value;
         private final Publication publication;
-        private String told = "";
+        private String reported = "";
 
         Flag(Predicate<GripperState> value, Publication publication) {
             this.value = value;
             this.publication = publication;
         }
 
-        void tell(GripperState state, CdrWriter writer) {
+        void publish(GripperState state, CdrWriter writer) {
             boolean now = value.test(state);
-            if (!told.equals(Boolean.toString(now))) {
-                told = Boolean.toString(now);
+            if (!reported.equals(Boolean.toString(now))) {
+                reported = Boolean.toString(now);
                 publication.publish(writer.clear().bool(now).toBytes());
             }
         }
@@ -65,7 +65,7 @@ final class GripperPublication {
     static void begin(Gripper gripper, RobotOutlet outlet) {
         if (outlet.robot().model().sensors().get(gripper.info().name()) instanceof Part.Gripper part) {
             var publication = new GripperPublication(gripper, part, outlet);
-            outlet.keep(gripper.subscribe(publication::tell));
+            outlet.keep(gripper.subscribe(publication::publish));
         }
     }
 
@@ -84,9 +84,9 @@ final class GripperPublication {
     }
 
     /// Joints come last, as clients take the whole state then.
-    private void tell(Stamped<GripperState> reading) {
+    private void publish(Stamped<GripperState> reading) {
         GripperState state = reading.value();
-        flags.forEach(flag -> flag.tell(state, writer));
+        flags.forEach(flag -> flag.publish(state, writer));
         int count = part.hasLift() ? 2 : 1;
         RosMessages.write(writer.clear(), outlet.stamp(reading.time()))
                 .text("")

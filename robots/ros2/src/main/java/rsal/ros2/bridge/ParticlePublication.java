@@ -20,7 +20,7 @@ final class ParticlePublication {
     private final RobotOutlet outlet;
     private final RosTopic topic;
     private final Publication clouds;
-    private Instant told = Instant.MIN;
+    private Instant reported = Instant.MIN;
 
     private ParticlePublication(Localizer localizer, RobotOutlet outlet) {
         this.localizer = localizer;
@@ -38,12 +38,12 @@ final class ParticlePublication {
 
     private void look() {
         if (outlet.isHeard(topic)) {
-            localizer.particles().filter(cloud -> cloud.time().isAfter(told)).ifPresent(this::tell);
+            localizer.particles().filter(cloud -> cloud.time().isAfter(reported)).ifPresent(this::publish);
         }
     }
 
-    private void tell(Stamped<ParticleCloud> cloud) {
-        told = cloud.time();
+    private void publish(Stamped<ParticleCloud> cloud) {
+        reported = cloud.time();
         clouds.publish(CloudMessage.write(
                         writer.clear(),
                         outlet.stamp(cloud.time()),

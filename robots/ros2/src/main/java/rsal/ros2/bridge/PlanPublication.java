@@ -21,8 +21,8 @@ final class PlanPublication {
     private final RobotOutlet outlet;
     private final RosTopic topic;
     private final Publication paths;
-    private Path2d told = Path2d.EMPTY;
-    private Instant toldAt = Instant.MIN;
+    private Path2d reported = Path2d.EMPTY;
+    private Instant reportedAt = Instant.MIN;
 
     private PlanPublication(Navigator navigator, RobotOutlet outlet) {
         this.navigator = navigator;
@@ -41,12 +41,12 @@ final class PlanPublication {
     }
 
     private void look(Instant now) {
-        boolean isDue = !toldAt.plus(PERIOD).isAfter(now);
+        boolean isDue = !reportedAt.plus(PERIOD).isAfter(now);
         if (isDue && outlet.isHeard(topic)) {
             Path2d path = navigator.path();
-            if (!path.equals(told)) {
-                told = path;
-                toldAt = now;
+            if (!path.equals(reported)) {
+                reported = path;
+                reportedAt = now;
                 paths.publish(PathMessage.write(
                                 writer.clear(),
                                 outlet.stamp(now),

@@ -55,13 +55,13 @@ final class PublishedModel {
             Publication frames =
                     link.advertise(new RosTopic(namespace + "/tf", "tf2_msgs/msg/TFMessage"), Profile.DEFAULT);
             actuators.forEach((actuator, part) -> subscriptions.add(
-                    actuator.subscribe(reading -> tell(actuator.info().name(), part, reading, states, frames))));
+                    actuator.subscribe(reading -> publish(actuator.info().name(), part, reading, states, frames))));
             base.ifPresent(driven ->
-                    subscriptions.add(driven.subscribe(reading -> tell(its.orElseThrow(), reading, states, frames))));
+                    subscriptions.add(driven.subscribe(reading -> publish(its.orElseThrow(), reading, states, frames))));
         }
     }
 
-    private void tell(Wheels its, Stamped<Odometry> reading, Publication states, Publication frames) {
+    private void publish(Wheels its, Stamped<Odometry> reading, Publication states, Publication frames) {
         wheels = wheels.or(() -> Optional.of(new WheelJoints(robot.model().drive(), its, reading)));
         Map<String, ActuatorState> turned = wheels.orElseThrow().turn(reading);
         joints.putAll(turned);
@@ -75,7 +75,7 @@ final class PublishedModel {
         frames.publish(messages.transforms(transforms));
     }
 
-    private void tell(
+    private void publish(
             String name, Part.Actuator part, Stamped<ActuatorState> reading, Publication states, Publication frames) {
         joints.put(name, reading.value());
         states.publish(messages.joints(reading.time(), joints));

@@ -52,7 +52,7 @@ final class PublishedNavigator implements ActionServer.Handler {
         }
         GoalHandle<Progress, Result> drive = navigator.goTo(mapFromGoal.get(), TOLERANCE);
         drives.put(goal, drive);
-        drive.onFeedback(told -> goal.tell(writer -> write(writer, told)));
+        drive.onFeedback(reported -> goal.publishFeedback(writer -> write(writer, reported)));
         drive.result().thenAccept(ending -> {
             drives.remove(goal);
             NavigationEnding end = NavigationEnding.of(ending, goal.isCanceling());
@@ -66,9 +66,9 @@ final class PublishedNavigator implements ActionServer.Handler {
     }
 
     /// `NavigateToPose_Feedback`
-    private void write(CdrWriter writer, Stamped<Progress> told) {
-        Progress progress = told.value();
-        RosMessages.write(writer, time.stamp(told.time())).text(MAP);
+    private void write(CdrWriter writer, Stamped<Progress> reported) {
+        Progress progress = reported.value();
+        RosMessages.write(writer, time.stamp(reported.time())).text(MAP);
         RosMessages.write(writer, FrameTransform.of(progress.mapFromBase()));
         Duration driving = progress.driving();
         writer.int32((int) driving.toSeconds()).int32(driving.toNanosPart());

@@ -107,9 +107,9 @@ final class PublishedRoute implements ActionServer.Handler {
             leg = Optional.empty();
             GoalHandle<Progress, Result> now = navigator.goTo(poses.get(next), isLast() ? LAST : BETWEEN);
             leg = Optional.of(now);
-            now.onFeedback(told -> {
+            now.onFeedback(reported -> {
                 if (isNow(now)) {
-                    tell(told);
+                    publish(reported);
                 }
             });
             now.result().thenAccept(ending -> {
@@ -123,9 +123,9 @@ final class PublishedRoute implements ActionServer.Handler {
             return leg.filter(handle::equals).isPresent();
         }
 
-        private void tell(Stamped<Progress> told) {
-            goal.tell(writer -> write(writer, told));
-            if (!isLast() && told.value().mapFromBase().distanceTo(poses.get(next)) < PASSED) {
+        private void publish(Stamped<Progress> reported) {
+            goal.publishFeedback(writer -> write(writer, reported));
+            if (!isLast() && reported.value().mapFromBase().distanceTo(poses.get(next)) < PASSED) {
                 next++;
                 drive();
             }
@@ -152,11 +152,11 @@ final class PublishedRoute implements ActionServer.Handler {
         }
 
         /// `NavigateThroughPoses_Feedback`
-        private void write(CdrWriter writer, Stamped<Progress> told) {
-            Progress progress = told.value();
-            RosMessages.write(writer, time.stamp(told.time())).text(MAP);
+        private void write(CdrWriter writer, Stamped<Progress> reported) {
+            Progress progress = reported.value();
+            RosMessages.write(writer, time.stamp(reported.time())).text(MAP);
             RosMessages.write(writer, FrameTransform.of(progress.mapFromBase()));
-            Duration driving = Duration.between(begun, told.time());
+            Duration driving = Duration.between(begun, reported.time());
             writer.int32((int) driving.toSeconds()).int32(driving.toNanosPart());
             writer.int32(0).int32(0); // how long it will still take is not known
             writer.int16((short) 0).float32((float) remaining(progress)).int16((short) (poses.size() - next));

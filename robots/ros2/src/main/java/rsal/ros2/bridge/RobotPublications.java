@@ -62,10 +62,10 @@ final class RobotPublications {
 
     private void publish(DriveBase base) {
         Publication odometry = outlet.advertise(base, "odom", "nav_msgs/msg/Odometry", Profile.DEFAULT);
-        outlet.keep(base.subscribe(reading -> tellOdometry(odometry, reading)));
+        outlet.keep(base.subscribe(reading -> publishOdometry(odometry, reading)));
     }
 
-    private void tellOdometry(Publication odometry, Stamped<Odometry> reading) {
+    private void publishOdometry(Publication odometry, Stamped<Odometry> reading) {
         Pose2d pose = reading.value().odomFromBase();
         odomFromBase = Optional.of(pose);
         odometry.publish(messages.odometry(reading.time(), reading.value(), frames.odom(), frames.base()));
@@ -78,10 +78,10 @@ final class RobotPublications {
 
     private void publish(LaserScanner laser, String name) {
         Publication scans = outlet.advertise(laser, name, "sensor_msgs/msg/LaserScan", Profile.DEFAULT);
-        outlet.keep(laser.subscribe(reading -> tellScan(scans, laser.info().name(), reading)));
+        outlet.keep(laser.subscribe(reading -> publishScan(scans, laser.info().name(), reading)));
     }
 
-    private void tellScan(Publication scans, String name, Stamped<LaserScan> reading) {
+    private void publishScan(Publication scans, String name, Stamped<LaserScan> reading) {
         if (outlet.mount(reading.time(), name, reading.value().baseFromLaser())) {
             outlet.publishMounts(reading.time());
         }
@@ -119,10 +119,10 @@ final class RobotPublications {
     private void publish(Localizer localizer) {
         Publication poses = outlet.advertise(
                 localizer, "amcl_pose", "geometry_msgs/msg/PoseWithCovarianceStamped", Profile.LATCHED);
-        outlet.keep(localizer.subscribe(reading -> tellPose(poses, reading)));
+        outlet.keep(localizer.subscribe(reading -> publishPose(poses, reading)));
     }
 
-    private void tellPose(Publication poses, Stamped<PoseEstimate> reading) {
+    private void publishPose(Publication poses, Stamped<PoseEstimate> reading) {
         poses.publish(messages.pose(reading.time(), reading.value(), frames.map()));
         odomFromBase.ifPresent(pose -> transform(
                 reading.time(),

@@ -207,7 +207,7 @@ final class RunServices implements ActionServer.Handler {
         long each = Math.max(1, wanted / MOST_FEEDBACK);
         steps.onFeedback(made -> {
             if (made.value() % each == 0) {
-                goal.tell(told -> told.int64(made.value()).int64(wanted - made.value()));
+                goal.publishFeedback(reported -> reported.int64(made.value()).int64(wanted - made.value()));
             }
         });
         steps.result().thenAccept(made -> end(goal, made, wanted));

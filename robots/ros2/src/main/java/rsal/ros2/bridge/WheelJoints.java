@@ -40,10 +40,10 @@ final class WheelJoints {
                 last.value().odomFromBase().inverse().compose(reading.value().odomFromBase());
         double turned = Angles.wrap(step.theta());
         // the chord of the arc on which the robot drives, which is so short that it is as long
-        double way = step.x() * Math.cos(turned / 2) + step.y() * Math.sin(turned / 2);
-        if (isDriven(way, turned, last.time(), reading.time())) {
-            left += (way - turned * wheels.track() / 2) / wheels.radius();
-            right += (way + turned * wheels.track() / 2) / wheels.radius();
+        double distance = step.x() * Math.cos(turned / 2) + step.y() * Math.sin(turned / 2);
+        if (isDriven(distance, turned, last.time(), reading.time())) {
+            left += (distance - turned * wheels.track() / 2) / wheels.radius();
+            right += (distance + turned * wheels.track() / 2) / wheels.radius();
         }
         last = reading;
         Twist2d velocity = reading.value().velocity();
@@ -55,10 +55,10 @@ final class WheelJoints {
     }
 
     /// Whether that is what the drive can do, and not odometry that was set.
-    private boolean isDriven(double way, double turned, Instant from, Instant to) {
+    private boolean isDriven(double distance, double turned, Instant from, Instant to) {
         double seconds = Duration.between(from, to).toNanos() / 1e9;
         double twice = 2 * Math.max(seconds, 0.05);
-        return Math.abs(way) <= twice * drive.forward().speed().reach()
+        return Math.abs(distance) <= twice * drive.forward().speed().reach()
                 && Math.abs(turned) <= twice * drive.maxTurnRate();
     }
 

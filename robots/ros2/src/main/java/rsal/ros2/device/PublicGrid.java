@@ -54,12 +54,12 @@ final class PublicGrid {
             MapMessage.of(message, meaning).ifPresent(map -> {
                 stamp = when;
                 updated = 0;
-                tell(map, stamp);
+                publish(map, stamp);
             });
         }
     }
 
-    private void tell(OccupancyGrid map, long when) {
+    private void publish(OccupancyGrid map, long when) {
         newest = Optional.of(map);
         listener.accept(map, when);
     }
@@ -75,7 +75,7 @@ final class PublicGrid {
         changed.ifPresent(map -> {
             updated = Math.max(updated, when);
             resets = clock.resets();
-            tell(map, when == 0 ? stamp : when);
+            publish(map, when == 0 ? stamp : when);
         });
         if (changed.isEmpty() && damaged++ == 0) {
             LOG.log(

@@ -89,7 +89,7 @@ final class RosBumper extends RosSensor<BumperState> implements Bumper {
             all.add(pressed.get(i));
         }
         repeated = frames.now();
-        tell(repeated, new BumperState(baseFromBumpers, all));
+        publish(repeated, new BumperState(baseFromBumpers, all));
     }
 
     /// @param silent of the topics that nobody publishes, for people

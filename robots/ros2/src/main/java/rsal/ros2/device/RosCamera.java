@@ -33,7 +33,7 @@ final class RosCamera extends RosSensor<CameraImage> implements Camera {
     private final RobotClock clock;
     private double focalLength; // px; 0 as long as nobody has told
     private long damaged; // images
-    private int toldWidth; // px, of images of that focal length
+    private int reportedWidth; // px, of images of that focal length
     private final Deque<Taken> colors = new ArrayDeque<>(); // without depth yet
     private final Deque<Taken> depths = new ArrayDeque<>(); // without color yet
     private final Deque<Compressed> compressedDepths = new ArrayDeque<>(); // also
@@ -81,7 +81,7 @@ final class RosCamera extends RosSensor<CameraImage> implements Camera {
         long width = message.integer("width");
         if (focal > 0 && Double.isFinite(focal) && width > 0 && width <= ImageMessage.LONGEST) {
             focalLength = focal;
-            toldWidth = (int) width;
+            reportedWidth = (int) width;
         }
     }
 
@@ -198,8 +198,8 @@ final class RosCamera extends RosSensor<CameraImage> implements Camera {
         }
         byte[] millimeters =
                 depth.flatMap(taken -> taken.image.depth(width, height)).orElseGet(() -> new byte[2 * width * height]);
-        double focal = focalLength > 0 ? focalLength * width / toldWidth : usualFocalLength;
+        double focal = focalLength > 0 ? focalLength * width / reportedWidth : usualFocalLength;
         heard(frames.now());
-        tell(clock.time(color.stamp), new CameraImage(width, height, focal, rgb.get(), millimeters));
+        publish(clock.time(color.stamp), new CameraImage(width, height, focal, rgb.get(), millimeters));
     }
 }

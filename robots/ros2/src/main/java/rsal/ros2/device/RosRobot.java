@@ -110,7 +110,7 @@ public final class RosRobot {
                 clock);
         var context = new RosContext(topics, link, types, scheduler, frames, clock, base, settings, random);
         motors = new MotorSwitch(spec.id(), link, topics.namespace(), safety);
-        base.onMotors(motors::tell);
+        base.onMotors(motors::publish);
         ends.add(motors::close);
         reported = new ReportedHealth(
                 topics.namespace(), link, scheduler, diagnostics.map(all -> all.robot(topics.namespace())));
@@ -158,12 +158,12 @@ public final class RosRobot {
 
     /// It is part of the run from now on, or again. Its emergency stop, if it has one, gets the state of its motors.
     public void join() {
-        motors.tell(base.enabled());
+        motors.publish(base.enabled());
     }
 
     /// Whether it has told where it is by its wheels, so that agents can begin.
     public boolean isReady() {
-        return base.hasTold();
+        return base.hasReported();
     }
 
     public Robot robot() {

@@ -198,7 +198,7 @@ final class Ros2System implements RobotSystem {
             if (isThere && wasKnown) {
                 robot.appear();
             }
-            changes.tell(
+            changes.publish(
                     isThere
                             ? new Change.Appeared(its)
                             : new Change.Gone(its.id(), "Nobody publishes its odometry any more."));

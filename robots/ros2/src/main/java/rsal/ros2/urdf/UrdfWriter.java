@@ -67,10 +67,10 @@ public final class UrdfWriter {
     /// @param position of its joint [m or rad]
     public static FrameTransform moved(RobotModel model, String device, Part.Actuator actuator, double position) {
         FrameTransform home = home(model, device, actuator);
-        double way = position - actuator.home();
+        double distance = position - actuator.home();
         FrameTransform motion = switch (actuator.joint()) {
-            case ROTATIONAL -> level(new Pose2d(0, 0, way), 0);
-            case LINEAR -> level(new Pose2d(way * Math.cos(actuator.slope()), 0, 0), way * Math.sin(actuator.slope()));
+            case ROTATIONAL -> level(new Pose2d(0, 0, distance), 0);
+            case LINEAR -> level(new Pose2d(distance * Math.cos(actuator.slope()), 0, 0), distance * Math.sin(actuator.slope()));
         };
         return home.compose(motion);
     }

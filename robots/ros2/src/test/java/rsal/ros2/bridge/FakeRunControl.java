@@ -23,7 +23,7 @@ import rsal.time.Scheduler;
 final class FakeRunControl implements RunControl {
     private final SimulationControl world;
     private final Scheduler scheduler;
-    final List<String> told = new ArrayList<>();
+    final List<String> reported = new ArrayList<>();
     boolean pausable = true;
     boolean paused;
     Optional<GoalSource<Long, Long>> steps = Optional.empty();
@@ -36,7 +36,7 @@ final class FakeRunControl implements RunControl {
     /// Steps are made of those that are wanted.
     void make(long... counts) {
         for (long count : counts) {
-            steps.orElseThrow().tell(new Stamped<>(scheduler.instant(), "", count));
+            steps.orElseThrow().publish(new Stamped<>(scheduler.instant(), "", count));
         }
     }
 
@@ -75,7 +75,7 @@ final class FakeRunControl implements RunControl {
 
     @Override
     public void end() {
-        told.add("end");
+        reported.add("end");
     }
 
     @Override
@@ -83,7 +83,7 @@ final class FakeRunControl implements RunControl {
         if (steps.isPresent()) {
             throw new IllegalStateException("busy");
         }
-        told.add("step " + count);
+        reported.add("step " + count);
         var goal = new GoalSource<Long, Long>(() -> end(0));
         steps = Optional.of(goal);
         return goal;
@@ -101,7 +101,7 @@ final class FakeRunControl implements RunControl {
 
     @Override
     public Placement spawn(String kind, String name, Pose2d mapFromEntity) {
-        told.add("spawn " + kind + " " + name);
+        reported.add("spawn " + kind + " " + name);
         return kind.equals("puck")
                 ? world.add(Thing.of(
                         name,
@@ -125,12 +125,12 @@ final class FakeRunControl implements RunControl {
 
     @Override
     public void removeSpawned() {
-        told.add("remove spawned");
+        reported.add("remove spawned");
     }
 
     @Override
     public List<String> restore() {
-        told.add("restore");
-        return told.contains("remove b1") ? List.of("b1") : List.of();
+        reported.add("restore");
+        return reported.contains("remove b1") ? List.of("b1") : List.of();
     }
 }

@@ -356,7 +356,7 @@ class SimulationServerTest extends RobotBench {
         assertThat(control.paused).isFalse();
         assertThat(code(set(77))).isEqualTo(103);
         assertThat(code(set(3))).isEqualTo(1);
-        assertThat(control.told).endsWith("end");
+        assertThat(control.reported).endsWith("end");
         control.pausable = false;
         assertThat(code(set(2))).isZero();
         assertThat(code(set(0))).isZero();
@@ -365,11 +365,11 @@ class SimulationServerTest extends RobotBench {
     /// As it was in the beginning: it is paused, and all is reset.
     @Test
     void itIsStoppedAndBeginsAgain() {
-        control.told.clear();
+        control.reported.clear();
         advance(1);
         assertThat(code(set(0))).isEqualTo(1);
         assertThat(control.paused).isTrue();
-        assertThat(control.told).containsExactly("remove spawned", "restore");
+        assertThat(control.reported).containsExactly("remove spawned", "restore");
         assertThat(state()).isZero();
         assertThat(times).last().isEqualTo(0L);
         assertThat(code(set(0))).isEqualTo(101);
@@ -417,7 +417,7 @@ class SimulationServerTest extends RobotBench {
                 .allSatisfy(each -> assertThat(each).isGreaterThan(3_900_000_000L));
         assertThat(code(call("ResetSimulation", Map.of("scope", 1L)))).isEqualTo(1);
         assertThat(times).last().isEqualTo(0L);
-        assertThat(control.told).doesNotContain("restore");
+        assertThat(control.reported).doesNotContain("restore");
         stamps.clear();
         drive(Twist2d.drive(0.3, 0), 1.2);
         assertThat(stamps.values())
@@ -447,18 +447,18 @@ class SimulationServerTest extends RobotBench {
 
     @Test
     void whatCanBeResetIs() {
-        control.told.clear();
+        control.reported.clear();
         assertThat(code(call("ResetSimulation", Map.of("scope", 4L)))).isEqualTo(1);
         assertThat(code(call("ResetSimulation", Map.of("scope", 2L)))).isEqualTo(1);
         assertThat(code(call("ResetSimulation", Map.of()))).isEqualTo(1);
-        assertThat(control.told).containsExactly("remove spawned", "restore", "remove spawned", "restore");
+        assertThat(control.reported).containsExactly("remove spawned", "restore", "remove spawned", "restore");
         assertThat(code(call("ResetSimulation", Map.of("scope", 1L)))).isEqualTo(1);
-        assertThat(control.told).hasSize(4);
+        assertThat(control.reported).hasSize(4);
         assertThat(code(call("ResetSimulation", Map.of("scope", 255L)))).isEqualTo(1);
-        assertThat(control.told).hasSize(6);
+        assertThat(control.reported).hasSize(6);
         assertThat(code(call("ResetSimulation", Map.of("scope", 8L)))).isEqualTo(4);
-        assertThat(control.told).hasSize(6);
-        control.told.add("remove b1");
+        assertThat(control.reported).hasSize(6);
+        control.reported.add("remove b1");
         RosMessage response = call("ResetSimulation", Map.of());
         assertThat(code(response)).isEqualTo(4);
         assertThat(why(response)).isEqualTo("All is back but what was deleted: b1.");
@@ -501,7 +501,7 @@ class SimulationServerTest extends RobotBench {
 
     @Test
     void theActionTellsHowItGetsOn() {
-        var told = new ArrayList<Long>();
+        var reported = new ArrayList<Long>();
         there.subscribe(
                 new RosTopic("/rsal/simulate_steps/_action/feedback", ACTION + "_FeedbackMessage"),
                 Profile.DEFAULT,
@@ -510,8 +510,8 @@ class SimulationServerTest extends RobotBench {
                     bytes.get(copy);
                     RosMessage feedback =
                             read(ACTION + "_FeedbackMessage", copy).message("feedback");
-                    told.add(feedback.integer("completed_steps"));
-                    told.add(feedback.integer("remaining_steps"));
+                    reported.add(feedback.integer("completed_steps"));
+                    reported.add(feedback.integer("remaining_steps"));
                 });
         assertThat(ending(simulate(1, 5))).containsExactly(6L, 3L); // it is not paused
         control.paused = true;
@@ -521,13 +521,13 @@ class SimulationServerTest extends RobotBench {
         assertThat(result).isNotDone();
         control.end(3);
         assertThat(ending(result)).containsExactly(4L, 1L);
-        assertThat(told).containsExactly(1L, 2L, 2L, 1L, 3L, 0L);
-        told.clear();
+        assertThat(reported).containsExactly(1L, 2L, 2L, 1L, 3L, 0L);
+        reported.clear();
         result = simulate(4, 1_000);
         for (long i = 1; i <= 1_000; i++) {
             control.make(i);
         }
-        assertThat(told).as("every tenth").hasSize(200);
+        assertThat(reported).as("every tenth").hasSize(200);
         var _ = ask("/rsal/simulate_steps/_action/cancel_goal", new byte[] {0, 1, 0, 0});
         assertThat(ending(result)).as("canceled").containsExactly(5L, 4L);
     }

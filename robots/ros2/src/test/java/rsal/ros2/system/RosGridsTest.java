@@ -44,8 +44,8 @@ class RosGridsTest {
     private final Logger log = Logger.getLogger("rsal.ros2.device.PublicGrid");
     private final Handler noting = new Handler() {
         @Override
-        public void publish(LogRecord told) {
-            warnings.add(told.getMessage());
+        public void publish(LogRecord reported) {
+            warnings.add(reported.getMessage());
         }
 
         @Override
@@ -87,11 +87,11 @@ class RosGridsTest {
         }
     }
 
-    private void tell(Publication grids, byte... cells) {
-        tell(grids, run.instant(), cells);
+    private void publish(Publication grids, byte... cells) {
+        publish(grids, run.instant(), cells);
     }
 
-    private void tell(Publication grids, Instant stamp, byte[] cells) {
+    private void publish(Publication grids, Instant stamp, byte[] cells) {
         var grid = new OccupancyGrid(cells.length / 2, 2, 0.05, 0, 0, cells);
         grids.publish(messages.map(stamp, grid, "map"));
         advance(0.1);
@@ -114,7 +114,7 @@ class RosGridsTest {
         assertThat(robot.require(Mapper.class).latest()).isEmpty();
         Instant before = run.instant();
         advance(0.1);
-        tell(maps, new byte[6]);
+        publish(maps, new byte[6]);
         byte[] first = map();
         update(updates, run.instant(), 1, 0, 2, (byte) 100, (byte) 0, (byte) -1, (byte) 100);
         assertThat(map()).containsExactly(0, 100, 0, 0, -1, 100);
@@ -122,7 +122,7 @@ class RosGridsTest {
         update(updates, before, 0, 0, 1, (byte) 100);
         assertThat(map()).as("the map is newer").containsExactly(0, 100, 0, 0, -1, 100);
         assertThat(warnings).isEmpty();
-        tell(maps, new byte[4]);
+        publish(maps, new byte[4]);
         assertThat(map()).containsExactly(0, 0, 0, 0);
     }
 
@@ -131,13 +131,13 @@ class RosGridsTest {
     void anOlderMapDoesNotUndoAnUpdate() {
         Instant old = run.instant();
         advance(0.1);
-        tell(maps, new byte[6]);
+        publish(maps, new byte[6]);
         update(updates, run.instant(), 0, 0, 1, (byte) 100);
-        tell(maps, old, new byte[6]);
+        publish(maps, old, new byte[6]);
         assertThat(map()).containsExactly(100, 0, 0, 0, 0, 0);
-        tell(maps, Instant.EPOCH, new byte[4]); // without a time
+        publish(maps, Instant.EPOCH, new byte[4]); // without a time
         assertThat(map()).containsExactly(0, 0, 0, 0);
-        tell(maps, old, new byte[6]);
+        publish(maps, old, new byte[6]);
         assertThat(map()).as("nothing was updated since").hasSize(6);
     }
 
@@ -145,18 +145,18 @@ class RosGridsTest {
     @Test
     void anOlderMapIsTakenWhenTheRobotsTimeWentBack() {
         advance(5);
-        tell(maps, new byte[6]);
+        publish(maps, new byte[6]);
         update(updates, run.instant(), 0, 0, 1, (byte) 100);
         odometry.publish(messages.odometry(
                 Instant.ofEpochSecond(1), new Odometry(Pose2d.ORIGIN, Twist2d.STOP, false), "odom", "base_link"));
         run.advance(Duration.ofMillis(50));
-        tell(maps, Instant.ofEpochSecond(1), new byte[4]);
+        publish(maps, Instant.ofEpochSecond(1), new byte[4]);
         assertThat(map()).containsExactly(0, 0, 0, 0);
     }
 
     @Test
     void updatesThatDoNotFitChangeNothingAndAreToldOnce() {
-        tell(maps, new byte[6]);
+        publish(maps, new byte[6]);
         for (int i = 0; i < 5; i++) {
             update(updates, run.instant(), 2, 1, 2, (byte) 100, (byte) 100);
             update(updates, run.instant(), -1, 0, 1, (byte) 100);
@@ -182,7 +182,7 @@ class RosGridsTest {
     void costsOfTheNavigatorComeFromTheFirstQuestionOn() {
         Publication grids = there.advertise(new RosTopic(COSTS, GRID), Profile.LATCHED);
         Publication changes = there.advertise(new RosTopic(COSTS + "_updates", UPDATE), Profile.DEFAULT);
-        tell(grids, (byte) 0, (byte) 50, (byte) 99, (byte) -1);
+        publish(grids, (byte) 0, (byte) 50, (byte) 99, (byte) -1);
         assertThat(wantsCosts()).isFalse();
         Navigator navigator = robot.require(Navigator.class);
         assertThat(navigator.costMap()).isEmpty();
