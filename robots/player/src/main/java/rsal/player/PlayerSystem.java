@@ -93,10 +93,11 @@ final class PlayerSystem implements RobotSystem {
     }
 
     private CompletionStage<List<Robot>> complete(List<CompletableFuture<Robot>> found) {
-        return all(found).thenApply(_ -> found.stream()
-                .map(CompletableFuture::join)
-                .map(this::join)
-                .toList());
+        return all(found)
+                .thenApply(_ -> found.stream()
+                        .map(CompletableFuture::join)
+                        .map(this::join)
+                        .toList());
     }
 
     /// Its motors are switched as the run wants them.

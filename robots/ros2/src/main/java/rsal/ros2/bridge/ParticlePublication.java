@@ -38,7 +38,10 @@ final class ParticlePublication {
 
     private void look() {
         if (outlet.isHeard(topic)) {
-            localizer.particles().filter(cloud -> cloud.time().isAfter(reported)).ifPresent(this::publish);
+            localizer
+                    .particles()
+                    .filter(cloud -> cloud.time().isAfter(reported))
+                    .ifPresent(this::publish);
         }
     }
 

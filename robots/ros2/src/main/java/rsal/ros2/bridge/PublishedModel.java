@@ -56,8 +56,8 @@ final class PublishedModel {
                     link.advertise(new RosTopic(namespace + "/tf", "tf2_msgs/msg/TFMessage"), Profile.DEFAULT);
             actuators.forEach((actuator, part) -> subscriptions.add(
                     actuator.subscribe(reading -> publish(actuator.info().name(), part, reading, states, frames))));
-            base.ifPresent(driven ->
-                    subscriptions.add(driven.subscribe(reading -> publish(its.orElseThrow(), reading, states, frames))));
+            base.ifPresent(driven -> subscriptions.add(
+                    driven.subscribe(reading -> publish(its.orElseThrow(), reading, states, frames))));
         }
     }
 

@@ -70,7 +70,8 @@ public final class UrdfWriter {
         double distance = position - actuator.home();
         FrameTransform motion = switch (actuator.joint()) {
             case ROTATIONAL -> level(new Pose2d(0, 0, distance), 0);
-            case LINEAR -> level(new Pose2d(distance * Math.cos(actuator.slope()), 0, 0), distance * Math.sin(actuator.slope()));
+            case LINEAR ->
+                level(new Pose2d(distance * Math.cos(actuator.slope()), 0, 0), distance * Math.sin(actuator.slope()));
         };
         return home.compose(motion);
     }
