@@ -67,7 +67,7 @@ class Ros2SimulationIT {
                                     + "\"robot_role\"]",
                             "values [true,0.5,\"prey-1\",\"pioneer2dx\",\"prey\"]",
                             "amcl [3,\"active\"]",
-                            "features [0,1,8,10,11,12,14,20,22,23,24,25,26,31,32,33]",
+                            "features [0,1,8,10,11,12,14,20,21,22,23,24,25,26,31,32,33]",
                             "SetSimulationState [1,\"\"]",
                             "state 2",
                             "standing 0.0",
@@ -85,6 +85,14 @@ class Ros2SimulationIT {
                             "entities [\"hunter-1\",\"hunter-2\",\"prey-1\",\"visitor\"]",
                             "ResetSimulation [1,\"\"]",
                             "entities [\"hunter-1\",\"hunter-2\",\"prey-1\"]",
+                            "ResetSimulation [1,\"\"]",
+                            "early true",
+                            "ResetSimulation [1,\"\"]",
+                            "SetSimulationState [1,\"\"]",
+                            "stopped [0,0.0]",
+                            "SetSimulationState [1,\"\"]",
+                            "StepSimulation [1,\"\"]",
+                            "began 0.5",
                             "SetSimulationState [1,\"\"]");
             assertThat(answers).anyMatch(line -> line.startsWith("GetEntityState [2,"));
             assertThat(answers)

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import rsal.data.ActuatorState.Joint;
 import rsal.data.Footprint;
 import rsal.data.Interval;
@@ -184,7 +185,13 @@ public record RobotModel(
     /// What a drive can do at all.
     public sealed interface Steering {
         /// Forward, and turning, also in place.
-        record Differential() implements Steering {}
+        ///
+        /// @param wheels empty where the model does not have them
+        record Differential(Optional<Wheels> wheels) implements Steering {
+            public Differential() {
+                this(Optional.empty());
+            }
+        }
 
         /// In every direction and turning, all at once.
         record Omnidirectional() implements Steering {}
@@ -201,6 +208,12 @@ public record RobotModel(
             }
         }
     }
+
+    /// The two wheels of a differential drive, between which the base's origin is.
+    ///
+    /// @param radius [m]
+    /// @param track from the middle of one to that of the other [m]
+    public record Wheels(double radius, double track) {}
 
     /// What a drive can do in one direction and against it. Signed: the least speed is the fastest one backward,
     /// the least acceleration is what brakes on the way forward and speeds up on the way back.

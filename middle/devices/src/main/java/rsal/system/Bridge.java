@@ -1,7 +1,9 @@
 package rsal.system;
 
 import java.io.IOException;
+import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import rsal.robot.Robot;
 
 /// Robots that are offered to others. Called on the scheduler's thread.
@@ -23,6 +25,31 @@ public interface Bridge extends AutoCloseable {
     /// second.
     default boolean isBehind() {
         return false;
+    }
+
+    /// For how long simulated time goes on at once at most, before commands are taken again; empty for a whole step.
+    default Optional<Duration> grain() {
+        return Optional.empty();
+    }
+
+    /// How the run may go on. Asked between two [grains][#grain] of simulated time, and again while it waits.
+    default Pace pace() {
+        return Pace.FREE;
+    }
+
+    /// How programs that follow the run's time hold it back.
+    enum Pace {
+        /// As fast as people want.
+        FREE,
+
+        /// Also, as all programs that follow have come as far.
+        FOLLOWED,
+
+        /// At most at real time, as no program follows yet.
+        UNFOLLOWED,
+
+        /// Not now: a program that follows has not come as far.
+        AWAITED
     }
 
     /// Lets go of the robots; those that were driven over it stop. Closing twice does nothing.

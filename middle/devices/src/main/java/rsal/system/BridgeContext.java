@@ -15,13 +15,15 @@ import rsal.scene.RobotService;
 /// @param services that the world's file asks for; empty when it asks for none, which is for all there is
 /// @param timeout of clients' commands
 /// @param control of the run itself; empty where programs may only drive robots
+/// @param isPaced whether simulated time waits for programs that follow it ([Bridge#pace])
 public record BridgeContext(
         List<Robot> robots,
         OccupancyGrid map,
         Optional<SimulationControl> simulation,
         List<RobotService> services,
         CommandTimeout timeout,
-        Optional<RunControl> control) {
+        Optional<RunControl> control,
+        boolean isPaced) {
     public BridgeContext {
         robots = List.copyOf(robots);
         services = List.copyOf(services);
@@ -34,7 +36,7 @@ public record BridgeContext(
             Optional<SimulationControl> simulation,
             List<RobotService> services,
             CommandTimeout timeout) {
-        this(robots, map, simulation, services, timeout, Optional.empty());
+        this(robots, map, simulation, services, timeout, Optional.empty(), false);
     }
 
     /// To clients whose commands hold until others come, without control of the run.

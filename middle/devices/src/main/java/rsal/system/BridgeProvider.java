@@ -17,6 +17,11 @@ public interface BridgeProvider {
     /// Where those programs look when they are told nothing else.
     int defaultPort();
 
+    /// Whether programs can hold back a run whose time is simulated ([Bridge#pace]).
+    default boolean canPace() {
+        return false;
+    }
+
     /// Offers what the context holds from now on. Called on the scheduler's thread.
     ///
     /// @param at where to listen: at this port, and those after it if need be; port 0 for any that are free

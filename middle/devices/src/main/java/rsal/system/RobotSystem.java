@@ -30,6 +30,10 @@ public interface RobotSystem extends AutoCloseable {
     /// Nothing comes where the provider does not [drive the time][RobotSystemProvider#drivesTime].
     default void onTime(Consumer<? super Instant> listener) {}
 
+    /// The run has done all that was due by a time of the robots' own simulator, and has sent its commands. Called on
+    /// the scheduler's thread, for each time of [#onTime] or the newest of several.
+    default void reached(Instant time) {}
+
     /// Whether the run may begin before all robots are found.
     default boolean admitsLateRobots() {
         return false;

@@ -1,6 +1,7 @@
 package rsal.system;
 
 import java.util.List;
+import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
 import rsal.data.Pose2d;
 import rsal.device.GoalHandle;
@@ -20,8 +21,10 @@ public interface RunControl extends Executor {
 
     boolean isPaused();
 
-    /// Lets time stand still from the next step on.
-    void pause();
+    /// Lets time stand still from the next step on. Does nothing where it can't be paused.
+    ///
+    /// @return when time stands still, or has been resumed before
+    CompletionStage<Void> pause();
 
     void resume();
 

@@ -16,6 +16,7 @@ public final class DrivenTime implements TimeSource {
 
     private final Consumer<String> onReset;
     private final List<Runnable> listeners = new ArrayList<>(); // added before it is set
+    private final List<Consumer<? super Instant>> followers = new ArrayList<>(); // also
     private volatile @Nullable Span span;
 
     private record Span(Instant first, Instant newest) {}
@@ -30,12 +31,27 @@ public final class DrivenTime implements TimeSource {
         listeners.add(listener);
     }
 
+    /// Hears of each time, or of the newest of several, when all that is due by then is done: also what was handed in
+    /// before, and the [work][Scheduler#compute] of other threads. To be called before the time is set.
+    ///
+    /// @param listener called on the scheduler's thread
+    public void onReached(Consumer<? super Instant> listener) {
+        followers.add(listener);
+    }
+
+    /// All is done that was due by then.
+    void reached(Instant time) {
+        followers.forEach(each -> each.accept(time));
+    }
+
     /// What time it is from now on, unless that is before the newest: this changes nothing, and is a reset if it is by
     /// more than a second.
     public void set(Instant now) {
         Instant before;
+        boolean isFirst;
         synchronized (this) {
             Span known = span;
+            isFirst = known == null;
             before = known == null ? now : known.newest;
             if (!now.isBefore(before)) {
                 span = new Span(known == null ? now : known.first, now);
@@ -45,7 +61,7 @@ public final class DrivenTime implements TimeSource {
             onReset.accept(
                     "The time of the simulator, which the run follows, went back from %.1f s to %.1f s. Start the run again after a reset."
                             .formatted(seconds(before), seconds(now)));
-        } else if (now.isAfter(before)) {
+        } else if (isFirst || now.isAfter(before)) {
             listeners.forEach(Runnable::run);
         }
     }

@@ -9,6 +9,7 @@ import java.util.PriorityQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
@@ -35,11 +36,14 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
             new ReentrantLock(); // of the thread that runs something; never wanted while `lock` is held
     private final Timeline real = new Timeline(new MachineTime());
     private final Timeline timeline; // the real one, or one that is driven
+    private final Optional<DrivenTime> driven;
     private final Consumer<? super Throwable> onFailure;
     private final Executor workers;
     private final PhaseTimes times;
     private final Thread thread;
+    private final AtomicInteger computing = new AtomicInteger(); // work whose result has not been delivered
     private long order;
+    private Instant reached = Instant.EPOCH; // of the thread: the newest time at which nothing was left to do
     private volatile boolean closed; // written while `lock` is held
 
     /// @param name of its thread (`run-1`)
@@ -65,6 +69,7 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
         this.workers = workers;
         this.onFailure = onFailure;
         this.times = times;
+        this.driven = driven;
         this.timeline = driven.map(Timeline::new).orElse(real);
         driven.ifPresent(time -> time.onChange(this::look));
         this.thread = Thread.ofPlatform().daemon().name(name).start(this::work);
@@ -108,15 +113,23 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
     @Override
     public <T> CompletionStage<T> compute(Supplier<T> work) {
         var result = new CompletableFuture<T>();
+        computing.incrementAndGet();
         workers.execute(() -> {
             try {
                 T value = work.get();
-                execute(() -> result.complete(value));
+                deliver(() -> result.complete(value));
             } catch (RuntimeException | Error e) {
-                execute(() -> result.completeExceptionally(e));
+                deliver(() -> result.completeExceptionally(e));
             }
         });
         return result;
+    }
+
+    private void deliver(Runnable completion) {
+        execute(() -> {
+            computing.decrementAndGet();
+            completion.run();
+        });
     }
 
     /// Ends its thread once the task that runs now is over, and waits for that unless it is called by that task.
@@ -187,9 +200,13 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
         lock.lock();
         try {
             while (!closed) {
+                Optional<Entry> nothingLeft = arrival(); // before it is known whether something is left
                 Entry next = real.poll(); // first, as it keeps motors safe
                 if (next == null) {
                     next = timeline.poll();
+                }
+                if (next == null && nothingLeft.isPresent()) {
+                    next = nothingLeft.get();
                 }
                 if (next != null) {
                     return next;
@@ -206,13 +223,23 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
         }
     }
 
+    /// Says that all is done that was due by the newest time, if it is a new one and nobody computes.
+    private Optional<Entry> arrival() {
+        return driven.filter(time -> computing.get() == 0 && time.instant().isAfter(reached))
+                .map(time -> {
+                    Instant now = time.instant();
+                    return new Entry(0, Phase.OBSERVE, 0, () -> {
+                        reached = now;
+                        time.reached(now);
+                    });
+                });
+    }
+
     /// The time that it follows has changed.
     private void look() {
         lock.lock();
         try {
-            if (timeline.untilDue() <= 0) {
-                changed.signalAll();
-            }
+            changed.signalAll();
         } finally {
             lock.unlock();
         }

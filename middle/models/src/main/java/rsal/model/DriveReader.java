@@ -1,11 +1,13 @@
 package rsal.model;
 
 import java.util.List;
+import java.util.Optional;
 import rsal.data.Interval;
 import rsal.robot.RobotModel.Axis;
 import rsal.robot.RobotModel.Drive;
 import rsal.robot.RobotModel.OdometryNoise;
 import rsal.robot.RobotModel.Steering;
+import rsal.robot.RobotModel.Wheels;
 import rsal.settings.Section;
 import rsal.settings.Suggestion;
 
@@ -21,7 +23,7 @@ final class DriveReader {
     static Drive read(Section drive) {
         String type = drive.text("type", "differential");
         Steering steering = switch (type) {
-            case "differential" -> new Steering.Differential();
+            case "differential" -> new Steering.Differential(wheels(drive));
             case "omnidirectional" -> new Steering.Omnidirectional();
             case "car" ->
                 new Steering.Car(
@@ -45,6 +47,16 @@ final class DriveReader {
         OdometryNoise noise = noise(drive.section("odometryNoise"));
         drive.done();
         return new Drive(steering, forward, sideways, turn, noise);
+    }
+
+    private static Optional<Wheels> wheels(Section drive) {
+        if (!drive.has("wheels")) {
+            return Optional.empty();
+        }
+        Section wheels = drive.section("wheels");
+        var read = new Wheels(NumberReader.positive(wheels, "radius"), NumberReader.positive(wheels, "track"));
+        wheels.done();
+        return Optional.of(read);
     }
 
     private static OdometryNoise noise(Section noise) {

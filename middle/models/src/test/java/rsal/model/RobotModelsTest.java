@@ -36,6 +36,7 @@ import rsal.robot.RobotModel.OdometryNoise;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotModel.RangeNoise;
 import rsal.robot.RobotModel.Steering;
+import rsal.robot.RobotModel.Wheels;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
@@ -241,6 +242,16 @@ class RobotModelsTest {
     }
 
     @Test
+    void aDifferentialDriveMayHaveWheels() throws IOException {
+        write("eye.yaml", EYE);
+        write("cart.yaml", CART);
+        assertThat(models.read("cart.yaml", HERE).drive().steering()).isEqualTo(new Steering.Differential());
+        write("cart.yaml", CART.replace("maxSpeed: 1", "maxSpeed: 1\n  wheels: {radius: 0.05, track: 0.3}"));
+        assertThat(models.read("cart.yaml", HERE).drive().steering())
+                .isEqualTo(new Steering.Differential(Optional.of(new Wheels(0.05, 0.3))));
+    }
+
+    @Test
     void aCarHasAWheelbaseAndASteeringAngle() throws IOException {
         write("eye.yaml", EYE);
         write("cart.yaml", CART.replace("maxSpeed: 1", """
@@ -289,6 +300,9 @@ class RobotModelsTest {
                 "maxSpeed: 1|maxSpeed: 1\n  type: car",
                 "maxSpeed: 1|maxSpeed: 1\n  maxSideSpeed: 1",
                 "maxSpeed: 1|maxSpeed: 1\n  wheelbase: 1",
+                "maxSpeed: 1|maxSpeed: 1\n  wheels: {radius: 0.05}",
+                "maxSpeed: 1|maxSpeed: 1\n  wheels: {radius: 0, track: 0.3}",
+                "maxSpeed: 1|maxSpeed: 1\n  wheels: {radius: 0.05, track: 0.3, width: 0.02}",
                 "maxSpeed: 1|maxSpeed: .nan",
                 "eye: [0.1, 0, 0]|eye: [0.1, 0]",
                 "eye: [0.1, 0, 0]|eye: [0.1, 0, 0, -1]",

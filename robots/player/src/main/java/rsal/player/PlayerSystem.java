@@ -92,9 +92,18 @@ final class PlayerSystem implements RobotSystem {
         return seen.thenCompose(_ -> waiting.late() ? early(found) : complete(found));
     }
 
-    private static CompletionStage<List<Robot>> complete(List<CompletableFuture<Robot>> found) {
+    private CompletionStage<List<Robot>> complete(List<CompletableFuture<Robot>> found) {
         return all(found)
-                .thenApply(_ -> found.stream().map(CompletableFuture::join).toList());
+                .thenApply(_ -> found.stream()
+                        .map(CompletableFuture::join)
+                        .map(this::join)
+                        .toList());
+    }
+
+    /// Its motors are switched as the run wants them.
+    private Robot join(Robot robot) {
+        robots.stream().filter(each -> each.is(robot)).forEach(RemoteRobot::join);
+        return robot;
     }
 
     /// Those that are found in time. The others appear when they are found. A robot whose servers are there and that
@@ -107,7 +116,7 @@ final class PlayerSystem implements RobotSystem {
             for (int i = 0; i < found.size(); i++) {
                 CompletableFuture<Robot> search = found.get(i);
                 if (search.isDone()) {
-                    early.add(search.join());
+                    early.add(join(search.join()));
                 } else {
                     awaitLate(specs.get(i), search, "");
                 }
@@ -124,6 +133,7 @@ final class PlayerSystem implements RobotSystem {
             }
             if (error == null) {
                 changes.publish(new Change.Appeared(robot));
+                join(robot);
                 return true;
             }
             String why = "It can't join: " + RemoteServer.words(error);

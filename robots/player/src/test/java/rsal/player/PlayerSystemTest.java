@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.lang.reflect.Proxy;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
@@ -19,6 +20,7 @@ import java.util.SplittableRandom;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.AfterEach;
@@ -66,6 +68,7 @@ class PlayerSystemTest {
     private final WallScheduler time = new WallScheduler("ours", Runnable::run, PlayerSystemTest::fail);
     private final WallScheduler theirTime = new WallScheduler("theirs", Runnable::run, PlayerSystemTest::fail);
     private final List<Change> changes = new ArrayList<>(); // of our thread
+    private final List<Boolean> switched = new CopyOnWriteArrayList<>(); // motors of the served robot, in order
     private RobotSystem simulation;
     private Bridge bridge;
     private RobotSystem system;
@@ -128,14 +131,31 @@ class PlayerSystemTest {
                         .open(
                                 new InetSocketAddress(InetAddress.getLoopbackAddress(), port),
                                 new BridgeContext(
-                                        simulation
-                                                .discover()
-                                                .toCompletableFuture()
-                                                .join(),
+                                        simulation.discover().toCompletableFuture().join().stream()
+                                                .map(this::watched)
+                                                .toList(),
                                         map,
                                         simulation.simulation(),
                                         List.of()),
                                 theirTime));
+    }
+
+    /// Notes how the motors of its base are switched.
+    private Robot watched(Robot robot) {
+        List<Device> devices = robot.devices().stream()
+                .map(device -> device instanceof DriveBase base ? watched(base) : device)
+                .toList();
+        return new Robot(robot.id(), robot.role(), robot.model(), robot.marker(), devices);
+    }
+
+    private Device watched(DriveBase base) {
+        return (DriveBase) Proxy.newProxyInstance(
+                DriveBase.class.getClassLoader(), new Class<?>[] {DriveBase.class}, (_, method, arguments) -> {
+                    if (method.getName().equals("enable")) {
+                        switched.add((Boolean) arguments[0]);
+                    }
+                    return method.invoke(base, arguments);
+                });
     }
 
     private int port() {
@@ -488,6 +508,41 @@ class PlayerSystemTest {
                 .isInstanceOfSatisfying(
                         Change.Appeared.class,
                         change -> assertThat(change.robot().id()).isEqualTo("r1"));
+    }
+
+    /// The run switches its motors off as it joins, which must not come after they were on.
+    @Test
+    void aLateRobotJoinsWithItsMotorsOffWhileTheEmergencyStopHolds() {
+        int port = port();
+        on(theirTime, () -> {
+            bridge.close();
+            return true;
+        });
+        assertThat(discover(Map.of("port", port, "armed", true, "wait", 3.0, "late", true), spec()))
+                .isEmpty();
+        on(
+                time,
+                () -> system.onChange(change -> {
+                    if (change instanceof Change.Appeared(Robot robot)) {
+                        robot.require(DriveBase.class).enable(false);
+                    }
+                }));
+        serve(port);
+        until(() -> !switched.isEmpty());
+        pass(Duration.ofMillis(500));
+        assertThat(switched).isNotEmpty().doesNotContain(true);
+    }
+
+    @Test
+    void anArmedRobotJoinsWithItsMotorsOn() {
+        Robot robot = discover(armed(), spec()).getFirst();
+        until(() -> !switched.isEmpty());
+        assertThat(switched).containsOnly(true);
+        on(time, () -> {
+            robot.require(DriveBase.class).enable(false);
+            return true;
+        });
+        until(() -> switched.contains(false));
     }
 
     @Test

@@ -6,10 +6,13 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosEndpoint;
 import rsal.ros2.link.RosLink;
@@ -27,11 +30,16 @@ public final class MemoryNetwork {
     private final Map<String, Function<byte[], CompletionStage<byte[]>>> services = new HashMap<>();
     private final Map<String, String> serviceTypes = new HashMap<>(); // of those whose type is known
 
-    private record Hearing(RosTopic topic, Profile profile, Consumer<ByteBuffer> listener) {
+    private record Hearing(RosTopic topic, Profile profile, BiConsumer<String, ByteBuffer> listener) {
         /// Whether what is offered is enough.
         boolean fits(Profile offered) {
             return offered.compareTo(profile) >= 0;
         }
+    }
+
+    /// From now on, it has not acknowledged so many messages of those that it subscribes to as reliable.
+    public void delay(RosLink member, long messages) {
+        ((Member) member).lacking = messages;
     }
 
     private record Offer(RosTopic topic, Profile profile) {}
@@ -75,7 +83,9 @@ public final class MemoryNetwork {
 
     private final class Member implements RosLink {
         private final Optional<String> name;
+        private final String id = Integer.toString(members.size());
         private final List<Member> nodes = new ArrayList<>();
+        private long lacking;
         private final List<Hearing> hearings = new ArrayList<>();
         private final List<Offer> offers = new ArrayList<>();
         private final Map<Offer, byte[]> latched = new HashMap<>();
@@ -115,7 +125,17 @@ public final class MemoryNetwork {
                     if (profile == Profile.LATCHED) {
                         latched.put(offer, message);
                     }
-                    List.copyOf(members).forEach(member -> member.hear(offer, message));
+                    List.copyOf(members).forEach(member -> member.hear(id, offer, message));
+                }
+
+                @Override
+                public Map<String, Long> unacknowledged() {
+                    return members.stream()
+                            .filter(member -> member.hearings.stream()
+                                    .anyMatch(each -> each.topic.equals(topic)
+                                            && each.profile != Profile.SENSOR_DATA
+                                            && each.fits(profile)))
+                            .collect(Collectors.toMap(member -> member.id, member -> member.lacking));
                 }
 
                 @Override
@@ -126,20 +146,30 @@ public final class MemoryNetwork {
             };
         }
 
-        private void hear(Offer offer, byte[] message) {
+        private void hear(String publisher, Offer offer, byte[] message) {
             List.copyOf(hearings).stream()
                     .filter(each -> each.topic.equals(offer.topic) && each.fits(offer.profile))
-                    .forEach(each -> each.listener.accept(ByteBuffer.wrap(message)));
+                    .forEach(each -> each.listener.accept(publisher, ByteBuffer.wrap(message)));
         }
 
         @Override
         public Subscribed subscribe(RosTopic topic, Profile profile, Consumer<ByteBuffer> listener) {
+            return subscribeEach(topic, profile, (_, message) -> listener.accept(message));
+        }
+
+        @Override
+        public String program(String id) {
+            return "Program " + id;
+        }
+
+        @Override
+        public Subscribed subscribeEach(RosTopic topic, Profile profile, BiConsumer<String, ByteBuffer> listener) {
             var hearing = new Hearing(topic, profile, listener);
             hearings.add(hearing);
             if (profile == Profile.LATCHED) {
                 members.forEach(member -> member.latched.forEach((offer, message) -> {
                     if (offer.topic.equals(topic)) {
-                        listener.accept(ByteBuffer.wrap(message));
+                        listener.accept(member.id, ByteBuffer.wrap(message));
                     }
                 }));
             }
@@ -150,6 +180,15 @@ public final class MemoryNetwork {
                             .flatMap(member -> member.offers.stream())
                             .filter(offer -> offer.topic.equals(topic) && hearing.fits(offer.profile))
                             .count();
+                }
+
+                @Override
+                public Set<String> publisherIds() {
+                    return members.stream()
+                            .filter(member -> member.offers.stream()
+                                    .anyMatch(offer -> offer.topic.equals(topic) && hearing.fits(offer.profile)))
+                            .map(member -> member.id)
+                            .collect(Collectors.toSet());
                 }
 
                 @Override

@@ -12,6 +12,7 @@ import java.util.NavigableMap;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import java.util.stream.LongStream;
 import rsal.rtps.ReaderProxy.Stream;
 import rsal.rtps.discovery.EndpointData;
@@ -88,6 +89,13 @@ public final class SampleWriter {
     /// Whether all reliable readers have all samples.
     public boolean isAcknowledged() {
         return readers.values().stream().allMatch(each -> !each.isReliable || each.acknowledged >= last);
+    }
+
+    /// Its reliable readers, each with how many samples it lacks.
+    Map<Guid, Long> unacknowledged() {
+        return readers.values().stream()
+                .filter(each -> each.isReliable && each.isReady)
+                .collect(Collectors.toMap(each -> each.guid, each -> last - each.acknowledged));
     }
 
     /// Who reads it, of other participants, and takes what is written from now on.

@@ -12,7 +12,9 @@ import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.random.RandomGenerator;
@@ -176,6 +178,20 @@ public final class UdpParticipant implements AutoCloseable {
     public List<Guid> readers(SampleWriter writer) {
         synchronized (participant) {
             return writer.readers();
+        }
+    }
+
+    /// Reliable readers of other participants, each with how many samples of a writer it has not acknowledged.
+    public Map<Guid, Long> unacknowledged(SampleWriter writer) {
+        synchronized (participant) {
+            return writer.unacknowledged();
+        }
+    }
+
+    /// From whom a reader gets samples.
+    public Set<Guid> writers(SampleReader reader) {
+        synchronized (participant) {
+            return Set.copyOf(reader.writers().keySet());
         }
     }
 

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CompletionStage;
 import java.util.stream.Stream;
 import rsal.data.Pose2d;
 import rsal.device.GoalHandle;
@@ -73,8 +74,8 @@ final class BridgeControl implements RunControl {
     }
 
     @Override
-    public void pause() {
-        loop.pausing().pause();
+    public CompletionStage<Void> pause() {
+        return loop.pausing().pause();
     }
 
     @Override

@@ -10,6 +10,7 @@ final class Pacer {
 
     private final LongSupplier clock;
     private double speed;
+    private double most = Double.POSITIVE_INFINITY;
     private long fromReal;
     private long fromSimulated;
     private long rateFromReal;
@@ -33,6 +34,17 @@ final class Pacer {
         restart(simulated);
     }
 
+    /// Holds it back further, for as long as another limit is not set.
+    ///
+    /// @param factor simulated over real time; +∞ for no limit but the speed
+    void limit(double factor, long simulated) {
+        if (most != factor) {
+            most = factor;
+            fromReal = clock.getAsLong();
+            fromSimulated = simulated;
+        }
+    }
+
     /// Begins again, after a pause.
     void restart(long simulated) {
         fromReal = clock.getAsLong();
@@ -44,11 +56,12 @@ final class Pacer {
 
     /// How much too early it is [ns]; 0 or less when it is not.
     long early(long simulated) {
-        if (speed == Double.POSITIVE_INFINITY) {
+        double wanted = Math.min(speed, most);
+        if (wanted == Double.POSITIVE_INFINITY) {
             return 0;
         }
         long now = clock.getAsLong();
-        long due = fromReal + (long) ((simulated - fromSimulated) / speed);
+        long due = fromReal + (long) ((simulated - fromSimulated) / wanted);
         if (now - due > MOST_LATE) {
             fromReal = now;
             fromSimulated = simulated;

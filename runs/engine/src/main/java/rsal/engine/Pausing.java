@@ -2,6 +2,8 @@ package rsal.engine;
 
 import java.time.InstantSource;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
 import rsal.data.Stamped;
 import rsal.device.GoalHandle;
 import rsal.device.GoalSource;
@@ -12,6 +14,8 @@ final class Pausing {
     private final InstantSource clock;
     private final Runnable onResume;
     private boolean paused;
+    private boolean isWithinStep;
+    private CompletableFuture<Void> standing = new CompletableFuture<>(); // when it is next paused between two steps
     private long wanted; // steps of people
     private Optional<Stepping> stepping = Optional.empty();
 
@@ -45,17 +49,34 @@ final class Pausing {
 
     /// Whether it has to wait.
     boolean isWaiting() {
-        return paused && wanted == 0 && stepping.isEmpty();
+        return paused && !isWithinStep && wanted == 0 && stepping.isEmpty();
     }
 
-    void pause() {
+    /// @return when the step is complete that is being made, or it was resumed
+    CompletionStage<Void> pause() {
         paused = isPossible;
+        if (!isPossible || !isWithinStep) {
+            return CompletableFuture.completedStage(null);
+        }
+        return standing.minimalCompletionStage();
+    }
+
+    private void stand() {
+        CompletableFuture<Void> before = standing;
+        standing = new CompletableFuture<>();
+        before.complete(null);
+    }
+
+    /// A part of a step was made, and there is more of it.
+    void stepBegun() {
+        isWithinStep = true;
     }
 
     void resume() {
         paused = false;
         endStepping();
         onResume.run();
+        stand();
     }
 
     /// Ends it early, if somebody waits for steps.
@@ -80,8 +101,10 @@ final class Pausing {
         return goal;
     }
 
-    /// A step was made.
+    /// A step was made, or the rest of it.
     void stepped() {
+        isWithinStep = false;
+        stand();
         wanted = Math.max(0, wanted - 1);
         stepping.ifPresent(steps -> {
             steps.made++;

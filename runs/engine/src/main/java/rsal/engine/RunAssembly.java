@@ -51,7 +51,6 @@ import rsal.system.Bridge;
 import rsal.system.BridgeContext;
 import rsal.system.BridgeProvider;
 import rsal.system.CommandTimeout;
-import rsal.system.ExportedDevice;
 import rsal.system.RobotRecorder;
 import rsal.system.RobotSystem;
 import rsal.system.RunControl;
@@ -79,7 +78,7 @@ final class RunAssembly implements AutoCloseable {
     private final RobotViews robotViews;
     private final RobotTeam team = new RobotTeam();
     private final RobotPoses where;
-    private final List<Bridge> bridges = new ArrayList<>();
+    private final RunBridges bridges;
     private final List<RobotSystem.Change> early = new ArrayList<>(); // before all was put together
     private Optional<RobotRecorder> recorder = Optional.empty();
     private boolean assembled;
@@ -103,6 +102,7 @@ final class RunAssembly implements AutoCloseable {
         this.scheduler = scheduler;
         this.clock = clock;
         this.eventLog = eventLog;
+        this.bridges = new RunBridges(eventLog);
         this.observer = observer;
         this.dynamicRobots = new DynamicRobots(plan);
         this.systems = new RobotSystems(plan, scheduler);
@@ -128,6 +128,11 @@ final class RunAssembly implements AutoCloseable {
     /// Has the time of the robots' own simulator said, if they have one. To be called before it begins.
     void onTime(Consumer<Instant> listener) {
         systems.onTime(listener);
+    }
+
+    /// All is done that was due by a time of that simulator.
+    void reached(Instant time) {
+        systems.reached(time);
     }
 
     /// Finds the robots and, once they are there, begins.
@@ -156,7 +161,7 @@ final class RunAssembly implements AutoCloseable {
         }
         world.begin();
         recorder.ifPresent(
-                who -> bridges.add(who.open(bridgeContext(CommandTimeout.none(), Optional.empty()), scheduler)));
+                who -> bridges.add(who.open(bridgeContext(CommandTimeout.none(), Optional.empty(), false), scheduler)));
         robotCommands.begin();
         agents.gather(systems.simulation());
         systems.simulation().ifPresent(new ThingArrivals(plan, scheduler, eventLog)::begin);
@@ -223,30 +228,18 @@ final class RunAssembly implements AutoCloseable {
         observer.joined(id, robot.role());
         equip(robot, planned);
         faults.joined(id);
-        bridges.forEach(bridge -> offer(bridge, id));
+        bridges.join(team.robot(id).orElseThrow());
         robotCommands.joined(id);
         dynamicRobots.agents(id).forEach(agents::start);
     }
 
-    /// Whether a program that robots are offered to has yet to look at what there is.
-    boolean isAwaited() {
-        return bridges.stream().anyMatch(Bridge::isBehind);
-    }
-
-    private void offer(Bridge bridge, String id) {
-        try {
-            bridge.join(team.robot(id).orElseThrow()).stream()
-                    .mapToInt(ExportedDevice::port)
-                    .distinct()
-                    .forEach(port -> eventLog.event("bridge", id, "is offered at port " + port));
-        } catch (IOException e) {
-            eventLog.event("bridge", id, "is not offered: " + e.getMessage());
-        }
+    RunBridges bridges() {
+        return bridges;
     }
 
     /// Lets go of all that a robot had.
     private void leave(String id) {
-        bridges.forEach(bridge -> bridge.leave(id));
+        bridges.leave(id);
         team.leave(id);
         robotCommands.left(id);
         proxies.leave(id);
@@ -298,9 +291,14 @@ final class RunAssembly implements AutoCloseable {
                 .orElseGet(() -> world.unknown(robot));
     }
 
-    Answer bridge(BridgeProvider provider, InetSocketAddress at, CommandTimeout timeout, RunControl control) {
+    Answer bridge(
+            BridgeProvider provider,
+            InetSocketAddress at,
+            CommandTimeout timeout,
+            RunControl control,
+            boolean isPaced) {
         try {
-            Bridge bridge = provider.open(at, bridgeContext(timeout, Optional.of(control)), scheduler);
+            Bridge bridge = provider.open(at, bridgeContext(timeout, Optional.of(control), isPaced), scheduler);
             bridges.add(bridge);
             return new Answer.Bridged(bridge.offers());
         } catch (IOException e) {
@@ -308,14 +306,15 @@ final class RunAssembly implements AutoCloseable {
         }
     }
 
-    private BridgeContext bridgeContext(CommandTimeout timeout, Optional<RunControl> control) {
+    private BridgeContext bridgeContext(CommandTimeout timeout, Optional<RunControl> control, boolean isPaced) {
         return new BridgeContext(
                 List.copyOf(team.robots().values()),
                 plan.map(),
                 systems.simulation(),
                 plan.scene().services(),
                 timeout,
-                control);
+                control,
+                isPaced);
     }
 
     List<AgentView> agentViews() {
@@ -468,7 +467,7 @@ final class RunAssembly implements AutoCloseable {
     @Override
     public void close() {
         closed = true;
-        bridges.forEach(Bridge::close);
+        bridges.close();
         deviceFactory.close();
         try (systems) {
             agents.close();

@@ -57,7 +57,6 @@ final class RunLoop {
     private static final Logger LOG = System.getLogger(RunLoop.class.getName());
     private static final AtomicLong RUNS = new AtomicLong();
     private static final Duration PATIENCE = Duration.ofSeconds(1);
-    private static final long SHORT_REST = 500_000; // [ns], after which it looks again whether it may go on
     private static final long LONG_REST = 10_000_000; // [ns], before robots are there and while nobody waits
     private static final Answer ENDED = new Answer.Refused("The run has ended.");
 
@@ -87,6 +86,7 @@ final class RunLoop {
     private final Traffic traffic;
     private final Pacer pacer;
     private final Pausing pausing;
+    private final SimulatedSteps steps;
     private final Snapshots snapshots;
     private final AgentTurns turns = new AgentTurns();
     private final RunReporter reporter;
@@ -120,6 +120,7 @@ final class RunLoop {
         this.pacer = new Pacer(System::nanoTime, plan.clock() == RunPlan.Clock.WALL ? 1 : plan.speed());
         this.pausing = new Pausing(
                 isSimulated(), scheduler, () -> pacer.restart(elapsed().toNanos()));
+        this.steps = new SimulatedSteps(plan.step(), pacer, pausing, stepTimes);
         this.reporter = new RunReporter(pacer, operatorClock);
         this.observer = monitors.observer().map(seen -> new ObserverFeed(seen, reporter, eventLog));
         this.snapshots = new Snapshots(System::nanoTime, sequence -> reporter.snapshot(sequence, progress()));
@@ -314,7 +315,10 @@ final class RunLoop {
         assembly = everything;
         observer.ifPresent(_ -> everything.noteLinks(operatorTime()));
         recorder.ifPresent(everything::recordBy);
-        drivenTime.ifPresent(time -> everything.onTime(time::set));
+        drivenTime.ifPresent(time -> {
+            time.onReached(everything::reached);
+            everything.onTime(time::set);
+        });
         everything.begin();
         scheduler.every(plan.step(), Phase.OBSERVE, () -> {
             if (everything.isReady()) { // else its end would hide that robots can't be reached
@@ -350,7 +354,7 @@ final class RunLoop {
         }
     }
 
-    /// Goes on for a step, or waits until it may.
+    /// Goes on for a part of a step, or waits until it may.
     private void goOn(LockstepScheduler time) {
         if (outcome != null) {
             return;
@@ -359,22 +363,13 @@ final class RunLoop {
             restWhilePaused(time);
             return;
         }
-        long early = pausing.isPaused() ? 0 : pacer.early(elapsed().toNanos());
+        long early =
+                steps.goOn(time, Objects.requireNonNull(assembly), elapsed().toNanos());
         if (early > 0) {
             rest(early);
-            return;
+        } else {
+            snapshots.makeIfDue();
         }
-        if (pacer.isAhead(elapsed().toNanos())
-                && Objects.requireNonNull(assembly).isAwaited()) {
-            time.runPending(); // what such a program asks meanwhile
-            rest(SHORT_REST);
-            return;
-        }
-        long from = System.nanoTime();
-        time.advance(plan.step());
-        stepTimes.took(System.nanoTime() - from);
-        pausing.stepped();
-        snapshots.makeIfDue();
     }
 
     private void restWhilePaused(LockstepScheduler time) {

@@ -169,8 +169,17 @@ public final class RunOperator {
     /// @param silence for how long robots are driven on when no command comes from a client any more, in real
     ///         time; empty for clients that command once
     public CompletionStage<Answer> bridge(BridgeProvider provider, InetSocketAddress at, Optional<Duration> silence) {
+        return bridge(provider, at, silence, false);
+    }
+
+    /// The same where simulated time may wait for programs that follow it.
+    ///
+    /// @param isPaced whether it waits, and goes no faster than real time before one follows
+    public CompletionStage<Answer> bridge(
+            BridgeProvider provider, InetSocketAddress at, Optional<Duration> silence, boolean isPaced) {
         var timeout = new CommandTimeout(silence, loop::operatorTime);
-        return loop.ask(run -> run.bridge(provider, at, timeout, new BridgeControl(loop, run.world(), provider.key())));
+        return loop.ask(run ->
+                run.bridge(provider, at, timeout, new BridgeControl(loop, run.world(), provider.key()), isPaced));
     }
 
     /// Types of agents that people can start: the same in all runs.

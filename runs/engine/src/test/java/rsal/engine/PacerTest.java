@@ -27,6 +27,22 @@ class PacerTest {
     }
 
     @Test
+    void aLimitHoldsItBackFurtherUntilItIsGone() {
+        pace.limit(1, SECOND);
+        assertThat(pace.early(2 * SECOND)).isEqualTo(SECOND);
+        now += SECOND / 2;
+        pace.limit(1, SECOND); // which is no new one
+        assertThat(pace.early(2 * SECOND)).isEqualTo(SECOND / 2);
+        pace.speed(Double.POSITIVE_INFINITY, 2 * SECOND);
+        assertThat(pace.early(3 * SECOND)).isEqualTo(SECOND);
+        pace.limit(Double.POSITIVE_INFINITY, 2 * SECOND);
+        assertThat(pace.early(1000 * SECOND)).isZero();
+        pace.speed(0.5, SECOND);
+        pace.limit(1, SECOND);
+        assertThat(pace.early(2 * SECOND)).isEqualTo(2 * SECOND);
+    }
+
+    @Test
     void doesNotHurryAfterAPauseOrADelay() {
         now += 60 * SECOND;
         pace.restart(SECOND);

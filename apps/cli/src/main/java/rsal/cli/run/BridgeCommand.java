@@ -4,10 +4,12 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
 import java.time.Duration;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ITypeConverter;
@@ -104,6 +106,39 @@ public final class BridgeCommand extends Subcommand {
             description = "Run without the scenario's agents and stop conditions: only the programs drive the robots.")
     private boolean noAgents;
 
+    @Option(
+            names = "--pace",
+            paramLabel = "real-time|subscribers",
+            defaultValue = "real-time",
+            converter = Pace.Converter.class,
+            description = "How simulated time goes on. real-time: at --speed times real time. subscribers (ros2 only):"
+                    + " it waits for programs that publish '/clock_reached' or subscribe to '/clock' as reliable, and"
+                    + " is at most --speed times real time (default: max). As long as there is no such program, it is"
+                    + " real time at most. Default: ${DEFAULT-VALUE}.")
+    private Pace pace = Pace.REAL_TIME;
+
+    enum Pace {
+        REAL_TIME("real-time"),
+        SUBSCRIBERS("subscribers");
+
+        private final String word;
+
+        Pace(String word) {
+            this.word = word;
+        }
+
+        static final class Converter implements ITypeConverter<Pace> {
+            @Override
+            public Pace convert(String typed) {
+                return Arrays.stream(values())
+                        .filter(each -> each.word.equals(typed))
+                        .findFirst()
+                        .orElseThrow(() -> new TypeConversionException(
+                                "'%s' is neither real-time nor subscribers.".formatted(typed)));
+            }
+        }
+    }
+
     /// @param limit empty when there is none
     record Timeout(Optional<Duration> limit) {
         static final class Converter implements ITypeConverter<Timeout> {
@@ -130,6 +165,7 @@ public final class BridgeCommand extends Subcommand {
         RunPlan asked = reference.load().plan(options(reference.configuration()));
         RunPlan plan = noAgents ? asked.unmanned() : asked;
         checkServices(plan);
+        checkPace(provider, plan);
         printNotes(plan);
         return RunCommand.exit(page ? runWithPage(plan, provider, at) : run(plan, provider, at));
     }
@@ -163,7 +199,7 @@ public final class BridgeCommand extends Subcommand {
         printAnswer(
                 at,
                 run.operator()
-                        .bridge(provider, at, timeout.limit())
+                        .bridge(provider, at, timeout.limit(), isPaced())
                         .toCompletableFuture()
                         .get());
     }
@@ -182,6 +218,23 @@ public final class BridgeCommand extends Subcommand {
                 .toList();
         if (!refusals.isEmpty()) {
             throw new InvalidSettings(refusals);
+        }
+    }
+
+    private boolean isPaced() {
+        return pace == Pace.SUBSCRIBERS;
+    }
+
+    private void checkPace(BridgeProvider provider, RunPlan plan) {
+        if (isPaced() && !provider.canPace()) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "Programs of '%s' can't pace a simulation. Leave '--pace' out, or use 'ros2'.".formatted(key));
+        }
+        if (isPaced() && plan.clock() == RunPlan.Clock.WALL) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "'--pace subscribers' needs simulated time, but this configuration runs in real time. Leave it out.");
         }
     }
 
@@ -249,6 +302,6 @@ public final class BridgeCommand extends Subcommand {
                 Optional.empty(),
                 Optional.empty(),
                 Optional.empty(),
-                choices.speed());
+                isPaced() && choices.speed().isEmpty() ? OptionalDouble.of(Double.POSITIVE_INFINITY) : choices.speed());
     }
 }

@@ -139,7 +139,11 @@ final class ModelWriter {
     private static Map<String, Object> drive(Drive drive) {
         var written = new LinkedHashMap<String, Object>();
         switch (drive.steering()) {
-            case Steering.Differential _ -> {}
+            case Steering.Differential differential ->
+                differential
+                        .wheels()
+                        .ifPresent(wheels ->
+                                written.put("wheels", Map.of("radius", wheels.radius(), "track", wheels.track())));
             case Steering.Omnidirectional _ -> written.put("type", "omnidirectional");
             case Steering.Car car -> {
                 written.put("type", "car");

@@ -30,6 +30,7 @@ final class PlayerBase extends PlayerSensor<Odometry> implements DriveBase {
     private final InstantSource clock;
     private final List<Consumer<Boolean>> motorListeners = new ArrayList<>();
     private boolean enabled;
+    private boolean hasJoined; // the run, which says before whether its motors are to be on
     private Optional<Twist2d> wanted = Optional.empty();
     private Instant wantedAt = Instant.MIN;
     private boolean left; // driving, when the server was lost
@@ -125,8 +126,17 @@ final class PlayerBase extends PlayerSensor<Odometry> implements DriveBase {
         motorListeners.add(listener);
     }
 
-    /// Has the server switch them as they are to be.
+    /// The run has the robot from now on.
+    void join() {
+        hasJoined = true;
+        motors();
+    }
+
+    /// Has the server switch them as they are to be, once that is known.
     void motors() {
+        if (!hasJoined) {
+            return;
+        }
         server.ask(address(), Position2d.MOTORS, Optional.of(new Position2d.Motors(enabled ? 1 : 0)));
     }
 

@@ -246,6 +246,16 @@ public final class RemoteRobot {
         return all.thenApply(_ -> new Robot(spec.id(), spec.role(), spec.model(), spec.marker(), devices));
     }
 
+    /// The run has it from now on, and has said whether its motors are to be on.
+    public void join() {
+        base.join();
+    }
+
+    /// Whether this is it.
+    public boolean is(Robot robot) {
+        return spec.id().equals(robot.id());
+    }
+
     /// Stops it, for good: first what drives its base, then that.
     public void end() {
         remotes.reversed().forEach(Remote::end);

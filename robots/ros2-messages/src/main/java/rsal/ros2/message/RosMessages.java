@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import rsal.data.ActuatorState;
 import rsal.data.BatteryState;
 import rsal.data.Covariance2d;
@@ -29,12 +30,23 @@ public final class RosMessages {
     private static final double NOMINAL = 12; // V, of batteries that don't tell
 
     private final CdrWriter writer = new CdrWriter();
+    private final UnaryOperator<Instant> stamps;
+
+    /// With the times that they are made of.
+    public RosMessages() {
+        this(UnaryOperator.identity());
+    }
+
+    /// @param stamps says which time messages have that are made of a time
+    public RosMessages(UnaryOperator<Instant> stamps) {
+        this.stamps = stamps;
+    }
 
     /// Where a frame is in another one.
     public record Transform(Instant time, String parent, String child, FrameTransform parentFromChild) {}
 
     private CdrWriter header(Instant time, String frame) {
-        return write(writer, time).text(frame);
+        return write(writer, stamps.apply(time)).text(frame);
     }
 
     /// `builtin_interfaces/Time`
@@ -233,9 +245,7 @@ public final class RosMessages {
     public byte[] map(Instant time, OccupancyGrid map, String frame) {
         var origin = new Pose2d(map.originX(), map.originY(), 0);
         writer.clear();
-        header(time, frame)
-                .int32((int) time.getEpochSecond()) // when it was loaded
-                .int32(time.getNano())
+        write(header(time, frame), stamps.apply(time)) // when it was loaded
                 .float32((float) map.resolution())
                 .int32(map.width())
                 .int32(map.height());
@@ -266,6 +276,6 @@ public final class RosMessages {
 
     /// `rosgraph_msgs/Clock`
     public byte[] clock(Instant time) {
-        return write(writer.clear(), time).toBytes();
+        return write(writer.clear(), stamps.apply(time)).toBytes();
     }
 }

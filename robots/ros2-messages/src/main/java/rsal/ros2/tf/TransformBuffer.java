@@ -102,10 +102,20 @@ public final class TransformBuffer {
         return new Placed(transform.parent(), transform.parentFromChild());
     }
 
-    /// Forgets all that moves, as after a time that went back.
-    public void clear() {
-        frames.values().removeIf(frame -> !frame.isFixed());
-        samples = 0;
+    /// Forgets where a frame and those below it were, if they move, as after a time that went back.
+    ///
+    /// @return the frames that are forgotten
+    public List<String> clear(String top) {
+        String above = RosMessages.frame(top);
+        List<String> forgotten = frames.keySet().stream()
+                .filter(frame -> !history(frame).isFixed())
+                .filter(frame -> ascendNewest(frame).fromFrame.containsKey(above))
+                .toList();
+        for (String frame : forgotten) {
+            samples -= history(frame).count();
+            frames.remove(frame);
+        }
+        return forgotten;
     }
 
     /// Where a frame was in another one at a time.

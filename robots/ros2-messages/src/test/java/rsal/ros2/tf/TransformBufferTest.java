@@ -145,11 +145,28 @@ class TransformBufferTest {
         add(1, "odom", "base_link", new Pose2d(1, 0, 0)); // by itself, as the history is over
         assertThat(pose("odom", "laser", 0).x()).isCloseTo(1.2, within(1e-9));
         add(1.5, "odom", "base_link", new Pose2d(2, 0, 0));
-        buffer.clear();
+        assertThat(buffer.clear("odom")).containsExactlyInAnyOrder("odom", "base_link");
         assertThat(buffer.find("odom", "base_link", 0).isConnected()).isFalse();
         assertThat(pose("base_link", "laser", 1).x()).isEqualTo(0.2); // which does not move
         add(0.5, "odom", "base_link", new Pose2d(7, 0, 0));
         assertThat(pose("odom", "laser", 0.5).x()).isCloseTo(7.2, within(1e-9));
+    }
+
+    /// Robots may share a topic, and have times of their own.
+    @Test
+    void framesOfAnotherRobotStay() {
+        for (String robot : List.of("r1", "r2")) {
+            add(5, "map", robot + "/odom", new Pose2d(1, 0, 0));
+            add(5, robot + "/odom", robot + "/base_link", new Pose2d(1, 0, 0));
+            addFixed(robot + "/base_link", robot + "/mast", new Pose2d(0.2, 0, 0));
+            add(5, robot + "/mast", robot + "/camera", new Pose2d(0.1, 0, 0));
+        }
+        assertThat(buffer.clear("/r1/odom")).containsExactlyInAnyOrder("r1/odom", "r1/base_link", "r1/camera");
+        assertThat(buffer.find("map", "r1/base_link", 0).isConnected()).isFalse();
+        assertThat(pose("map", "r2/camera", 5).x()).isCloseTo(2.3, within(1e-9));
+        assertThat(pose("r1/base_link", "r1/mast", 1).x()).isEqualTo(0.2);
+        assertThat(buffer.clear("r1/odom")).isEmpty();
+        assertThat(buffer.clear("map")).hasSize(3);
     }
 
     @Test

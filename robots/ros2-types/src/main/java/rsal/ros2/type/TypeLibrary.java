@@ -25,6 +25,7 @@ public final class TypeLibrary {
             "diagnostic_msgs",
             "geographic_msgs",
             "geometry_msgs",
+            "irobot_create_msgs",
             "lifecycle_msgs",
             "map_msgs",
             "nav2_msgs",

@@ -1,5 +1,6 @@
 package rsal.ros2.bridge;
 
+import java.time.Instant;
 import rsal.data.Blobs;
 import rsal.data.Blobs.Blob;
 import rsal.data.Stamped;
@@ -16,11 +17,14 @@ final class BlobsPublication {
     private static final int COVARIANCES = 36;
 
     private final CdrWriter writer = new CdrWriter();
+    private final RobotOutlet outlet;
 
-    private BlobsPublication() {}
+    private BlobsPublication(RobotOutlet outlet) {
+        this.outlet = outlet;
+    }
 
     static void begin(BlobFinder finder, RobotOutlet outlet) {
-        var publication = new BlobsPublication();
+        var publication = new BlobsPublication(outlet);
         String name = finder.info().name();
         String frame = outlet.frames().optical(name);
         Publication detections =
@@ -35,10 +39,11 @@ final class BlobsPublication {
 
     private byte[] message(Stamped<Blobs> reading, String frame) {
         Blobs blobs = reading.value();
-        RosMessages.write(writer.clear(), reading.time()).text(frame);
+        Instant time = outlet.stamp(reading.time());
+        RosMessages.write(writer.clear(), time).text(frame);
         writer.int32(blobs.blobs().size());
         for (Blob blob : blobs.blobs()) {
-            RosMessages.write(writer, reading.time()).text(frame);
+            RosMessages.write(writer, time).text(frame);
             write(blobs, blob);
         }
         return writer.toBytes();

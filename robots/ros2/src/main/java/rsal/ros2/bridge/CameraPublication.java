@@ -73,7 +73,7 @@ final class CameraPublication {
             stream.infos.publish(info(reading.time(), image));
         }
         if (outlet.isHeard(stream.topic)) {
-            RosMessages.write(writer.clear(), reading.time())
+            RosMessages.write(writer.clear(), outlet.stamp(reading.time()))
                     .text(outlet.frames().optical(name))
                     .int32(image.height())
                     .int32(image.width())
@@ -91,7 +91,7 @@ final class CameraPublication {
         double focal = image.focalLength();
         double x = image.width() / 2.0 - 0.5; // of the middle, as the middle of the first pixel is 0
         double y = image.height() / 2.0 - 0.5;
-        RosMessages.write(writer.clear(), time)
+        RosMessages.write(writer.clear(), outlet.stamp(time))
                 .text(outlet.frames().optical(name))
                 .int32(image.height())
                 .int32(image.width())

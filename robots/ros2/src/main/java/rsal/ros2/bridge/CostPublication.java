@@ -18,7 +18,7 @@ final class CostPublication {
     private static final String NAME = "global_costmap/costmap";
     private static final Duration PERIOD = Duration.ofSeconds(1);
 
-    private final RosMessages messages = new RosMessages();
+    private final RosMessages messages;
     private final Navigator navigator;
     private final RobotOutlet outlet;
     private final RosTopic topic;
@@ -29,6 +29,7 @@ final class CostPublication {
     private CostPublication(Navigator navigator, RobotOutlet outlet) {
         this.navigator = navigator;
         this.outlet = outlet;
+        messages = new RosMessages(outlet::stamp);
         topic = outlet.topic(NAME, "nav_msgs/msg/OccupancyGrid");
         grids = outlet.advertise(navigator, NAME, topic.type(), Profile.LATCHED);
     }

@@ -13,7 +13,6 @@ import rsal.robot.Robot;
 import rsal.robot.RobotModel.Part;
 import rsal.ros2.action.Services;
 import rsal.ros2.link.RosLink;
-import rsal.time.Scheduler;
 
 /// Kinds of devices that take goals of others if a robot has them.
 final class GoalServers {
@@ -43,7 +42,7 @@ final class GoalServers {
             RosLink link,
             Function<RosLink, Services> services,
             Function<String, ActiveNode> nodes,
-            Scheduler scheduler) {
+            PublishedTime scheduler) {
         String name(String name) {
             return outlet.topic(name, "").name();
         }

@@ -19,6 +19,7 @@ final class GripperPublication {
 
     private final CdrWriter writer = new CdrWriter();
     private final Part.Gripper part;
+    private final RobotOutlet outlet;
     private final GripperNames names;
     private final List<Flag> flags = new ArrayList<>();
     private final Publication joints;
@@ -45,6 +46,7 @@ final class GripperPublication {
 
     private GripperPublication(Gripper gripper, Part.Gripper part, RobotOutlet outlet) {
         this.part = part;
+        this.outlet = outlet;
         names = GripperNames.of(gripper, outlet);
         flag(gripper, "inner_beam", GripperState::innerBeamBroken, outlet);
         flag(gripper, "outer_beam", GripperState::outerBeamBroken, outlet);
@@ -86,7 +88,10 @@ final class GripperPublication {
         GripperState state = reading.value();
         flags.forEach(flag -> flag.publish(state, writer));
         int count = part.hasLift() ? 2 : 1;
-        RosMessages.write(writer.clear(), reading.time()).text("").int32(count).text(names.paddlesJoint());
+        RosMessages.write(writer.clear(), outlet.stamp(reading.time()))
+                .text("")
+                .int32(count)
+                .text(names.paddlesJoint());
         if (part.hasLift()) {
             writer.text(names.liftJoint());
         }

@@ -18,15 +18,18 @@ final class ImuPublication {
     private static final int COVARIANCES = 9;
 
     private final CdrWriter writer = new CdrWriter();
+    private final RobotOutlet outlet;
     private final double[] orientationCovariance = new double[COVARIANCES];
     private final double[] velocityCovariance = new double[COVARIANCES];
     private final double[] accelerationCovariance = new double[COVARIANCES];
 
-    private ImuPublication() {}
+    private ImuPublication(RobotOutlet outlet) {
+        this.outlet = outlet;
+    }
 
     static void begin(Imu imu, RobotOutlet outlet) {
         String name = imu.info().name();
-        var publication = new ImuPublication();
+        var publication = new ImuPublication(outlet);
         Publication readings =
                 outlet.advertise(imu, outlet.name(imu, Imu.class, "imu"), "sensor_msgs/msg/Imu", Profile.DEFAULT);
         if (outlet.robot().model().sensors().get(name) instanceof Part.Registered part) {
@@ -61,7 +64,7 @@ final class ImuPublication {
     private byte[] message(Stamped<ImuReading> stamped, String frame) {
         ImuReading reading = stamped.value();
         double half = reading.orientation() / 2;
-        RosMessages.write(writer.clear(), stamped.time()).text(frame);
+        RosMessages.write(writer.clear(), outlet.stamp(stamped.time())).text(frame);
         writer.float64(0).float64(0).float64(Math.sin(half)).float64(Math.cos(half));
         writer.float64s(orientationCovariance);
         writer.float64(0).float64(0).float64(reading.angularVelocity());

@@ -14,7 +14,7 @@ import rsal.ros2.message.RosMessages.Transform;
 /// Where sensors are on their robots (`tf_static`). All of them are published when one is new, as those who come late
 /// get the last message only. Those that an actuator moves are published as transforms that move (`tf`).
 final class MountedFrames {
-    private final RosMessages messages = new RosMessages();
+    private final RosMessages messages;
     private final Publication fixed;
     private final Publication moving;
     private final Map<String, Mount> mounts = new LinkedHashMap<>(); // by frame
@@ -24,7 +24,9 @@ final class MountedFrames {
 
     /// @param fixed `tf_static`
     /// @param moving `tf`
-    MountedFrames(Publication fixed, Publication moving) {
+    /// @param time that messages have
+    MountedFrames(Publication fixed, Publication moving, PublishedTime time) {
+        messages = new RosMessages(time::stamp);
         this.fixed = fixed;
         this.moving = moving;
     }

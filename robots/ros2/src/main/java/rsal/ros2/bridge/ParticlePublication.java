@@ -47,8 +47,11 @@ final class ParticlePublication {
 
     private void publish(Stamped<ParticleCloud> cloud) {
         reported = cloud.time();
-        clouds.publish(
-                CloudMessage.write(writer.clear(), cloud.time(), outlet.frames().map(), cloud.value())
-                        .toBytes());
+        clouds.publish(CloudMessage.write(
+                        writer.clear(),
+                        outlet.stamp(cloud.time()),
+                        outlet.frames().map(),
+                        cloud.value())
+                .toBytes());
     }
 }

@@ -47,9 +47,12 @@ final class PlanPublication {
             if (!path.equals(reported)) {
                 reported = path;
                 reportedAt = now;
-                paths.publish(
-                        PathMessage.write(writer.clear(), now, outlet.frames().map(), PathMessage.poses(path))
-                                .toBytes());
+                paths.publish(PathMessage.write(
+                                writer.clear(),
+                                outlet.stamp(now),
+                                outlet.frames().map(),
+                                PathMessage.poses(path))
+                        .toBytes());
             }
         }
     }

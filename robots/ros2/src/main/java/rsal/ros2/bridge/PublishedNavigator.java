@@ -23,7 +23,6 @@ import rsal.ros2.message.FrameTransform;
 import rsal.ros2.message.PlanningError;
 import rsal.ros2.message.RosMessages;
 import rsal.ros2.message.StampedPose;
-import rsal.time.Scheduler;
 
 /// A navigator of ours as Nav2's action `navigate_to_pose`, as it is in Jazzy and Kilted. A new goal takes
 /// the place of the one before, which is aborted, as Nav2 does it.
@@ -33,13 +32,15 @@ final class PublishedNavigator implements ActionServer.Handler {
     private static final String MAP = "map";
 
     private final Navigator navigator;
+    private final PublishedTime time;
     private final ActionServer server;
     private final Map<ServedGoal, GoalHandle<Progress, Result>> drives = new HashMap<>();
 
     /// @param services which this closes
-    PublishedNavigator(Navigator navigator, RosLink link, Services services, String name, Scheduler scheduler) {
+    PublishedNavigator(Navigator navigator, RosLink link, Services services, String name, PublishedTime time) {
         this.navigator = navigator;
-        server = new ActionServer(link, services, name, "nav2_msgs/action/NavigateToPose", scheduler, this);
+        this.time = time;
+        server = new ActionServer(link, services, name, "nav2_msgs/action/NavigateToPose", time, this);
     }
 
     @Override
@@ -65,9 +66,9 @@ final class PublishedNavigator implements ActionServer.Handler {
     }
 
     /// `NavigateToPose_Feedback`
-    private static void write(CdrWriter writer, Stamped<Progress> reported) {
+    private void write(CdrWriter writer, Stamped<Progress> reported) {
         Progress progress = reported.value();
-        RosMessages.write(writer, reported.time()).text(MAP);
+        RosMessages.write(writer, time.stamp(reported.time())).text(MAP);
         RosMessages.write(writer, FrameTransform.of(progress.mapFromBase()));
         Duration driving = progress.driving();
         writer.int32((int) driving.toSeconds()).int32(driving.toNanosPart());

@@ -27,7 +27,6 @@ import rsal.ros2.link.RosLink;
 import rsal.ros2.message.PathMessage;
 import rsal.ros2.message.PlanningError;
 import rsal.ros2.message.StampedPose;
-import rsal.time.Scheduler;
 
 /// Planners of a robot of ours as Nav2's action `compute_path_to_pose`, as all distributions have it. `planner_id`
 /// names the planner; without one, or with the name that Nav2's own configuration has, it is the first. Goals do not
@@ -41,12 +40,13 @@ final class PublishedPlanner implements ActionServer.Handler {
 
     private final Robot robot;
     private final OccupancyGrid map;
-    private final Scheduler scheduler;
+    private final PublishedTime time;
     private final ActionServer server;
 
     /// What is asked for.
     ///
     /// @param stops from the start to the goal
+    /// @param asked when, in the run's time
     private record Question(Planner planner, List<Pose2d> stops, Instant asked) {
         Pose2d start() {
             return stops.getFirst();
@@ -60,13 +60,11 @@ final class PublishedPlanner implements ActionServer.Handler {
     /// @param robot with one planner at least
     /// @param map that tells why there is no path
     /// @param services which this closes
-    PublishedPlanner(
-            Robot robot, OccupancyGrid map, RosLink link, Services services, String name, Scheduler scheduler) {
+    PublishedPlanner(Robot robot, OccupancyGrid map, RosLink link, Services services, String name, PublishedTime time) {
         this.robot = robot;
         this.map = map;
-        this.scheduler = scheduler;
-        server = new ActionServer(
-                link, services, name, ACTION, RequestVersions.of(ACTION + "_SendGoal"), scheduler, this);
+        this.time = time;
+        server = new ActionServer(link, services, name, ACTION, RequestVersions.of(ACTION + "_SendGoal"), time, this);
     }
 
     @Override
@@ -94,7 +92,7 @@ final class PublishedPlanner implements ActionServer.Handler {
         } else {
             var stops = new ArrayList<Pose2d>(List.of(start.get()));
             onMap.stream().skip(hasStart ? 1 : 0).forEach(stops::add);
-            answer(goal, new Question(planner.get(), stops, scheduler.instant()));
+            answer(goal, new Question(planner.get(), stops, time.ofRun()));
         }
     }
 
@@ -123,7 +121,7 @@ final class PublishedPlanner implements ActionServer.Handler {
     }
 
     private void answer(ServedGoal goal, Question question) {
-        scheduler.within(PATIENCE, path(question)).whenComplete((result, error) -> {
+        time.within(PATIENCE, path(question)).whenComplete((result, error) -> {
             if (error instanceof TimeoutException) {
                 fail(goal, PlanningError.TIMEOUT, "No path was found within %d s.".formatted(PATIENCE.toSeconds()));
             } else if (error != null) {
@@ -167,7 +165,7 @@ final class PublishedPlanner implements ActionServer.Handler {
                     Pose2d last = poses.removeLast();
                     poses.add(new Pose2d(last.x(), last.y(), question.goal().theta()));
                 }
-                Duration planning = Duration.between(question.asked, scheduler.instant());
+                Duration planning = Duration.between(question.asked, time.ofRun());
                 goal.end(Status.SUCCEEDED, writer -> write(writer, poses, planning, 0, ""));
             }
             case Result.NoPath(String why) -> fail(goal, error(question), why);
@@ -202,7 +200,7 @@ final class PublishedPlanner implements ActionServer.Handler {
 
     /// `ComputePathToPose_Result`; Humble reads no more than the time.
     private void write(CdrWriter writer, List<Pose2d> poses, Duration planning, int code, String why) {
-        PathMessage.write(writer, scheduler.instant(), MAP, poses);
+        PathMessage.write(writer, time.instant(), MAP, poses);
         writer.int32((int) planning.toSeconds()).int32(planning.toNanosPart());
         writer.int16((short) code).text(why);
     }

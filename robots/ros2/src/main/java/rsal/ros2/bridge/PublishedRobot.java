@@ -29,7 +29,6 @@ import rsal.system.BridgeContext;
 import rsal.system.CommandTimeout;
 import rsal.system.CommandWatch;
 import rsal.system.ExportedDevice;
-import rsal.time.Scheduler;
 
 /// A robot of ours as topics in its namespace, with frames as Nav2 wants them of several robots: without a prefix, on
 /// topics `tf` and `tf_static` of their own. Takes velocities, poses and goals.
@@ -46,7 +45,7 @@ final class PublishedRobot {
 
     private final Robot robot;
     private final RosLink link;
-    private final Scheduler scheduler;
+    private final PublishedTime scheduler;
     private final Executor requests; // are answered also while the run is paused
     private final List<NodeParameters.Parameter> parameters;
     private final int port;
@@ -66,7 +65,7 @@ final class PublishedRobot {
             RosLink link,
             int port,
             Executor requests,
-            Scheduler scheduler) {
+            PublishedTime scheduler) {
         this.robot = robot;
         this.link = link;
         this.scheduler = scheduler;
@@ -85,9 +84,10 @@ final class PublishedRobot {
                 link,
                 namespace,
                 FrameNames.PLAIN,
-                new MountedFrames(fixed, transforms),
+                new MountedFrames(fixed, transforms, scheduler),
                 this::offer,
-                new Subscribers(link, scheduler)::isHeard);
+                new Subscribers(link, scheduler.inRealTime())::isHeard,
+                scheduler);
         var sensors = new RobotPublications(outlet, transforms);
         ends.add(sensors::close);
         sensors.begin();

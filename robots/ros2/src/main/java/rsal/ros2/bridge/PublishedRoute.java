@@ -25,7 +25,6 @@ import rsal.ros2.link.RosLink;
 import rsal.ros2.message.FrameTransform;
 import rsal.ros2.message.RosMessages;
 import rsal.ros2.message.StampedPose;
-import rsal.time.Scheduler;
 
 /// A navigator of ours as Nav2's action `navigate_through_poses`, one pose after another; near a pose that is not the
 /// last it goes on to the next one without a stop. Goals are those of all distributions. Feedback and results are
@@ -41,7 +40,7 @@ final class PublishedRoute implements ActionServer.Handler {
     private static final String MAP = "map";
 
     private final Navigator navigator;
-    private final Scheduler scheduler;
+    private final PublishedTime time;
     private final ActionServer server;
     private final Map<ServedGoal, Route> routes = new HashMap<>();
 
@@ -59,11 +58,10 @@ final class PublishedRoute implements ActionServer.Handler {
     }
 
     /// @param services which this closes
-    PublishedRoute(Navigator navigator, RosLink link, Services services, String name, Scheduler scheduler) {
+    PublishedRoute(Navigator navigator, RosLink link, Services services, String name, PublishedTime time) {
         this.navigator = navigator;
-        this.scheduler = scheduler;
-        server = new ActionServer(
-                link, services, name, ACTION, RequestVersions.of(ACTION + "_SendGoal"), scheduler, this);
+        this.time = time;
+        server = new ActionServer(link, services, name, ACTION, RequestVersions.of(ACTION + "_SendGoal"), time, this);
     }
 
     @Override
@@ -91,7 +89,7 @@ final class PublishedRoute implements ActionServer.Handler {
     private final class Route {
         private final ServedGoal goal;
         private final List<Pose2d> poses;
-        private final Instant begun = scheduler.instant();
+        private final Instant begun = time.ofRun();
         private Optional<GoalHandle<Progress, Result>> leg = Optional.empty(); // to the next pose
         private int next;
 
@@ -156,7 +154,7 @@ final class PublishedRoute implements ActionServer.Handler {
         /// `NavigateThroughPoses_Feedback`
         private void write(CdrWriter writer, Stamped<Progress> reported) {
             Progress progress = reported.value();
-            RosMessages.write(writer, reported.time()).text(MAP);
+            RosMessages.write(writer, time.stamp(reported.time())).text(MAP);
             RosMessages.write(writer, FrameTransform.of(progress.mapFromBase()));
             Duration driving = Duration.between(begun, reported.time());
             writer.int32((int) driving.toSeconds()).int32(driving.toNanosPart());
@@ -180,7 +178,7 @@ final class PublishedRoute implements ActionServer.Handler {
             for (int i = 0; i < poses.size(); i++) {
                 Waypoint status = i < next ? Waypoint.COMPLETED : i == next ? present : Waypoint.PENDING;
                 writer.int8(status.code).int32(i);
-                RosMessages.write(writer, begun).text(MAP);
+                RosMessages.write(writer, time.stamp(begun)).text(MAP);
                 RosMessages.write(writer, FrameTransform.of(poses.get(i)));
                 writer.int16((short) 0).text("");
             }

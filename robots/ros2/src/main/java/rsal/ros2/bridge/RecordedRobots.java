@@ -28,7 +28,7 @@ final class RecordedRobots implements Bridge {
     private static final String TRANSFORMS = "tf2_msgs/msg/TFMessage";
 
     private final BagPublisher bag;
-    private final Scheduler scheduler;
+    private final PublishedTime scheduler;
     private final Optional<SimulationControl> simulation;
     private final RosMessages messages = new RosMessages();
     private final Map<String, RobotPublications> robots = new LinkedHashMap<>();
@@ -41,10 +41,11 @@ final class RecordedRobots implements Bridge {
     /// @param bag which this closes
     RecordedRobots(BagPublisher bag, BridgeContext context, Scheduler scheduler) {
         this.bag = bag;
-        this.scheduler = scheduler;
+        this.scheduler = new PublishedTime(scheduler);
         this.simulation = context.simulation();
         transforms = bag.advertise(new RosTopic("/tf", TRANSFORMS), Profile.DEFAULT);
-        mounted = new MountedFrames(bag.advertise(new RosTopic("/tf_static", TRANSFORMS), Profile.LATCHED), transforms);
+        mounted = new MountedFrames(
+                bag.advertise(new RosTopic("/tf_static", TRANSFORMS), Profile.LATCHED), transforms, this.scheduler);
         clock = bag.advertise(new RosTopic("/clock", "rosgraph_msgs/msg/Clock"), Profile.SENSOR_DATA);
         bag.advertise(new RosTopic("/map", "nav_msgs/msg/OccupancyGrid"), Profile.LATCHED)
                 .publish(messages.map(scheduler.instant(), context.map(), FrameNames.PLAIN.map()));
@@ -69,7 +70,7 @@ final class RecordedRobots implements Bridge {
     public List<ExportedDevice> join(Robot robot) {
         String namespace = RosNetwork.namespace(robot.id());
         var names = new FrameNames(namespace.substring(1) + "/");
-        var outlet = new RobotOutlet(robot, bag, namespace, names, mounted, (_, _) -> {}, _ -> true);
+        var outlet = new RobotOutlet(robot, bag, namespace, names, mounted, (_, _) -> {}, _ -> true, scheduler);
         var sensors = new RobotPublications(outlet, transforms);
         robots.put(robot.id(), sensors);
         truths.put(

@@ -27,12 +27,14 @@ final class RobotOutlet {
     private final MountedFrames mounted;
     private final BiConsumer<Device, String> published;
     private final Predicate<RosTopic> heard;
+    private final PublishedTime time;
     private final List<Runnable> ends = new ArrayList<>();
     private final Set<String> mounts = new HashSet<>(); // frames of its sensors
 
     /// @param mounted where its sensors' frames are published
     /// @param published gets the name of each topic, without the namespace
     /// @param heard whether somebody wants the messages of a topic
+    /// @param time that messages have
     RobotOutlet(
             Robot robot,
             RosPublisher link,
@@ -40,7 +42,8 @@ final class RobotOutlet {
             FrameNames frames,
             MountedFrames mounted,
             BiConsumer<Device, String> published,
-            Predicate<RosTopic> heard) {
+            Predicate<RosTopic> heard,
+            PublishedTime time) {
         this.robot = robot;
         this.link = link;
         this.namespace = namespace;
@@ -48,10 +51,16 @@ final class RobotOutlet {
         this.mounted = mounted;
         this.published = published;
         this.heard = heard;
+        this.time = time;
     }
 
     Robot robot() {
         return robot;
+    }
+
+    /// The time that messages have of what was at a time of the run.
+    Instant stamp(Instant ofRun) {
+        return time.stamp(ofRun);
     }
 
     FrameNames frames() {

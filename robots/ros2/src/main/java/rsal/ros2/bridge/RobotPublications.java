@@ -29,7 +29,7 @@ final class RobotPublications {
     private final RobotOutlet outlet;
     private final FrameNames frames;
     private final Publication transforms;
-    private final RosMessages messages = new RosMessages();
+    private final RosMessages messages;
     private Optional<Pose2d> odomFromBase = Optional.empty();
 
     /// @param outlet which this closes
@@ -37,6 +37,7 @@ final class RobotPublications {
     RobotPublications(RobotOutlet outlet, Publication transforms) {
         this.outlet = outlet;
         this.robot = outlet.robot();
+        this.messages = new RosMessages(outlet::stamp);
         this.frames = outlet.frames();
         this.transforms = transforms;
     }

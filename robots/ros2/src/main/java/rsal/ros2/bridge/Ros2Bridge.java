@@ -1,6 +1,7 @@
 package rsal.ros2.bridge;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -8,11 +9,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import rsal.robot.Robot;
-import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosNetwork;
-import rsal.ros2.link.RosPublisher.Publication;
-import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.RosMessages;
 import rsal.system.Bridge;
 import rsal.system.BridgeContext;
@@ -32,10 +30,10 @@ final class Ros2Bridge implements Bridge {
     private final RosLink link;
     private final BridgeContext context;
     private final int port;
-    private final Scheduler scheduler;
+    private final PublishedTime time;
     private final RosMessages messages = new RosMessages();
     private final Map<String, Joined> robots = new LinkedHashMap<>(); // by id
-    private final Publication clock;
+    private final ClockFollowers clock;
     private final Task ticking;
     private final Executor requests; // are answered there
     private final PublishedHealth health;
@@ -62,16 +60,20 @@ final class Ros2Bridge implements Bridge {
         this.link = link;
         this.context = context;
         this.port = port;
-        this.scheduler = scheduler;
-        clock = link.advertise(new RosTopic("/clock", "rosgraph_msgs/msg/Clock"), Profile.SENSOR_DATA);
+        time = new PublishedTime(scheduler);
+        clock = new ClockFollowers(
+                link,
+                context.isPaced(),
+                context.timeout().nanos(),
+                () -> context.control().ifPresent(control -> control.execute(() -> {})));
         ticking = scheduler.every(TICK, Phase.OBSERVE, this::tick);
         requests = context.control().<Executor>map(control -> control).orElse(scheduler);
-        new NodeParameters("/" + NODE, NodeParameters.of(context)).serve(link, requests, scheduler);
-        health = new PublishedHealth(this::robots, link, scheduler);
+        new NodeParameters("/" + NODE, NodeParameters.of(context)).serve(link, requests, time);
+        health = new PublishedHealth(this::robots, link, time);
         truth = context.simulation().map(world -> new TruthTracker(world, scheduler));
         simulation = truth.flatMap(tracked -> context.control()
                 .map(control -> new SimulationServer(
-                        context.simulation().orElseThrow(), control, tracked, this::robot, link, scheduler)));
+                        context.simulation().orElseThrow(), control, tracked, this::robot, this::restart, link, time)));
         link.together(() -> context.robots().forEach(this::join));
     }
 
@@ -84,7 +86,26 @@ final class Ros2Bridge implements Bridge {
     }
 
     private void tick() {
-        clock.publish(messages.clock(scheduler.instant()));
+        Instant now = time.instant();
+        clock.publish(Duration.between(Instant.EPOCH, now).toNanos(), messages.clock(now));
+    }
+
+    /// A program resets the time.
+    private void restart() {
+        time.restart();
+        clock.restart();
+        tick();
+    }
+
+    /// So that sensors and commands are late by no more than the time between two messages of `/clock`.
+    @Override
+    public Optional<Duration> grain() {
+        return Optional.of(TICK);
+    }
+
+    @Override
+    public Pace pace() {
+        return clock.pace();
     }
 
     @Override
@@ -103,14 +124,14 @@ final class Ros2Bridge implements Bridge {
         String namespace = RosNetwork.namespace(robot.id());
         RosLink node = link.node(namespace, NODE);
         List<NodeParameters.Parameter> parameters = NodeParameters.of(robot, context);
-        new NodeParameters(namespace + "/" + NODE, parameters).serve(node, requests, scheduler);
+        new NodeParameters(namespace + "/" + NODE, parameters).serve(node, requests, time);
         return new Joined(
                 robot,
                 node,
-                new PublishedRobot(robot, context, parameters, node, port, requests, scheduler),
-                new PublishedModel(robot, node, namespace),
+                new PublishedRobot(robot, context, parameters, node, port, requests, time),
+                new PublishedModel(robot, node, namespace, time),
                 truth.filter(tracked -> tracked.pose(robot.id()).isPresent())
-                        .map(tracked -> new PublishedTruth(robot.id(), tracked, node, namespace, scheduler)));
+                        .map(tracked -> new PublishedTruth(robot.id(), tracked, node, namespace, time)));
     }
 
     @Override
@@ -126,6 +147,7 @@ final class Ros2Bridge implements Bridge {
         if (!closed) {
             closed = true;
             ticking.cancel();
+            clock.close();
             health.close();
             simulation.ifPresent(SimulationServer::close);
             truth.ifPresent(TruthTracker::close);

@@ -31,6 +31,12 @@ public final class Ros2BridgeProvider implements BridgeProvider {
         return DomainPorts.multicast(RosNetwork.environment().domain().orElse(0));
     }
 
+    /// By `/clock_reached`, or by reliable subscriptions of `/clock`.
+    @Override
+    public boolean canPace() {
+        return true;
+    }
+
     @Override
     public Bridge open(InetSocketAddress at, BridgeContext context, Scheduler scheduler) throws IOException {
         int domain = DomainPorts.domain(at.getPort())

@@ -25,36 +25,41 @@ final class RunServices implements ActionServer.Handler {
     private static final int QUITTING = 3;
     private static final int ALREADY_THERE = 101; // of SetSimulationState
     private static final int INCORRECT_TRANSITION = 103;
-    private static final int TIME = 1; // what is reset; 0 for what can be
+    private static final int TIME = 1; // what is reset
     private static final int STATE = 2;
     private static final int SPAWNED = 4;
+    private static final int ALL = 255; // as the default 0
     private static final long MOST_STEPS = 1_000_000; // at once
     private static final long MOST_FEEDBACK = 100; // messages of a goal
 
-    /// Spawning, deleting; categories; states of entities read and set; infos; spawnables; reset, of states
+    /// Spawning, deleting; categories; states of entities read and set; infos; spawnables; reset, of time, of states
     /// and of what was spawned; state of the simulation read and set.
-    private static final List<Integer> ALWAYS = List.of(0, 1, 8, 10, 11, 12, 14, 20, 22, 23, 24, 25);
+    private static final List<Integer> ALWAYS = List.of(0, 1, 8, 10, 11, 12, 14, 20, 21, 22, 23, 24, 25);
 
     /// To pause; steps, single, several, as an action.
     private static final List<Integer> PAUSABLE = List.of(26, 31, 32, 33);
 
     private final RunControl control;
+    private final Runnable restart;
+    private boolean isStopped; // if it is paused
     private Optional<Stepping> stepping = Optional.empty();
 
     private record Stepping(ServedGoal goal, GoalHandle<Long, Long> steps) {}
 
-    RunServices(RunControl control) {
+    /// @param restart lets the time of ROS begin again
+    RunServices(RunControl control, Runnable restart) {
         this.control = control;
+        this.restart = restart;
     }
 
     /// @param prefix of names: `/rsal/`
     void serve(Services services, String prefix) {
         services.serve(prefix + "get_simulator_features", PACKAGE + "GetSimulatorFeatures", _ -> features());
         services.serve(prefix + "get_simulation_state", PACKAGE + "GetSimulationState", _ -> state());
-        services.serve(
+        services.serveLater(
                 prefix + "set_simulation_state",
                 PACKAGE + "SetSimulationState",
-                request -> set(request.message("state").integer("state")).toBytes());
+                request -> set(request.message("state").integer("state")).thenApply(ResultCode::toBytes));
         services.serve(
                 prefix + "reset_simulation",
                 PACKAGE + "ResetSimulation",
@@ -77,58 +82,72 @@ final class RunServices implements ActionServer.Handler {
                 .toBytes();
     }
 
+    private int now() {
+        isStopped &= control.isPaused();
+        return !control.isPaused() ? PLAYING : isStopped ? STOPPED : PAUSED;
+    }
+
     private byte[] state() {
-        var response = new CdrWriter().int8((byte) (control.isPaused() ? PAUSED : PLAYING));
+        var response = new CdrWriter().int8((byte) now());
         return ResultCode.OK.write(response).toBytes();
     }
 
-    private ResultCode set(long state) {
-        if (state == (control.isPaused() ? PAUSED : PLAYING)) {
-            return new ResultCode(ALREADY_THERE, "The simulation is in this state.");
+    private CompletionStage<ResultCode> set(long state) {
+        if (state == now()) {
+            return completed(new ResultCode(ALREADY_THERE, "The simulation is in this state."));
         }
         return switch ((int) state) {
             case PLAYING -> {
+                isStopped = false;
                 control.resume();
-                yield ResultCode.OK;
+                yield completed(ResultCode.OK);
             }
-            case PAUSED -> {
+            case PAUSED, STOPPED -> {
                 if (!control.isPausable()) {
-                    yield ResultCode.unsupported("A run in real time can't be paused.");
+                    yield completed(ResultCode.unsupported("A run in real time can't be paused."));
                 }
-                control.pause();
-                yield ResultCode.OK;
+                isStopped = false;
+                yield control.pause().thenApply(_ -> state == STOPPED ? stop() : ResultCode.OK);
             }
             case QUITTING -> {
                 control.end();
-                yield ResultCode.OK;
+                yield completed(ResultCode.OK);
             }
-            case STOPPED ->
-                new ResultCode(INCORRECT_TRANSITION, "A run is paused (2) or ended (3); it can't begin again from 0.");
             default ->
-                new ResultCode(
+                completed(new ResultCode(
                         INCORRECT_TRANSITION,
-                        "There is no state %d to go to, but 1 (playing), 2 (paused) and 3 (quitting)."
-                                .formatted(state));
+                        "There is no state %d to go to, but 0 (stopped), 1 (playing), 2 (paused) and 3 (quitting)."
+                                .formatted(state)));
         };
     }
 
+    /// As it was when it began, and paused.
+    private ResultCode stop() {
+        isStopped = true;
+        return reset(ALL);
+    }
+
+    private static CompletionStage<ResultCode> completed(ResultCode code) {
+        return CompletableFuture.completedStage(code);
+    }
+
     private ResultCode reset(int scope) {
-        if ((scope & TIME) != 0) {
-            return ResultCode.unsupported("Time can't be reset. Reset 2 (state), 4 (spawned) or 6 (both).");
+        boolean isAll = scope == 0 || scope == ALL;
+        if (!isAll && (scope & ~(TIME | STATE | SPAWNED)) != 0) {
+            return ResultCode.failed(
+                    "There is no scope %d, but 255 (all), or 1 (time), 2 (state), 4 (spawned) and sums of these."
+                            .formatted(scope));
         }
-        if ((scope & ~(STATE | SPAWNED)) != 0) {
-            return ResultCode.failed("There is no scope %d, but 2 (state), 4 (spawned) and 6 (both).".formatted(scope));
-        }
-        if (scope == 0 || (scope & SPAWNED) != 0) {
+        if (isAll || (scope & SPAWNED) != 0) {
             control.removeSpawned();
         }
-        if (scope == 0 || (scope & STATE) != 0) {
-            List<String> missing = control.restore();
-            if (!missing.isEmpty()) {
-                return ResultCode.failed("All is back but what was deleted: %s.".formatted(String.join(", ", missing)));
-            }
+        List<String> missing = isAll || (scope & STATE) != 0 ? control.restore() : List.of();
+        if (isAll || (scope & TIME) != 0) {
+            restart.run();
         }
-        return ResultCode.OK;
+        return missing.isEmpty()
+                ? ResultCode.OK
+                : ResultCode.failed("All is back but what was deleted: %s.".formatted(String.join(", ", missing)));
     }
 
     /// Why no steps can be made now.
@@ -136,7 +155,7 @@ final class RunServices implements ActionServer.Handler {
         if (!control.isPausable()) {
             return Optional.of(ResultCode.unsupported("A run in real time can't be stepped."));
         }
-        if (!control.isPaused()) {
+        if (now() != PAUSED) {
             return Optional.of(ResultCode.incorrectState("Steps need a paused simulation. Set its state to 2 first."));
         }
         if (steps < 1 || steps > MOST_STEPS) { // of which those beyond 2^63 are below 0
@@ -149,12 +168,12 @@ final class RunServices implements ActionServer.Handler {
     private CompletionStage<ResultCode> step(long steps) {
         Optional<ResultCode> refusal = refusal(steps);
         if (refusal.isPresent()) {
-            return CompletableFuture.completedStage(refusal.get());
+            return completed(refusal.get());
         }
         try {
             return control.step(steps).result().thenApply(made -> made(made, steps));
         } catch (IllegalStateException e) {
-            return CompletableFuture.completedStage(busy());
+            return completed(busy());
         }
     }
 

@@ -10,7 +10,6 @@ import rsal.ros2.link.RosLink;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeLibrary;
 import rsal.system.RunControl;
-import rsal.time.Scheduler;
 
 /// The services of the package `simulation_interfaces`, by which tools of ROS 2 control a simulator,
 /// whichever it is. They are answered also while the run is paused.
@@ -21,25 +20,27 @@ final class SimulationServer {
     private final ActionServer steps;
 
     /// @param robots by id
+    /// @param restart lets the time of ROS begin again
     /// @param link of the node `/rsal`
     SimulationServer(
             SimulationControl world,
             RunControl control,
             TruthTracker truth,
             Function<String, Optional<Robot>> robots,
+            Runnable restart,
             RosLink link,
-            Scheduler scheduler) {
+            PublishedTime time) {
         TypeLibrary types = TypeLibrary.of(Distribution.JAZZY);
         services = new Services(link, types, control);
-        new EntityServices(world, control, truth, robots, scheduler).serve(services, PREFIX);
-        var run = new RunServices(control);
+        new EntityServices(world, control, truth, robots, time).serve(services, PREFIX);
+        var run = new RunServices(control, restart);
         run.serve(services, PREFIX);
         steps = new ActionServer(
                 link,
                 new Services(link, types, control),
                 PREFIX + "simulate_steps",
                 "simulation_interfaces/action/SimulateSteps",
-                scheduler,
+                time,
                 run);
     }
 

@@ -13,9 +13,10 @@ import rsal.ros2.link.RosTopic;
 import rsal.ros2.setting.RosSettings;
 
 /// Makes bumpers of topics of the type `std_msgs/Bool`: those that are set, or `bumper_0`, `bumper_1`, … by the
-/// device's name.
+/// device's name. Otherwise of the hazards of an iRobot Create 3, which has one topic for all.
 final class BumperMaker implements RosParts.Maker {
     private static final String FLAG = "std_msgs/msg/Bool";
+    private static final String HAZARDS = "irobot_create_msgs/msg/HazardDetectionVector";
     private static final int WAITING = 20; // messages: a short press is two of them
 
     @Override
@@ -42,17 +43,34 @@ final class BumperMaker implements RosParts.Maker {
                 .toList();
     }
 
-    @Override
-    public boolean isThere(Wanted wanted, RobotTopics topics, RosSettings settings) {
+    private static boolean hasFlags(Wanted wanted, RobotTopics topics, RosSettings settings) {
         List<RosTopic> all = topics(wanted.name(), wanted.part(), topics, settings);
         return all.size() == ((Part.Bumper) wanted.part()).pads().size()
                 && all.stream().allMatch(topics::isPublished);
     }
 
+    private static List<RosTopic> hazards(RobotTopics topics) {
+        return topics.published(HAZARDS, "hazard_detection");
+    }
+
+    @Override
+    public boolean isThere(Wanted wanted, RobotTopics topics, RosSettings settings) {
+        return hasFlags(wanted, topics, settings) || !hazards(topics).isEmpty();
+    }
+
     @Override
     public RosDevice make(DeviceInfo info, Wanted wanted, RosContext context) {
-        List<RosTopic> all = topics(info.name(), wanted.part(), context.topics(), context.settings());
         var bumper = new RosBumper(info, (Part.Bumper) wanted.part(), context.frames());
+        if (!hasFlags(wanted, context.topics(), context.settings())) {
+            RosTopic topic = hazards(context.topics()).getFirst();
+            Subscribed hazards = context.link()
+                    .subscribe(
+                            topic,
+                            context.topics().profile(topic),
+                            context.inbox(HAZARDS, WAITING, bumper::takeHazards));
+            return device(bumper, List.of(topic), List.of(hazards));
+        }
+        List<RosTopic> all = topics(info.name(), wanted.part(), context.topics(), context.settings());
         var subscriptions = new ArrayList<Subscribed>();
         for (RosTopic topic : all) {
             int number = subscriptions.size();
@@ -62,13 +80,17 @@ final class BumperMaker implements RosParts.Maker {
                             context.reliable(topic),
                             context.inbox(FLAG, WAITING, (RosMessage message) -> bumper.take(number, message))));
         }
+        return device(bumper, all, subscriptions);
+    }
+
+    private static RosDevice device(RosBumper bumper, List<RosTopic> topics, List<Subscribed> subscriptions) {
         return new RosDevice(
                 bumper,
                 now -> bumper.look(
                         now,
-                        IntStream.range(0, all.size())
+                        IntStream.range(0, topics.size())
                                 .filter(i -> subscriptions.get(i).publishers() == 0)
-                                .mapToObj(i -> all.get(i).name())
+                                .mapToObj(i -> topics.get(i).name())
                                 .toList()),
                 () -> subscriptions.forEach(Subscribed::close));
     }

@@ -14,12 +14,14 @@ import rsal.ros2.link.RosLink.Subscribed;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.setting.RosSettings;
 
-/// Makes a camera of its images: `camera/image_raw`, those below the device's name, or the first ones; with depth if
-/// there is a topic with `depth` in its name. Where colors are compressed only, it is made of `…/compressed`.
+/// Makes a camera of its images: `camera/image_raw`, those below the device's name, or the first ones; with depth
+/// if there is a topic with `depth` in its name. Where colors are compressed only, it is made of `…/compressed`,
+/// and where depth is, of `…/compressedDepth`.
 final class CameraMaker implements RosParts.Maker {
     private static final String IMAGE = "sensor_msgs/msg/Image";
     private static final String COMPRESSED_IMAGE = "sensor_msgs/msg/CompressedImage";
     private static final String COMPRESSED = "/compressed"; // behind the name of the topic of plain images
+    private static final String COMPRESSED_DEPTH = "/compressedDepth"; // also
     private static final String INFO = "sensor_msgs/msg/CameraInfo";
     private static final String DEPTH = "depth";
 
@@ -50,6 +52,11 @@ final class CameraMaker implements RosParts.Maker {
                 .or(() -> images(name, topics, new RosTopic("/image_raw" + COMPRESSED, COMPRESSED_IMAGE), false));
     }
 
+    private static Optional<RosTopic> depths(String name, RobotTopics topics) {
+        var usual = new RosTopic("/depth/image_raw" + COMPRESSED_DEPTH, COMPRESSED_IMAGE);
+        return images(name, topics, true).or(() -> images(name, topics, usual, true));
+    }
+
     private static Optional<RosTopic> images(String name, RobotTopics topics, boolean hasDepth) {
         return images(name, topics, new RosTopic(hasDepth ? "/depth/image_raw" : "/image_raw", IMAGE), hasDepth);
     }
@@ -61,18 +68,27 @@ final class CameraMaker implements RosParts.Maker {
         return all.contains(named)
                 ? Optional.of(named)
                 : all.stream()
-                        .filter(topic -> topic.name()
-                                        .substring(topics.namespace().length())
-                                        .toLowerCase(Locale.ROOT)
-                                        .contains(DEPTH)
-                                == hasDepth)
+                        .filter(topic -> isOfDepth(topic, topics) == hasDepth)
+                        .filter(topic -> !hasDepth
+                                || topic.type().equals(IMAGE)
+                                || topic.name().endsWith(COMPRESSED_DEPTH))
                         .findFirst();
+    }
+
+    /// By its name. Programs offer all images as compressed depth, too.
+    private static boolean isOfDepth(RosTopic topic, RobotTopics topics) {
+        String plain = topic.name().endsWith(COMPRESSED_DEPTH)
+                ? topic.name().substring(0, topic.name().length() - COMPRESSED_DEPTH.length())
+                : topic.name();
+        return plain.substring(topics.namespace().length())
+                .toLowerCase(Locale.ROOT)
+                .contains(DEPTH);
     }
 
     @Override
     public RosDevice make(DeviceInfo info, Wanted wanted, RosContext context) {
         RosTopic color = colors(info.name(), context.topics()).orElseThrow();
-        Optional<RosTopic> depth = images(info.name(), context.topics(), true);
+        Optional<RosTopic> depth = depths(info.name(), context.topics());
         double focal = CameraKind.focalLength(((Part.Registered) wanted.part()).arguments());
         var camera = new RosCamera(
                 info,
@@ -80,11 +96,13 @@ final class CameraMaker implements RosParts.Maker {
                 focal,
                 depth.isPresent(),
                 new ImageDecoder(context.scheduler()),
+                new ImageDecoder(context.scheduler()),
                 context.frames(),
                 context.clock());
         boolean isCompressed = color.type().equals(COMPRESSED_IMAGE);
         Subscribed images = context.newest(color, isCompressed ? camera::takeCompressed : camera::takeColor);
-        Optional<Subscribed> depths = depth.map(topic -> context.newest(topic, camera::takeDepth));
+        Optional<Subscribed> depths = depth.map(topic ->
+                context.newest(topic, topic.type().equals(IMAGE) ? camera::takeDepth : camera::takeCompressedDepth));
         String plain = isCompressed && color.name().endsWith(COMPRESSED)
                 ? color.name().substring(0, color.name().length() - COMPRESSED.length())
                 : color.name();

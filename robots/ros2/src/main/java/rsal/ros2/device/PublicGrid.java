@@ -24,10 +24,13 @@ final class PublicGrid {
     private final RosTopic updates;
     private final CellMeaning meaning;
     private final ObjLongConsumer<OccupancyGrid> listener;
+    private final RobotClock clock;
     private final Subscribed whole;
     private final Subscribed changes;
     private Optional<OccupancyGrid> newest = Optional.empty();
     private long stamp; // of the newest whole one [ns]
+    private long updated; // stamp of its newest update [ns]; 0 for none
+    private int resets; // of the robot's time, when it was last updated
     private long damaged; // updates
 
     /// @param topic of whole maps
@@ -35,6 +38,7 @@ final class PublicGrid {
     PublicGrid(RosTopic topic, CellMeaning meaning, RosContext context, ObjLongConsumer<OccupancyGrid> listener) {
         this.meaning = meaning;
         this.listener = listener;
+        clock = context.clock();
         updates = new RosTopic(topic.name() + "_updates", UPDATE);
         RobotTopics topics = context.topics();
         whole = context.link().subscribe(topic, context.reliable(topic), context.inbox(GRID, 1, this::take));
@@ -42,11 +46,17 @@ final class PublicGrid {
                 .subscribe(updates, topics.reliable(updates), context.inbox(UPDATE, UPDATES_WAITING, this::takeUpdate));
     }
 
+    /// One that is older than an update comes again or late, and would undo it.
     private void take(RosMessage message) {
-        MapMessage.of(message, meaning).ifPresent(map -> {
-            stamp = RosMessages.stamp(message.message("header"));
-            publish(map, stamp);
-        });
+        long when = RosMessages.stamp(message.message("header"));
+        boolean isOutdated = when != 0 && when < updated && resets == clock.resets();
+        if (!isOutdated) {
+            MapMessage.of(message, meaning).ifPresent(map -> {
+                stamp = when;
+                updated = 0;
+                publish(map, stamp);
+            });
+        }
     }
 
     private void publish(OccupancyGrid map, long when) {
@@ -62,7 +72,11 @@ final class PublicGrid {
             return;
         }
         Optional<OccupancyGrid> changed = MapMessage.updated(newest.get(), update, meaning);
-        changed.ifPresent(map -> publish(map, when == 0 ? stamp : when));
+        changed.ifPresent(map -> {
+            updated = Math.max(updated, when);
+            resets = clock.resets();
+            publish(map, when == 0 ? stamp : when);
+        });
         if (changed.isEmpty() && damaged++ == 0) {
             LOG.log(
                     Level.WARNING,

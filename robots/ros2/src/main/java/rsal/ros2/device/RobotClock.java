@@ -25,6 +25,7 @@ final class RobotClock {
     private long firstStamp; // of this window
     private long least; // of this window: the run's time less the stamp
     private long before; // of the window before
+    private int resets;
 
     /// @param isShared whether the robot has the run's clock: then stamps are the run's time
     RobotClock(InstantSource run, boolean isShared) {
@@ -58,6 +59,7 @@ final class RobotClock {
             before = isOfOurPace ? least : Long.MAX_VALUE;
             begin(now, stamp);
         }
+        resets += wentBack ? 1 : 0;
         newest = stamp;
         heard = now;
         least = Math.min(least, apart);
@@ -88,6 +90,11 @@ final class RobotClock {
         long now = nanoseconds(instant);
         long time = stamp + apart();
         return time > now ? instant : instant.minusNanos(now - time);
+    }
+
+    /// How often the robot's time went back so far.
+    int resets() {
+        return resets;
     }
 
     /// What the robot's clock says now; 0 before it has sent anything.

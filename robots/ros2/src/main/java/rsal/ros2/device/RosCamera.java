@@ -10,6 +10,7 @@ import rsal.device.DeviceInfo;
 import rsal.device.camera.Camera;
 import rsal.device.camera.CameraImage;
 import rsal.ros2.cdr.RosMessage;
+import rsal.ros2.image.CompressedImage;
 import rsal.ros2.image.ImageDecoder;
 import rsal.ros2.image.ImageMessage;
 import rsal.ros2.message.RosMessages;
@@ -27,6 +28,7 @@ final class RosCamera extends RosSensor<CameraImage> implements Camera {
     private final double usualFocalLength; // px
     private final boolean hasDepth;
     private final ImageDecoder decoder;
+    private final ImageDecoder depthDecoder;
     private final Frames frames;
     private final RobotClock clock;
     private double focalLength; // px; 0 as long as nobody has told
@@ -34,11 +36,21 @@ final class RosCamera extends RosSensor<CameraImage> implements Camera {
     private int reportedWidth; // px, of images of that focal length
     private final Deque<Taken> colors = new ArrayDeque<>(); // without depth yet
     private final Deque<Taken> depths = new ArrayDeque<>(); // without color yet
+    private final Deque<Compressed> compressedDepths = new ArrayDeque<>(); // also
 
     /// @param stamp [ns]
     private record Taken(long stamp, ImageMessage image) {
         boolean isWith(Taken other) {
             return Math.abs(stamp - other.stamp) <= TOGETHER;
+        }
+    }
+
+    /// Depth that is decoded only if there is an image in color with it.
+    ///
+    /// @param stamp [ns]
+    private record Compressed(long stamp, byte[] data, String format) {
+        boolean isWith(Taken color) {
+            return Math.abs(stamp - color.stamp) <= TOGETHER;
         }
     }
 
@@ -51,6 +63,7 @@ final class RosCamera extends RosSensor<CameraImage> implements Camera {
             double focalLength,
             boolean hasDepth,
             ImageDecoder decoder,
+            ImageDecoder depthDecoder,
             Frames frames,
             RobotClock clock) {
         super(info, info.id(), topic);
@@ -58,6 +71,7 @@ final class RosCamera extends RosSensor<CameraImage> implements Camera {
         this.usualFocalLength = focalLength;
         this.hasDepth = hasDepth;
         this.decoder = decoder;
+        this.depthDecoder = depthDecoder;
         this.frames = frames;
         this.clock = clock;
     }
@@ -78,8 +92,9 @@ final class RosCamera extends RosSensor<CameraImage> implements Camera {
     /// @param message `sensor_msgs/CompressedImage`
     void takeCompressed(RosMessage message) {
         long stamp = RosMessages.stamp(message.message("header"));
+        byte[] data = message.get("data", byte[].class);
         decoder.decode(
-                message.get("data", byte[].class),
+                () -> CompressedImage.read(data),
                 image -> takeColor(Optional.of(new Taken(stamp, image))),
                 this::damaged);
     }
@@ -89,6 +104,10 @@ final class RosCamera extends RosSensor<CameraImage> implements Camera {
             if (hasDepth) {
                 keep(colors, color);
                 find(depths, color).ifPresent(depth -> join(color, Optional.of(depth)));
+                compressedDepths.stream()
+                        .filter(depth -> depth.isWith(color))
+                        .findFirst()
+                        .ifPresent(depth -> decode(depth, color));
             } else {
                 join(color, Optional.empty());
             }
@@ -102,7 +121,24 @@ final class RosCamera extends RosSensor<CameraImage> implements Camera {
         });
     }
 
-    private static void keep(Deque<Taken> waiting, Taken image) {
+    /// @param message `sensor_msgs/CompressedImage` of `compressed_depth_image_transport`
+    void takeCompressedDepth(RosMessage message) {
+        var depth = new Compressed(
+                RosMessages.stamp(message.message("header")),
+                message.get("data", byte[].class),
+                message.text("format"));
+        keep(compressedDepths, depth);
+        colors.stream().filter(depth::isWith).findFirst().ifPresent(color -> decode(depth, color));
+    }
+
+    private void decode(Compressed depth, Taken color) {
+        depthDecoder.decode(
+                () -> CompressedImage.readDepth(depth.data, depth.format),
+                image -> join(color, Optional.of(new Taken(depth.stamp, image))),
+                this::damaged);
+    }
+
+    private static <T> void keep(Deque<T> waiting, T image) {
         if (waiting.size() == MOST_WAITING) {
             waiting.removeFirst();
         }
@@ -153,6 +189,7 @@ final class RosCamera extends RosSensor<CameraImage> implements Camera {
     private void join(Taken color, Optional<Taken> depth) {
         colors.removeIf(each -> each.stamp <= color.stamp);
         depths.removeIf(each -> each.stamp <= color.stamp + TOGETHER);
+        compressedDepths.removeIf(each -> each.stamp <= color.stamp + TOGETHER);
         int width = color.image.width();
         int height = color.image.height();
         Optional<byte[]> rgb = color.image.rgb();

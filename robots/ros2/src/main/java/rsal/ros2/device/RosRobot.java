@@ -145,7 +145,7 @@ public final class RosRobot {
         if (message.isFinite()) {
             frames.learn(message);
             if (clock.learn(message.stamp())) {
-                transforms.clear();
+                transforms.clear(List.of(frames.odom(), frames.base()));
             }
             base.take(message);
         }

@@ -20,21 +20,26 @@ public final class ImageDecoder {
         record Damaged(String why) implements Decoded {}
     }
 
+    /// Reads an image.
+    public interface Reading {
+        ImageMessage read() throws CompressedImage.Unreadable;
+    }
+
     public ImageDecoder(Scheduler scheduler) {
         this.scheduler = scheduler;
     }
 
-    /// @param data of `sensor_msgs/CompressedImage`; not changed any more
+    /// @param reading reads data that are not changed any more, on another thread
     /// @param onImage gets the image
     /// @param onDamage gets why there is none
-    public void decode(byte[] data, Consumer<ImageMessage> onImage, Consumer<String> onDamage) {
+    public void decode(Reading reading, Consumer<ImageMessage> onImage, Consumer<String> onDamage) {
         Instant now = scheduler.instant();
         if (isBusy || begun.plus(PERIOD).isAfter(now)) {
             return;
         }
         begun = now;
         isBusy = true;
-        scheduler.compute(() -> decoded(data)).thenAccept(result -> {
+        scheduler.compute(() -> decoded(reading)).thenAccept(result -> {
             isBusy = false;
             switch (result) {
                 case Decoded.Image(ImageMessage image) -> onImage.accept(image);
@@ -43,9 +48,9 @@ public final class ImageDecoder {
         });
     }
 
-    private static Decoded decoded(byte[] data) {
+    private static Decoded decoded(Reading reading) {
         try {
-            return new Decoded.Image(CompressedImage.read(data));
+            return new Decoded.Image(reading.read());
         } catch (CompressedImage.Unreadable e) {
             return new Decoded.Damaged(String.valueOf(e.getMessage()));
         }

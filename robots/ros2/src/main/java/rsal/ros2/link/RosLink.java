@@ -3,7 +3,9 @@ package rsal.ros2.link;
 import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CompletionStage;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import rsal.ros2.type.Distribution;
@@ -44,6 +46,18 @@ public interface RosLink extends RosPublisher, AutoCloseable {
     /// @param listener gets each message, on a thread of the link: be quick. The bytes are valid during the
     ///         call only.
     Subscribed subscribe(RosTopic topic, Profile profile, Consumer<ByteBuffer> listener);
+
+    /// As [#subscribe], where it matters who publishes a message. Publishers that the link can't tell apart are one.
+    ///
+    /// @param listener gets the publisher's id, one of [Subscribed#publisherIds]
+    default Subscribed subscribeEach(RosTopic topic, Profile profile, BiConsumer<String, ByteBuffer> listener) {
+        return subscribe(topic, profile, message -> listener.accept(Subscribed.SOMEBODY, message));
+    }
+
+    /// The program of a publisher or subscriber with an id, for people.
+    default String program(String id) {
+        return "A program";
+    }
 
     /// A service that others offer.
     ///
@@ -96,8 +110,16 @@ public interface RosLink extends RosPublisher, AutoCloseable {
 
     /// A topic that we hear.
     interface Subscribed extends AutoCloseable {
+        /// The id of all publishers, where they are not told apart.
+        String SOMEBODY = "";
+
         /// How many publish it now.
         int publishers();
+
+        /// Who publishes it now.
+        default Set<String> publisherIds() {
+            return publishers() > 0 ? Set.of(SOMEBODY) : Set.of();
+        }
 
         @Override
         void close();

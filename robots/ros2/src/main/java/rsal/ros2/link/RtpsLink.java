@@ -3,14 +3,17 @@ package rsal.ros2.link;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.random.RandomGenerator;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeLibrary;
 import rsal.rtps.SampleListener;
@@ -19,6 +22,7 @@ import rsal.rtps.SampleWriter;
 import rsal.rtps.UdpParticipant;
 import rsal.rtps.discovery.EndpointData;
 import rsal.rtps.discovery.Qos;
+import rsal.rtps.wire.Guid;
 
 /// ROS 2 over DDS: names and types as `rmw` makes them, hashes of types, and nodes that tools see. All nodes
 /// of a link share its participant.
@@ -181,6 +185,12 @@ public final class RtpsLink implements RosLink {
             }
 
             @Override
+            public Map<String, Long> unacknowledged() {
+                return participant.unacknowledged(writer).entrySet().stream()
+                        .collect(Collectors.toMap(each -> each.getKey().toString(), Map.Entry::getValue));
+            }
+
+            @Override
             public void close() {
                 end.run();
             }
@@ -189,8 +199,16 @@ public final class RtpsLink implements RosLink {
 
     @Override
     public Subscribed subscribe(RosTopic topic, Profile profile, Consumer<ByteBuffer> listener) {
-        SampleReader reader =
-                reader(TOPIC + topic.name(), topic.type(), profile, sample -> listener.accept(sample.payload()));
+        return listen(topic, profile, sample -> listener.accept(sample.payload()));
+    }
+
+    @Override
+    public Subscribed subscribeEach(RosTopic topic, Profile profile, BiConsumer<String, ByteBuffer> listener) {
+        return listen(topic, profile, sample -> listener.accept(sample.writer().toString(), sample.payload()));
+    }
+
+    private Subscribed listen(RosTopic topic, Profile profile, SampleListener listener) {
+        SampleReader reader = reader(TOPIC + topic.name(), topic.type(), profile, listener);
         Runnable end = opened(List.of(), List.of(reader));
         return new Subscribed() {
             @Override
@@ -199,10 +217,32 @@ public final class RtpsLink implements RosLink {
             }
 
             @Override
+            public Set<String> publisherIds() {
+                return participant.writers(reader).stream().map(Guid::toString).collect(Collectors.toSet());
+            }
+
+            @Override
             public void close() {
                 end.run();
             }
         };
+    }
+
+    @Override
+    public String program(String id) {
+        return participant.participants().stream()
+                .filter(each -> id.startsWith(each.prefix() + ":"))
+                .findFirst()
+                .map(each -> "'%s' at %s"
+                        .formatted(
+                                PeerText.shown(each.name()),
+                                each.userTraffic().stream()
+                                        .flatMap(locator -> locator.unicast().stream())
+                                        .map(address -> "%s:%d"
+                                                .formatted(address.getAddress().getHostAddress(), address.getPort()))
+                                        .findFirst()
+                                        .orElse("an unknown address")))
+                .orElse("A program that has left");
     }
 
     @Override

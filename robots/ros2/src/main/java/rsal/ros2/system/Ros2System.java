@@ -102,6 +102,14 @@ final class Ros2System implements RobotSystem {
         timeListener = listener;
     }
 
+    /// A simulator that waits is not to wait for robots to be found.
+    @Override
+    public void reached(Instant time) {
+        if (discovered.isDone() && !closed) {
+            clock.ifPresent(simulator -> simulator.reached(time));
+        }
+    }
+
     /// Robots are found and motors kept safe in real time, so also while that of the run stands.
     @Override
     public CompletionStage<List<Robot>> discover() {
@@ -239,6 +247,8 @@ final class Ros2System implements RobotSystem {
                 present.put(robot, true);
                 robot.join();
             });
+            // so that a simulator that waits does so from now on, as a run takes a while to begin
+            clock.ifPresent(simulator -> simulator.reached(scheduler.instant()));
             discovered.complete(ready.stream().map(RosRobot::robot).toList());
         } else if (isTooLate) {
             discovered.completeExceptionally(new IOException(missing(endpoints)));

@@ -8,21 +8,25 @@ import java.time.Instant;
 import java.util.function.Consumer;
 import rsal.ros2.cdr.CdrReader;
 import rsal.ros2.cdr.InvalidCdr;
+import rsal.ros2.link.ClockTopics;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosLink.Subscribed;
+import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.RosMessages;
 
 /// The time of another simulator, as it publishes it on `/clock`, and how long it has stood still in real time.
 final class SimulatorClock {
     private static final Logger LOG = System.getLogger(SimulatorClock.class.getName());
-    private static final RosTopic TOPIC = new RosTopic("/clock", "rosgraph_msgs/msg/Clock");
+    private static final RosTopic TOPIC = ClockTopics.CLOCK;
     private static final Duration QUIET = Duration.ofSeconds(5); // of standing, before people learn of it
 
     private final RosLink link;
     private final String network;
     private final Subscribed subscribed;
+    private final Publication reached;
+    private final RosMessages messages = new RosMessages();
     private final Consumer<? super Instant> listener;
     private volatile long newest = -1; // [ns]; set on the link's thread
 
@@ -38,6 +42,7 @@ final class SimulatorClock {
         this.link = link;
         this.network = network;
         this.listener = listener;
+        reached = link.advertise(ClockTopics.REACHED, Profile.DEFAULT);
         subscribed = link.subscribe(TOPIC, Profile.SENSOR_DATA, this::take);
     }
 
@@ -51,6 +56,11 @@ final class SimulatorClock {
         } catch (InvalidCdr _) {
             // a malformed message harms nobody
         }
+    }
+
+    /// Says to the simulator that the run has done what was due by a time, and has sent its commands.
+    void reached(Instant time) {
+        reached.publish(messages.clock(time));
     }
 
     boolean hasBegun() {

@@ -59,9 +59,9 @@ public final class TransformFeed {
                 .orElse(Duration.ZERO);
     }
 
-    /// Forgets all that moves: the robots' time went back.
-    public void clear() {
-        buffer.clear();
-        heard.clear();
+    /// Forgets where frames and all below them were, but not what never moves: their robot's time went back. Other
+    /// robots may share the topics.
+    public void clear(List<String> tops) {
+        tops.forEach(top -> buffer.clear(top).forEach(heard::remove));
     }
 }

@@ -2,6 +2,7 @@ package rsal.ros2.urdf;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import rsal.data.ActuatorState.Joint;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
@@ -10,13 +11,21 @@ import rsal.data.Rgb;
 import rsal.data.Shape;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Part;
+import rsal.robot.RobotModel.Steering;
+import rsal.robot.RobotModel.Wheels;
 import rsal.ros2.message.FrameTransform;
+import rsal.ros2.message.FrameTransform.Quaternion;
 
-/// A robot model as URDF: its body, the frames of its lasers and sonars, and its actuators as joints. The
-/// origin of `base_link` is on the floor. Wheels are not in it, as models have none; a piece that is neither
-/// a disc nor a rectangle is the box around it, as URDF has no prisms.
+/// A robot model as URDF: its body, the frames of its lasers and sonars, its actuators as joints of their names, and
+/// the two wheels of a differential drive if the model has them. The origin of `base_link` is on the floor. A piece
+/// that is neither a disc nor a rectangle is the box around it, as URDF has no prisms.
 public final class UrdfWriter {
     public static final String BASE = "base_link";
+
+    /// Joints of the wheels, as many robots have them.
+    public static final String LEFT_WHEEL = "wheel_left_joint";
+
+    public static final String RIGHT_WHEEL = "wheel_right_joint";
 
     private static final Rgb PLAIN = new Rgb(0x99, 0x99, 0x99);
     private static final double SQUARE = 1e-6; // how large the cosine of a right angle may be
@@ -67,6 +76,26 @@ public final class UrdfWriter {
         return home.compose(motion);
     }
 
+    /// Those of a differential drive; empty where the model does not say.
+    public static Optional<Wheels> wheels(RobotModel model) {
+        return model.drive().steering() instanceof Steering.Differential drive ? drive.wheels() : Optional.empty();
+    }
+
+    /// The link that turns with a wheel's joint.
+    public static String link(String wheel) {
+        return wheel.replace("_joint", "_link");
+    }
+
+    /// Where a wheel is in the frame of the base.
+    ///
+    /// @param joint one of [#LEFT_WHEEL] and [#RIGHT_WHEEL]
+    /// @param angle by which it has turned forward [rad]
+    public static FrameTransform wheel(Wheels wheels, String joint, double angle) {
+        double y = (joint.equals(LEFT_WHEEL) ? 1 : -1) * wheels.track() / 2;
+        return new FrameTransform(
+                0, y, wheels.radius(), new Quaternion(0, Math.sin(angle / 2), 0, Math.cos(angle / 2)));
+    }
+
     private static FrameTransform home(RobotModel model, String device, Part.Actuator actuator) {
         FrameTransform own = level(actuator.baseFromJoint(), model.height(device));
         String carrier = carrier(model, device);
@@ -82,6 +111,7 @@ public final class UrdfWriter {
             write(piece, number++);
         }
         add("  </link>\n");
+        wheels(model).ifPresent(this::writeWheels);
         model.sensors().forEach(this::write);
         return xml.append("</robot>\n").toString();
     }
@@ -181,12 +211,19 @@ public final class UrdfWriter {
 
     private void writeFixed(String frame, Pose2d baseFromFrame) {
         FrameTransform there = mounting(model, frame, baseFromFrame);
-        begin(frame, "fixed", BASE, there);
+        begin(frame, frame + "_joint", "fixed", BASE, there);
         add("  </joint>\n");
     }
 
-    private void begin(String frame, String type, String parent, FrameTransform there) {
-        add("  <link name=\"%s\"/>\n  <joint name=\"%s_joint\" type=\"%s\">\n", frame, frame, type);
+    private void writeWheels(Wheels wheels) {
+        for (String joint : List.of(LEFT_WHEEL, RIGHT_WHEEL)) {
+            begin(link(joint), joint, "continuous", BASE, wheel(wheels, joint, 0));
+            add("    <axis xyz=\"0 1 0\"/>\n  </joint>\n");
+        }
+    }
+
+    private void begin(String frame, String joint, String type, String parent, FrameTransform there) {
+        add("  <link name=\"%s\"/>\n  <joint name=\"%s\" type=\"%s\">\n", frame, joint, type);
         add("    <parent link=\"%s\"/><child link=\"%s\"/>\n", parent, frame);
         add(
                 "    <origin xyz=\"%.4f %.4f %.4f\" rpy=\"0 0 %.4f\"/>\n",
@@ -196,7 +233,7 @@ public final class UrdfWriter {
     /// Its link is as the model has it while the joint is at home.
     private void writeMoving(String name, Part.Actuator actuator) {
         boolean isTurning = actuator.joint() == Joint.ROTATIONAL;
-        begin(name, isTurning ? "revolute" : "prismatic", carrier(model, name), moved(model, name, actuator, 0));
+        begin(name, name, isTurning ? "revolute" : "prismatic", carrier(model, name), moved(model, name, actuator, 0));
         double slope = actuator.slope();
         add("    <axis xyz=\"%.4f 0 %.4f\"/>\n", isTurning ? 0 : Math.cos(slope), isTurning ? 1 : Math.sin(slope));
         add(

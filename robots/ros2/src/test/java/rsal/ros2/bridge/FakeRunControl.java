@@ -3,6 +3,8 @@ package rsal.ros2.bridge;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.Rgb;
@@ -61,8 +63,9 @@ final class FakeRunControl implements RunControl {
     }
 
     @Override
-    public void pause() {
+    public CompletionStage<Void> pause() {
         paused = true;
+        return CompletableFuture.completedStage(null);
     }
 
     @Override

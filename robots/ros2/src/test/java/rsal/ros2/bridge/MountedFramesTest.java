@@ -17,6 +17,7 @@ import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.message.FrameTransform;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeLibrary;
+import rsal.time.LockstepScheduler;
 
 class MountedFramesTest {
     private static final TypeLibrary TYPES = TypeLibrary.of(Distribution.JAZZY);
@@ -24,7 +25,8 @@ class MountedFramesTest {
 
     private final List<byte[]> fixed = new ArrayList<>();
     private final List<byte[]> moving = new ArrayList<>();
-    private final MountedFrames frames = new MountedFrames(to(fixed), to(moving));
+    private final MountedFrames frames =
+            new MountedFrames(to(fixed), to(moving), new PublishedTime(new LockstepScheduler()));
 
     private static Publication to(List<byte[]> messages) {
         return new Publication() {

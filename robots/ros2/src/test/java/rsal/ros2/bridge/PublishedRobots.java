@@ -35,7 +35,7 @@ public final class PublishedRobots {
             RosLink link,
             Scheduler scheduler) {
         var context = new BridgeContext(
-                robots, map, Optional.of(world), List.of(), CommandTimeout.none(), Optional.of(control));
+                robots, map, Optional.of(world), List.of(), CommandTimeout.none(), Optional.of(control), false);
         return new Ros2Bridge(link, context, 7400, scheduler);
     }
 }

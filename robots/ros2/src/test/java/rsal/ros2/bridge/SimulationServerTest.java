@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -22,9 +23,11 @@ import rsal.ros2.cdr.CdrReader;
 import rsal.ros2.cdr.InvalidCdr;
 import rsal.ros2.cdr.MessageCodec;
 import rsal.ros2.cdr.RosMessage;
+import rsal.ros2.link.ClockTopics;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosTopic;
+import rsal.ros2.message.RosMessages;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeLibrary;
 import rsal.sim.SimProvider;
@@ -43,6 +46,7 @@ class SimulationServerTest extends RobotBench {
     private final RosLink there = network.join();
     private FakeRunControl control;
     private SimulationControl world;
+    private final List<Long> times = new ArrayList<>(); // of /clock [ns]
     private Bridge bridge;
 
     private static Map<String, String> names() {
@@ -77,6 +81,13 @@ class SimulationServerTest extends RobotBench {
         control = new FakeRunControl(world, run);
         control.spawn("puck", "b1", new Pose2d(6, 5, 0));
         bridge = PublishedRobots.publish(List.of(robot()), WORLD.grid(), world, control, network.join(), run);
+        there.subscribe(ClockTopics.CLOCK, Profile.SENSOR_DATA, bytes -> {
+            try {
+                times.add(RosMessages.stamp(CdrReader.of(bytes)));
+            } catch (InvalidCdr e) {
+                throw new AssertionError(e);
+            }
+        });
     }
 
     @AfterEach
@@ -145,7 +156,7 @@ class SimulationServerTest extends RobotBench {
     void onlyWhatIsOfferedIsAFeature() {
         short[] features =
                 call("GetSimulatorFeatures", Map.of()).message("features").get("features", short[].class);
-        assertThat(features).containsExactly(0, 1, 8, 10, 11, 12, 14, 20, 22, 23, 24, 25, 26, 31, 32, 33);
+        assertThat(features).containsExactly(0, 1, 8, 10, 11, 12, 14, 20, 21, 22, 23, 24, 25, 26, 31, 32, 33);
         control.pausable = false;
         features = call("GetSimulatorFeatures", Map.of()).message("features").get("features", short[].class);
         assertThat(features).contains((short) 0).doesNotContain((short) 26, (short) 31, (short) 33);
@@ -343,12 +354,87 @@ class SimulationServerTest extends RobotBench {
         assertThat(state()).isEqualTo(2);
         assertThat(code(set(1))).isEqualTo(1);
         assertThat(control.paused).isFalse();
-        assertThat(code(set(0))).isEqualTo(103);
         assertThat(code(set(77))).isEqualTo(103);
         assertThat(code(set(3))).isEqualTo(1);
         assertThat(control.reported).endsWith("end");
         control.pausable = false;
         assertThat(code(set(2))).isZero();
+        assertThat(code(set(0))).isZero();
+    }
+
+    /// As it was in the beginning: it is paused, and all is reset.
+    @Test
+    void itIsStoppedAndBeginsAgain() {
+        control.reported.clear();
+        advance(1);
+        assertThat(code(set(0))).isEqualTo(1);
+        assertThat(control.paused).isTrue();
+        assertThat(control.reported).containsExactly("remove spawned", "restore");
+        assertThat(state()).isZero();
+        assertThat(times).last().isEqualTo(0L);
+        assertThat(code(set(0))).isEqualTo(101);
+        assertThat(code(call("StepSimulation", Map.of("steps", 1L)))).isEqualTo(3);
+        assertThat(code(set(2))).isEqualTo(1);
+        assertThat(state()).isEqualTo(2);
+        assertThat(code(set(0))).isEqualTo(1);
+        assertThat(code(set(1))).isEqualTo(1);
+        assertThat(control.paused).isFalse();
+        assertThat(state()).isEqualTo(1);
+        assertThat(code(set(0))).isEqualTo(1);
+        control.paused = false; // people let it go on by the page
+        assertThat(state()).isEqualTo(1);
+        control.paused = true;
+        assertThat(state()).isEqualTo(2);
+    }
+
+    /// All that has a time, has the new one.
+    @Test
+    void timeBeginsAgain() {
+        var stamps = new HashMap<String, Long>();
+        for (String type : List.of("LaserScan", "JointState")) {
+            RosTopic topic =
+                    new RosTopic(type.equals("LaserScan") ? "/r1/scan" : "/r1/joint_states", "sensor_msgs/msg/" + type);
+            listen(topic, message -> stamps.put(type, RosMessages.stamp(message.message("header"))));
+        }
+        listen(
+                new RosTopic("/r1/odom", "nav_msgs/msg/Odometry"),
+                message -> stamps.put("Odometry", RosMessages.stamp(message.message("header"))));
+        listen(
+                new RosTopic("/r1/ground_truth", "nav_msgs/msg/Odometry"),
+                message -> stamps.put("truth", RosMessages.stamp(message.message("header"))));
+        listen(
+                new RosTopic("/r1/tf", "tf2_msgs/msg/TFMessage"),
+                message -> stamps.put(
+                        "tf",
+                        RosMessages.stamp(
+                                message.messages("transforms").getFirst().message("header"))));
+        listen(
+                new RosTopic("/diagnostics", "diagnostic_msgs/msg/DiagnosticArray"),
+                message -> stamps.put("health", RosMessages.stamp(message.message("header"))));
+        drive(Twist2d.drive(0.3, 0), 5);
+        assertThat(stamps.values())
+                .hasSizeGreaterThanOrEqualTo(5)
+                .allSatisfy(each -> assertThat(each).isGreaterThan(3_900_000_000L));
+        assertThat(code(call("ResetSimulation", Map.of("scope", 1L)))).isEqualTo(1);
+        assertThat(times).last().isEqualTo(0L);
+        assertThat(control.reported).doesNotContain("restore");
+        stamps.clear();
+        drive(Twist2d.drive(0.3, 0), 1.2);
+        assertThat(stamps.values())
+                .hasSizeGreaterThanOrEqualTo(5)
+                .allSatisfy(each -> assertThat(each).isBetween(150_000_000L, 1_200_000_000L));
+        assertThat(times).last().isEqualTo(1_200_000_000L);
+        RosMessage state = call("GetEntityState", Map.of("entity", "r1")).message("state");
+        assertThat(RosMessages.stamp(state.message("header"))).isEqualTo(1_200_000_000L);
+        assertThat(state.message("twist").message("linear").number("x")).isCloseTo(0.3, within(0.02));
+    }
+
+    private void listen(RosTopic topic, Consumer<RosMessage> listener) {
+        there.subscribe(topic, Profile.SENSOR_DATA, bytes -> {
+            var copy = new byte[bytes.remaining()];
+            bytes.get(copy);
+            listener.accept(read(topic.type(), copy));
+        });
     }
 
     private long state() {
@@ -366,9 +452,12 @@ class SimulationServerTest extends RobotBench {
         assertThat(code(call("ResetSimulation", Map.of("scope", 2L)))).isEqualTo(1);
         assertThat(code(call("ResetSimulation", Map.of()))).isEqualTo(1);
         assertThat(control.reported).containsExactly("remove spawned", "restore", "remove spawned", "restore");
-        assertThat(code(call("ResetSimulation", Map.of("scope", 1L)))).isZero();
-        assertThat(code(call("ResetSimulation", Map.of("scope", 255L)))).isZero();
+        assertThat(code(call("ResetSimulation", Map.of("scope", 1L)))).isEqualTo(1);
+        assertThat(control.reported).hasSize(4);
+        assertThat(code(call("ResetSimulation", Map.of("scope", 255L)))).isEqualTo(1);
+        assertThat(control.reported).hasSize(6);
         assertThat(code(call("ResetSimulation", Map.of("scope", 8L)))).isEqualTo(4);
+        assertThat(control.reported).hasSize(6);
         control.reported.add("remove b1");
         RosMessage response = call("ResetSimulation", Map.of());
         assertThat(code(response)).isEqualTo(4);

@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.SplittableRandom;
@@ -102,6 +104,53 @@ class CompressedImageTest {
                 .hasMessage("it has 4096 × 2049 pixels; at most 8192 in a row, and 8388608 in all, are read");
         byte[] wide = encoded(new BufferedImage(8193, 1, BufferedImage.TYPE_BYTE_BINARY), "png");
         assertThatThrownBy(() -> CompressedImage.read(wide)).hasMessageContaining("8193 × 1 pixels");
+    }
+
+    private static byte[] depth(int type) throws Exception {
+        byte[] png = encoded(image(type), "png");
+        return ByteBuffer.allocate(12 + png.length)
+                .order(ByteOrder.LITTLE_ENDIAN)
+                .putInt(0)
+                .putFloat(0)
+                .putFloat(0)
+                .put(png)
+                .array();
+    }
+
+    @Test
+    void depthThatCantBeIsRefused() throws Exception {
+        assertThatThrownBy(() -> CompressedImage.readDepth(new byte[40], "16UC1; compressedDepth rvl"))
+                .hasMessage("its depth is no PNG");
+        assertThatThrownBy(() -> CompressedImage.readDepth(new byte[3], "16UC1; compressedDepth png"))
+                .hasMessage("its depth is no PNG");
+        assertThatThrownBy(() -> CompressedImage.readDepth(new byte[40], "rgb8; compressedDepth"))
+                .hasMessage("depth is read in 16UC1 and 32FC1 only");
+        byte[] colored = depth(BufferedImage.TYPE_INT_RGB);
+        assertThatThrownBy(() -> CompressedImage.readDepth(colored, "16UC1; compressedDepth png"))
+                .hasMessage("it is damaged (its depth has no 16 bits)");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"16UC1", "32FC1"})
+    void damagedDepthIsReadOrRefused(String encoding) throws Exception {
+        byte[] whole = depth(BufferedImage.TYPE_USHORT_GRAY);
+        var random = new SplittableRandom(12);
+        int refused = 0;
+        for (int i = 0; i < Rounds.of(2_000, 1_000_000); i++) {
+            byte[] damaged =
+                    Arrays.copyOf(whole, random.nextInt(10) == 0 ? random.nextInt(whole.length) : whole.length);
+            for (int change = random.nextInt(6); change >= 0 && damaged.length > 8; change--) {
+                damaged[random.nextInt(damaged.length)] = (byte) random.nextInt();
+            }
+            try {
+                ImageMessage image = CompressedImage.readDepth(damaged, encoding + "; compressedDepth png");
+                assertThat(image.depth(image.width(), image.height()).orElseThrow())
+                        .hasSize(2 * image.width() * image.height());
+            } catch (Unreadable e) {
+                refused++;
+            }
+        }
+        assertThat(refused).isPositive();
     }
 
     @ParameterizedTest

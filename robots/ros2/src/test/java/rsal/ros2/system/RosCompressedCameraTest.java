@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.within;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -51,7 +53,8 @@ class RosCompressedCameraTest {
         there.subscribe(new RosTopic("/r1/cmd_vel", "geometry_msgs/msg/Twist"), Profile.DEFAULT, _ -> {});
         colors = advertise("oak/rgb/image_raw/compressed", "sensor_msgs/msg/CompressedImage");
         infos = advertise("oak/rgb/camera_info", "sensor_msgs/msg/CameraInfo");
-        advertise("oak/depth/image_raw/compressedDepth", "sensor_msgs/msg/CompressedImage");
+        advertise("oak/depth/image_raw/compressed", "sensor_msgs/msg/CompressedImage"); // which can't be read
+        advertise("oak/rgb/image_raw/compressedDepth", "sensor_msgs/msg/CompressedImage"); // as image_transport does
     }
 
     private void connect() {
@@ -135,6 +138,47 @@ class RosCompressedCameraTest {
                 .toBytes());
         advance();
         assertThat(seen.getLast().depth(3, 1)).isCloseTo(1.5, within(1e-9));
+    }
+
+    /// Depth is decoded if there are colors with it, of the same time.
+    @Test
+    void compressedDepthComesWithIt() throws Exception {
+        depths = advertise("oak/depth/image_raw/compressedDepth", "sensor_msgs/msg/CompressedImage");
+        connect();
+        colors.publish(compressed(png(0x102030)));
+        depths.publish(compressedDepth("16UC1; compressedDepth png", 0, 0, 1500));
+        advance();
+        advance();
+        assertThat(seen.getLast().depth(3, 1)).isCloseTo(1.5, within(1e-9));
+        assertThat(seen.getLast().depth(0, 0)).isEqualTo(Double.POSITIVE_INFINITY);
+        seen.clear();
+        depths.publish(compressedDepth("32FC1; compressedDepth", 2_000, 100, 1_100));
+        colors.publish(compressed(png(0x102030)));
+        advance();
+        advance();
+        assertThat(seen.getLast().depth(3, 1)).isCloseTo(2.0, within(1e-3));
+        seen.clear();
+        colors.publish(compressed(png(0x102030)));
+        advance();
+        depths.publish(compressedDepth("16UC1; compressedDepth png", 0, 0, 1500)); // 50 ms later
+        advance();
+        advance();
+        assertThat(seen).isEmpty();
+    }
+
+    /// As `compressed_depth_image_transport` makes it.
+    private byte[] compressedDepth(String format, float a, float b, int last) throws IOException {
+        var image = new BufferedImage(4, 2, BufferedImage.TYPE_USHORT_GRAY);
+        image.getRaster().setSample(3, 1, 0, last);
+        var out = new ByteArrayOutputStream();
+        out.write(ByteBuffer.allocate(12)
+                .order(ByteOrder.LITTLE_ENDIAN)
+                .putInt(0)
+                .putFloat(a)
+                .putFloat(b)
+                .array());
+        ImageIO.write(image, "png", out);
+        return header().text(format).int32(out.size()).int8s(out.toByteArray()).toBytes();
     }
 
     @Test

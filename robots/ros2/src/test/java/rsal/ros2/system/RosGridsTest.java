@@ -88,8 +88,12 @@ class RosGridsTest {
     }
 
     private void publish(Publication grids, byte... cells) {
+        publish(grids, run.instant(), cells);
+    }
+
+    private void publish(Publication grids, Instant stamp, byte[] cells) {
         var grid = new OccupancyGrid(cells.length / 2, 2, 0.05, 0, 0, cells);
-        grids.publish(messages.map(run.instant(), grid, "map"));
+        grids.publish(messages.map(stamp, grid, "map"));
         advance(0.1);
     }
 
@@ -119,6 +123,34 @@ class RosGridsTest {
         assertThat(map()).as("the map is newer").containsExactly(0, 100, 0, 0, -1, 100);
         assertThat(warnings).isEmpty();
         publish(maps, new byte[4]);
+        assertThat(map()).containsExactly(0, 0, 0, 0);
+    }
+
+    /// As when a latched map comes again after the connection was lost, or two messages overtake each other.
+    @Test
+    void anOlderMapDoesNotUndoAnUpdate() {
+        Instant old = run.instant();
+        advance(0.1);
+        publish(maps, new byte[6]);
+        update(updates, run.instant(), 0, 0, 1, (byte) 100);
+        publish(maps, old, new byte[6]);
+        assertThat(map()).containsExactly(100, 0, 0, 0, 0, 0);
+        publish(maps, Instant.EPOCH, new byte[4]); // without a time
+        assertThat(map()).containsExactly(0, 0, 0, 0);
+        publish(maps, old, new byte[6]);
+        assertThat(map()).as("nothing was updated since").hasSize(6);
+    }
+
+    /// The map of a simulator that was reset has old stamps.
+    @Test
+    void anOlderMapIsTakenWhenTheRobotsTimeWentBack() {
+        advance(5);
+        publish(maps, new byte[6]);
+        update(updates, run.instant(), 0, 0, 1, (byte) 100);
+        odometry.publish(messages.odometry(
+                Instant.ofEpochSecond(1), new Odometry(Pose2d.ORIGIN, Twist2d.STOP, false), "odom", "base_link"));
+        run.advance(Duration.ofMillis(50));
+        publish(maps, Instant.ofEpochSecond(1), new byte[4]);
         assertThat(map()).containsExactly(0, 0, 0, 0);
     }
 

@@ -24,6 +24,7 @@ import rsal.ros2.MemoryNetwork;
 import rsal.ros2.TwoTimes;
 import rsal.ros2.cdr.CdrReader;
 import rsal.ros2.cdr.InvalidCdr;
+import rsal.ros2.link.ClockTopics;
 import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosPublisher.Publication;
@@ -119,6 +120,32 @@ class SimulatorTimeTest {
         assertThat(times).hasSize(20).isSorted().endsWith(simulated);
         clock.orElseThrow().publish(new byte[] {0, 1, 0, 0, 9}); // malformed
         assertThat(times).hasSize(20);
+    }
+
+    /// A simulator that waits does so for runs that have begun, not for those that look for robots.
+    @Test
+    void itSaysWhichTimeItHasReachedOnceItsRobotsAreThere() {
+        var reached = new ArrayList<Long>();
+        there.subscribe(ClockTopics.REACHED, Profile.DEFAULT, bytes -> {
+            try {
+                reached.add(RosMessages.stamp(CdrReader.of(bytes)));
+            } catch (InvalidCdr e) {
+                throw new AssertionError(e);
+            }
+        });
+        system.reached(Instant.ofEpochSecond(7)); // it has not even joined the network
+        var found = system.discover().toCompletableFuture();
+        system.reached(Instant.ofEpochSecond(8));
+        assertThat(reached).isEmpty();
+        clockIsThere();
+        advance(3, 1);
+        assertThat(found).isCompleted();
+        assertThat(reached).as("as the run is about to begin").hasSize(1);
+        system.reached(Instant.ofEpochSecond(9, 5));
+        assertThat(reached).last().isEqualTo(9_000_000_005L);
+        system.close();
+        system.reached(Instant.ofEpochSecond(10));
+        assertThat(reached).hasSize(2);
     }
 
     @Test

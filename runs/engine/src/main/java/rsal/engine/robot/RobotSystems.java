@@ -121,6 +121,11 @@ public final class RobotSystems implements RobotSystem {
         parts.forEach(part -> part.system.onTime(listener));
     }
 
+    @Override
+    public void reached(Instant time) {
+        parts.forEach(part -> part.system.reached(time));
+    }
+
     /// The longest of its systems.
     @Override
     public Duration discoveryLimit() {

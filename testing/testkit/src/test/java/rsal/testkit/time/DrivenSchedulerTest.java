@@ -9,9 +9,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -120,6 +122,47 @@ class DrivenSchedulerTest extends SchedulerContract {
             assertThat(ran).isNotDone();
             late.set(BEGINNING.plusSeconds(4));
             assertThat(really(ran)).isEqualTo(BEGINNING.plusSeconds(4));
+        }
+    }
+
+    /// Those who drive the time may wait for that.
+    @Test
+    void whatItHasReachedIsSaidWhenNothingIsLeftToDo() throws Exception {
+        var late = new DrivenTime(resets::add);
+        var reached = new LinkedBlockingQueue<Instant>();
+        late.onReached(reached::add);
+        try (var following = new WallScheduler(
+                "run-reached", workers, failures::add, new PhaseTimes(() -> 0, () -> 0), Optional.of(late))) {
+            var computing = new CountDownLatch(1);
+            var done = new CopyOnWriteArrayList<String>();
+            following.after(millis(5), () -> {
+                done.add("due");
+                following
+                        .compute(() -> {
+                            try {
+                                return computing.await(10, TimeUnit.SECONDS);
+                            } catch (InterruptedException e) {
+                                throw new AssertionError(e);
+                            }
+                        })
+                        .thenAccept(_ -> following.execute(() -> done.add("computed")));
+            });
+            late.set(BEGINNING);
+            assertThat(reached.poll(10, TimeUnit.SECONDS)).isEqualTo(BEGINNING);
+            late.set(BEGINNING.plusMillis(4)); // nothing is due, which is said, too
+            assertThat(reached.poll(10, TimeUnit.SECONDS)).isEqualTo(BEGINNING.plusMillis(4));
+            late.set(BEGINNING.plusMillis(6));
+            assertThat(reached.poll(200, TimeUnit.MILLISECONDS))
+                    .as("somebody still computes")
+                    .isNull();
+            assertThat(done).containsExactly("due");
+            computing.countDown();
+            assertThat(reached.poll(10, TimeUnit.SECONDS)).isEqualTo(BEGINNING.plusMillis(6));
+            assertThat(done).containsExactly("due", "computed");
+            late.set(BEGINNING.plusMillis(6));
+            assertThat(reached.poll(50, TimeUnit.MILLISECONDS))
+                    .as("it is no new time")
+                    .isNull();
         }
     }
 
