@@ -401,22 +401,22 @@ class VfhTest {
         Twist2d wanted = Twist2d.drive(0.4, 0.2);
         Twist2d safe = filter.guarded(wanted, motion.velocity(), obstacles);
         assertThat(vfh.guarded(obstacles, wanted, motion)).isEqualTo(safe).isNotEqualTo(wanted);
-        assertThat(vfh.way()).isEqualTo(filter.way());
+        assertThat(vfh.predictedTrajectory()).isEqualTo(filter.predictedTrajectory());
         vfh.guarded(new Obstacles(3), wanted, motion);
-        assertThat(vfh.way()).isNotEmpty();
+        assertThat(vfh.predictedTrajectory()).isNotEmpty();
         vfh.reset();
-        assertThat(vfh.way()).isEmpty();
+        assertThat(vfh.predictedTrajectory()).isEmpty();
     }
 
     /// What it says of its way ends at a target where it comes to rest, and is nothing where it stands.
     @Test
     void saysWhereItGoes() {
         drive(obstacles, 0, 0.3, true, 0);
-        assertThat(vfh.way().getLast().x()).isCloseTo(0.3, within(1e-6));
+        assertThat(vfh.predictedTrajectory().getLast().x()).isCloseTo(0.3, within(1e-6));
         drive(obstacles, 0, 0.3, false, 0);
-        assertThat(vfh.way().getLast().x()).isCloseTo(0.8, within(1e-6)); // 0.4 m/s for 2 s
+        assertThat(vfh.predictedTrajectory().getLast().x()).isCloseTo(0.8, within(1e-6)); // 0.4 m/s for 2 s
         enclose();
         drive(obstacles, 0, 3, false, 0);
-        assertThat(vfh.way()).isEmpty();
+        assertThat(vfh.predictedTrajectory()).isEmpty();
     }
 }
