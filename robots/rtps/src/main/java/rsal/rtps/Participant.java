@@ -38,7 +38,7 @@ public final class Participant {
     private static final long SECOND = 1_000_000_000; // ns
     private static final int FIRST_ANNOUNCEMENTS = 5;
     private static final long BETWEEN_FIRST_ANNOUNCEMENTS = SECOND / 10;
-    private static final long BETWEEN_ANNOUNCEMENTS = 3 * SECOND;
+    private static final long BETWEEN_ANNOUNCEMENTS = 3 * SECOND / 2; // so that who was cut off is found within 2 s
 
     private final ParticipantData self;
     private final RtpsLimits limits;
@@ -277,8 +277,8 @@ public final class Participant {
                     GuidPrefix.UNKNOWN, Content.DATA, Optional.empty(), DiscoveryMessages.parameters(self::write), 1);
             network.announce(messages.message());
             announcements++;
-            announceAt =
-                    now + (announcements < FIRST_ANNOUNCEMENTS ? BETWEEN_FIRST_ANNOUNCEMENTS : BETWEEN_ANNOUNCEMENTS);
+            long usual = Math.clamp(self.lease() / 3, BETWEEN_FIRST_ANNOUNCEMENTS, BETWEEN_ANNOUNCEMENTS);
+            announceAt = now + (announcements < FIRST_ANNOUNCEMENTS ? BETWEEN_FIRST_ANNOUNCEMENTS : usual);
         }
     }
 

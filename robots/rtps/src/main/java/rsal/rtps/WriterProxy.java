@@ -41,7 +41,7 @@ final class WriterProxy {
     private long last; // that is known to have been written
     private boolean isHeard; // by a heartbeat
     private int heartbeats; // count of the newest
-    private int requests; // count of the newest
+    private int requests; // count of the newest; goes on when the writer is lost and found again
     private long requested = Long.MIN_VALUE / 2; // when [ns]
     private long due; // of the next request [ns]; [Timestamp#INFINITE] for none
     private long patience = FIRST_REQUEST; // ns
@@ -91,6 +91,7 @@ final class WriterProxy {
         this.budget = budget;
         this.receiver = receiver;
         due = isReliable ? now : Long.MAX_VALUE;
+        requests = (int) (now / MILLISECOND); // there are fewer of them than milliseconds
     }
 
     void receive(Arrival sample) {

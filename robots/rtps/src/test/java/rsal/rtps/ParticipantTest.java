@@ -423,6 +423,6 @@ class ParticipantTest {
         network.run(Duration.ofSeconds(2));
         long before = network.sent();
         network.run(Duration.ofSeconds(30));
-        assertThat(network.sent() - before).isLessThanOrEqualTo(2 * 2 * 11); // announcements, heard by both
+        assertThat(network.sent() - before).isLessThanOrEqualTo(2 * 2 * 21); // announcements, heard by both
     }
 }

@@ -59,6 +59,7 @@ final class SimulatedNetwork {
         final InetSocketAddress address;
         final Participant participant;
         private boolean isUp = true;
+        private boolean isMute;
 
         private Node(int number, int host, RtpsLimits limits, GraphListener graph, Duration lease) {
             address = new InetSocketAddress(host(host), PORT);
@@ -91,6 +92,11 @@ final class SimulatedNetwork {
             isUp = false;
         }
 
+        /// From now on, nothing that it sends arrives anywhere, or all does.
+        void mute(boolean is) {
+            isMute = is;
+        }
+
         void write(SampleWriter writer, byte[] payload) {
             participant.write(writer, now, Optional.empty(), payload, now);
         }
@@ -105,7 +111,7 @@ final class SimulatedNetwork {
     }
 
     private void fly(Node from, Node to, ByteBuffer datagram) {
-        if (!from.isUp || random.nextDouble() < loss) {
+        if (!from.isUp || from.isMute || random.nextDouble() < loss) {
             return;
         }
         var bytes = new byte[datagram.remaining()];

@@ -194,4 +194,29 @@ class TroubleTest {
         assertThat(heard).containsExactly(1, 2);
         assertThat(watcher.participant.participants()).hasSize(1);
     }
+
+    /// A cable that fails in one direction: one side loses the other, which has noticed nothing when it is
+    /// back.
+    @Test
+    void whoWasNotHeardForLongIsFoundAgainSoon() {
+        var network = new SimulatedNetwork(7, 0);
+        Node watcher = network.join();
+        Node talker = network.join(RtpsLimits.DEFAULT, GraphListener.NONE, Duration.ofSeconds(10));
+        SampleReader reader = reader(watcher, network);
+        SampleWriter writer = talker.participant.createWriter("rt/chatter", TYPE, Qos.DEFAULT, "", network.now());
+        network.run(SOON);
+        for (int i = 0; i < 100; i++) { // acknowledged one by one
+            talker.write(writer, sample(i, 100));
+            network.run(Duration.ofMillis(20));
+        }
+        talker.mute(true);
+        network.run(Duration.ofSeconds(12));
+        assertThat(reader.matched()).isZero();
+        talker.mute(false);
+        network.run(Duration.ofSeconds(2));
+        assertThat(reader.matched()).isEqualTo(1);
+        talker.write(writer, sample(100, 100));
+        network.run(SOON);
+        assertThat(heard).contains(100);
+    }
 }
