@@ -97,8 +97,11 @@ final class SimulatedNetwork {
             isMute = is;
         }
 
-        void write(SampleWriter writer, byte[] payload) {
-            participant.write(writer, now, Optional.empty(), payload, now);
+        /// @return whether the writer had room
+        boolean write(SampleWriter writer, byte[] payload) {
+            return participant
+                    .write(writer, now, Optional.empty(), payload, now)
+                    .isPresent();
         }
     }
 

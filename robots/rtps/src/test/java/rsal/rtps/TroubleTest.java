@@ -104,7 +104,7 @@ class TroubleTest {
 
     @Test
     void aSampleBeyondTheLimitIsLeftOutAndNotAskedForAgain() {
-        var limits = new RtpsLimits(10, 10, 100, SAMPLE_LIMIT, 10 * SAMPLE_LIMIT, 16, 1 << 20);
+        var limits = new RtpsLimits(10, 10, 100, SAMPLE_LIMIT, 10 * SAMPLE_LIMIT, 16, 1 << 20, 1_000, 64 << 20);
         var network = new SimulatedNetwork(3, 0);
         Node talker = network.join();
         reader(network.join(limits, GraphListener.NONE, Duration.ofSeconds(20)), network);
@@ -123,7 +123,7 @@ class TroubleTest {
     /// A writer that dies in the middle of a sample must not take the room of those that live.
     @Test
     void samplesThatStayIncompleteAreForgotten() {
-        var limits = new RtpsLimits(10, 10, 100, SAMPLE_LIMIT, SAMPLE_LIMIT + 10, 16, 1 << 20);
+        var limits = new RtpsLimits(10, 10, 100, SAMPLE_LIMIT, SAMPLE_LIMIT + 10, 16, 1 << 20, 1_000, 64 << 20);
         var network = new SimulatedNetwork(4, 0);
         Node dying = network.join();
         Node watcher = network.join(limits, GraphListener.NONE, Duration.ofSeconds(20));
