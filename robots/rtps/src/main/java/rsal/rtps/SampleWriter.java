@@ -229,7 +229,7 @@ public final class SampleWriter {
 
     /// Forgets what all readers have, and says that there is room.
     private void settle() {
-        if (!history.keepsAll()) {
+        if (!history.keepsAll() || data.topic().isEmpty()) { // those of the built-in topics keep one for each key
             return;
         }
         long all = last;
@@ -390,6 +390,7 @@ public final class SampleWriter {
 
     private void repair(ReaderProxy reader, NumberSet missing, long now) {
         var never = new ArrayList<Long>();
+        var small = new ArrayDeque<KeptSample>(); // of one datagram each
         int bytes = 0;
         for (long number : missing.numbers().filter(each -> each <= last).toArray()) {
             Optional<KeptSample> sample = number > reader.start ? history.find(number) : Optional.empty();
@@ -397,26 +398,26 @@ public final class SampleWriter {
                 never.add(number);
             } else if (bytes < MOST_REPAIRED) {
                 bytes += sample.get().payload().length;
-                repair(reader, sample.get(), now);
+                if (isLarge(sample.get())) {
+                    begin(reader, sample.get(), now);
+                } else {
+                    small.add(sample.get());
+                }
             }
         }
+        while (small.size() > (never.isEmpty() ? 1 : 0)) { // the last one goes with the heartbeat
+            begin(reader.addressee.prefix());
+            put(small.remove(), reader.guid.entity());
+            send(reader.addressee);
+        }
         begin(reader.addressee.prefix());
+        small.forEach(sample -> put(sample, reader.guid.entity()));
         if (!never.isEmpty()) {
             exchange.messages.gap(gap(reader.guid.entity(), never));
         }
         heartbeat(reader.guid.entity(), false);
         send(reader.addressee);
         reader.told(now);
-    }
-
-    private void repair(ReaderProxy reader, KeptSample sample, long now) {
-        if (isLarge(sample)) {
-            begin(reader, sample, now);
-        } else {
-            begin(reader.addressee.prefix());
-            put(sample, reader.guid.entity());
-            send(reader.addressee);
-        }
     }
 
     private Gap gap(EntityId reader, List<Long> numbers) {

@@ -100,8 +100,8 @@ class CycloneIT {
         int domain = 1 + (int) (ProcessHandle.current().pid() % 100); // no other test's
         Path go = folder.resolve("go");
         var store = new Store();
-        var peer = new FutureTask<>(() ->
-                OfficialPython.run(script("/cyclone_keep_all.py"), Integer.toString(domain), Integer.toString(MANY), go.toString()));
+        var peer = new FutureTask<>(() -> OfficialPython.run(
+                script("/cyclone_keep_all.py"), Integer.toString(domain), Integer.toString(MANY), go.toString()));
         try (var participant = new UdpParticipant(
                 UdpParticipant.Options.local(domain, "test"),
                 System::nanoTime,

@@ -25,7 +25,7 @@ final class LossyLink implements Transmitter {
     }
 
     private boolean isLost() {
-        return isCut || random.nextDouble() < loss;
+        return isCut || (loss > 0 && random.nextDouble() < loss);
     }
 
     @Override
