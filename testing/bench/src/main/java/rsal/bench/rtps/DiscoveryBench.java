@@ -98,25 +98,25 @@ public final class DiscoveryBench implements Bench {
 
     /// Until all have found all.
     private double seconds() {
-        var peers = new ArrayList<Peer>();
+        var peers = new ArrayList<LoopbackPeer>();
         var writers = new ArrayList<SampleWriter>();
         var readers = new ArrayList<SampleReader>();
         long begun = System.nanoTime();
         try {
             for (int i = 0; i < participants; i++) {
-                Peer peer = Peer.join();
+                LoopbackPeer peer = LoopbackPeer.join();
                 peers.add(peer);
                 writers.add(peer.writer("rt/tf", TYPE, QOS));
                 readers.add(peer.reader("rt/tf", TYPE, QOS, _ -> {}));
             }
-            Peer.await(
+            LoopbackPeer.await(
                     "not all found all",
                     () -> readers.stream().allMatch(each -> each.matched() == participants - 1)
                             && IntStream.range(0, participants)
                                     .allMatch(i -> peers.get(i).ready(writers.get(i)) == participants - 1));
             return (System.nanoTime() - begun) * 1e-9;
         } finally {
-            peers.forEach(Peer::close);
+            peers.forEach(LoopbackPeer::close);
         }
     }
 
@@ -128,22 +128,22 @@ public final class DiscoveryBench implements Bench {
     private Absence absence(int seed) {
         var heard = new AtomicInteger();
         var random = new SplittableRandom(seed);
-        try (Peer watcher = Peer.join()) {
+        try (LoopbackPeer watcher = LoopbackPeer.join()) {
             SampleReader reader = watcher.reader("rt/scan", TYPE, QOS, _ -> heard.incrementAndGet());
             double lost;
-            try (Peer robot = robot()) {
+            try (LoopbackPeer robot = robot()) {
                 writeUntilHeard(robot, scans(robot), heard);
                 pause(random);
                 robot.cut(true);
-                lost = Peer.await("nobody lost who crashed", () -> reader.matched() == 0);
+                lost = LoopbackPeer.await("nobody lost who crashed", () -> reader.matched() == 0);
             }
             long begun = System.nanoTime();
-            try (Peer robot = robot()) {
+            try (LoopbackPeer robot = robot()) {
                 SampleWriter scans = scans(robot);
                 writeUntilHeard(robot, scans, heard);
                 double back = (System.nanoTime() - begun) * 1e-9;
                 robot.cut(true);
-                Peer.await("nobody lost who was cut off", () -> reader.matched() == 0);
+                LoopbackPeer.await("nobody lost who was cut off", () -> reader.matched() == 0);
                 pause(random);
                 robot.cut(false);
                 return new Absence(lost, back, writeUntilHeard(robot, scans, heard));
@@ -156,17 +156,17 @@ public final class DiscoveryBench implements Bench {
         LockSupport.parkNanos(random.nextLong(lease.toNanos()));
     }
 
-    private Peer robot() {
-        return Peer.join(0, new SplittableRandom(0), lease, GraphListener.NONE);
+    private LoopbackPeer robot() {
+        return LoopbackPeer.join(0, new SplittableRandom(0), lease, GraphListener.NONE);
     }
 
-    private static SampleWriter scans(Peer robot) {
+    private static SampleWriter scans(LoopbackPeer robot) {
         return robot.writer("rt/scan", TYPE, QOS);
     }
 
-    private static double writeUntilHeard(Peer robot, SampleWriter writer, AtomicInteger heard) {
+    private static double writeUntilHeard(LoopbackPeer robot, SampleWriter writer, AtomicInteger heard) {
         int before = heard.get();
-        return Peer.await("nothing was heard of a robot", () -> {
+        return LoopbackPeer.await("nothing was heard of a robot", () -> {
             robot.write(writer, PAYLOAD.clone());
             LockSupport.parkNanos(AGAIN.toNanos());
             return heard.get() > before;

@@ -43,7 +43,7 @@ public final class JoinBench implements Bench {
 
     @Override
     public void measure(BenchmarkRequest assignment) {
-        try (Peer stays = Peer.join()) {
+        try (LoopbackPeer stays = LoopbackPeer.join()) {
             SampleReader reader = stays.reader("rt/scan", TYPE, Qos.DEFAULT, _ -> {});
             SampleWriter writer = stays.writer("rt/cmd_vel", TYPE, Qos.DEFAULT);
             come(first, stays, reader, writer, assignment);
@@ -61,13 +61,14 @@ public final class JoinBench implements Bench {
     }
 
     private static void come(
-            int count, Peer stays, SampleReader reader, SampleWriter writer, BenchmarkRequest assignment) {
+            int count, LoopbackPeer stays, SampleReader reader, SampleWriter writer, BenchmarkRequest assignment) {
         for (int i = 0; i < count; i++) {
             assignment.reach(GROWTH, i, count);
-            try (Peer robot = Peer.join(0, new SplittableRandom(i), LEASE, GraphListener.NONE)) {
+            try (LoopbackPeer robot = LoopbackPeer.join(0, new SplittableRandom(i), LEASE, GraphListener.NONE)) {
                 SampleWriter scans = robot.writer("rt/scan", TYPE, Qos.DEFAULT);
                 robot.reader("rt/cmd_vel", TYPE, Qos.DEFAULT, _ -> {});
-                Peer.await("one that joined was not found", () -> robot.ready(scans) == 1 && stays.ready(writer) > 0);
+                LoopbackPeer.await(
+                        "one that joined was not found", () -> robot.ready(scans) == 1 && stays.ready(writer) > 0);
                 if (i % SILENT == 0) {
                     robot.cut(true);
                 } else {
@@ -76,6 +77,6 @@ public final class JoinBench implements Bench {
                 }
             }
         }
-        Peer.await("one that left is still there", () -> stays.others() == 0 && reader.matched() == 0);
+        LoopbackPeer.await("one that left is still there", () -> stays.others() == 0 && reader.matched() == 0);
     }
 }

@@ -104,12 +104,12 @@ public final class LossBench implements Bench {
     /// @return of all samples that came, sorted [ms]
     private double[] delays(int seed) {
         var random = new SplittableRandom(seed);
-        try (Peer one = Peer.join(LOSS, random.split(), Peer.LEASE, GraphListener.NONE);
-                Peer other = Peer.join(LOSS, random.split(), Peer.LEASE, GraphListener.NONE)) {
+        try (LoopbackPeer one = LoopbackPeer.join(LOSS, random.split(), LoopbackPeer.LEASE, GraphListener.NONE);
+                LoopbackPeer other = LoopbackPeer.join(LOSS, random.split(), LoopbackPeer.LEASE, GraphListener.NONE)) {
             var ears = new ArrayList<Ear>();
             List<SampleWriter> ours = connect(one, other, "rt/there", ears);
             List<SampleWriter> theirs = connect(other, one, "rt/back", ears);
-            Peer.await("not all topics were found", () -> isReady(one, ours) && isReady(other, theirs));
+            LoopbackPeer.await("not all topics were found", () -> isReady(one, ours) && isReady(other, theirs));
             for (int i = 0; i < rounds; i++) {
                 for (int k = 0; k < topics; k++) {
                     one.write(ours.get(k), sample(i));
@@ -130,7 +130,7 @@ public final class LossBench implements Bench {
         }
     }
 
-    private List<SampleWriter> connect(Peer from, Peer to, String name, List<Ear> ears) {
+    private List<SampleWriter> connect(LoopbackPeer from, LoopbackPeer to, String name, List<Ear> ears) {
         var writers = new ArrayList<SampleWriter>();
         for (int k = 0; k < topics; k++) {
             var ear = new Ear(rounds);
@@ -141,7 +141,7 @@ public final class LossBench implements Bench {
         return writers;
     }
 
-    private static boolean isReady(Peer peer, List<SampleWriter> writers) {
+    private static boolean isReady(LoopbackPeer peer, List<SampleWriter> writers) {
         return writers.stream().allMatch(writer -> peer.ready(writer) == 1);
     }
 }

@@ -76,19 +76,19 @@ public final class MapBench implements Bench {
         }
         var map = new OccupancyGrid(side, side, 0.05, 0, 0, cells);
         var read = new CompletableFuture<OccupancyGrid>();
-        try (Peer server = Peer.join(loss, random.split(), Peer.LEASE, GraphListener.NONE);
-                Peer robot = Peer.join(loss, random.split(), Peer.LEASE, GraphListener.NONE)) {
+        try (LoopbackPeer server = LoopbackPeer.join(loss, random.split(), LoopbackPeer.LEASE, GraphListener.NONE);
+                LoopbackPeer robot = LoopbackPeer.join(loss, random.split(), LoopbackPeer.LEASE, GraphListener.NONE)) {
             robot.reader(
                     "rt/map",
                     DDS_TYPE,
                     Qos.LATCHED,
                     sample -> read(sample.payload()).ifPresent(read::complete));
             SampleWriter writer = server.writer("rt/map", DDS_TYPE, Qos.LATCHED);
-            Peer.await("no reader of the map was found", () -> server.ready(writer) == 1);
+            LoopbackPeer.await("no reader of the map was found", () -> server.ready(writer) == 1);
             byte[] message = new RosMessages().map(Instant.EPOCH, map, "map");
             var watch = new Stopwatch();
             server.write(writer, message);
-            Peer.await("no map has come", read::isDone);
+            LoopbackPeer.await("no map has come", read::isDone);
             double seconds = watch.wall();
             if (!Arrays.equals(read.join().cells(), cells)) {
                 throw new IllegalStateException("The map that came is another one.");

@@ -102,8 +102,8 @@ public final class TripBench implements Bench {
         byte[] scan = scan();
         var times = new long[warm + trips];
         var done = new CompletableFuture<Boolean>();
-        try (Peer one = Peer.join();
-                Peer other = Peer.join()) {
+        try (LoopbackPeer one = LoopbackPeer.join();
+                LoopbackPeer other = LoopbackPeer.join()) {
             SampleWriter there = one.writer("rt/there", TYPE, Qos.SENSOR_DATA);
             SampleWriter back = other.writer("rt/back", TYPE, Qos.SENSOR_DATA);
             other.reader("rt/there", TYPE, Qos.SENSOR_DATA, sample -> {
@@ -125,10 +125,10 @@ public final class TripBench implements Bench {
                     done.complete(true);
                 }
             });
-            Peer.await("the other was not found", () -> one.ready(there) == 1 && other.ready(back) == 1);
+            LoopbackPeer.await("the other was not found", () -> one.ready(there) == 1 && other.ready(back) == 1);
             trip.begun = System.nanoTime();
             one.write(there, scan);
-            Peer.await("a scan was lost", done::isDone);
+            LoopbackPeer.await("a scan was lost", done::isDone);
         }
         return times;
     }

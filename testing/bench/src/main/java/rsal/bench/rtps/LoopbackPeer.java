@@ -20,7 +20,7 @@ import rsal.time.AllowedToReadWallClock;
 
 /// A participant on the loopback network, and its link.
 @AllowedToReadWallClock("Benchmarks measure real time.")
-final class Peer implements AutoCloseable {
+final class LoopbackPeer implements AutoCloseable {
     static final Duration LEASE = Duration.ofSeconds(20);
     private static final int DOMAIN = 94; // where nobody else should be
     private static final Duration GLANCE = Duration.ofNanos(200_000);
@@ -28,7 +28,7 @@ final class Peer implements AutoCloseable {
     private final UdpParticipant participant;
     private final LossyLink link;
 
-    private Peer(UdpParticipant participant, LossyLink link) {
+    private LoopbackPeer(UdpParticipant participant, LossyLink link) {
         this.participant = participant;
         this.link = link;
     }
@@ -36,7 +36,7 @@ final class Peer implements AutoCloseable {
     /// @param loss share of the datagrams it sends that get lost
     /// @param random which ones
     /// @param lease after which others take it for gone that hear nothing of it
-    static Peer join(double loss, RandomGenerator random, Duration lease, GraphListener graph) {
+    static LoopbackPeer join(double loss, RandomGenerator random, Duration lease, GraphListener graph) {
         List<InetAddress> here = List.of(InetAddress.getLoopbackAddress());
         var options = new UdpParticipant.Options(DOMAIN, here, List.of(), lease, "bench", "");
         var link = new AtomicReference<LossyLink>();
@@ -45,14 +45,14 @@ final class Peer implements AutoCloseable {
                 link.set(new LossyLink(sockets, loss, random));
                 return link.get();
             });
-            return new Peer(participant, link.get());
+            return new LoopbackPeer(participant, link.get());
         } catch (IOException e) {
             throw new UncheckedIOException("A participant can't be on the loopback network.", e);
         }
     }
 
     /// One that loses nothing.
-    static Peer join() {
+    static LoopbackPeer join() {
         return join(0, new SecureRandom(), LEASE, GraphListener.NONE);
     }
 
