@@ -98,7 +98,7 @@ public final class Participant {
             own.add(teller, List.of(), now);
             own.add(hearer, List.of(), now);
         }
-        tellThatWeLive();
+        publishThatWeLive();
     }
 
     private EndpointData endpoint(EntityId entity, String topic, String type, Qos qos, String userData) {
@@ -106,7 +106,7 @@ public final class Participant {
     }
 
     /// One sample for all time: the leases of our writers never end (DDSI-RTPS 2.5, 8.4.13).
-    private void tellThatWeLive() {
+    private void publishThatWeLive() {
         var sample = ByteBuffer.allocate(28).order(ByteOrder.LITTLE_ENDIAN);
         sample.put(new byte[] {0, 1, 0, 0}); // CDR_LE
         var guid = new Guid(self.prefix(), new EntityId(1)); // the kind of liveliness: automatic

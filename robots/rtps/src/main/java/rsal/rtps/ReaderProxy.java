@@ -58,7 +58,7 @@ final class ReaderProxy {
     }
 
     /// Was told what there is; is told again later if it does not answer.
-    void told(long now) {
+    void reported(long now) {
         if (isReliable) {
             heartbeatAt = now + patience;
             patience = Math.min(2 * patience, LAST_HEARTBEAT);
@@ -68,7 +68,7 @@ final class ReaderProxy {
     /// Something new was written.
     void expectAnswer(long now) {
         patience = FIRST_HEARTBEAT;
-        told(now);
+        reported(now);
     }
 
     /// @param answer not final also when it is one of the first, of a reader that has had no heartbeat yet

@@ -345,7 +345,7 @@ public final class SampleWriter {
             }
             heartbeat(reader.entity(), false);
             send(addressee);
-            proxy.told(now);
+            proxy.reported(now);
         }
     }
 
@@ -417,7 +417,7 @@ public final class SampleWriter {
         }
         heartbeat(reader.guid.entity(), false);
         send(reader.addressee);
-        reader.told(now);
+        reader.reported(now);
     }
 
     private Gap gap(EntityId reader, List<Long> numbers) {
@@ -459,7 +459,7 @@ public final class SampleWriter {
                 begin(reader.addressee.prefix());
                 heartbeat(reader.guid.entity(), false);
                 send(reader.addressee);
-                reader.told(now);
+                reader.reported(now);
             }
         }
     }

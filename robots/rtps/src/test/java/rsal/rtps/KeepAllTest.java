@@ -128,8 +128,8 @@ class KeepAllTest {
         var store = new Store(2);
         SampleReader reader = reader(listener, network, store);
         SampleWriter writer = writer(talker, network, ALL);
-        var told = new ArrayList<Long>();
-        writer.onRoom(() -> told.add(network.now()));
+        var reported = new ArrayList<Long>();
+        writer.onRoom(() -> reported.add(network.now()));
         waitFor(writer, reader, network);
         int written = 0;
         for (int i = 0; i < 100; i++) {
@@ -137,11 +137,11 @@ class KeepAllTest {
             network.run(Duration.ofMillis(10));
         }
         assertThat(written).isEqualTo(ROOM + 2);
-        assertThat(told).isEmpty();
+        assertThat(reported).isEmpty();
         assertThat(writer.isAcknowledged()).isFalse();
         store.take(listener, reader, network.now());
         network.run(Duration.ofMillis(30));
-        assertThat(told).hasSize(1);
+        assertThat(reported).hasSize(1);
         assertThat(talker.write(writer, sample(written, 100))).isTrue();
         assertThat(talker.write(writer, sample(written, 100))).isFalse();
     }
@@ -188,15 +188,15 @@ class KeepAllTest {
         Node listener = join(network, LEASE);
         SampleReader reader = reader(listener, network, new Store(3));
         SampleWriter writer = writer(talker, network, ALL);
-        var told = new ArrayList<Long>();
-        writer.onRoom(() -> told.add(network.now()));
+        var reported = new ArrayList<Long>();
+        writer.onRoom(() -> reported.add(network.now()));
         waitFor(writer, reader, network);
         assertThat(fill(talker, writer, network)).isEqualTo(ROOM + 3);
         listener.crash();
         network.run(Duration.ofMillis(6_900));
         assertThat(talker.write(writer, sample(0, 100))).isFalse();
         network.run(Duration.ofMillis(3_600)); // its lease has ended
-        assertThat(told).hasSize(1);
+        assertThat(reported).hasSize(1);
         for (int i = 0; i < 10 * ROOM; i++) {
             assertThat(talker.write(writer, sample(i, 100))).isTrue();
         }
@@ -250,14 +250,14 @@ class KeepAllTest {
         var store = new Store(3);
         SampleReader reader = reader(node, network, store);
         SampleWriter writer = writer(node, network, ALL);
-        var told = new ArrayList<Long>();
-        writer.onRoom(() -> told.add(network.now()));
+        var reported = new ArrayList<Long>();
+        writer.onRoom(() -> reported.add(network.now()));
         assertThat(fill(node, writer, network)).isEqualTo(ROOM + 3);
         for (int i = 0; i < ROOM + 3; i++) {
             store.take(node, reader, network.now());
         }
         assertThat(store.taken).isEqualTo(numbers(ROOM + 3));
-        assertThat(told).hasSize(1);
+        assertThat(reported).hasSize(1);
     }
 
     /// A writer that keeps the last ones never waits: a reader that refuses loses what the writer keeps no

@@ -306,8 +306,8 @@ class ParticipantTest {
     }
 
     @Test
-    void tellWhatDoesNotFit() {
-        var told = new ArrayList<String>();
+    void printWhatDoesNotFit() {
+        var reported = new ArrayList<String>();
         var network = new SimulatedNetwork(11, 0);
         Node talker = network.join();
         Node listener = network.join(
@@ -315,14 +315,14 @@ class ParticipantTest {
                 new GraphListener() {
                     @Override
                     public void onMismatch(EndpointData own, EndpointData other, String why) {
-                        told.add(why);
+                        reported.add(why);
                     }
                 },
                 Duration.ofSeconds(20));
         writer(talker, network, Qos.SENSOR_DATA);
         reader(listener, network, Qos.DEFAULT);
         network.run(SOON);
-        assertThat(told).containsExactly("reliability: the reader wants reliable, the writer offers best effort");
+        assertThat(reported).containsExactly("reliability: the reader wants reliable, the writer offers best effort");
     }
 
     /// Notes who is gone.

@@ -219,15 +219,15 @@ public final class Ros2Diagnosis implements Diagnosis {
         Map<String, List<EndpointData>> writers = endpoints.stream()
                 .filter(EndpointData::isWriter)
                 .collect(Collectors.groupingBy(EndpointData::topic, LinkedHashMap::new, Collectors.toList()));
-        var told = new LinkedHashSet<String>();
+        var reported = new LinkedHashSet<String>();
         for (EndpointData reader : endpoints) {
             if (!reader.isWriter()) {
                 for (EndpointData writer : writers.getOrDefault(reader.topic(), List.of())) {
-                    writer.mismatch(reader).ifPresent(why -> told.add("'%s': %s".formatted(topic(reader), why)));
+                    writer.mismatch(reader).ifPresent(why -> reported.add("'%s': %s".formatted(topic(reader), why)));
                 }
             }
         }
-        return told.stream()
+        return reported.stream()
                 .map(each -> new Finding("topic", false, each, "Change the quality of service of one of them."))
                 .toList();
     }
