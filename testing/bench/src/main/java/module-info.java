@@ -1,6 +1,6 @@
 /// How fast RSAL is on this machine, area by area. Robot systems it asks through the middle layer's contracts, as
-/// agents and scenarios do, and knows nothing of what is behind them; navigation's algorithms it calls, scenarios
-/// it runs, and runs it shows to a browser.
+/// agents and scenarios do, and knows nothing of what is behind them; navigation's algorithms and the protocol of ROS 2
+/// it calls, scenarios it runs, and runs it shows to a browser.
 module rsal.bench {
     requires rsal.yaml;
     requires rsal.models;
@@ -13,6 +13,8 @@ module rsal.bench {
     requires jade;
     requires jason.interpreter;
     requires rsal.navigation;
+    requires rsal.ros2.messages;
+    requires rsal.rtps;
     requires rsal.engine;
     requires rsal.server;
     requires java.net.http; // what browsers are told

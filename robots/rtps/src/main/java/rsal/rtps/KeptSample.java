@@ -2,7 +2,6 @@ package rsal.rtps;
 
 import java.util.Optional;
 import java.util.function.Consumer;
-import rsal.rtps.wire.Guid;
 import rsal.rtps.wire.ParameterList;
 import rsal.rtps.wire.Submessage.Content;
 
@@ -10,13 +9,11 @@ import rsal.rtps.wire.Submessage.Content;
 ///
 /// @param number from 1 on
 /// @param timestamp when it was written [ns] since 1970
-/// @param key of which a later sample replaces it; empty for topics without keys
 /// @param inlineQos writes what goes beside it, without an end; empty for nothing
 /// @param payload with its encapsulation header; not changed any more
 record KeptSample(
         long number,
         long timestamp,
-        Optional<Guid> key,
-        Content content,
         Optional<Consumer<ParameterList.Writer>> inlineQos,
+        Content content,
         byte[] payload) {}

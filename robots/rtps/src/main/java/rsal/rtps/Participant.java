@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.Set;
 import java.util.function.Consumer;
 import rsal.rtps.WriterProxy.Arrival;
@@ -38,7 +39,7 @@ public final class Participant {
     private static final long SECOND = 1_000_000_000; // ns
     private static final int FIRST_ANNOUNCEMENTS = 5;
     private static final long BETWEEN_FIRST_ANNOUNCEMENTS = SECOND / 10;
-    private static final long BETWEEN_ANNOUNCEMENTS = 3 * SECOND;
+    private static final long BETWEEN_ANNOUNCEMENTS = 3 * SECOND / 2; // so that who was cut off is found within 2 s
 
     private final ParticipantData self;
     private final RtpsLimits limits;
@@ -84,7 +85,7 @@ public final class Participant {
         own = new OwnEndpoints(graph);
         messages = new MessageWriter(self.prefix());
         budget = new AssemblyBudget(limits);
-        exchange = new SampleWriter.Exchange(messages, network, fragmentSize);
+        exchange = new SampleWriter.Exchange(messages, network, fragmentSize, limits);
         announceAt = now;
         due = now;
         for (BuiltinEndpoint builtin : BuiltinEndpoint.RELIABLE) {
@@ -111,8 +112,7 @@ public final class Participant {
         var guid = new Guid(self.prefix(), new EntityId(1)); // the kind of liveliness: automatic
         guid.write(sample);
         sample.putInt(1); // one octet of data, as Cyclone DDS sends
-        Guid key = guid;
-        teller(BuiltinEndpoint.LIVELINESS).write(key, 0, Content.DATA, Optional.empty(), sample.array(), now);
+        teller(BuiltinEndpoint.LIVELINESS).write(guid, 0, Content.DATA, Optional.empty(), sample.array(), now);
     }
 
     private SampleWriter teller(BuiltinEndpoint builtin) {
@@ -161,7 +161,7 @@ public final class Participant {
             String topic, String type, Qos qos, String userData, SampleListener listener, long time) {
         advance(time);
         EndpointData data = endpoint(EntityId.reader(++entities), topic, type, qos, userData);
-        var reader = new SampleReader(data, budget, new Hearing(listener, topic));
+        var reader = new SampleReader(data, budget, new Hearing(listener, data));
         announce(BuiltinEndpoint.SUBSCRIPTIONS, data);
         own.add(reader, others.values(), now);
         wake(now);
@@ -171,15 +171,16 @@ public final class Participant {
     /// @param timestamp when the sample is from [ns] since 1970
     /// @param inlineQos writes what goes beside it, without an end; at most 128 B
     /// @param payload with its encapsulation header; not changed any more
-    /// @return the number of the sample
-    public long write(
+    /// @return the number of the sample; empty when the writer keeps all and has no room
+    ///     ([SampleWriter#onRoom]): then nothing is written
+    public OptionalLong write(
             SampleWriter writer,
             long timestamp,
             Optional<Consumer<ParameterList.Writer>> inlineQos,
             byte[] payload,
             long time) {
         advance(time);
-        long number = writer.write(timestamp, inlineQos, payload, now);
+        OptionalLong number = writer.write(timestamp, inlineQos, payload, now);
         wake(writer.due());
         return number;
     }
@@ -209,6 +210,13 @@ public final class Participant {
             withdraw(BuiltinEndpoint.SUBSCRIPTIONS, reader.data().guid());
             wake(now);
         }
+    }
+
+    /// The reader's listener has room again ([SampleListener#hasRoom]).
+    public void resume(SampleReader reader, long time) {
+        advance(time);
+        own.writers().forEach(writer -> writer.resume(reader));
+        wake(reader.resume(now));
     }
 
     /// Tells all others that this participant leaves. Twice, since the first message can be lost.
@@ -277,8 +285,8 @@ public final class Participant {
                     GuidPrefix.UNKNOWN, Content.DATA, Optional.empty(), DiscoveryMessages.parameters(self::write), 1);
             network.announce(messages.message());
             announcements++;
-            announceAt =
-                    now + (announcements < FIRST_ANNOUNCEMENTS ? BETWEEN_FIRST_ANNOUNCEMENTS : BETWEEN_ANNOUNCEMENTS);
+            long usual = Math.clamp(self.lease() / 3, BETWEEN_FIRST_ANNOUNCEMENTS, BETWEEN_ANNOUNCEMENTS);
+            announceAt = now + (announcements < FIRST_ANNOUNCEMENTS ? BETWEEN_FIRST_ANNOUNCEMENTS : usual);
         }
     }
 
@@ -323,10 +331,9 @@ public final class Participant {
     }
 
     private void receive(Origin origin, Submessage submessage, InetSocketAddress from) {
-        GuidPrefix self = this.self.prefix();
         boolean forUs = origin.destination().equals(GuidPrefix.UNKNOWN)
-                || origin.destination().equals(self);
-        if (origin.source().equals(self) || !forUs) {
+                || origin.destination().equals(self.prefix());
+        if (origin.source().equals(self.prefix()) || !forUs) {
             return;
         }
         if (submessage.writer().equals(EntityId.PARTICIPANT_WRITER)) {
@@ -470,12 +477,11 @@ public final class Participant {
             return;
         }
         boolean isFull = other.endpoints.size() >= limits.endpoints() || endpoints >= limits.allEndpoints();
-        if (before == null && isFull) {
-            surplus++;
-            return;
-        }
         if (before != null) {
             forget(other, data.guid());
+        } else if (isFull) {
+            surplus++;
+            return;
         }
         other.endpoints.put(data.guid(), data);
         endpoints++;

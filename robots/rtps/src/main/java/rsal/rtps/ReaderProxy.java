@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.BitSet;
 import java.util.Deque;
 import rsal.rtps.wire.Guid;
+import rsal.rtps.wire.Submessage.AckNack;
 
 /// A reader as one of our writers knows it: which samples it has, and which it is still to get (DDSI-RTPS 2.5, 8.4.7
 /// and 8.4.9).
@@ -70,17 +71,20 @@ final class ReaderProxy {
         reported(now);
     }
 
-    /// @param isFinal false also for the first answers of readers that have had no heartbeat yet
+    /// @param answer not final also when it is one of the first, of a reader that has had no heartbeat yet
     /// @param last number that was written
     /// @return false for an answer that is not newer than the one before
-    boolean answered(int count, long base, boolean isFinal, long last, long now) {
-        if (hasAnswered && count - newestAnswer <= 0) {
+    boolean answered(AckNack answer, long last, long now) {
+        if (hasAnswered && answer.count() - newestAnswer <= 0) {
             return false;
         }
-        isReady |= isFinal || base > 1 || hasAnswered;
-        newestAnswer = count;
+        long base = answer.missing().base();
+        isReady |= answer.isFinal() || base > 1 || hasAnswered;
+        newestAnswer = answer.count();
         hasAnswered = true;
-        patience = FIRST_HEARTBEAT; // it is there
+        if (base > acknowledged + 1 || !answer.missing().isEmpty() || !isReady) { // else it takes nothing for now
+            patience = FIRST_HEARTBEAT;
+        }
         if (base > 0) {
             isHeard = true;
             acknowledged = Math.max(acknowledged, Math.min(base - 1, last));

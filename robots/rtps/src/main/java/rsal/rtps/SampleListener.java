@@ -10,6 +10,14 @@ public interface SampleListener {
     /// @param sample valid during the call only
     void onSample(Sample sample);
 
+    /// Whether it takes another sample. Asked of reliable readers that keep all
+    /// ([rsal.rtps.discovery.Qos#KEEP_ALL]): what they do not take they do not acknowledge, so that writers
+    /// that keep all wait. When it takes some again, it says so by [Participant#resume] or
+    /// [UdpParticipant#resume], not while it is called.
+    default boolean hasRoom() {
+        return true;
+    }
+
     /// @param writer who wrote it
     /// @param number of this writer's samples, from 1 on
     /// @param timestamp when it was written [ns] since 1970; −1 where the writer does not say

@@ -2,7 +2,6 @@ package rsal.rtps;
 
 import java.util.HashMap;
 import java.util.Map;
-import java.util.function.Consumer;
 import rsal.rtps.WriterProxy.Arrival;
 import rsal.rtps.discovery.EndpointData;
 import rsal.rtps.wire.Guid;
@@ -11,12 +10,22 @@ import rsal.rtps.wire.MessageWriter;
 /// A reader of ours, and the writers that it reads from.
 public final class SampleReader {
     private final EndpointData data;
-    private final Consumer<Arrival> receiver;
+    private final Receiver receiver;
     private final AssemblyBudget budget;
     private final Map<Guid, WriterProxy> writers = new HashMap<>();
     private volatile int matched; // how many there are, for threads without the participant's lock
 
-    SampleReader(EndpointData data, AssemblyBudget budget, Consumer<Arrival> receiver) {
+    /// Gets samples.
+    interface Receiver {
+        void accept(Arrival sample);
+
+        /// Whether it takes another one.
+        default boolean hasRoom() {
+            return true;
+        }
+    }
+
+    SampleReader(EndpointData data, AssemblyBudget budget, Receiver receiver) {
         this.data = data;
         this.budget = budget;
         this.receiver = receiver;
@@ -56,6 +65,23 @@ public final class SampleReader {
         if (proxy != null) {
             proxy.close();
         }
+    }
+
+    /// Whether it takes a sample of a writer of the same participant.
+    boolean hasRoom() {
+        return receiver.hasRoom();
+    }
+
+    /// Takes more of other participants.
+    ///
+    /// @return when it next has something to ask for [ns]
+    long resume(long now) {
+        long due = Long.MAX_VALUE;
+        for (WriterProxy writer : writers.values()) {
+            writer.resume(now);
+            due = Math.min(due, writer.due());
+        }
+        return due;
     }
 
     /// From a writer of the same participant.

@@ -4,13 +4,11 @@ import java.nio.ByteBuffer;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.NavigableMap;
 import java.util.Optional;
-import java.util.TreeMap;
+import java.util.OptionalLong;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.LongStream;
@@ -30,14 +28,15 @@ import rsal.rtps.wire.Submessage.Gap;
 import rsal.rtps.wire.Submessage.Heartbeat;
 import rsal.rtps.wire.Submessage.NackFragments;
 
-/// A writer of ours: keeps its newest samples, sends them to its readers, and again to those who lack them.
+/// A writer of ours: keeps samples, sends them to its readers, and again to those who lack them.
 ///
-/// Samples that fit into no datagram go in fragments, some at a time, so that they do not fill the buffers of those who
-/// receive them.
+/// A reliable one that keeps all ([Qos#KEEP_ALL]) loses nothing that a reliable reader lacks: it refuses what
+/// is written while it has no room ([RtpsLimits#kept]), and says when it has ([#onRoom]).
+///
+/// Samples that fit into no datagram go in fragments, some at a time, so that they do not fill the buffers of
+/// those who receive them.
 public final class SampleWriter {
     private static final long MILLISECOND = 1_000_000; // ns
-    private static final int MOST_KEPT = 1_000; // samples, of those that keep all
-    private static final int MOST_WITHDRAWN = 64; // keys of which the last sample is kept
     private static final int BURST = 128 << 10; // B of fragments to one reader in a millisecond
     private static final int MOST_REPAIRED = 256 << 10; // B of samples sent again at once
     private static final long BETWEEN_REPAIRS = 2 * MILLISECOND;
@@ -47,19 +46,19 @@ public final class SampleWriter {
 
     private final EndpointData data;
     private final Exchange exchange;
-    private final NavigableMap<Long, KeptSample> kept = new TreeMap<>();
-    private final Map<Guid, Long> numbers = new HashMap<>(); // by key
-    private final Deque<Guid> withdrawn = new ArrayDeque<>(); // keys
+    private final WriterHistory history;
     private final Map<Guid, ReaderProxy> readers = new LinkedHashMap<>();
-    private final List<SampleReader> neighbors = new ArrayList<>(); // of the same participant
+    private final List<Neighbor> neighbors = new ArrayList<>();
     private final Deque<Held> held = new ArrayDeque<>(); // until their readers are ready
+    private Runnable roomListener = () -> {};
+    private boolean hasRefused; // since there was room
     private long last;
     private int heartbeats;
 
     /// What writers share.
     ///
     /// @param fragmentSize most of a sample that one datagram has [B]
-    record Exchange(MessageWriter messages, Transmitter network, int fragmentSize) {}
+    record Exchange(MessageWriter messages, Transmitter network, int fragmentSize, RtpsLimits limits) {}
 
     /// A sample that one participant waits for.
     ///
@@ -71,9 +70,21 @@ public final class SampleWriter {
 
     private record Held(Reply reply, long until) {}
 
+    /// A reader of the same participant.
+    private static final class Neighbor {
+        final SampleReader reader;
+        long taken; // up to this number
+
+        Neighbor(SampleReader reader, long taken) {
+            this.reader = reader;
+            this.taken = taken;
+        }
+    }
+
     SampleWriter(EndpointData data, Exchange exchange) {
         this.data = data;
         this.exchange = exchange;
+        history = new WriterHistory(data.qos(), exchange.limits);
     }
 
     /// As it is announced.
@@ -98,6 +109,12 @@ public final class SampleWriter {
                 .collect(Collectors.toMap(each -> each.guid, each -> last - each.acknowledged));
     }
 
+    /// Told once after a sample was refused, when another one may have room. Called while the participant is
+    /// locked: be quick, and call nothing of it.
+    public void onRoom(Runnable listener) {
+        roomListener = listener;
+    }
+
     /// Who reads it, of other participants, and takes what is written from now on.
     List<Guid> readers() {
         return readers.values().stream()
@@ -110,18 +127,29 @@ public final class SampleWriter {
     /// @param inlineQos writes what goes beside it, without an end; at most 128 B
     /// @param payload with its encapsulation header; not changed any more
     /// @param now [ns]
-    /// @return the number of the sample
-    long write(long timestamp, Optional<Consumer<ParameterList.Writer>> inlineQos, byte[] payload, long now) {
-        write(new KeptSample(last + 1, timestamp, Optional.empty(), Content.DATA, inlineQos, payload), now);
-        return last;
+    /// @return the number of the sample; empty when it is refused
+    OptionalLong write(long timestamp, Optional<Consumer<ParameterList.Writer>> inlineQos, byte[] payload, long now) {
+        if (!history.makesRoom(payload.length)) {
+            hasRefused = true;
+            return OptionalLong.empty();
+        }
+        var sample = new KeptSample(last + 1, timestamp, inlineQos, Content.DATA, payload);
+        long forgotten = history.add(sample);
+        if (forgotten > 0) { // best effort means that of two the newer one matters
+            readers.values()
+                    .forEach(reader ->
+                            reader.streams.removeIf(each -> each.sample().number() <= forgotten));
+        }
+        write(sample, now);
+        return OptionalLong.of(sample.number());
     }
 
-    /// Writes a sample when a reader of the participant is there and ready, or 5 s later: a client's request may come
-    /// before its reader of replies is known here, which would miss the reply.
+    /// Writes a sample when a reader of the participant is there and ready, or 5 s later: a client's request
+    /// may come before its reader of replies is known here, which would miss the reply. Where it is refused
+    /// even then, it is left out.
     void write(Reply reply, long now) {
-        if (isReady(reply.to) || !hasRoom(reply)) {
-            write(reply.timestamp, reply.inlineQos, reply.payload, now);
-        } else {
+        boolean waits = !isReady(reply.to) && hasRoom(reply);
+        if (waits || write(reply.timestamp, reply.inlineQos, reply.payload, now).isEmpty()) {
             held.add(new Held(reply, now + HELD_FOR));
         }
     }
@@ -159,8 +187,14 @@ public final class SampleWriter {
         List<Held> released = held.stream()
                 .filter(each -> each.until <= now || isReady(each.reply.to))
                 .toList();
-        held.removeAll(released);
-        released.forEach(each -> write(each.reply.timestamp, each.reply.inlineQos, each.reply.payload, now));
+        for (Held each : released) {
+            Reply reply = each.reply;
+            boolean isWritten =
+                    write(reply.timestamp, reply.inlineQos, reply.payload, now).isPresent();
+            if (isWritten || each.until <= now) {
+                held.remove(each);
+            }
+        }
     }
 
     /// @param key of which this replaces the sample before
@@ -171,37 +205,52 @@ public final class SampleWriter {
             Optional<Consumer<ParameterList.Writer>> inlineQos,
             byte[] payload,
             long now) {
-        Long before = numbers.put(key, last + 1);
-        if (before != null) {
-            kept.remove(before);
-        }
-        if (content == Content.KEY) {
-            withdrawn.add(key);
-            if (withdrawn.size() > MOST_WITHDRAWN) {
-                kept.remove(numbers.remove(withdrawn.remove()));
-            }
-        }
-        write(new KeptSample(last + 1, timestamp, Optional.of(key), content, inlineQos, payload), now);
+        var sample = new KeptSample(last + 1, timestamp, inlineQos, content, payload);
+        history.add(key, sample);
+        write(sample, now);
     }
 
     private void write(KeptSample sample, long now) {
         last = sample.number();
-        kept.put(last, sample);
-        if (sample.key().isEmpty()) {
-            while (kept.size() > Math.min(data.qos().depth(), MOST_KEPT)) {
-                forget(kept.pollFirstEntry().getValue());
-            }
-        }
-        neighbors.forEach(reader -> reader.deliver(arrival(sample)));
+        neighbors.forEach(this::serve);
         if (!readers.isEmpty()) {
             send(sample, now);
         }
+        settle();
     }
 
-    /// Best effort means that of two the newer one matters.
-    private void forget(KeptSample sample) {
-        readers.values()
-                .forEach(reader -> reader.streams.removeIf(each -> each.sample().number() == sample.number()));
+    /// Hands a neighbor what it has not taken yet, as long as it takes more.
+    private void serve(Neighbor neighbor) {
+        Optional<KeptSample> next = history.after(neighbor.taken);
+        while (next.isPresent() && neighbor.reader.hasRoom()) {
+            neighbor.taken = next.get().number(); // before its listener writes another one
+            neighbor.reader.deliver(arrival(next.get()));
+            next = history.after(neighbor.taken);
+        }
+    }
+
+    /// A neighbor takes more.
+    void resume(SampleReader reader) {
+        neighbors.stream().filter(each -> each.reader == reader).forEach(this::serve);
+        settle();
+    }
+
+    /// Forgets what all readers have, and says that there is room.
+    private void settle() {
+        if (!history.keepsAll() || data.topic().isEmpty()) { // those of the built-in topics keep one for each key
+            return;
+        }
+        long all = last;
+        for (ReaderProxy reader : readers.values()) {
+            all = reader.isReliable ? Math.min(all, reader.acknowledged) : all;
+        }
+        for (Neighbor neighbor : neighbors) {
+            all = Math.min(all, neighbor.taken);
+        }
+        if (history.acknowledge(all) && hasRefused) {
+            hasRefused = false;
+            roomListener.run();
+        }
     }
 
     private WriterProxy.Arrival arrival(KeptSample sample) {
@@ -309,30 +358,31 @@ public final class SampleWriter {
     }
 
     void matchNeighbor(SampleReader reader) {
-        neighbors.add(reader);
-        if (reader.data().qos().isLatched() && data.qos().isLatched()) {
-            kept.values().forEach(sample -> reader.deliver(arrival(sample)));
-        }
+        boolean late = reader.data().qos().isLatched() && data.qos().isLatched();
+        var neighbor = new Neighbor(reader, late ? 0 : last);
+        neighbors.add(neighbor);
+        serve(neighbor);
     }
 
     void unmatch(Guid reader) {
         readers.remove(reader);
-        neighbors.removeIf(each -> each.data().guid().equals(reader));
+        neighbors.removeIf(each -> each.reader.data().guid().equals(reader));
+        settle();
     }
 
     void unmatchAll(GuidPrefix participant) {
         readers.keySet().removeIf(each -> each.prefix().equals(participant));
         held.removeIf(each -> each.reply.to.prefix().equals(participant));
+        settle();
     }
 
     /// Sends what a reader lacks, and tells it what never comes.
     void receive(Origin origin, AckNack answer, long now) {
         ReaderProxy reader = readers.get(origin.guid(answer.reader()));
-        if (reader == null
-                || !reader.isReliable
-                || !reader.answered(answer.count(), answer.missing().base(), answer.isFinal(), last, now)) {
+        if (reader == null || !reader.isReliable || !reader.answered(answer, last, now)) {
             return;
         }
+        settle();
         release(now);
         if (answer.missing().isEmpty() || answer.missing().base() < 1) {
             if (!answer.isFinal()) {
@@ -348,23 +398,28 @@ public final class SampleWriter {
 
     private void repair(ReaderProxy reader, NumberSet missing, long now) {
         var never = new ArrayList<Long>();
+        var small = new ArrayDeque<KeptSample>(); // of one datagram each
         int bytes = 0;
         for (long number : missing.numbers().filter(each -> each <= last).toArray()) {
-            KeptSample sample = number > reader.start ? kept.get(number) : null;
-            if (sample == null) {
+            Optional<KeptSample> sample = number > reader.start ? history.find(number) : Optional.empty();
+            if (sample.isEmpty()) {
                 never.add(number);
             } else if (bytes < MOST_REPAIRED) {
-                bytes += sample.payload().length;
-                if (isLarge(sample)) {
-                    begin(reader, sample, now);
+                bytes += sample.get().payload().length;
+                if (isLarge(sample.get())) {
+                    begin(reader, sample.get(), now);
                 } else {
-                    begin(reader.addressee.prefix());
-                    put(sample, reader.guid.entity());
-                    send(reader.addressee);
+                    small.add(sample.get());
                 }
             }
         }
+        while (small.size() > (never.isEmpty() ? 1 : 0)) { // the last one goes with the heartbeat
+            begin(reader.addressee.prefix());
+            put(small.remove(), reader.guid.entity());
+            send(reader.addressee);
+        }
         begin(reader.addressee.prefix());
+        small.forEach(sample -> put(sample, reader.guid.entity()));
         if (!never.isEmpty()) {
             exchange.messages.gap(gap(reader.guid.entity(), never));
         }
@@ -390,18 +445,17 @@ public final class SampleWriter {
     /// Sends the fragments that a reader lacks.
     void receive(Origin origin, NackFragments nack, long now) {
         ReaderProxy reader = readers.get(origin.guid(nack.reader()));
-        KeptSample sample = kept.get(nack.number());
-        if (reader == null || !reader.isReliable || !reader.isNewNack(nack.count()) || sample == null) {
+        if (reader == null || !reader.isReliable || !reader.isNewNack(nack.count()) || nack.number() <= reader.start) {
             return;
         }
-        if (isLarge(sample) && nack.number() > reader.start) {
+        history.find(nack.number()).filter(this::isLarge).ifPresent(sample -> {
             Stream stream = reader.stream(sample);
             nack.missing()
                     .numbers()
                     .filter(each -> each >= 1 && each <= fragments(sample))
                     .forEach(each -> stream.fragments().set((int) each - 1));
             stream(reader, now);
-        }
+        });
     }
 
     /// Tells readers what there is that did not answer, and sends fragments.
@@ -444,8 +498,8 @@ public final class SampleWriter {
     }
 
     private void heartbeat(EntityId reader, boolean isFinal) {
-        long first = kept.isEmpty() ? last + 1 : kept.firstKey();
-        exchange.messages.heartbeat(new Heartbeat(reader, data.guid().entity(), first, last, ++heartbeats, isFinal));
+        exchange.messages.heartbeat(
+                new Heartbeat(reader, data.guid().entity(), history.first(last), last, ++heartbeats, isFinal));
     }
 
     private void send(Addressee addressee) {

@@ -14,9 +14,12 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.concurrent.TimeUnit;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
+import java.util.function.UnaryOperator;
 import java.util.random.RandomGenerator;
 import rsal.rtps.discovery.BuiltinEndpoint;
 import rsal.rtps.discovery.EndpointData;
@@ -109,6 +112,20 @@ public final class UdpParticipant implements AutoCloseable {
     /// @throws IOException when no port is free, or the address is not of this machine
     public UdpParticipant(Options options, LongSupplier clock, RandomGenerator random, GraphListener graph)
             throws IOException {
+        this(options, clock, random, graph, sockets -> sockets);
+    }
+
+    /// As the other one, with something between the protocol and its sockets, such as what loses some
+    /// datagrams.
+    ///
+    /// @param link makes it; called for one datagram at a time
+    public UdpParticipant(
+            Options options,
+            LongSupplier clock,
+            RandomGenerator random,
+            GraphListener graph,
+            UnaryOperator<Transmitter> link)
+            throws IOException {
         this.clock = clock;
         isLocal = options.isLocal();
         sockets = Sockets.open(options);
@@ -129,13 +146,15 @@ public final class UdpParticipant implements AutoCloseable {
                 options.name,
                 options.userData);
         int fragment = isLocal ? LOCAL_FRAGMENT : NETWORK_FRAGMENT;
-        participant = new Participant(self, fragment, RtpsLimits.DEFAULT, sockets, graph, clock.getAsLong());
+        participant =
+                new Participant(self, fragment, RtpsLimits.DEFAULT, link.apply(sockets), graph, clock.getAsLong());
         thread = Thread.ofPlatform().daemon().name("rtps").start(this::receive);
     }
 
     public SampleWriter createWriter(String topic, String type, Qos qos, String userData) {
         synchronized (participant) {
             SampleWriter writer = participant.createWriter(topic, type, qos, userData, clock.getAsLong());
+            writer.onRoom(participant::notifyAll);
             wakeUp();
             return writer;
         }
@@ -149,24 +168,56 @@ public final class UdpParticipant implements AutoCloseable {
         }
     }
 
-    /// @param timestamp when the sample is from [ns] since 1970
-    /// @param payload with its encapsulation header; not changed any more
-    public void write(SampleWriter writer, long timestamp, byte[] payload) {
-        write(writer, timestamp, Optional.empty(), payload);
+    /// As the other one, with nothing beside the sample.
+    ///
+    /// @return whether it was written
+    public boolean write(SampleWriter writer, long timestamp, byte[] payload) {
+        return write(writer, timestamp, Optional.empty(), payload).isPresent();
     }
 
+    /// Writes a sample. A writer that keeps all and has no room waits for it, for [Qos#MAX_BLOCKING] at most;
+    /// on threads that call listeners of this participant it does not wait.
+    ///
+    /// @param timestamp when the sample is from [ns] since 1970
     /// @param inlineQos writes what goes beside the sample, without an end; at most 128 B
-    /// @return the number of the sample
-    public long write(
+    /// @param payload with its encapsulation header; not changed any more
+    /// @return the number of the sample; empty when there was no room, and nothing is written
+    public OptionalLong write(
             SampleWriter writer, long timestamp, Optional<Consumer<ParameterList.Writer>> inlineQos, byte[] payload) {
+        boolean mayWait = !Thread.holdsLock(participant); // else acknowledgments could not be received meanwhile
         synchronized (participant) {
-            long number = participant.write(writer, timestamp, inlineQos, payload, clock.getAsLong());
+            long end = clock.getAsLong() + Qos.MAX_BLOCKING;
+            OptionalLong number = participant.write(writer, timestamp, inlineQos, payload, clock.getAsLong());
+            while (number.isEmpty() && mayWait && awaitRoom(end)) {
+                number = participant.write(writer, timestamp, inlineQos, payload, clock.getAsLong());
+            }
             wakeUp();
             return number;
         }
     }
 
-    /// Writes a sample that one participant waits for, when a reader of it is there and ready; at most 5 s later.
+    /// @return whether to try again
+    private boolean awaitRoom(long end) {
+        long left = end - clock.getAsLong();
+        try {
+            TimeUnit.NANOSECONDS.timedWait(participant, left);
+            return left > 0 && !isClosed;
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return false;
+        }
+    }
+
+    /// The reader's listener has room again ([SampleListener#hasRoom]). Any thread may say so.
+    public void resume(SampleReader reader) {
+        synchronized (participant) {
+            participant.resume(reader, clock.getAsLong());
+            wakeUp();
+        }
+    }
+
+    /// Writes a sample that one participant waits for, when a reader of it is there and ready; at most 5 s
+    /// later.
     public void write(SampleWriter writer, SampleWriter.Reply reply) {
         synchronized (participant) {
             participant.write(writer, reply, clock.getAsLong());

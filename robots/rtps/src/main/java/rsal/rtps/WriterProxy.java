@@ -4,7 +4,6 @@ import java.nio.ByteBuffer;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
-import java.util.function.Consumer;
 import java.util.stream.LongStream;
 import rsal.rtps.wire.EntityId;
 import rsal.rtps.wire.Guid;
@@ -33,15 +32,17 @@ final class WriterProxy {
     private final Addressee addressee;
     private final boolean isReliable;
     private final AssemblyBudget budget;
-    private final Consumer<Arrival> receiver;
-    private final TreeMap<Long, Arrival> early = new TreeMap<>();
+    private final SampleReader.Receiver receiver;
+    private final TreeMap<Long, Arrival> early = new TreeMap<>(); // or refused
     private final TreeMap<Long, Assembly> incomplete = new TreeMap<>();
     private int earlyBytes;
     private long next = 1; // that is to be delivered
+    private long floor = 1; // what is below it and has not come never comes
     private long last; // that is known to have been written
+    private boolean isRefusing; // the receiver takes nothing for now
     private boolean isHeard; // by a heartbeat
     private int heartbeats; // count of the newest
-    private int requests; // count of the newest
+    private int requests; // count of the newest; goes on when the writer is lost and found again
     private long requested = Long.MIN_VALUE / 2; // when [ns]
     private long due; // of the next request [ns]; [Timestamp#INFINITE] for none
     private long patience = FIRST_REQUEST; // ns
@@ -82,7 +83,7 @@ final class WriterProxy {
             Addressee addressee,
             boolean isReliable,
             AssemblyBudget budget,
-            Consumer<Arrival> receiver,
+            SampleReader.Receiver receiver,
             long now) {
         this.guid = guid;
         this.reader = reader;
@@ -91,11 +92,12 @@ final class WriterProxy {
         this.budget = budget;
         this.receiver = receiver;
         due = isReliable ? now : Long.MAX_VALUE;
+        requests = (int) (now / MILLISECOND); // there are fewer of them than milliseconds
     }
 
     void receive(Arrival sample) {
         long number = sample.number;
-        if (number < next) {
+        if (number < next || early.containsKey(number)) {
             return;
         }
         drop(number);
@@ -104,13 +106,30 @@ final class WriterProxy {
             next = number + 1;
             incomplete.headMap(next).keySet().stream().toList().forEach(this::drop);
             receiver.accept(sample);
-        } else if (number == next) {
+        } else if (number == next && takes()) {
             next++;
             receiver.accept(sample);
             drain();
-        } else if (early.size() < budget.limits().early()
-                && earlyBytes + sample.payload.remaining() <= budget.limits().earlyBytes()) {
+        } else if (early.size() < budget.limits().early() && fitsEarly(sample.payload.remaining())) {
             keep(sample.copied());
+        }
+    }
+
+    private boolean fitsEarly(int bytes) {
+        return earlyBytes + bytes <= budget.limits().earlyBytes();
+    }
+
+    private boolean takes() {
+        isRefusing = !receiver.hasRoom();
+        return !isRefusing;
+    }
+
+    /// The receiver takes samples again.
+    void resume(long now) {
+        if (isRefusing) {
+            isRefusing = false;
+            drain();
+            due = Math.min(due, Math.max(now, requested + BETWEEN_REQUESTS)); // to acknowledge, and to ask for more
         }
     }
 
@@ -120,17 +139,31 @@ final class WriterProxy {
         }
     }
 
-    /// Delivers those that waited for one before them.
+    /// Delivers those that waited for one before them, or for the receiver.
     private void drain() {
-        while (!early.isEmpty() && early.firstKey() <= next) {
-            Arrival sample = early.pollFirstEntry().getValue();
-            earlyBytes -= sample.payload.remaining();
-            if (sample.number == next) {
-                next++;
-                if (!sample.isGap) {
-                    receiver.accept(sample);
+        while (!early.isEmpty() || next < floor) {
+            long first = early.isEmpty() ? floor : early.firstKey();
+            if (first > next) {
+                if (next >= floor) {
+                    return;
                 }
+                next = Math.min(first, floor);
+            } else if (first < next || early.firstEntry().getValue().isGap || takes()) {
+                Arrival sample = early.pollFirstEntry().getValue();
+                earlyBytes -= sample.payload.remaining();
+                if (first == next) {
+                    next++;
+                    deliver(sample);
+                }
+            } else {
+                return;
             }
+        }
+    }
+
+    private void deliver(Arrival sample) {
+        if (!sample.isGap) {
+            receiver.accept(sample);
         }
     }
 
@@ -146,7 +179,8 @@ final class WriterProxy {
         }
         Assembly assembly = incomplete.get(number);
         if (assembly == null) {
-            if (!hasRoom(number) || !budget.take(part.sampleSize())) {
+            boolean fits = !isRefusing || fitsEarly(part.sampleSize());
+            if (!fits || !hasRoom(number) || !budget.take(part.sampleSize())) {
                 return;
             }
             assembly = new Assembly(part);
@@ -199,15 +233,11 @@ final class WriterProxy {
         }
     }
 
-    /// What is below that number does not come any more.
+    /// What is below that number and has not come does not come any more.
     private void skip(long first) {
         if (first > next) {
             incomplete.headMap(first).keySet().stream().toList().forEach(this::drop);
-            while (!early.isEmpty() && early.firstKey() < first) { // those that came are not lost
-                next = early.firstKey();
-                drain();
-            }
-            next = Math.max(next, first);
+            floor = Math.max(floor, first);
             drain();
         }
     }
@@ -216,7 +246,7 @@ final class WriterProxy {
         if (!isReliable) {
             return;
         }
-        if (gap.start() <= next && gap.more().base() > next) {
+        if (gap.start() <= next && gap.more().base() > next && !early.containsKey(next)) {
             next = gap.more().base();
             incomplete.headMap(next).keySet().stream().toList().forEach(this::drop);
             drain();
@@ -233,7 +263,7 @@ final class WriterProxy {
         if (!isReliable) {
             return; // nothing waits for it
         }
-        if (number == next) {
+        if (number == next && !early.containsKey(number)) {
             drop(number);
             next++;
             drain();
@@ -265,7 +295,8 @@ final class WriterProxy {
                 .forEach(this::drop);
     }
 
-    /// Asks for what is missing, or whether there is anything, if that is due.
+    /// Asks for what is missing, or whether there is anything, if that is due. While the receiver takes
+    /// nothing, it asks for nothing, and says only which samples it has taken.
     void request(MessageWriter messages, Transmitter network, long now) {
         if (due > now) {
             return;
@@ -277,15 +308,21 @@ final class WriterProxy {
             patience = Math.min(2 * patience, LAST_REQUEST);
         }
         messages.begin(addressee.prefix());
-        NumberSet missing = NumberSet.of(
+        NumberSet missing = isRefusing ? NumberSet.empty(next) : missing();
+        messages.ackNack(new AckNack(reader, guid.entity(), missing, ++requests, isHeard));
+        if (!isRefusing) {
+            incomplete.forEach((number, assembly) -> missing(assembly)
+                    .ifPresent(fragments -> messages.nackFragments(
+                            new NackFragments(reader, guid.entity(), number, fragments, requests))));
+        }
+        addressee.addresses().forEach(address -> network.send(messages.message(), address));
+    }
+
+    private NumberSet missing() {
+        return NumberSet.of(
                 next,
                 LongStream.rangeClosed(next, Math.min(last, next + NumberSet.MOST - 1))
                         .filter(number -> !early.containsKey(number) && !incomplete.containsKey(number)));
-        messages.ackNack(new AckNack(reader, guid.entity(), missing, ++requests, isHeard));
-        incomplete.forEach((number, assembly) -> missing(assembly)
-                .ifPresent(fragments ->
-                        messages.nackFragments(new NackFragments(reader, guid.entity(), number, fragments, requests))));
-        addressee.addresses().forEach(address -> network.send(messages.message(), address));
     }
 
     private static Optional<NumberSet> missing(Assembly assembly) {

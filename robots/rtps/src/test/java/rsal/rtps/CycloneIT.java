@@ -6,14 +6,22 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.security.MessageDigest;
+import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Objects;
 import java.util.SplittableRandom;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.rtps.discovery.Qos;
@@ -23,6 +31,7 @@ import rsal.testkit.OfficialPython;
 class CycloneIT {
     private static final String TEXT = "std_msgs::msg::dds_::String_";
     private static final int COUNT = 300;
+    private static final int MANY = 3_000; // texts, more than a writer keeps
     private static final int LONG = 1_500_000; // B; in fragments
     private static final Qos ALL = Qos.DEFAULT.keep(Qos.KEEP_ALL);
 
@@ -33,7 +42,11 @@ class CycloneIT {
         var heard = new CopyOnWriteArrayList<String>();
         var heardLong = new CopyOnWriteArrayList<String>();
         var peer = new FutureTask<>(() -> OfficialPython.run(
-                script(), Integer.toString(domain), discovery, Integer.toString(COUNT), Integer.toString(LONG)));
+                script("/cyclone_peer.py"),
+                Integer.toString(domain),
+                discovery,
+                Integer.toString(COUNT),
+                Integer.toString(LONG)));
         try (var participant = new UdpParticipant(
                 UdpParticipant.Options.local(domain, "test"),
                 System::nanoTime,
@@ -63,8 +76,68 @@ class CycloneIT {
         }
     }
 
-    private static String script() throws IOException {
-        try (var in = Objects.requireNonNull(CycloneIT.class.getResourceAsStream("/cyclone_peer.py"))) {
+    /// Takes a text at a time, and has no room for many others meanwhile.
+    private static final class Store implements SampleListener {
+        private static final int CAPACITY = 10;
+
+        private final BlockingQueue<String> waiting = new ArrayBlockingQueue<>(CAPACITY);
+
+        @Override
+        public void onSample(Sample sample) {
+            waiting.add(text(sample.payload())); // which fails when it is full
+        }
+
+        @Override
+        public boolean hasRoom() {
+            return waiting.remainingCapacity() > 0;
+        }
+    }
+
+    /// Cyclone DDS's writer waits for our reader, which takes slowly; our writer waits for its reader, which
+    /// takes nothing at first.
+    @Test
+    void waitsForReadersThatAreSlowBothWays(@TempDir Path folder) throws Exception {
+        int domain = 1 + (int) (ProcessHandle.current().pid() % 100); // no other test's
+        Path go = folder.resolve("go");
+        var store = new Store();
+        var peer = new FutureTask<>(() -> OfficialPython.run(
+                script("/cyclone_keep_all.py"), Integer.toString(domain), Integer.toString(MANY), go.toString()));
+        try (var participant = new UdpParticipant(
+                UdpParticipant.Options.local(domain, "test"),
+                System::nanoTime,
+                new SplittableRandom(),
+                GraphListener.NONE)) {
+            SampleReader reader = participant.createReader("rt/peer/text", TEXT, ALL, "", store);
+            SampleWriter writer = participant.createWriter("rt/rsal/text", TEXT, ALL, "");
+            Thread.ofPlatform().start(peer);
+            while (participant.matched(writer) == 0 && !peer.isDone()) {
+                Thread.sleep(10);
+            }
+            var heard = new ArrayList<String>();
+            for (int i = 0; i < MANY && !peer.isDone(); i++) {
+                heard.add(store.waiting.poll(60, TimeUnit.SECONDS));
+                participant.resume(reader);
+            }
+            assertThat(heard)
+                    .isEqualTo(
+                            IntStream.range(0, MANY).mapToObj(i -> "peer " + i).toList());
+
+            int written = 0;
+            while (written < MANY && participant.write(writer, 0, payload("rsal " + written))) {
+                written++;
+            }
+            assertThat(written).isBetween(RtpsLimits.DEFAULT.kept(), MANY - 1); // no more while nothing is taken
+            Files.createFile(go);
+            while (written < MANY && !peer.isDone()) {
+                written += participant.write(writer, 0, payload("rsal " + written)) ? 1 : 0;
+            }
+
+            assertThat(peer.get().lines()).contains("texts %d True".formatted(MANY));
+        }
+    }
+
+    private static String script(String name) throws IOException {
+        try (var in = Objects.requireNonNull(CycloneIT.class.getResourceAsStream(name))) {
             return new String(in.readAllBytes(), StandardCharsets.UTF_8);
         }
     }

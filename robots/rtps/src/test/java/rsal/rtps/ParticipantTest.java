@@ -395,7 +395,7 @@ class ParticipantTest {
 
     @Test
     void participantsBeyondTheLimitAreRefusedAndCounted() {
-        var limits = new RtpsLimits(3, 2, 5, 1 << 20, 1 << 20, 16, 1 << 16);
+        var limits = new RtpsLimits(3, 2, 5, 1 << 20, 1 << 20, 16, 1 << 16, 1_000, 1 << 20);
         var network = new SimulatedNetwork(15, 0);
         Node watcher = network.join(limits, GraphListener.NONE, Duration.ofSeconds(20));
         for (int i = 0; i < 6; i++) {
@@ -423,6 +423,6 @@ class ParticipantTest {
         network.run(Duration.ofSeconds(2));
         long before = network.sent();
         network.run(Duration.ofSeconds(30));
-        assertThat(network.sent() - before).isLessThanOrEqualTo(2 * 2 * 11); // announcements, heard by both
+        assertThat(network.sent() - before).isLessThanOrEqualTo(2 * 2 * 21); // announcements, heard by both
     }
 }

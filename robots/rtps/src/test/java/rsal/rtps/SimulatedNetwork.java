@@ -59,6 +59,7 @@ final class SimulatedNetwork {
         final InetSocketAddress address;
         final Participant participant;
         private boolean isUp = true;
+        private boolean isMute;
 
         private Node(int number, int host, RtpsLimits limits, GraphListener graph, Duration lease) {
             address = new InetSocketAddress(host(host), PORT);
@@ -91,8 +92,16 @@ final class SimulatedNetwork {
             isUp = false;
         }
 
-        void write(SampleWriter writer, byte[] payload) {
-            participant.write(writer, now, Optional.empty(), payload, now);
+        /// From now on, nothing that it sends arrives anywhere, or all does.
+        void mute(boolean is) {
+            isMute = is;
+        }
+
+        /// @return whether the writer had room
+        boolean write(SampleWriter writer, byte[] payload) {
+            return participant
+                    .write(writer, now, Optional.empty(), payload, now)
+                    .isPresent();
         }
     }
 
@@ -105,7 +114,7 @@ final class SimulatedNetwork {
     }
 
     private void fly(Node from, Node to, ByteBuffer datagram) {
-        if (!from.isUp || random.nextDouble() < loss) {
+        if (!from.isUp || from.isMute || random.nextDouble() < loss) {
             return;
         }
         var bytes = new byte[datagram.remaining()];

@@ -104,7 +104,7 @@ class TroubleTest {
 
     @Test
     void aSampleBeyondTheLimitIsLeftOutAndNotAskedForAgain() {
-        var limits = new RtpsLimits(10, 10, 100, SAMPLE_LIMIT, 10 * SAMPLE_LIMIT, 16, 1 << 20);
+        var limits = new RtpsLimits(10, 10, 100, SAMPLE_LIMIT, 10 * SAMPLE_LIMIT, 16, 1 << 20, 1_000, 64 << 20);
         var network = new SimulatedNetwork(3, 0);
         Node talker = network.join();
         reader(network.join(limits, GraphListener.NONE, Duration.ofSeconds(20)), network);
@@ -123,7 +123,7 @@ class TroubleTest {
     /// A writer that dies in the middle of a sample must not take the room of those that live.
     @Test
     void samplesThatStayIncompleteAreForgotten() {
-        var limits = new RtpsLimits(10, 10, 100, SAMPLE_LIMIT, SAMPLE_LIMIT + 10, 16, 1 << 20);
+        var limits = new RtpsLimits(10, 10, 100, SAMPLE_LIMIT, SAMPLE_LIMIT + 10, 16, 1 << 20, 1_000, 64 << 20);
         var network = new SimulatedNetwork(4, 0);
         Node dying = network.join();
         Node watcher = network.join(limits, GraphListener.NONE, Duration.ofSeconds(20));
@@ -193,5 +193,30 @@ class TroubleTest {
         network.run(SOON);
         assertThat(heard).containsExactly(1, 2);
         assertThat(watcher.participant.participants()).hasSize(1);
+    }
+
+    /// A cable that fails in one direction: one side loses the other, which has noticed nothing when it is
+    /// back.
+    @Test
+    void whoWasNotHeardForLongIsFoundAgainSoon() {
+        var network = new SimulatedNetwork(7, 0);
+        Node watcher = network.join();
+        Node talker = network.join(RtpsLimits.DEFAULT, GraphListener.NONE, Duration.ofSeconds(10));
+        SampleReader reader = reader(watcher, network);
+        SampleWriter writer = talker.participant.createWriter("rt/chatter", TYPE, Qos.DEFAULT, "", network.now());
+        network.run(SOON);
+        for (int i = 0; i < 100; i++) { // acknowledged one by one
+            talker.write(writer, sample(i, 100));
+            network.run(Duration.ofMillis(20));
+        }
+        talker.mute(true);
+        network.run(Duration.ofSeconds(12));
+        assertThat(reader.matched()).isZero();
+        talker.mute(false);
+        network.run(Duration.ofSeconds(2));
+        assertThat(reader.matched()).isEqualTo(1);
+        talker.write(writer, sample(100, 100));
+        network.run(SOON);
+        assertThat(heard).contains(100);
     }
 }

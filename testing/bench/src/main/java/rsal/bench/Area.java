@@ -16,6 +16,11 @@ import rsal.bench.navigation.TightBench;
 import rsal.bench.page.PageBench;
 import rsal.bench.robots.RemoteBench;
 import rsal.bench.robots.SwarmBench;
+import rsal.bench.rtps.DiscoveryBench;
+import rsal.bench.rtps.JoinBench;
+import rsal.bench.rtps.LossBench;
+import rsal.bench.rtps.MapBench;
+import rsal.bench.rtps.TripBench;
 import rsal.bench.scenario.AllotmentBench;
 import rsal.bench.scenario.CollectBench;
 import rsal.bench.scenario.CoverageBench;
@@ -53,7 +58,16 @@ public record Area(String name, List<Bench> benches) {
                 new Area("sim", List.of(new SwarmBench())),
                 new Area("mas", List.of(new HostBench(), new OverheadBench(), new WrittenBench())),
                 new Area("player", List.of(RemoteBench.player())),
-                new Area("ros2", List.of(RemoteBench.scannersOfRos2(), RemoteBench.scannersOfPlayer())),
+                new Area(
+                        "ros2",
+                        List.of(
+                                RemoteBench.scannersOfRos2(),
+                                RemoteBench.scannersOfPlayer(),
+                                new LossBench(),
+                                new MapBench(),
+                                new DiscoveryBench(),
+                                new TripBench(),
+                                new JoinBench())),
                 new Area("page", List.of(new PageBench())),
                 new Area(
                         "navigation",

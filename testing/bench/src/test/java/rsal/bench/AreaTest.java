@@ -36,7 +36,8 @@ class AreaTest {
 
     @Test
     void theMedianCounts() {
-        assertThat(Result.more("a", "s/s", 3, 1, 2)).isEqualTo(new Result("a", 2, 1, 3, "s/s", "more"));
+        assertThat(Result.more("a", "s/s", 3, 1, 2))
+                .isEqualTo(new Result("a", 2, 1, 3, "s/s", "more", Optional.empty()));
         assertThat(Result.less("a", "B", 4, 1).value()).isEqualTo(2.5);
     }
 

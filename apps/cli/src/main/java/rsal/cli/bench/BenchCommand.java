@@ -173,12 +173,15 @@ public final class BenchCommand extends Subcommand {
         for (Result result : results) {
             table.row(
                     result.name(),
-                    "%10s %-4s  %s to %s"
+                    "%10s %-4s  %s to %s%s"
                             .formatted(
                                     number(result.value()),
                                     result.unit(),
                                     number(result.least()),
-                                    number(result.most())));
+                                    number(result.most()),
+                                    result.goal()
+                                            .map(goal -> ", to reach: " + number(goal))
+                                            .orElse("")));
         }
         out().print(table);
         out().println(machine);

@@ -81,15 +81,16 @@ final class BenchPage {
             html.append("</script>\n</figure>\n");
         }
         html.append(
-                "<h2>All results</h2>\n<div class=\"table\" tabindex=\"0\">\n<table>\n<tr><th>name<th>median<th>unit<th>least<th>most</tr>\n");
+                "<h2>All results</h2>\n<div class=\"table\" tabindex=\"0\">\n<table>\n<tr><th>name<th>median<th>unit<th>least<th>most<th>to reach</tr>\n");
         for (Result result : results) {
-            html.append("<tr><td>%s<td>%s<td>%s<td>%s<td>%s</tr>%n"
+            html.append("<tr><td>%s<td>%s<td>%s<td>%s<td>%s<td>%s</tr>%n"
                     .formatted(
                             text(result.name()),
                             BenchCommand.number(result.value()),
                             text(result.unit()),
                             BenchCommand.number(result.least()),
-                            BenchCommand.number(result.most())));
+                            BenchCommand.number(result.most()),
+                            result.goal().map(BenchCommand::number).orElse("")));
         }
         return html.append("</table>\n</div>\n<footer>")
                 .append(text(machine.toString()))

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -36,7 +37,7 @@ class BenchPageTest {
         page(file, "draw('</script>')")
                 .write(
                         "navigation",
-                        List.of(new Result("a.b<c>", 2.5, 1, 3, "ms", "less")),
+                        List.of(new Result("a.b<c>", 2.5, 1, 3, "ms", "less", Optional.of(4.5))),
                         List.of(
                                 new Plot.Bars(
                                         "Bars & more", "world", "time [s]", List.of(new Bar("vfh", "</script>", 2))),
@@ -44,7 +45,14 @@ class BenchPageTest {
                                 new Plot.Lines("Lines", "time [s]", "error [m]", List.of(new Point("one", 0.5, 0.25)))),
                         MACHINE);
         assertThat(Files.readString(file))
-                .contains("a.b&lt;c>", "2.5", "Bars &amp; more", "\"time [s]\"", "\"vfh\"", "\"name\":\"<\\/script>\"")
+                .contains(
+                        "a.b&lt;c>",
+                        "2.5",
+                        "4.5",
+                        "Bars &amp; more",
+                        "\"time [s]\"",
+                        "\"vfh\"",
+                        "\"name\":\"<\\/script>\"")
                 .contains("\"column\":\"w7\"", "\"row\":\"nd\"", "0.75")
                 .contains("draw('<\\/script>')", "\"x\":0.5", "Java 25, Linux, 2 cores")
                 .doesNotContain("src=", "href=");

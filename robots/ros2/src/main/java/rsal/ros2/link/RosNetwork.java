@@ -13,6 +13,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
@@ -93,25 +94,26 @@ public final class RosNetwork {
             needed.addAll(all());
         } else if (range == Range.NOT_SET) {
             peers.stream()
-                    .map(RosNetwork::towards)
+                    .flatMap(peer -> route(peer).stream())
                     .filter(address -> !address.isAnyLocalAddress())
                     .forEach(needed::add);
         }
         return needed.isEmpty() ? Set.of(InetAddress.getLoopbackAddress()) : needed;
     }
 
-    /// The address of this machine by which it reaches another one. Nothing is sent.
-    private static InetAddress towards(InetAddress peer) {
+    /// The address of this machine by which it reaches another one; empty when no network leads there.
+    /// Nothing is sent.
+    public static Optional<InetAddress> route(InetAddress peer) {
         try (var socket = new DatagramSocket()) {
             socket.connect(new InetSocketAddress(peer, ANY_PORT));
-            return socket.getLocalAddress();
+            return Optional.of(socket.getLocalAddress());
         } catch (IOException e) {
-            return InetAddress.getLoopbackAddress();
+            return Optional.empty();
         }
     }
 
     /// Those of this machine in networks that others may be in, and on loopback where it has no other.
-    private static List<InetAddress> all() {
+    public static List<InetAddress> all() {
         try {
             List<InetAddress> all = NetworkInterface.networkInterfaces()
                     .filter(RosNetwork::isUp)

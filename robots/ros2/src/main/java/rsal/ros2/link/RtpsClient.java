@@ -84,7 +84,9 @@ final class RtpsClient {
     private CompletionStage<byte[]> callByIdentity(byte[] request) {
         Guid here = reader().data().guid();
         Consumer<ParameterList.Writer> beside = list -> ServiceIdentity.put(list, here, UNKNOWN);
-        long number = participant.write(requests, date.getAsLong(), Optional.of(beside), request);
+        long number = participant
+                .write(requests, date.getAsLong(), Optional.of(beside), request)
+                .orElseThrow(); // a client's writer keeps the last ones, and never waits
         bySample.remove(number - MOST_WAITING); // which nobody has answered
         return reply(number).whenComplete((_, _) -> bySample.remove(number));
     }

@@ -107,8 +107,9 @@ public final class Ros2Diagnosis implements Diagnosis {
         findings.add(new Finding(
                 "address",
                 true,
-                addresses(options) + (isLocal ? ", for programs on this machine" : ""),
+                words(options.addresses()) + (isLocal ? ", for programs on this machine" : ""),
                 isLocal ? "For robots elsewhere: --set address=ADDRESS of this machine in their network." : ""));
+        findings.addAll(RouteFindings.of(options, RosNetwork::route));
         bufferSize().ifPresent(findings::add);
         boolean isThere = false; // the network
         try (var participant = new UdpParticipant(options, System::nanoTime, new SecureRandom(), GraphListener.NONE)) {
@@ -121,7 +122,11 @@ public final class Ros2Diagnosis implements Diagnosis {
             findings.addAll(of(participant.participants(), participant.endpoints()));
             isThere = true;
         } catch (IOException e) {
-            findings.add(new Finding("network", false, String.valueOf(e.getMessage()), "Set another address."));
+            findings.add(new Finding(
+                    "network",
+                    false,
+                    String.valueOf(e.getMessage()),
+                    "Set another address, such as %s.".formatted(words(RosNetwork.all()))));
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
@@ -151,8 +156,8 @@ public final class Ros2Diagnosis implements Diagnosis {
         }
     }
 
-    private static String addresses(UdpParticipant.Options options) {
-        return options.addresses().stream().map(InetAddress::getHostAddress).collect(Collectors.joining(", "));
+    static String words(List<InetAddress> addresses) {
+        return addresses.stream().map(InetAddress::getHostAddress).collect(Collectors.joining(", "));
     }
 
     private static Optional<Finding> bufferSize() {

@@ -4,14 +4,18 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.tuple;
 
+import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import rsal.ros2.link.RosNetwork;
+import rsal.rtps.UdpParticipant;
 import rsal.rtps.discovery.BuiltinEndpoint;
 import rsal.rtps.discovery.EndpointData;
 import rsal.rtps.discovery.ParticipantData;
@@ -107,5 +111,30 @@ class Ros2DiagnosisTest {
                 .filteredOn(each -> each.what().equals("topic"))
                 .extracting(Finding::found)
                 .containsExactly("'/scan': reliability: the reader wants reliable, the writer offers best effort");
+    }
+
+    @Test
+    void machinesThatCannotBeReachedAreTold() throws IOException {
+        InetAddress lab = InetAddress.getByName("10.1.0.5"); // of this machine
+        InetAddress robot = InetAddress.getByName("10.1.0.7");
+        InetAddress far = InetAddress.getByName("192.168.77.3");
+        InetAddress other = InetAddress.getByName("172.16.0.9");
+        InetAddress wireless = InetAddress.getByName("172.16.0.2"); // of this machine, but not configured
+        var routes = Map.of(robot, lab, other, wireless);
+        var options = new UdpParticipant.Options(
+                0, List.of(lab), List.of(robot, far, other), Duration.ofSeconds(20), "doctor", "");
+        List<Finding> findings = RouteFindings.of(options, peer -> Optional.ofNullable(routes.get(peer)));
+        assertThat(findings).extracting(Finding::ok).containsExactly(true, false, false);
+        assertThat(findings.get(0).found()).contains("10.1.0.7", "10.1.0.5");
+        assertThat(findings.get(1).found()).contains("192.168.77.3", "can't be reached");
+        assertThat(findings.get(1).remedy()).contains("'peers'");
+        assertThat(findings.get(2).found()).contains("172.16.0.9", "172.16.0.2", "10.1.0.5");
+        assertThat(findings.get(2).remedy()).contains("--set address=172.16.0.2");
+    }
+
+    @Test
+    void thisMachineIsReachedByItsOwnAddress() {
+        InetAddress here = InetAddress.getLoopbackAddress();
+        assertThat(RosNetwork.route(here)).contains(here);
     }
 }

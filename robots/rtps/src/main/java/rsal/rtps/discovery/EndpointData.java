@@ -32,7 +32,6 @@ import rsal.rtps.wire.Timestamp;
 public record EndpointData(Guid guid, String topic, String type, Qos qos, List<Locator> locators, String userData) {
     private static final int BEST_EFFORT = 1;
     private static final int RELIABLE = 2;
-    private static final long MAX_BLOCKING = 100_000_000; // ns
     private static final int KEEP_LAST = 0;
     private static final int KEEP_ALL = 1;
     private static final int LONGEST = 1_024; // characters; names of ROS have 255 at most
@@ -92,7 +91,7 @@ public record EndpointData(Guid guid, String topic, String type, Qos qos, List<L
         list.putText(TYPE_NAME, type);
         list.put(RELIABILITY, to -> {
             to.putInt(qos.isReliable() ? RELIABLE : BEST_EFFORT);
-            Timestamp.writeDuration(to, MAX_BLOCKING);
+            Timestamp.writeDuration(to, Qos.MAX_BLOCKING);
         });
         list.putInt(DURABILITY, qos.isLatched() ? 1 : 0);
         boolean all = qos.depth() == Qos.KEEP_ALL;

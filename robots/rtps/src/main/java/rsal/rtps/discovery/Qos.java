@@ -6,13 +6,17 @@ import rsal.rtps.wire.Timestamp;
 /// How a writer or reader wants its samples to come: its quality of service.
 ///
 /// @param isReliable whether lost samples are sent again; best effort otherwise
-/// @param isLatched whether a late reader gets the samples that were written before it: durability *transient local*,
-///     *volatile* otherwise
-/// @param depth how many samples are kept (keep last); [#KEEP_ALL] for as many as there is room for
+/// @param isLatched whether a late reader gets the samples that were written before it: durability *transient
+///     local*, *volatile* otherwise
+/// @param depth how many samples are kept (keep last); [#KEEP_ALL] for all that some reader lacks: then a
+///     reliable writer waits for room
 /// @param deadline [ns] between samples, offered by a writer and wanted by a reader
 /// @param liveliness of a writer, or wanted
 public record Qos(boolean isReliable, boolean isLatched, int depth, long deadline, Liveliness liveliness) {
     public static final int KEEP_ALL = Integer.MAX_VALUE;
+
+    /// For how long a writer that keeps all waits for room [ns], as is usual for DDS.
+    public static final long MAX_BLOCKING = 100_000_000;
 
     /// ROS's profile for topics: reliable, volatile, the last 10.
     public static final Qos DEFAULT =

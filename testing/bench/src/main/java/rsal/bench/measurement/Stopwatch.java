@@ -38,12 +38,15 @@ public final class Stopwatch {
 
     /// Memory in use once everything is gone that nobody holds [MB].
     public static double memory() {
+        return heap()
+                + ManagementFactory.getMemoryMXBean().getNonHeapMemoryUsage().getUsed() * 1e-6;
+    }
+
+    /// The same of objects alone, without the program.
+    public static double heap() {
         for (int i = 0; i < 3; i++) {
             System.gc();
         }
-        var memory = ManagementFactory.getMemoryMXBean();
-        return (memory.getHeapMemoryUsage().getUsed()
-                        + memory.getNonHeapMemoryUsage().getUsed())
-                * 1e-6;
+        return ManagementFactory.getMemoryMXBean().getHeapMemoryUsage().getUsed() * 1e-6;
     }
 }

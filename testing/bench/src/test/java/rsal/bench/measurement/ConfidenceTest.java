@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.tuple;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Optional;
 import java.util.Random;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -23,7 +24,8 @@ class ConfidenceTest {
         assertThat(Confidence.less("a.s", "s", 1, 3, 5))
                 .extracting(Result::name, result -> Math.round(1e3 * result.value()))
                 .containsExactly(tuple("a.s", 3000L), tuple("a.s.low", -1969L), tuple("a.s.high", 7969L));
-        assertThat(Confidence.more("a.s", "s", 4)).containsExactly(new Result("a.s", 4, 4, 4, "s", "more"));
+        assertThat(Confidence.more("a.s", "s", 4))
+                .containsExactly(new Result("a.s", 4, 4, 4, "s", "more", Optional.empty()));
     }
 
     /// So often the interval holds the true mean.

@@ -1,0 +1,103 @@
+package rsal.bench.rtps;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.InetAddress;
+import java.security.SecureRandom;
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
+import java.util.random.RandomGenerator;
+import rsal.rtps.GraphListener;
+import rsal.rtps.SampleListener;
+import rsal.rtps.SampleReader;
+import rsal.rtps.SampleWriter;
+import rsal.rtps.UdpParticipant;
+import rsal.rtps.discovery.Qos;
+import rsal.time.AllowedToReadWallClock;
+
+/// A participant on the loopback network, and its link.
+@AllowedToReadWallClock("Benchmarks measure real time.")
+final class LoopbackPeer implements AutoCloseable {
+    static final Duration LEASE = Duration.ofSeconds(20);
+    private static final int DOMAIN = 94; // where nobody else should be
+    private static final Duration GLANCE = Duration.ofNanos(200_000);
+
+    private final UdpParticipant participant;
+    private final LossyLink link;
+
+    private LoopbackPeer(UdpParticipant participant, LossyLink link) {
+        this.participant = participant;
+        this.link = link;
+    }
+
+    /// @param loss share of the datagrams it sends that get lost
+    /// @param random which ones
+    /// @param lease after which others take it for gone that hear nothing of it
+    static LoopbackPeer join(double loss, RandomGenerator random, Duration lease, GraphListener graph) {
+        List<InetAddress> here = List.of(InetAddress.getLoopbackAddress());
+        var options = new UdpParticipant.Options(DOMAIN, here, List.of(), lease, "bench", "");
+        var link = new AtomicReference<LossyLink>();
+        try {
+            var participant = new UdpParticipant(options, System::nanoTime, new SecureRandom(), graph, sockets -> {
+                link.set(new LossyLink(sockets, loss, random));
+                return link.get();
+            });
+            return new LoopbackPeer(participant, link.get());
+        } catch (IOException e) {
+            throw new UncheckedIOException("A participant can't be on the loopback network.", e);
+        }
+    }
+
+    /// One that loses nothing.
+    static LoopbackPeer join() {
+        return join(0, new SecureRandom(), LEASE, GraphListener.NONE);
+    }
+
+    SampleWriter writer(String topic, String type, Qos qos) {
+        return participant.createWriter(topic, type, qos, "");
+    }
+
+    SampleReader reader(String topic, String type, Qos qos, SampleListener listener) {
+        return participant.createReader(topic, type, qos, "", listener);
+    }
+
+    void write(SampleWriter writer, byte[] payload) {
+        participant.write(writer, 0, payload);
+    }
+
+    /// How many others are there.
+    int others() {
+        return participant.participants().size();
+    }
+
+    /// How many readers of others take what the writer writes from now on.
+    int ready(SampleWriter writer) {
+        return participant.readers(writer).size();
+    }
+
+    /// Sends nothing more, as after a crash or with a broken cable; or sends again.
+    void cut(boolean is) {
+        link.cut(is);
+    }
+
+    /// @return how long it took [s]
+    /// @throws IllegalStateException when it does not happen within a minute
+    static double await(String what, BooleanSupplier happened) {
+        long begun = System.nanoTime();
+        while (!happened.getAsBoolean()) {
+            if (System.nanoTime() - begun > Duration.ofMinutes(1).toNanos()) {
+                throw new IllegalStateException("Within a minute, %s.".formatted(what));
+            }
+            LockSupport.parkNanos(GLANCE.toNanos());
+        }
+        return (System.nanoTime() - begun) * 1e-9;
+    }
+
+    @Override
+    public void close() {
+        participant.close();
+    }
+}
