@@ -47,7 +47,7 @@ public final class Participant {
     private final GraphListener graph;
     private final MessageWriter messages;
     private final AssemblyBudget budget;
-    private final SampleWriter.Exchange exchange;
+    private final WriterExchange exchange;
     private final Map<BuiltinEndpoint, SampleWriter> tellers = new LinkedHashMap<>();
     private final Map<BuiltinEndpoint, SampleReader> hearers = new LinkedHashMap<>();
     private final OwnEndpoints own; // with the tellers and hearers
@@ -85,7 +85,7 @@ public final class Participant {
         own = new OwnEndpoints(graph);
         messages = new MessageWriter(self.prefix());
         budget = new AssemblyBudget(limits);
-        exchange = new SampleWriter.Exchange(messages, network, fragmentSize, limits);
+        exchange = new WriterExchange(messages, network, fragmentSize, limits);
         announceAt = now;
         due = now;
         for (BuiltinEndpoint builtin : BuiltinEndpoint.RELIABLE) {
@@ -186,7 +186,7 @@ public final class Participant {
     }
 
     /// Writes a sample that one participant waits for, when a reader of it is there and ready; at most 5 s later.
-    public void write(SampleWriter writer, SampleWriter.Reply reply, long time) {
+    public void write(SampleWriter writer, Reply reply, long time) {
         advance(time);
         writer.write(reply, now);
         wake(writer.due());

@@ -19,7 +19,6 @@ import rsal.rtps.wire.EntityId;
 import rsal.rtps.wire.Guid;
 import rsal.rtps.wire.GuidPrefix;
 import rsal.rtps.wire.MessageReader.Origin;
-import rsal.rtps.wire.MessageWriter;
 import rsal.rtps.wire.NumberSet;
 import rsal.rtps.wire.ParameterList;
 import rsal.rtps.wire.Submessage.AckNack;
@@ -45,7 +44,7 @@ public final class SampleWriter {
     private static final long HELD_FOR = 5_000 * MILLISECOND;
 
     private final EndpointData data;
-    private final Exchange exchange;
+    private final WriterExchange exchange;
     private final WriterHistory history;
     private final Map<Guid, ReaderProxy> readers = new LinkedHashMap<>();
     private final List<Neighbor> neighbors = new ArrayList<>();
@@ -54,19 +53,6 @@ public final class SampleWriter {
     private boolean hasRefused; // since there was room
     private long last;
     private int heartbeats;
-
-    /// What writers share.
-    ///
-    /// @param fragmentSize most of a sample that one datagram has [B]
-    record Exchange(MessageWriter messages, Transmitter network, int fragmentSize, RtpsLimits limits) {}
-
-    /// A sample that one participant waits for.
-    ///
-    /// @param to who asked: one of its readers, or where that is unknown, one of its writers
-    /// @param timestamp [ns] since 1970
-    /// @param inlineQos writes what goes beside it, without an end; at most 128 B
-    /// @param payload with its encapsulation header; not changed any more
-    public record Reply(Guid to, long timestamp, Optional<Consumer<ParameterList.Writer>> inlineQos, byte[] payload) {}
 
     private record Held(Reply reply, long until) {}
 
@@ -81,10 +67,10 @@ public final class SampleWriter {
         }
     }
 
-    SampleWriter(EndpointData data, Exchange exchange) {
+    SampleWriter(EndpointData data, WriterExchange exchange) {
         this.data = data;
         this.exchange = exchange;
-        history = new WriterHistory(data.qos(), exchange.limits);
+        history = new WriterHistory(data.qos(), exchange.limits());
     }
 
     /// As it is announced.
@@ -148,18 +134,20 @@ public final class SampleWriter {
     /// may come before its reader of replies is known here, which would miss the reply. Where it is refused
     /// even then, it is left out.
     void write(Reply reply, long now) {
-        boolean waits = !isReady(reply.to) && hasRoom(reply);
-        if (waits || write(reply.timestamp, reply.inlineQos, reply.payload, now).isEmpty()) {
+        boolean waits = !isReady(reply.to()) && hasRoom(reply);
+        if (waits
+                || write(reply.timestamp(), reply.inlineQos(), reply.payload(), now)
+                        .isEmpty()) {
             held.add(new Held(reply, now + HELD_FOR));
         }
     }
 
     private boolean hasRoom(Reply reply) {
-        GuidPrefix participant = reply.to.prefix();
-        int bytes = held.stream().mapToInt(each -> each.reply.payload.length).sum();
-        return bytes + reply.payload.length <= MOST_HELD_BYTES
+        GuidPrefix participant = reply.to().prefix();
+        int bytes = held.stream().mapToInt(each -> each.reply.payload().length).sum();
+        return bytes + reply.payload().length <= MOST_HELD_BYTES
                 && held.stream()
-                                .filter(each -> each.reply.to.prefix().equals(participant))
+                                .filter(each -> each.reply.to().prefix().equals(participant))
                                 .count()
                         < MOST_HELD;
     }
@@ -185,12 +173,12 @@ public final class SampleWriter {
             return;
         }
         List<Held> released = held.stream()
-                .filter(each -> each.until <= now || isReady(each.reply.to))
+                .filter(each -> each.until <= now || isReady(each.reply.to()))
                 .toList();
         for (Held each : released) {
             Reply reply = each.reply;
-            boolean isWritten =
-                    write(reply.timestamp, reply.inlineQos, reply.payload, now).isPresent();
+            boolean isWritten = write(reply.timestamp(), reply.inlineQos(), reply.payload(), now)
+                    .isPresent();
             if (isWritten || each.until <= now) {
                 held.remove(each);
             }
@@ -316,15 +304,16 @@ public final class SampleWriter {
             }
             stream.fragments().clear(fragment);
             begin(reader.addressee.prefix());
-            exchange.messages.timestamp(sample.timestamp());
-            exchange.messages.fragment(
-                    reader.guid.entity(),
-                    data.guid().entity(),
-                    sample.number(),
-                    fragment + 1,
-                    exchange.fragmentSize,
-                    sample.inlineQos(),
-                    sample.payload());
+            exchange.messages().timestamp(sample.timestamp());
+            exchange.messages()
+                    .fragment(
+                            reader.guid.entity(),
+                            data.guid().entity(),
+                            sample.number(),
+                            fragment + 1,
+                            exchange.fragmentSize(),
+                            sample.inlineQos(),
+                            sample.payload());
             if (stream.fragments().isEmpty()) {
                 reader.streams.removeFirst();
                 if (reader.isReliable && reader.streams.isEmpty()) {
@@ -333,7 +322,7 @@ public final class SampleWriter {
                 }
             }
             send(reader.addressee);
-            sent += exchange.fragmentSize;
+            sent += exchange.fragmentSize();
         }
     }
 
@@ -349,7 +338,7 @@ public final class SampleWriter {
         if (reliable) {
             begin(addressee.prefix());
             if (proxy.start > 0) {
-                exchange.messages.gap(gap(reader.entity(), 1, NumberSet.empty(proxy.start + 1)));
+                exchange.messages().gap(gap(reader.entity(), 1, NumberSet.empty(proxy.start + 1)));
             }
             heartbeat(reader.entity(), false);
             send(addressee);
@@ -372,7 +361,7 @@ public final class SampleWriter {
 
     void unmatchAll(GuidPrefix participant) {
         readers.keySet().removeIf(each -> each.prefix().equals(participant));
-        held.removeIf(each -> each.reply.to.prefix().equals(participant));
+        held.removeIf(each -> each.reply.to().prefix().equals(participant));
         settle();
     }
 
@@ -421,7 +410,7 @@ public final class SampleWriter {
         begin(reader.addressee.prefix());
         small.forEach(sample -> put(sample, reader.guid.entity()));
         if (!never.isEmpty()) {
-            exchange.messages.gap(gap(reader.guid.entity(), never));
+            exchange.messages().gap(gap(reader.guid.entity(), never));
         }
         heartbeat(reader.guid.entity(), false);
         send(reader.addressee);
@@ -482,11 +471,11 @@ public final class SampleWriter {
     }
 
     private void begin(GuidPrefix destination) {
-        exchange.messages.begin(destination);
+        exchange.messages().begin(destination);
     }
 
     private void put(KeptSample sample, EntityId reader) {
-        exchange.messages
+        exchange.messages()
                 .timestamp(sample.timestamp())
                 .data(
                         reader,
@@ -498,11 +487,14 @@ public final class SampleWriter {
     }
 
     private void heartbeat(EntityId reader, boolean isFinal) {
-        exchange.messages.heartbeat(
-                new Heartbeat(reader, data.guid().entity(), history.first(last), last, ++heartbeats, isFinal));
+        exchange.messages()
+                .heartbeat(
+                        new Heartbeat(reader, data.guid().entity(), history.first(last), last, ++heartbeats, isFinal));
     }
 
     private void send(Addressee addressee) {
-        addressee.addresses().forEach(address -> exchange.network.send(exchange.messages.message(), address));
+        addressee
+                .addresses()
+                .forEach(address -> exchange.network().send(exchange.messages().message(), address));
     }
 }

@@ -15,8 +15,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
-import java.util.concurrent.TimeUnit;
 import java.util.Set;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.function.UnaryOperator;
@@ -218,7 +218,7 @@ public final class UdpParticipant implements AutoCloseable {
 
     /// Writes a sample that one participant waits for, when a reader of it is there and ready; at most 5 s
     /// later.
-    public void write(SampleWriter writer, SampleWriter.Reply reply) {
+    public void write(SampleWriter writer, Reply reply) {
         synchronized (participant) {
             participant.write(writer, reply, clock.getAsLong());
             wakeUp();

@@ -145,7 +145,7 @@ class ParticipantTest {
             Node client = network.join();
             SampleWriter replies = server.participant.createWriter("rr/echo", TYPE, RELIABLE, "", network.now());
             SampleListener echo = request -> {
-                var reply = new SampleWriter.Reply(request.writer(), 0, Optional.empty(), bytes(request.payload()));
+                var reply = new Reply(request.writer(), 0, Optional.empty(), bytes(request.payload()));
                 server.participant.write(replies, reply, network.now());
             };
             server.participant.createReader("rq/echo", TYPE, RELIABLE, "", echo, network.now());
@@ -175,7 +175,7 @@ class ParticipantTest {
             network.run(Duration.ofSeconds(10));
             SampleReader answers =
                     client.participant.createReader("rr/echo", TYPE, RELIABLE, "", hearing(), network.now());
-            var reply = new SampleWriter.Reply(answers.data().guid(), 0, Optional.empty(), sample(seed, 100));
+            var reply = new Reply(answers.data().guid(), 0, Optional.empty(), sample(seed, 100));
             server.participant.write(replies, reply, network.now());
             network.run(Duration.ofSeconds(10));
             assertThat(heardNumbers()).as("seed %d", seed).containsExactly(seed);
@@ -192,7 +192,7 @@ class ParticipantTest {
         reader(other, network, RELIABLE);
         waitFor(replies, network);
         var unknown = new Guid(new GuidPrefix(7, 7), EntityId.writer(1));
-        var reply = new SampleWriter.Reply(unknown, 0, Optional.empty(), sample(3, 100));
+        var reply = new Reply(unknown, 0, Optional.empty(), sample(3, 100));
         server.participant.write(replies, reply, network.now());
         network.run(Duration.ofMillis(4_900));
         assertThat(heardNumbers()).isEmpty();

@@ -133,7 +133,9 @@ class VelocityFilterTest {
         assertThat(filter.predictedTrajectory().getLast().x()).isCloseTo(0.3, within(0.01));
         filter.towards(0, 1, far, STANDING, nothing);
         filter.arrivesAt(far);
-        assertThat(filter.predictedTrajectory().getLast().x()).as("it goes on there").isCloseTo(1.6, within(0.01));
+        assertThat(filter.predictedTrajectory().getLast().x())
+                .as("it goes on there")
+                .isCloseTo(1.6, within(0.01));
         filter.stands();
         assertThat(filter.predictedTrajectory()).isEmpty();
         filter.guarded(Twist2d.drive(0.5, 0), Twist2d.STOP, nothing);

@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import rsal.ros2.link.RosLink.Server;
+import rsal.rtps.Reply;
 import rsal.rtps.SampleListener.Sample;
 import rsal.rtps.SampleWriter;
 import rsal.rtps.UdpParticipant;
@@ -51,7 +52,7 @@ final class RtpsServer {
     }
 
     private void write(Guid client, Optional<Consumer<ParameterList.Writer>> beside, byte[] reply) {
-        participant.write(replies, new SampleWriter.Reply(client, date.getAsLong(), beside, reply));
+        participant.write(replies, new Reply(client, date.getAsLong(), beside, reply));
     }
 
     /// Of the type of replies, as a client's participant announces it.

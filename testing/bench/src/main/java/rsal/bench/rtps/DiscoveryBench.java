@@ -66,7 +66,7 @@ public final class DiscoveryBench implements Bench {
                 assignment.reach(found(), i, repeats);
                 found[i] = seconds();
             }
-            assignment.publish(Result.less(found(), "s", found).toReach(GOAL_FOUND));
+            assignment.report(Result.less(found(), "s", found).toReach(GOAL_FOUND));
         }
         if (assignment.wantsAny(List.of(LOST, BACK, CUT))) {
             var absences = new ArrayList<Absence>();
@@ -75,7 +75,7 @@ public final class DiscoveryBench implements Bench {
                 absences.add(absence(i));
             }
             double least = lease.toMillis() / 1e3 + GOAL_LATE;
-            assignment.publish(
+            assignment.report(
                     Result.less(
                                     LOST,
                                     "s",

@@ -52,7 +52,7 @@ public final class JoinBench implements Bench {
             double half = Stopwatch.heap();
             come(joins - joins / 2, stays, reader, writer, assignment);
             double end = Stopwatch.heap();
-            assignment.publish(
+            assignment.report(
                     Result.less(HEAP + "start", "MB", start),
                     Result.less(HEAP + "half", "MB", half),
                     Result.less(HEAP + "end", "MB", end),

@@ -94,7 +94,7 @@ public final class LossBench implements Bench {
             late[i] = delays[delays.length * 99 / 100];
             latest[i] = delays[delays.length - 1];
         }
-        assignment.publish(
+        assignment.report(
                 Result.less(NAME + "lost", "", lost).toReach(0),
                 Result.less(NAME + "delay.p50", "ms", median),
                 Result.less(NAME + "delay.p99", "ms", late).toReach(GOAL_DELAY),

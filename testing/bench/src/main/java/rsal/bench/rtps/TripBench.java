@@ -66,7 +66,7 @@ public final class TripBench implements Bench {
             put(ours(), ours, i);
             put(sockets(), sockets, i);
         }
-        assignment.publish(
+        assignment.report(
                 Result.less(TRIP + MEDIAN, "us", ours[0]).toReach(GOAL_MEDIAN),
                 Result.less(TRIP + LATE, "us", ours[1]).toReach(GOAL_LATE),
                 Result.less(SOCKETS + MEDIAN, "us", sockets[0]),
