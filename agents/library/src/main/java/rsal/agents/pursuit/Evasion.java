@@ -39,6 +39,7 @@ final class Evasion {
     private static final double MARGIN = 1.0; // m of the prey's path, by which it has to be sooner
     private static final double BETTER = 1.1; // times as long, before it runs to another place than it runs to now
     private static final double SAME = 0.5; // m
+    private static final double FIRST = 1e6; // m; more than any lead
     private static final double MEETING = 1.5; // m between two places where prey may be met
     private static final int MOST_MEETINGS = 12;
 
@@ -94,14 +95,18 @@ final class Evasion {
                     List<Pose2d> best = IntStream.range(1, places.size())
                             .filter(i -> Double.isFinite(own.get(i)))
                             .boxed()
-                            .sorted(Comparator.<Integer, Boolean>comparing(i -> own.get(i) + MARGIN > theirs[i])
-                                    .thenComparing(i ->
-                                            -(own.get(i) + MARGIN > theirs[i] ? theirs[i] - own.get(i) : theirs[i])))
+                            .sorted(Comparator.comparingDouble(i -> rank(own.get(i), theirs[i])))
                             .limit(MOST_PATHS)
                             .map(places::get)
                             .toList();
                     paths(mapFromPrey, best, paths -> choose(theirs[0], paths, mapFromHunters, mapFromAim, reported));
                 }));
+    }
+
+    /// Less for places that are worth a plan before others: places that it reaches first, the latest for hunters
+    /// before; then places by its lead.
+    private static double rank(double own, double theirs) {
+        return own + MARGIN <= theirs ? -FIRST - theirs : own - theirs;
     }
 
     /// The path on which hunters stop it last, if this is later than where it is.
