@@ -50,6 +50,7 @@ class EvasionIT {
                     .toCompletableFuture()
                     .orTimeout(250, TimeUnit.SECONDS)
                     .join();
+            assertThat(result.outcome()).isIn("success", "timeout");
             return result.metrics().get("captureTime").orElse(300);
         }
     }

@@ -53,6 +53,7 @@ final class Evader {
     private final List<Goal> goals = new ArrayList<>();
     private final Belief<Double> nearest; // hunter [m]
     private boolean running;
+    private boolean choosing; // the planner has not answered yet
     private Optional<Pose2d> mapFromAim = Optional.empty(); // where it runs to
 
     Evader(AgentContext self, Robot robot, Arguments arguments) {
@@ -177,28 +178,28 @@ final class Evader {
         choose();
     }
 
-    /// Runs to where hunters come last. Stands where they come later than anywhere else. Follows the wall as long as it
-    /// knows no places.
+    /// Runs to where hunters come last, or stays where that is best. Follows the wall as long as it knows no path.
     private void choose() {
         Optional<Pose2d> here = reporter.mapFromBase();
-        if (here.isEmpty() || !running) {
+        if (here.isEmpty() || !running || choosing) {
             return;
         }
+        choosing = true;
         evasion.flee(here.get(), hunters().values(), mapFromAim, path -> {
-            if (!running) {
-                return;
+            choosing = false;
+            if (running) {
+                path.ifPresentOrElse(this::take, () -> pilot.engage(PioneerStack.followLeftWall(robot.model())));
             }
-            path.ifPresentOrElse(this::run, this::stay);
         });
     }
 
-    private void stay() {
-        mapFromAim = Optional.empty();
-        if (evasion.knowsPlaces()) {
+    private void take(Path2d path) {
+        if (path.points().size() > 1) {
+            run(path);
+        } else {
+            mapFromAim = Optional.empty();
             driver.stop();
             pilot.release();
-        } else {
-            pilot.engage(PioneerStack.followLeftWall(robot.model()));
         }
     }
 

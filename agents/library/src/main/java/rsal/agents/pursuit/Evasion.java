@@ -20,9 +20,8 @@ import rsal.device.PlaceFinder;
 import rsal.device.Planner;
 import rsal.robot.Robot;
 
-/// Knows where prey run to: the place that hunters reach last, by a path on which the prey is before them everywhere.
-/// For
-/// prey that choose, and for hunters that predict what prey choose.
+/// Knows where prey run to: the place that hunters reach last, by a path on which the prey is before them, or stays
+/// ahead for the longest time. Prey choose by it, and hunters predict by it what prey choose.
 ///
 /// The rule is that of TrailMax: a prey maximizes the time until hunters that answer as well as they can stop it (C.
 /// Moldenhauer and N. R. Sturtevant, "Evaluating strategies for running from the cops", IJCAI 2009). Where we depart
@@ -35,6 +34,7 @@ final class Evasion {
     private static final int PLACES = 48;
     private static final int MOST_PATHS = 10; // that are planned and checked for one decision
     private static final double CLEARANCE = 0.4; // m
+    private static final int MOST_STEPS = 100; // of a path that are checked
     private static final double STRIDE = 1.0; // m between two places where hunters may be sooner
     private static final double MARGIN = 1.0; // m of the prey's path, by which it has to be sooner
     private static final double BETTER = 1.1; // times as long, before it runs to another place than it runs to now
@@ -72,15 +72,35 @@ final class Evasion {
                 }));
     }
 
-    /// Whether it has places to choose from.
-    boolean knowsPlaces() {
-        return !mapFromRefuges.isEmpty();
+    /// A path to a place, with where hunters may stop it.
+    ///
+    /// @param steps one every [#STRIDE], without its start; at most [#MOST_STEPS]
+    /// @param stride what the prey's path costs from step to step [m]; more than [#STRIDE] where it is narrow
+    private record Candidate(Path2d path, List<Pose2d> steps, double stride) {
+        static Candidate of(Planner.Result.Found found) {
+            double length = found.path().length();
+            double costPerMeter = length == 0 ? 1 : Math.max(1, found.cost() / length);
+            return new Candidate(found.path(), along(found.path(), STRIDE, MOST_STEPS), STRIDE * costPerMeter);
+        }
+
+        /// When hunters stop the prey on it [m]: at the end, or before the first step at which they are sooner.
+        ///
+        /// @param theirs when hunters may be at the steps
+        double end(double[] theirs) {
+            for (int i = 0; i < theirs.length; i++) {
+                if (stride * (i + 1) + MARGIN > theirs[i]) {
+                    return Math.max(stride * i, theirs[i]);
+                }
+            }
+            return theirs.length == 0 ? 0 : theirs[theirs.length - 1];
+        }
     }
 
     /// @param mapFromPrey where it is
     /// @param mapFromHunters where they are
     /// @param mapFromAim where it runs to now, if it runs
-    /// @param reported on the agent's thread: the path that it takes; empty where no place is better than its own
+    /// @param reported on the agent's thread: the path that it takes, of one point where it is best to stay;
+    /// empty when it knows no path
     void flee(
             Pose2d mapFromPrey,
             Collection<Pose2d> mapFromHunters,
@@ -99,62 +119,66 @@ final class Evasion {
                             .limit(MOST_PATHS)
                             .map(places::get)
                             .toList();
-                    paths(mapFromPrey, best, paths -> choose(theirs[0], paths, mapFromHunters, mapFromAim, reported));
+                    plan(mapFromPrey, best, candidates -> {
+                        if (candidates.isEmpty()) {
+                            reported.accept(Optional.empty());
+                        } else {
+                            var stays = new Path2d(List.of(mapFromPrey.position()));
+                            choose(
+                                    new Candidate(stays, List.of(mapFromPrey), 0),
+                                    candidates,
+                                    mapFromHunters,
+                                    mapFromAim,
+                                    path -> reported.accept(Optional.of(path)));
+                        }
+                    });
                 }));
     }
 
-    /// Less for places that are worth a plan before others: places that it reaches first, the latest for hunters
-    /// before; then places by its lead.
+    /// Less for places that are worth a plan before others: those that it reaches first, the latest for hunters before;
+    /// then by its lead.
     private static double rank(double own, double theirs) {
         return own + MARGIN <= theirs ? -FIRST - theirs : own - theirs;
     }
 
-    /// The path on which hunters stop it last, if this is later than where it is.
+    /// The path on which hunters stop it last.
+    ///
+    /// @param stays what it does if no path is better
     private void choose(
-            double ifItStays,
-            List<Path2d> paths,
+            Candidate stays,
+            List<Candidate> candidates,
             Collection<Pose2d> mapFromHunters,
             Optional<Pose2d> mapFromAim,
-            Consumer<Optional<Path2d>> reported) {
-        List<List<Pose2d>> steps = paths.stream()
-                .map(path -> along(path, STRIDE, Integer.MAX_VALUE))
+            Consumer<Path2d> reported) {
+        List<Pose2d> steps = Stream.concat(Stream.of(stays), candidates.stream())
+                .flatMap(each -> each.steps.stream())
                 .toList();
-        arrivals(mapFromHunters, steps.stream().flatMap(List::stream).toList(), theirs -> {
-            Optional<Path2d> best = Optional.empty();
-            double longest = ifItStays;
-            int from = 0;
-            for (int i = 0; i < paths.size(); i++) {
-                int count = steps.get(i).size();
-                double end = end(theirs, from, count);
-                Point2d place = paths.get(i).points().getLast();
-                double worth = mapFromAim
-                                .filter(aim -> aim.position().distanceTo(place) < SAME)
-                                .isPresent()
-                        ? BETTER * end
-                        : end;
+        arrivals(mapFromHunters, steps, theirs -> {
+            Path2d best = stays.path;
+            double longest = theirs[0];
+            int from = 1;
+            for (Candidate candidate : candidates) {
+                int until = from + candidate.steps.size();
+                double end = candidate.end(Arrays.copyOfRange(theirs, from, until));
+                double worth = isAt(mapFromAim, candidate.path) ? BETTER * end : end;
                 if (worth > longest) {
                     longest = worth;
-                    best = Optional.of(paths.get(i));
+                    best = candidate.path;
                 }
-                from += count;
+                from = until;
             }
             reported.accept(best);
         });
     }
 
-    /// When hunters stop it on a path [m of its path]: at the end, or before the first step at which they are sooner.
-    ///
-    /// @param theirs when hunters may be at the steps; those of the path begin at `from`
-    private static double end(double[] theirs, int from, int count) {
-        for (int i = 0; i < count; i++) {
-            if (STRIDE * (i + 1) + MARGIN > theirs[from + i]) {
-                return Math.max(STRIDE * i, theirs[from + i]);
-            }
-        }
-        return count == 0 ? 0 : theirs[from + count - 1];
+    private static boolean isAt(Optional<Pose2d> mapFromAim, Path2d path) {
+        return mapFromAim
+                .filter(aim -> aim.position().distanceTo(path.points().getLast()) < SAME)
+                .isPresent();
     }
 
-    /// When the first hunter may be at places [m of the prey's path].
+    /// When the first hunter may be at places [m of the prey's path]; straight ahead where the planner knows no path
+    /// for it.
     private void arrivals(Collection<Pose2d> mapFromHunters, List<Pose2d> places, Consumer<double[]> reported) {
         var first = new double[places.size()];
         Arrays.fill(first, Double.POSITIVE_INFINITY);
@@ -167,7 +191,10 @@ final class Evasion {
         }
         for (Pose2d hunter : mapFromHunters) {
             costs(hunter, places, costs -> {
-                Arrays.setAll(first, i -> Math.min(first[i], costs.get(i) / FASTER));
+                Arrays.setAll(first, i -> {
+                    double cost = Double.isFinite(costs.get(i)) ? costs.get(i) : hunter.distanceTo(places.get(i));
+                    return Math.min(first[i], cost / FASTER);
+                });
                 asked.waitsFor--;
                 if (asked.waitsFor == 0) {
                     reported.accept(first);
@@ -177,20 +204,20 @@ final class Evasion {
     }
 
     /// Paths from one place to others, as far as there are any, in the places' order.
-    private void paths(Pose2d mapFromStart, List<Pose2d> mapFromGoals, Consumer<List<Path2d>> reported) {
-        var paths = new ArrayList<Path2d>();
+    private void plan(Pose2d mapFromStart, List<Pose2d> mapFromGoals, Consumer<List<Candidate>> reported) {
+        var candidates = new ArrayList<Candidate>();
         Iterator<Pose2d> goals = mapFromGoals.iterator();
         var next = new Object() {
             void plan() {
                 if (!goals.hasNext()) {
-                    reported.accept(paths);
+                    reported.accept(candidates);
                     return;
                 }
                 planner.plan(mapFromStart, goals.next())
                         .handle((result, _) -> Optional.ofNullable(result))
                         .thenAccept(result -> self.scheduler().execute(() -> {
                             if (result.orElse(null) instanceof Planner.Result.Found found) {
-                                paths.add(found.path());
+                                candidates.add(Candidate.of(found));
                             }
                             plan();
                         }));
