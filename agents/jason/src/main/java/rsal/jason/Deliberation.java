@@ -69,7 +69,7 @@ final class Deliberation extends TransitionSystem {
     public @Nullable Event findEventForFailure(@Nullable Intention intention, Trigger failed) {
         Event next = failureOf(intention, failed);
         if (next == null) {
-            publishUnplanned(intention, failed);
+            reportUnplanned(intention, failed);
         }
         return next;
     }
@@ -86,7 +86,7 @@ final class Deliberation extends TransitionSystem {
     ///
     /// @param intention that the goal is to be part of
     @SuppressWarnings("ReferenceEquality") // that very goal, not one like it
-    private void publishUnplanned(@Nullable Intention intention, Trigger goal) {
+    private void reportUnplanned(@Nullable Intention intention, Trigger goal) {
         Event selected = getC().getSelectedEvent();
         boolean pursued =
                 intention != null && !intention.isFinished() && intention.peek().getTrigger() == goal;

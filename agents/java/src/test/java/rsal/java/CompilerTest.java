@@ -65,7 +65,7 @@ class CompilerTest {
     @CsvSource(delimiter = '|', textBlock = """
             Load load;           | 5 | Maybe an import is missing, or a file 'Load.java' beside it.
             int x = "y";         | 5 | ''
-            self.publishAll();   | 5 | ''
+            self.reportAll();   | 5 | ''
             """)
     void tellsEachMistakeWithItsPlaceAndARemedy(String statement, int line, String remedy) {
         InvalidSettings mistakes = catchThrowableOfType(InvalidSettings.class, () -> compile("""

@@ -94,7 +94,7 @@ final class Macros {
     }
 
     /// Tells of definitions that build upon nothing, once all are known.
-    void publishBaseless() {
+    void reportBaseless() {
         var inCircles = new HashSet<String>();
         baseless.forEach((name, macro) -> {
             String base = macro.body.name();

@@ -45,7 +45,7 @@ public record WorldFile(WorldfileEntity root, Set<String> known, boolean complet
         WorldfileEntity root = parser.world(path);
         boolean complete = tokens.complete() && !parser.incomplete;
         if (complete) {
-            parser.macros.publishBaseless();
+            parser.macros.reportBaseless();
         }
         return new WorldFile(root, parser.macros.known(), complete);
     }

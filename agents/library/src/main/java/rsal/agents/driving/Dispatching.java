@@ -84,12 +84,12 @@ final class Dispatching {
         } else if (answering.contains(order.robot())) {
             ask(order); // only what it answers got lost
         } else {
-            publishOf(order);
+            report(order);
         }
     }
 
     /// Once for each time that people send it.
-    private void publishOf(NewGoal order) {
+    private void report(NewGoal order) {
         if (reported.add(order.robot())) {
             self.publish(
                     GoalReached.TOPIC,
@@ -118,13 +118,13 @@ final class Dispatching {
             case FailureDetector.Change.FellSilent _ -> {
                 answering.remove(robot);
                 silent.add(robot);
-                Optional.ofNullable(open.get(robot)).ifPresent(this::publishOf);
+                Optional.ofNullable(open.get(robot)).ifPresent(this::report);
             }
             case FailureDetector.Change.Left _ -> {
                 ours.remove(agent);
                 answering.remove(robot);
                 silent.remove(robot);
-                Optional.ofNullable(open.remove(robot)).ifPresent(this::publishOf);
+                Optional.ofNullable(open.remove(robot)).ifPresent(this::report);
             }
         }
         publish();

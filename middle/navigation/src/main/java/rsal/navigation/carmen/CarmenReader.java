@@ -204,7 +204,7 @@ final class CarmenReader {
         var readings = readings(fields, count, limit);
         fields.skip(fields.count("remissions", MOST_READINGS));
         Pose2d baseFromLaser = baseFromRawLaser;
-        Poses poses = new Poses.Untold();
+        Poses poses = new Poses.Unknown();
         if (posed) {
             Pose2d odomFromLaser = pose(fields);
             Pose2d odomFromBase = odometry(fields);

@@ -168,7 +168,7 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
         health(Health.ok());
         looksForNothing = order.complete() ? looksForNothing + 1 : 0;
         if (looksForNothing == SURE && !order.narrow().isEmpty()) {
-            publishNarrow(order);
+            reportNarrow(order);
         }
         deliver(new Stamped<>(scheduler.instant(), slam.frame(), order.map()));
         wavefront = order.wavefront();
@@ -204,7 +204,7 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
         next.result().thenAccept(result -> ended(next, goal.frontier(), result));
     }
 
-    private void publishNarrow(Exploration.Order order) {
+    private void reportNarrow(Exploration.Order order) {
         Point2d first = order.narrow().getFirst();
         LOG.log(
                 Level.WARNING,

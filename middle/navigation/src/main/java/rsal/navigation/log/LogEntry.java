@@ -33,7 +33,7 @@ public sealed interface LogEntry {
     /// Where a robot was when it took a scan.
     sealed interface Poses {
         /// The log doesn't tell (`RAWLASER1`): the odometry around the scan may.
-        record Untold() implements Poses {}
+        record Unknown() implements Poses {}
 
         /// @param odomFromBase what the wheels said
         /// @param mapFromBase what the log's author made of it; the same in logs that hold only odometry, and

@@ -134,7 +134,7 @@ public record RobotLog(
                         .inverse()
                         .compose(mapFromBase)
                         .compose(scan.scan().baseFromLaser()));
-            case Poses.Untold() -> Optional.empty();
+            case Poses.Unknown() -> Optional.empty();
         };
     }
 
@@ -155,7 +155,7 @@ public record RobotLog(
                                 seen.ranges()),
                         new Poses.Reported(odomFromBase, mapFromBase.compose(seen.baseFromLaser())),
                         scan.broken());
-            case Poses.Untold() -> scan;
+            case Poses.Unknown() -> scan;
         };
     }
 

@@ -48,7 +48,7 @@ public record Course(List<Stop> stops, int omitted) {
             switch (scan.poses()) {
                 case Poses.Reported(Pose2d odomFromBase, Pose2d mapFromBase) ->
                     stops.add(new Stop(scan.line(), scan.time(), scan.scan(), odomFromBase, Optional.of(mapFromBase)));
-                case Poses.Untold() ->
+                case Poses.Unknown() ->
                     odometryAt(scan, log.motions())
                             .ifPresent(odomFromBase -> stops.add(
                                     new Stop(scan.line(), scan.time(), scan.scan(), odomFromBase, Optional.empty())));
@@ -128,7 +128,7 @@ public record Course(List<Stop> stops, int omitted) {
     private static Optional<Pose2d> reported(Poses poses) {
         return switch (poses) {
             case Poses.Reported reported -> Optional.of(reported.mapFromBase());
-            case Poses.Untold() -> Optional.empty();
+            case Poses.Unknown() -> Optional.empty();
         };
     }
 

@@ -49,8 +49,8 @@ public final class Cloud {
         var hits = cloud.first(count);
         for (int i = 0; i < count; i++) {
             double apart = range[i] * Math.abs(scan.angleIncrement());
-            if (!hits.publishNormal(i, Math.max(NEAR, BEAMS * apart), GAP + 2 * apart)) {
-                hits.publishNormal(i, Math.max(NEAR / 2, BEAMS * apart), GAP + 2 * apart);
+            if (!hits.findNormal(i, Math.max(NEAR, BEAMS * apart), GAP + 2 * apart)) {
+                hits.findNormal(i, Math.max(NEAR / 2, BEAMS * apart), GAP + 2 * apart);
             }
             hits.turnNormal(i, baseFromLaser);
         }
@@ -58,7 +58,7 @@ public final class Cloud {
     }
 
     /// The direction in which the neighbors of a point scatter least, if they lie on a line.
-    private boolean publishNormal(int point, double near, double gap) {
+    private boolean findNormal(int point, double near, double gap) {
         int first = point;
         while (first > 0
                 && point - first < MOST_NEIGHBORS

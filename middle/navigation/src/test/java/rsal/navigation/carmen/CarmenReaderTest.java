@@ -122,7 +122,7 @@ class CarmenReaderTest {
     void aRawLaserDoesNotTellWhereItWas() throws IOException {
         read("RAWLASER1 0 -1.570796 3.141593 0.5 81.9 0.01 0 3 1 2 3 0 12 h 13");
 
-        assertThat(scans().getFirst().poses()).isEqualTo(new Poses.Untold());
+        assertThat(scans().getFirst().poses()).isEqualTo(new Poses.Unknown());
     }
 
     @Test

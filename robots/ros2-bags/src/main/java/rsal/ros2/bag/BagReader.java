@@ -289,6 +289,6 @@ final class BagReader {
                 .transform();
         int broken = scan.broken();
         LaserScan read = scan.scan(mount.orElse(FrameTransform.NONE), hints.rangeMax());
-        log.add(new Scan(number, time(message), read, new Poses.Untold(), broken));
+        log.add(new Scan(number, time(message), read, new Poses.Unknown(), broken));
     }
 }

@@ -125,7 +125,7 @@ public final class CameraRays {
         double z = base.height() + height;
         ColumnRenderer sight = ColumnRenderer.ofThisThread(optics, z, reach);
         if (all) {
-            sight.publishAll();
+            sight.keepAll();
         }
         sight.fromX = base.pose().x() + base.cos() * x - base.sin() * y;
         sight.fromY = base.pose().y() + base.sin() * x + base.cos() * y;

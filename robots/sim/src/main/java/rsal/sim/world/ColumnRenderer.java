@@ -104,7 +104,7 @@ public final class ColumnRenderer {
     }
 
     /// Tells of all that there is, not only of what blob finders tell of.
-    void publishAll() {
+    void keepAll() {
         tellsAll = true;
     }
 
