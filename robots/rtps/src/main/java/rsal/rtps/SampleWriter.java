@@ -3,7 +3,6 @@ package rsal.rtps;
 import java.nio.ByteBuffer;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -39,22 +38,17 @@ public final class SampleWriter {
     private static final int BURST = 128 << 10; // B of fragments to one reader in a millisecond
     private static final int MOST_REPAIRED = 256 << 10; // B of samples sent again at once
     private static final long BETWEEN_REPAIRS = 2 * MILLISECOND;
-    private static final int MOST_HELD = 16; // replies for one participant
-    private static final int MOST_HELD_BYTES = 4 << 20; // of all of them
-    private static final long HELD_FOR = 5_000 * MILLISECOND;
 
     private final EndpointData data;
     private final WriterExchange exchange;
     private final WriterHistory history;
     private final Map<Guid, ReaderProxy> readers = new LinkedHashMap<>();
     private final List<Neighbor> neighbors = new ArrayList<>();
-    private final Deque<Held> held = new ArrayDeque<>(); // until their readers are ready
+    private final HeldReplies held = new HeldReplies();
     private Runnable roomListener = () -> {};
     private boolean hasRefused; // since there was room
     private long last;
     private int heartbeats;
-
-    private record Held(Reply reply, long until) {}
 
     /// A reader of the same participant.
     private static final class Neighbor {
@@ -134,22 +128,14 @@ public final class SampleWriter {
     /// may come before its reader of replies is known here, which would miss the reply. Where it is refused
     /// even then, it is left out.
     void write(Reply reply, long now) {
-        boolean waits = !isReady(reply.to()) && hasRoom(reply);
-        if (waits
-                || write(reply.timestamp(), reply.inlineQos(), reply.payload(), now)
-                        .isEmpty()) {
-            held.add(new Held(reply, now + HELD_FOR));
+        boolean waits = !isReady(reply.to()) && held.hasRoom(reply);
+        if (waits || !writeNow(reply, now)) {
+            held.add(reply, now);
         }
     }
 
-    private boolean hasRoom(Reply reply) {
-        GuidPrefix participant = reply.to().prefix();
-        int bytes = held.stream().mapToInt(each -> each.reply.payload().length).sum();
-        return bytes + reply.payload().length <= MOST_HELD_BYTES
-                && held.stream()
-                                .filter(each -> each.reply.to().prefix().equals(participant))
-                                .count()
-                        < MOST_HELD;
+    private boolean writeNow(Reply reply, long now) {
+        return write(reply.timestamp(), reply.inlineQos(), reply.payload(), now).isPresent();
     }
 
     /// Whether a client would get a reply: its reader, or all that its participant has, as far as they are known.
@@ -167,22 +153,8 @@ public final class SampleWriter {
         return !its.isEmpty() && its.stream().allMatch(each -> each.isReady);
     }
 
-    /// Writes replies that have waited long enough.
     private void release(long now) {
-        if (held.isEmpty()) { // which is usual, and this is called in each tick
-            return;
-        }
-        List<Held> released = held.stream()
-                .filter(each -> each.until <= now || isReady(each.reply.to()))
-                .toList();
-        for (Held each : released) {
-            Reply reply = each.reply;
-            boolean isWritten = write(reply.timestamp(), reply.inlineQos(), reply.payload(), now)
-                    .isPresent();
-            if (isWritten || each.until <= now) {
-                held.remove(each);
-            }
-        }
+        held.release(reply -> isReady(reply.to()), reply -> writeNow(reply, now), now);
     }
 
     /// @param key of which this replaces the sample before
@@ -361,7 +333,7 @@ public final class SampleWriter {
 
     void unmatchAll(GuidPrefix participant) {
         readers.keySet().removeIf(each -> each.prefix().equals(participant));
-        held.removeIf(each -> each.reply.to().prefix().equals(participant));
+        held.forget(participant);
         settle();
     }
 
@@ -463,7 +435,7 @@ public final class SampleWriter {
 
     /// When there is next something to send [ns].
     long due() {
-        long due = held.isEmpty() ? Long.MAX_VALUE : held.getFirst().until;
+        long due = held.due();
         for (ReaderProxy reader : readers.values()) {
             due = Math.min(due, reader.streams.isEmpty() ? reader.heartbeatAt() : reader.paced + MILLISECOND);
         }
