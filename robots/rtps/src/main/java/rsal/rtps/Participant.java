@@ -171,8 +171,8 @@ public final class Participant {
     /// @param timestamp when the sample is from [ns] since 1970
     /// @param inlineQos writes what goes beside it, without an end; at most 128 B
     /// @param payload with its encapsulation header; not changed any more
-    /// @return the number of the sample; empty when the writer keeps all and has no room
-    ///     ([SampleWriter#onRoom]): then nothing is written
+    /// @return the number of the sample; empty when the writer keeps all and has no room: then nothing is
+    ///     written
     public OptionalLong write(
             SampleWriter writer,
             long timestamp,

@@ -29,7 +29,7 @@ import rsal.rtps.wire.Submessage.NackFragments;
 /// A writer of ours: keeps samples, sends them to its readers, and again to those who lack them.
 ///
 /// A reliable one that keeps all ([Qos#KEEP_ALL]) loses nothing that a reliable reader lacks: it refuses what
-/// is written while it has no room ([RtpsLimits#kept]), and says when it has ([#onRoom]).
+/// is written while it has no room ([RtpsLimits#kept]), and says when it has.
 ///
 /// Samples that fit into no datagram go in fragments, some at a time, so that they do not fill the buffers of
 /// those who receive them.
@@ -77,9 +77,10 @@ public final class SampleWriter {
         return readers.size() + neighbors.size();
     }
 
-    /// Whether all reliable readers have all samples.
+    /// Whether all reliable readers have all samples, those of the same participant too.
     public boolean isAcknowledged() {
-        return readers.values().stream().allMatch(each -> !each.isReliable || each.acknowledged >= last);
+        return readers.values().stream().allMatch(each -> !each.isReliable || each.acknowledged >= last)
+                && neighbors.stream().allMatch(each -> each.taken >= last);
     }
 
     /// Its reliable readers, each with how many samples it lacks.
@@ -91,7 +92,7 @@ public final class SampleWriter {
 
     /// Told once after a sample was refused, when another one may have room. Called while the participant is
     /// locked: be quick, and call nothing of it.
-    public void onRoom(Runnable listener) {
+    void onRoom(Runnable listener) {
         roomListener = listener;
     }
 
@@ -128,8 +129,8 @@ public final class SampleWriter {
     /// may come before its reader of replies is known here, which would miss the reply. Where it is refused
     /// even then, it is left out.
     void write(Reply reply, long now) {
-        boolean waits = !isReady(reply.to()) && held.hasRoom(reply);
-        if (waits || !writeNow(reply, now)) {
+        boolean isDone = (isReady(reply.to()) || !held.hasRoom(reply)) && writeNow(reply, now);
+        if (!isDone && held.hasRoom(reply)) { // else it is lost, as is allowed for replies that nobody takes
             held.add(reply, now);
         }
     }
@@ -316,6 +317,7 @@ public final class SampleWriter {
             send(addressee);
             proxy.reported(now);
         }
+        settle(); // it may lack samples that all others have
     }
 
     void matchNeighbor(SampleReader reader) {
@@ -323,6 +325,7 @@ public final class SampleWriter {
         var neighbor = new Neighbor(reader, late ? 0 : last);
         neighbors.add(neighbor);
         serve(neighbor);
+        settle();
     }
 
     void unmatch(Guid reader) {
