@@ -215,8 +215,7 @@ public final class Participant {
     /// The reader's listener has room again ([SampleListener#hasRoom]).
     public void resume(SampleReader reader, long time) {
         advance(time);
-        own.writers().forEach(writer -> writer.resume(reader));
-        wake(reader.resume(now));
+        wake(own.resume(reader, now));
     }
 
     /// Tells all others that this participant leaves. Twice, since the first message can be lost.

@@ -1,6 +1,8 @@
 package rsal.rtps;
 
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import rsal.rtps.WriterProxy.Arrival;
 import rsal.rtps.discovery.EndpointData;
@@ -13,6 +15,8 @@ public final class SampleReader {
     private final Receiver receiver;
     private final AssemblyBudget budget;
     private final Map<Guid, WriterProxy> writers = new HashMap<>();
+    private final List<Source> sources = new ArrayList<>(); // these, and writers of the same participant
+    private int turn; // index of the source that was last asked
     private volatile int matched; // how many there are, for threads without the participant's lock
 
     /// Gets samples.
@@ -23,6 +27,14 @@ public final class SampleReader {
         default boolean hasRoom() {
             return true;
         }
+    }
+
+    /// Has samples, or will have.
+    interface Source {
+        /// Hands over the next sample.
+        ///
+        /// @return false when there is none, or it is not taken now
+        boolean deliverNext();
     }
 
     SampleReader(EndpointData data, AssemblyBudget budget, Receiver receiver) {
@@ -46,16 +58,19 @@ public final class SampleReader {
     }
 
     void match(Guid writer, Addressee addressee, boolean isReliable, long now) {
-        writers.computeIfAbsent(
+        if (writers.containsKey(writer)) {
+            return;
+        }
+        var proxy = new WriterProxy(
                 writer,
-                _ -> new WriterProxy(
-                        writer,
-                        data.guid().entity(),
-                        addressee,
-                        isReliable && data.qos().isReliable(),
-                        budget,
-                        receiver,
-                        now));
+                data.guid().entity(),
+                addressee,
+                isReliable && data.qos().isReliable(),
+                budget,
+                receiver,
+                now);
+        writers.put(writer, proxy);
+        sources.add(proxy);
         matched = writers.size();
     }
 
@@ -63,8 +78,17 @@ public final class SampleReader {
         WriterProxy proxy = writers.remove(writer);
         matched = writers.size();
         if (proxy != null) {
+            sources.remove(proxy);
             proxy.close();
         }
+    }
+
+    void add(Source neighbor) {
+        sources.add(neighbor);
+    }
+
+    void remove(Source neighbor) {
+        sources.remove(neighbor);
     }
 
     /// Whether it takes a sample of a writer of the same participant.
@@ -72,7 +96,7 @@ public final class SampleReader {
         return receiver.hasRoom();
     }
 
-    /// Takes more of other participants.
+    /// Takes more: of all that have samples one after the other, so that none waits for ever.
     ///
     /// @return when it next has something to ask for [ns]
     long resume(long now) {
@@ -80,6 +104,11 @@ public final class SampleReader {
         for (WriterProxy writer : writers.values()) {
             writer.resume(now);
             due = Math.min(due, writer.due());
+        }
+        int refused = 0; // in a row; each is asked, so that it knows
+        while (refused < sources.size()) {
+            turn = (turn + 1) % sources.size();
+            refused = sources.get(turn).deliverNext() ? 0 : refused + 1;
         }
         return due;
     }

@@ -51,13 +51,30 @@ public final class SampleWriter {
     private int heartbeats;
 
     /// A reader of the same participant.
-    private static final class Neighbor {
+    private final class Neighbor implements SampleReader.Source {
         final SampleReader reader;
         long taken; // up to this number
 
         Neighbor(SampleReader reader, long taken) {
             this.reader = reader;
             this.taken = taken;
+        }
+
+        @Override
+        public boolean deliverNext() {
+            Optional<KeptSample> next = history.after(taken);
+            if (next.isEmpty() || !reader.hasRoom()) {
+                return false;
+            }
+            taken = next.get().number(); // before its listener writes another one
+            reader.deliver(arrival(next.get()));
+            return true;
+        }
+
+        void deliver() {
+            while (deliverNext()) {
+                // and the next one
+            }
         }
     }
 
@@ -173,31 +190,15 @@ public final class SampleWriter {
 
     private void write(KeptSample sample, long now) {
         last = sample.number();
-        neighbors.forEach(this::serve);
+        neighbors.forEach(Neighbor::deliver);
         if (!readers.isEmpty()) {
             send(sample, now);
         }
         settle();
     }
 
-    /// Hands a neighbor what it has not taken yet, as long as it takes more.
-    private void serve(Neighbor neighbor) {
-        Optional<KeptSample> next = history.after(neighbor.taken);
-        while (next.isPresent() && neighbor.reader.hasRoom()) {
-            neighbor.taken = next.get().number(); // before its listener writes another one
-            neighbor.reader.deliver(arrival(next.get()));
-            next = history.after(neighbor.taken);
-        }
-    }
-
-    /// A neighbor takes more.
-    void resume(SampleReader reader) {
-        neighbors.stream().filter(each -> each.reader == reader).forEach(this::serve);
-        settle();
-    }
-
     /// Forgets what all readers have, and says that there is room.
-    private void settle() {
+    void settle() {
         if (!history.keepsAll() || data.topic().isEmpty()) { // those of the built-in topics keep one for each key
             return;
         }
@@ -324,8 +325,14 @@ public final class SampleWriter {
         boolean late = reader.data().qos().isLatched() && data.qos().isLatched();
         var neighbor = new Neighbor(reader, late ? 0 : last);
         neighbors.add(neighbor);
-        serve(neighbor);
+        reader.add(neighbor);
+        neighbor.deliver();
         settle();
+    }
+
+    /// It writes no more, and what its neighbors have not taken is lost.
+    void close() {
+        neighbors.forEach(each -> each.reader.remove(each));
     }
 
     void unmatch(Guid reader) {

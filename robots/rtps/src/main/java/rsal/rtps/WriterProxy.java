@@ -19,7 +19,7 @@ import rsal.rtps.wire.Submessage.Heartbeat;
 import rsal.rtps.wire.Submessage.NackFragments;
 
 /// A writer as one of our readers knows it: which of its samples have come (DDSI-RTPS 2.5, 8.4.10 and 8.4.12).
-final class WriterProxy {
+final class WriterProxy implements SampleReader.Source {
     private static final long MILLISECOND = 1_000_000; // ns
     private static final long BETWEEN_REQUESTS = 10 * MILLISECOND;
     private static final long FIRST_REQUEST = 100 * MILLISECOND; // doubled each time, until there is a heartbeat
@@ -124,11 +124,10 @@ final class WriterProxy {
         return !isRefusing;
     }
 
-    /// The receiver takes samples again.
+    /// The receiver takes samples again, as it is asked for next.
     void resume(long now) {
         if (isRefusing) {
             isRefusing = false;
-            drain();
             due = Math.min(due, Math.max(now, requested + BETWEEN_REQUESTS)); // to acknowledge, and to ask for more
         }
     }
@@ -141,30 +140,33 @@ final class WriterProxy {
 
     /// Delivers those that waited for one before them, or for the receiver.
     private void drain() {
+        while (deliverNext()) {
+            // and the next one
+        }
+    }
+
+    @Override
+    public boolean deliverNext() {
         while (!early.isEmpty() || next < floor) {
             long first = early.isEmpty() ? floor : early.firstKey();
             if (first > next) {
                 if (next >= floor) {
-                    return;
+                    return false;
                 }
                 next = Math.min(first, floor);
             } else if (first < next || early.firstEntry().getValue().isGap || takes()) {
                 Arrival sample = early.pollFirstEntry().getValue();
                 earlyBytes -= sample.payload.remaining();
-                if (first == next) {
-                    next++;
-                    deliver(sample);
+                next = Math.max(next, first + 1);
+                if (first == next - 1 && !sample.isGap) {
+                    receiver.accept(sample);
+                    return true;
                 }
             } else {
-                return;
+                return false;
             }
         }
-    }
-
-    private void deliver(Arrival sample) {
-        if (!sample.isGap) {
-            receiver.accept(sample);
-        }
+        return false;
     }
 
     void receive(DataFragments part, long timestamp, long now) {

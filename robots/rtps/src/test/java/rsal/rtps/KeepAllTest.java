@@ -6,6 +6,7 @@ import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
@@ -13,6 +14,7 @@ import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.rtps.SimulatedNetwork.Node;
 import rsal.rtps.discovery.Qos;
@@ -427,5 +429,32 @@ class KeepAllTest {
             network.run(Duration.ofMillis(5));
         }
         assertThat(store.taken).isEqualTo(numbers(ROOM + 2 + 16));
+    }
+
+    /// Two writers, of other participants or the same one, and a reader that takes one sample after the other.
+    @ParameterizedTest
+    @CsvSource({"false, false", "false, true", "true, false", "true, true"})
+    void writersTakeTurns(boolean firstIsNeighbor, boolean secondIsNeighbor) {
+        var network = new SimulatedNetwork(15, 0);
+        Node listener = join(network, LEASE);
+        Node first = firstIsNeighbor ? listener : join(network, LEASE);
+        Node second = secondIsNeighbor ? listener : join(network, LEASE);
+        var store = new Store(1);
+        SampleReader reader = reader(listener, network, store);
+        SampleWriter one = writer(first, network, ALL);
+        SampleWriter two = writer(second, network, ALL);
+        network.run(SOON);
+        for (int i = 0; i < COUNT; i++) {
+            while (first.write(one, sample(1, 100))) {
+                network.run(Duration.ofMillis(1));
+            }
+            while (second.write(two, sample(2, 100))) {
+                network.run(Duration.ofMillis(1));
+            }
+            store.take(listener, reader, network.now());
+            network.run(Duration.ofMillis(5));
+        }
+        assertThat(Collections.frequency(store.taken, 1)).isBetween(90, 110);
+        assertThat(Collections.frequency(store.taken, 2)).isBetween(90, 110);
     }
 }
