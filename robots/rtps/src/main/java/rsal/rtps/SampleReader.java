@@ -2,20 +2,29 @@ package rsal.rtps;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.SequencedMap;
 import rsal.rtps.WriterProxy.Arrival;
 import rsal.rtps.discovery.EndpointData;
 import rsal.rtps.wire.Guid;
 import rsal.rtps.wire.MessageWriter;
 
 /// A reader of ours, and the writers that it reads from.
+///
+/// A volatile one goes on after the last sample it has had of a reliable writer that was lost and is found
+/// again, so that old commands do not come twice. A latched one gets again what the writer still has: who
+/// forgot all that a lost participant had said needs it.
 public final class SampleReader {
+    private static final int MOST_LOST = 256; // writers whose next sample is remembered
+
     private final EndpointData data;
     private final Receiver receiver;
     private final AssemblyBudget budget;
     private final Map<Guid, WriterProxy> writers = new HashMap<>();
     private final List<Source> sources = new ArrayList<>(); // these, and writers of the same participant
+    private final SequencedMap<Guid, Long> lost = new LinkedHashMap<>(); // numbers of their next samples
     private int turn; // index of the source that was last asked
     private volatile int matched; // how many there are, for threads without the participant's lock
 
@@ -69,6 +78,10 @@ public final class SampleReader {
                 budget,
                 receiver,
                 now);
+        Long next = lost.remove(writer);
+        if (next != null) {
+            proxy.goOn(next);
+        }
         writers.put(writer, proxy);
         sources.add(proxy);
         matched = writers.size();
@@ -80,6 +93,12 @@ public final class SampleReader {
         if (proxy != null) {
             sources.remove(proxy);
             proxy.close();
+            if (proxy.isReliable() && !data.qos().isLatched()) {
+                lost.putLast(writer, proxy.next());
+            }
+            if (lost.size() > MOST_LOST) {
+                lost.pollFirstEntry();
+            }
         }
     }
 

@@ -39,10 +39,12 @@ final class WriterProxy implements SampleReader.Source {
     private long next = 1; // that is to be delivered
     private long floor = 1; // what is below it and has not come never comes
     private long last; // that is known to have been written
+    private long resumed = 1; // where it went on when it was found again
     private boolean isRefusing; // the receiver takes nothing for now
     private boolean isHeard; // by a heartbeat
     private int heartbeats; // count of the newest
     private int requests; // count of the newest; goes on when the writer is lost and found again
+    private int fragmentRequests; // as well
     private long requested = Long.MIN_VALUE / 2; // when [ns]
     private long due; // of the next request [ns]; [Timestamp#INFINITE] for none
     private long patience = FIRST_REQUEST; // ns
@@ -92,7 +94,39 @@ final class WriterProxy implements SampleReader.Source {
         this.budget = budget;
         this.receiver = receiver;
         due = isReliable ? now : Long.MAX_VALUE;
-        requests = (int) (now / MILLISECOND); // there are fewer of them than milliseconds
+        requests = count(now, BETWEEN_REQUESTS);
+        fragmentRequests = count(now, BETWEEN_REQUESTS / MOST_INCOMPLETE);
+    }
+
+    /// With which number counts begin, so that they are higher than those before, of which no more than one
+    /// came in each interval. For 62 days and more it does not start over.
+    private static int count(long now, long interval) {
+        return (int) (now / interval & Integer.MAX_VALUE);
+    }
+
+    boolean isReliable() {
+        return isReliable;
+    }
+
+    /// The number of the sample that is to be delivered next.
+    long next() {
+        return next;
+    }
+
+    /// It was lost and is found again: samples below that number have been delivered.
+    void goOn(long number) {
+        resumed = number;
+        next = number;
+        floor = number;
+        last = number - 1;
+    }
+
+    /// It has started again, with the same name.
+    private void startOver() {
+        close();
+        early.clear();
+        earlyBytes = 0;
+        goOn(1);
     }
 
     void receive(Arrival sample) {
@@ -225,8 +259,14 @@ final class WriterProxy implements SampleReader.Source {
         if (!isReliable || (isHeard && heartbeat.count() - heartbeats <= 0)) {
             return;
         }
+        if (!isHeard && heartbeat.last() < resumed - 1) {
+            startOver();
+        }
         heartbeats = heartbeat.count();
         isHeard = true;
+        if (isRefusing && takes()) { // and has not said so
+            drain();
+        }
         due = Long.MAX_VALUE;
         last = Math.max(last, heartbeat.last());
         skip(heartbeat.first());
@@ -248,10 +288,8 @@ final class WriterProxy implements SampleReader.Source {
         if (!isReliable) {
             return;
         }
-        if (gap.start() <= next && gap.more().base() > next && !early.containsKey(next)) {
-            next = gap.more().base();
-            incomplete.headMap(next).keySet().stream().toList().forEach(this::drop);
-            drain();
+        if (gap.start() <= next) {
+            skip(gap.more().base());
         } else {
             LongStream.range(gap.start(), gap.more().base())
                     .limit(budget.limits().early())
@@ -315,7 +353,7 @@ final class WriterProxy implements SampleReader.Source {
         if (!isRefusing) {
             incomplete.forEach((number, assembly) -> missing(assembly)
                     .ifPresent(fragments -> messages.nackFragments(
-                            new NackFragments(reader, guid.entity(), number, fragments, requests))));
+                            new NackFragments(reader, guid.entity(), number, fragments, ++fragmentRequests))));
         }
         addressee.addresses().forEach(address -> network.send(messages.message(), address));
     }

@@ -457,4 +457,24 @@ class KeepAllTest {
         assertThat(Collections.frequency(store.taken, 1)).isBetween(90, 110);
         assertThat(Collections.frequency(store.taken, 2)).isBetween(90, 110);
     }
+
+    /// It has room again, and does not say so.
+    @Test
+    void aReaderThatDoesNotSayThatItHasRoomGetsMoreSoon() {
+        var network = new SimulatedNetwork(16, 0);
+        Node talker = join(network, LEASE);
+        Node listener = join(network, LEASE);
+        var store = new Store(2);
+        SampleReader reader = reader(listener, network, store);
+        SampleWriter writer = writer(talker, network, ALL);
+        waitFor(writer, reader, network);
+        for (int i = 0; i < 4; i++) {
+            talker.write(writer, sample(i, 100));
+        }
+        network.run(SOON);
+        assertThat(store.waiting).containsExactly(0, 1);
+        store.waiting.clear();
+        network.run(Duration.ofSeconds(1));
+        assertThat(store.waiting).containsExactly(2, 3);
+    }
 }
