@@ -41,10 +41,15 @@ public final class UdpParticipant implements AutoCloseable {
     /// Which nobody else uses.
     public static final int VENDOR = 0x0152;
 
+    /// Most of a sample that one datagram has in networks [B]: with heads and inline QoS, it fits a packet of
+    /// Ethernet.
+    public static final int NETWORK_FRAGMENT = 1_216;
+
+    /// The same where all are on this machine [B].
+    public static final int LOCAL_FRAGMENT = 60_000;
+
     private static final Logger LOG = System.getLogger(UdpParticipant.class.getName());
     private static final int AT_ONCE = 64; // datagrams between two looks at the clock
-    private static final int LOCAL_FRAGMENT = 60_000; // B
-    private static final int NETWORK_FRAGMENT = 1_216; // B; with heads and inline QoS, it fits a packet of Ethernet
     private static final long MILLISECOND = 1_000_000; // ns
     private static final long FAREWELL = 500 * MILLISECOND;
 
@@ -117,18 +122,20 @@ public final class UdpParticipant implements AutoCloseable {
     /// @throws IOException when no port is free, or the address is not of this machine
     public UdpParticipant(Options options, LongSupplier clock, RandomGenerator random, GraphListener graph)
             throws IOException {
-        this(options, clock, random, graph, sockets -> sockets);
+        this(options, clock, random, graph, options.isLocal() ? LOCAL_FRAGMENT : NETWORK_FRAGMENT, sockets -> sockets);
     }
 
-    /// As the other one, with something between the protocol and its sockets, such as what loses some
-    /// datagrams.
+    /// As the other one, with fragments of another size, and something between the protocol and its sockets,
+    /// such as what loses some datagrams.
     ///
+    /// @param fragment most of a sample that one datagram has [B], 256 to 65,000
     /// @param link makes it; called for one datagram at a time
     public UdpParticipant(
             Options options,
             LongSupplier clock,
             RandomGenerator random,
             GraphListener graph,
+            int fragment,
             UnaryOperator<Transmitter> link)
             throws IOException {
         this.clock = clock;
@@ -150,7 +157,6 @@ public final class UdpParticipant implements AutoCloseable {
                 here,
                 options.name,
                 options.userData);
-        int fragment = isLocal ? LOCAL_FRAGMENT : NETWORK_FRAGMENT;
         participant =
                 new Participant(self, fragment, RtpsLimits.DEFAULT, link.apply(sockets), graph, clock.getAsLong());
         thread = Thread.ofPlatform().daemon().name("rtps").start(this::receive);
