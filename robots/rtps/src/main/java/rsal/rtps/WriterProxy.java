@@ -41,6 +41,7 @@ final class WriterProxy implements SampleReader.Source {
     private long last; // that is known to have been written
     private long resumed = 1; // where it went on when it was found again
     private boolean isRefusing; // the receiver takes nothing for now
+    private boolean owesWord; // it refused, and has not told the writer since that it takes more
     private boolean isHeard; // by a heartbeat
     private int heartbeats; // count of the newest
     private int requests; // count of the newest; goes on when the writer is lost and found again
@@ -155,12 +156,14 @@ final class WriterProxy implements SampleReader.Source {
 
     private boolean takes() {
         isRefusing = !receiver.hasRoom();
+        owesWord |= isRefusing;
         return !isRefusing;
     }
 
     /// The receiver takes samples again, as it is asked for next.
     void resume(long now) {
-        if (isRefusing) {
+        if (owesWord) {
+            owesWord = false;
             isRefusing = false;
             due = Math.min(due, Math.max(now, requested + BETWEEN_REQUESTS)); // to acknowledge, and to ask for more
         }
@@ -264,13 +267,15 @@ final class WriterProxy implements SampleReader.Source {
         }
         heartbeats = heartbeat.count();
         isHeard = true;
-        if (isRefusing && takes()) { // and has not said so
+        boolean takesMore = owesWord && takes();
+        if (takesMore) {
+            owesWord = false;
             drain();
         }
         due = Long.MAX_VALUE;
         last = Math.max(last, heartbeat.last());
         skip(heartbeat.first());
-        if (!heartbeat.isFinal() || next <= last) {
+        if (!heartbeat.isFinal() || next <= last || takesMore) {
             due = Math.max(now, requested + BETWEEN_REQUESTS);
         }
     }

@@ -27,6 +27,7 @@ import rsal.rtps.wire.Submessage.NackFragments;
 
 /// What a reader takes from a writer and asks it for, submessage by submessage.
 class WriterProxyTest {
+    private static final long SOON = 20_000_000; // ns
     private static final long DAY = 86_400_000_000_000L; // ns
     private static final Guid WRITER = new Guid(new GuidPrefix(1, 1), EntityId.writer(1));
     private static final EntityId READER = EntityId.reader(2);
@@ -160,5 +161,23 @@ class WriterProxyTest {
         proxy.receive(sample(1));
         proxy.receive(sample(2));
         assertThat(taken).containsExactly(1L, 2L);
+    }
+
+    /// Else Cyclone DDS waits for an acknowledgment while it receives nothing.
+    @Test
+    void whatWasRefusedIsAcknowledgedWhenItIsTaken() {
+        for (boolean says : new boolean[] {false, true}) {
+            WriterProxy proxy = proxy(0);
+            proxy.receive(heartbeat(1, 1, 1), 0);
+            hasRoom = false;
+            proxy.receive(sample(1));
+            assertThat(acknowledgment(proxy, 0).missing().base()).isEqualTo(1);
+            hasRoom = true;
+            proxy.receive(new Heartbeat(READER, WRITER.entity(), 1, 1, 2, true), 1);
+            if (says) {
+                proxy.resume(2);
+            }
+            assertThat(acknowledgment(proxy, SOON).missing().base()).isEqualTo(2);
+        }
     }
 }
