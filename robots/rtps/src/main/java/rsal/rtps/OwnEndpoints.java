@@ -73,8 +73,18 @@ final class OwnEndpoints {
                 .map(Map.Entry::getKey)
                 .toList();
         gone.forEach(leaving::remove);
+        gone.forEach(SampleWriter::close);
         gone.forEach(each -> writers.remove(each.data().guid().entity()));
         return gone;
+    }
+
+    /// A reader of ours takes more.
+    ///
+    /// @return when there is next something to do [ns]
+    long resume(SampleReader reader, long now) {
+        long due = reader.resume(now);
+        writers.values().forEach(SampleWriter::settle);
+        return leaving.isEmpty() ? due : now; // one of them may have waited for this
     }
 
     boolean remove(SampleReader reader) {

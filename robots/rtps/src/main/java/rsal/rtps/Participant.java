@@ -171,8 +171,8 @@ public final class Participant {
     /// @param timestamp when the sample is from [ns] since 1970
     /// @param inlineQos writes what goes beside it, without an end; at most 128 B
     /// @param payload with its encapsulation header; not changed any more
-    /// @return the number of the sample; empty when the writer keeps all and has no room
-    ///     ([SampleWriter#onRoom]): then nothing is written
+    /// @return the number of the sample; empty when the writer keeps all and has no room: then nothing is
+    ///     written
     public OptionalLong write(
             SampleWriter writer,
             long timestamp,
@@ -215,8 +215,7 @@ public final class Participant {
     /// The reader's listener has room again ([SampleListener#hasRoom]).
     public void resume(SampleReader reader, long time) {
         advance(time);
-        own.writers().forEach(writer -> writer.resume(reader));
-        wake(reader.resume(now));
+        wake(own.resume(reader, now));
     }
 
     /// Tells all others that this participant leaves. Twice, since the first message can be lost.

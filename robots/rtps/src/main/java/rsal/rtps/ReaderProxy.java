@@ -3,6 +3,7 @@ package rsal.rtps;
 import java.util.ArrayDeque;
 import java.util.BitSet;
 import java.util.Deque;
+import java.util.Iterator;
 import rsal.rtps.wire.Guid;
 import rsal.rtps.wire.Submessage.AckNack;
 
@@ -12,6 +13,9 @@ final class ReaderProxy {
     private static final long MILLISECOND = 1_000_000; // ns
     private static final long FIRST_HEARTBEAT = 20 * MILLISECOND; // then doubled, until the reader answers
     private static final long LAST_HEARTBEAT = 500 * MILLISECOND;
+
+    private static final int MOST_STREAMS = 64; // samples, to one that does not acknowledge
+    private static final int MOST_STREAMED = 16 << 20; // B of them
 
     final Guid guid;
     final Addressee addressee;
@@ -88,6 +92,7 @@ final class ReaderProxy {
         if (base > 0) {
             isHeard = true;
             acknowledged = Math.max(acknowledged, Math.min(base - 1, last));
+            streams.removeIf(each -> each.sample.number() <= acknowledged);
         }
         heartbeatAt = acknowledged >= last && isHeard && isReady ? Long.MAX_VALUE : now + patience;
         return true;
@@ -111,6 +116,21 @@ final class ReaderProxy {
         }
         var stream = new Stream(sample, new BitSet());
         streams.add(stream);
+        if (!isReliable) { // of reliable ones the writer keeps no more than it has room for
+            limitStreams();
+        }
         return stream;
+    }
+
+    /// Leaves out the oldest ones but the one that is being sent, of which fragments have arrived.
+    private void limitStreams() {
+        long bytes =
+                streams.stream().mapToLong(each -> each.sample.payload().length).sum();
+        Iterator<Stream> oldest = streams.iterator();
+        oldest.next();
+        while (streams.size() > 2 && (streams.size() > MOST_STREAMS || bytes > MOST_STREAMED)) {
+            bytes -= oldest.next().sample.payload().length;
+            oldest.remove();
+        }
     }
 }

@@ -1,18 +1,31 @@
 package rsal.rtps;
 
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.SequencedMap;
 import rsal.rtps.WriterProxy.Arrival;
 import rsal.rtps.discovery.EndpointData;
 import rsal.rtps.wire.Guid;
 import rsal.rtps.wire.MessageWriter;
 
 /// A reader of ours, and the writers that it reads from.
+///
+/// A volatile one goes on after the last sample it has had of a reliable writer that was lost and is found
+/// again, so that old commands do not come twice. A latched one gets again what the writer still has: who
+/// forgot all that a lost participant had said needs it.
 public final class SampleReader {
+    private static final int MOST_LOST = 256; // writers whose next sample is remembered
+
     private final EndpointData data;
     private final Receiver receiver;
     private final AssemblyBudget budget;
     private final Map<Guid, WriterProxy> writers = new HashMap<>();
+    private final List<Source> sources = new ArrayList<>(); // these, and writers of the same participant
+    private final SequencedMap<Guid, Long> lost = new LinkedHashMap<>(); // numbers of their next samples
+    private int turn; // index of the source that was last asked
     private volatile int matched; // how many there are, for threads without the participant's lock
 
     /// Gets samples.
@@ -23,6 +36,14 @@ public final class SampleReader {
         default boolean hasRoom() {
             return true;
         }
+    }
+
+    /// Has samples, or will have.
+    interface Source {
+        /// Hands over the next sample.
+        ///
+        /// @return false when there is none, or it is not taken now
+        boolean deliverNext();
     }
 
     SampleReader(EndpointData data, AssemblyBudget budget, Receiver receiver) {
@@ -46,16 +67,23 @@ public final class SampleReader {
     }
 
     void match(Guid writer, Addressee addressee, boolean isReliable, long now) {
-        writers.computeIfAbsent(
+        if (writers.containsKey(writer)) {
+            return;
+        }
+        var proxy = new WriterProxy(
                 writer,
-                _ -> new WriterProxy(
-                        writer,
-                        data.guid().entity(),
-                        addressee,
-                        isReliable && data.qos().isReliable(),
-                        budget,
-                        receiver,
-                        now));
+                data.guid().entity(),
+                addressee,
+                isReliable && data.qos().isReliable(),
+                budget,
+                receiver,
+                now);
+        Long next = lost.remove(writer);
+        if (next != null) {
+            proxy.goOn(next);
+        }
+        writers.put(writer, proxy);
+        sources.add(proxy);
         matched = writers.size();
     }
 
@@ -63,8 +91,23 @@ public final class SampleReader {
         WriterProxy proxy = writers.remove(writer);
         matched = writers.size();
         if (proxy != null) {
+            sources.remove(proxy);
             proxy.close();
+            if (proxy.isReliable() && !data.qos().isLatched()) {
+                lost.putLast(writer, proxy.next());
+            }
+            if (lost.size() > MOST_LOST) {
+                lost.pollFirstEntry();
+            }
         }
+    }
+
+    void add(Source neighbor) {
+        sources.add(neighbor);
+    }
+
+    void remove(Source neighbor) {
+        sources.remove(neighbor);
     }
 
     /// Whether it takes a sample of a writer of the same participant.
@@ -72,7 +115,7 @@ public final class SampleReader {
         return receiver.hasRoom();
     }
 
-    /// Takes more of other participants.
+    /// Takes more: of all that have samples one after the other, so that none waits for ever.
     ///
     /// @return when it next has something to ask for [ns]
     long resume(long now) {
@@ -80,6 +123,11 @@ public final class SampleReader {
         for (WriterProxy writer : writers.values()) {
             writer.resume(now);
             due = Math.min(due, writer.due());
+        }
+        int refused = 0; // in a row; each is asked, so that it knows
+        while (refused < sources.size()) {
+            turn = (turn + 1) % sources.size();
+            refused = sources.get(turn).deliverNext() ? 0 : refused + 1;
         }
         return due;
     }

@@ -3,7 +3,6 @@ package rsal.rtps;
 import java.nio.ByteBuffer;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -30,7 +29,7 @@ import rsal.rtps.wire.Submessage.NackFragments;
 /// A writer of ours: keeps samples, sends them to its readers, and again to those who lack them.
 ///
 /// A reliable one that keeps all ([Qos#KEEP_ALL]) loses nothing that a reliable reader lacks: it refuses what
-/// is written while it has no room ([RtpsLimits#kept]), and says when it has ([#onRoom]).
+/// is written while it has no room ([RtpsLimits#kept]), and says when it has.
 ///
 /// Samples that fit into no datagram go in fragments, some at a time, so that they do not fill the buffers of
 /// those who receive them.
@@ -39,31 +38,43 @@ public final class SampleWriter {
     private static final int BURST = 128 << 10; // B of fragments to one reader in a millisecond
     private static final int MOST_REPAIRED = 256 << 10; // B of samples sent again at once
     private static final long BETWEEN_REPAIRS = 2 * MILLISECOND;
-    private static final int MOST_HELD = 16; // replies for one participant
-    private static final int MOST_HELD_BYTES = 4 << 20; // of all of them
-    private static final long HELD_FOR = 5_000 * MILLISECOND;
 
     private final EndpointData data;
     private final WriterExchange exchange;
     private final WriterHistory history;
     private final Map<Guid, ReaderProxy> readers = new LinkedHashMap<>();
     private final List<Neighbor> neighbors = new ArrayList<>();
-    private final Deque<Held> held = new ArrayDeque<>(); // until their readers are ready
+    private final HeldReplies held = new HeldReplies();
     private Runnable roomListener = () -> {};
     private boolean hasRefused; // since there was room
     private long last;
     private int heartbeats;
 
-    private record Held(Reply reply, long until) {}
-
     /// A reader of the same participant.
-    private static final class Neighbor {
+    private final class Neighbor implements SampleReader.Source {
         final SampleReader reader;
         long taken; // up to this number
 
         Neighbor(SampleReader reader, long taken) {
             this.reader = reader;
             this.taken = taken;
+        }
+
+        @Override
+        public boolean deliverNext() {
+            Optional<KeptSample> next = history.after(taken);
+            if (next.isEmpty() || !reader.hasRoom()) {
+                return false;
+            }
+            taken = next.get().number(); // before its listener writes another one
+            reader.deliver(arrival(next.get()));
+            return true;
+        }
+
+        void deliver() {
+            while (deliverNext()) {
+                // and the next one
+            }
         }
     }
 
@@ -83,9 +94,10 @@ public final class SampleWriter {
         return readers.size() + neighbors.size();
     }
 
-    /// Whether all reliable readers have all samples.
+    /// Whether all reliable readers have all samples, those of the same participant too.
     public boolean isAcknowledged() {
-        return readers.values().stream().allMatch(each -> !each.isReliable || each.acknowledged >= last);
+        return readers.values().stream().allMatch(each -> !each.isReliable || each.acknowledged >= last)
+                && neighbors.stream().allMatch(each -> each.taken >= last);
     }
 
     /// Its reliable readers, each with how many samples it lacks.
@@ -97,7 +109,7 @@ public final class SampleWriter {
 
     /// Told once after a sample was refused, when another one may have room. Called while the participant is
     /// locked: be quick, and call nothing of it.
-    public void onRoom(Runnable listener) {
+    void onRoom(Runnable listener) {
         roomListener = listener;
     }
 
@@ -134,22 +146,14 @@ public final class SampleWriter {
     /// may come before its reader of replies is known here, which would miss the reply. Where it is refused
     /// even then, it is left out.
     void write(Reply reply, long now) {
-        boolean waits = !isReady(reply.to()) && hasRoom(reply);
-        if (waits
-                || write(reply.timestamp(), reply.inlineQos(), reply.payload(), now)
-                        .isEmpty()) {
-            held.add(new Held(reply, now + HELD_FOR));
+        boolean isDone = (isReady(reply.to()) || !held.hasRoom(reply)) && writeNow(reply, now);
+        if (!isDone && held.hasRoom(reply)) { // else it is lost, as is allowed for replies that nobody takes
+            held.add(reply, now);
         }
     }
 
-    private boolean hasRoom(Reply reply) {
-        GuidPrefix participant = reply.to().prefix();
-        int bytes = held.stream().mapToInt(each -> each.reply.payload().length).sum();
-        return bytes + reply.payload().length <= MOST_HELD_BYTES
-                && held.stream()
-                                .filter(each -> each.reply.to().prefix().equals(participant))
-                                .count()
-                        < MOST_HELD;
+    private boolean writeNow(Reply reply, long now) {
+        return write(reply.timestamp(), reply.inlineQos(), reply.payload(), now).isPresent();
     }
 
     /// Whether a client would get a reply: its reader, or all that its participant has, as far as they are known.
@@ -167,22 +171,8 @@ public final class SampleWriter {
         return !its.isEmpty() && its.stream().allMatch(each -> each.isReady);
     }
 
-    /// Writes replies that have waited long enough.
     private void release(long now) {
-        if (held.isEmpty()) { // which is usual, and this is called in each tick
-            return;
-        }
-        List<Held> released = held.stream()
-                .filter(each -> each.until <= now || isReady(each.reply.to()))
-                .toList();
-        for (Held each : released) {
-            Reply reply = each.reply;
-            boolean isWritten = write(reply.timestamp(), reply.inlineQos(), reply.payload(), now)
-                    .isPresent();
-            if (isWritten || each.until <= now) {
-                held.remove(each);
-            }
-        }
+        held.release(reply -> isReady(reply.to()), reply -> writeNow(reply, now), now);
     }
 
     /// @param key of which this replaces the sample before
@@ -200,31 +190,15 @@ public final class SampleWriter {
 
     private void write(KeptSample sample, long now) {
         last = sample.number();
-        neighbors.forEach(this::serve);
+        neighbors.forEach(Neighbor::deliver);
         if (!readers.isEmpty()) {
             send(sample, now);
         }
         settle();
     }
 
-    /// Hands a neighbor what it has not taken yet, as long as it takes more.
-    private void serve(Neighbor neighbor) {
-        Optional<KeptSample> next = history.after(neighbor.taken);
-        while (next.isPresent() && neighbor.reader.hasRoom()) {
-            neighbor.taken = next.get().number(); // before its listener writes another one
-            neighbor.reader.deliver(arrival(next.get()));
-            next = history.after(neighbor.taken);
-        }
-    }
-
-    /// A neighbor takes more.
-    void resume(SampleReader reader) {
-        neighbors.stream().filter(each -> each.reader == reader).forEach(this::serve);
-        settle();
-    }
-
     /// Forgets what all readers have, and says that there is room.
-    private void settle() {
+    void settle() {
         if (!history.keepsAll() || data.topic().isEmpty()) { // those of the built-in topics keep one for each key
             return;
         }
@@ -344,13 +318,21 @@ public final class SampleWriter {
             send(addressee);
             proxy.reported(now);
         }
+        settle(); // it may lack samples that all others have
     }
 
     void matchNeighbor(SampleReader reader) {
         boolean late = reader.data().qos().isLatched() && data.qos().isLatched();
         var neighbor = new Neighbor(reader, late ? 0 : last);
         neighbors.add(neighbor);
-        serve(neighbor);
+        reader.add(neighbor);
+        neighbor.deliver();
+        settle();
+    }
+
+    /// It writes no more, and what its neighbors have not taken is lost.
+    void close() {
+        neighbors.forEach(each -> each.reader.remove(each));
     }
 
     void unmatch(Guid reader) {
@@ -361,7 +343,7 @@ public final class SampleWriter {
 
     void unmatchAll(GuidPrefix participant) {
         readers.keySet().removeIf(each -> each.prefix().equals(participant));
-        held.removeIf(each -> each.reply.to().prefix().equals(participant));
+        held.forget(participant);
         settle();
     }
 
@@ -463,7 +445,7 @@ public final class SampleWriter {
 
     /// When there is next something to send [ns].
     long due() {
-        long due = held.isEmpty() ? Long.MAX_VALUE : held.getFirst().until;
+        long due = held.due();
         for (ReaderProxy reader : readers.values()) {
             due = Math.min(due, reader.streams.isEmpty() ? reader.heartbeatAt() : reader.paced + MILLISECOND);
         }

@@ -19,6 +19,7 @@ import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
+import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import java.util.random.RandomGenerator;
 import rsal.rtps.discovery.BuiltinEndpoint;
@@ -33,18 +34,27 @@ import rsal.rtps.wire.ParameterList;
 
 /// A [Participant] on UDP sockets, with a thread that receives.
 ///
-/// Safe for several threads. Listeners are called on its thread, and on threads that write for readers of the same
-/// participant.
+/// Safe for several threads. Listeners are called on its thread, and on threads that call its methods, such as
+/// [#write] and [#resume], always under its lock: hold no lock that your listener takes while you call it. A
+/// listener may write by another participant, if no listener of that one writes by this one.
 public final class UdpParticipant implements AutoCloseable {
     /// Which nobody else uses.
     public static final int VENDOR = 0x0152;
 
+    /// Most of a sample that one datagram has in networks [B]: with heads and inline QoS, it fits a packet of
+    /// Ethernet.
+    public static final int NETWORK_FRAGMENT = 1_216;
+
+    /// The same where all are on this machine [B].
+    public static final int LOCAL_FRAGMENT = 60_000;
+
     private static final Logger LOG = System.getLogger(UdpParticipant.class.getName());
     private static final int AT_ONCE = 64; // datagrams between two looks at the clock
-    private static final int LOCAL_FRAGMENT = 60_000; // B
-    private static final int NETWORK_FRAGMENT = 1_216; // B; with heads and inline QoS, it fits a packet of Ethernet
     private static final long MILLISECOND = 1_000_000; // ns
     private static final long FAREWELL = 500 * MILLISECOND;
+
+    /// Bound on threads that hold a participant's lock, as those do that call listeners.
+    private static final ScopedValue<Boolean> LOCKED = ScopedValue.newInstance();
 
     private final LongSupplier clock; // ns
     private final Sockets sockets;
@@ -112,18 +122,20 @@ public final class UdpParticipant implements AutoCloseable {
     /// @throws IOException when no port is free, or the address is not of this machine
     public UdpParticipant(Options options, LongSupplier clock, RandomGenerator random, GraphListener graph)
             throws IOException {
-        this(options, clock, random, graph, sockets -> sockets);
+        this(options, clock, random, graph, options.isLocal() ? LOCAL_FRAGMENT : NETWORK_FRAGMENT, sockets -> sockets);
     }
 
-    /// As the other one, with something between the protocol and its sockets, such as what loses some
-    /// datagrams.
+    /// As the other one, with fragments of another size, and something between the protocol and its sockets,
+    /// such as what loses some datagrams.
     ///
+    /// @param fragment most of a sample that one datagram has [B], 256 to 65,000
     /// @param link makes it; called for one datagram at a time
     public UdpParticipant(
             Options options,
             LongSupplier clock,
             RandomGenerator random,
             GraphListener graph,
+            int fragment,
             UnaryOperator<Transmitter> link)
             throws IOException {
         this.clock = clock;
@@ -145,26 +157,36 @@ public final class UdpParticipant implements AutoCloseable {
                 here,
                 options.name,
                 options.userData);
-        int fragment = isLocal ? LOCAL_FRAGMENT : NETWORK_FRAGMENT;
         participant =
                 new Participant(self, fragment, RtpsLimits.DEFAULT, link.apply(sockets), graph, clock.getAsLong());
         thread = Thread.ofPlatform().daemon().name("rtps").start(this::receive);
     }
 
     public SampleWriter createWriter(String topic, String type, Qos qos, String userData) {
-        synchronized (participant) {
+        return locked(() -> {
             SampleWriter writer = participant.createWriter(topic, type, qos, userData, clock.getAsLong());
             writer.onRoom(participant::notifyAll);
-            wakeUp();
             return writer;
-        }
+        });
     }
 
     public SampleReader createReader(String topic, String type, Qos qos, String userData, SampleListener listener) {
+        return locked(() -> participant.createReader(topic, type, qos, userData, listener, clock.getAsLong()));
+    }
+
+    /// Runs what may call listeners, or what is to be sent soon.
+    private <T> T locked(Supplier<T> action) {
         synchronized (participant) {
-            SampleReader reader = participant.createReader(topic, type, qos, userData, listener, clock.getAsLong());
+            T result = ScopedValue.where(LOCKED, true).call(action::get);
             wakeUp();
-            return reader;
+            return result;
+        }
+    }
+
+    private void locked(Runnable action) {
+        synchronized (participant) {
+            ScopedValue.where(LOCKED, true).run(action);
+            wakeUp();
         }
     }
 
@@ -176,7 +198,7 @@ public final class UdpParticipant implements AutoCloseable {
     }
 
     /// Writes a sample. A writer that keeps all and has no room waits for it, for [Qos#MAX_BLOCKING] at most;
-    /// on threads that call listeners of this participant it does not wait.
+    /// in a listener of any participant it does not wait, for what it waits for may have to be received there.
     ///
     /// @param timestamp when the sample is from [ns] since 1970
     /// @param inlineQos writes what goes beside the sample, without an end; at most 128 B
@@ -184,14 +206,13 @@ public final class UdpParticipant implements AutoCloseable {
     /// @return the number of the sample; empty when there was no room, and nothing is written
     public OptionalLong write(
             SampleWriter writer, long timestamp, Optional<Consumer<ParameterList.Writer>> inlineQos, byte[] payload) {
-        boolean mayWait = !Thread.holdsLock(participant); // else acknowledgments could not be received meanwhile
+        boolean mayWait = !LOCKED.isBound();
         synchronized (participant) {
             long end = clock.getAsLong() + Qos.MAX_BLOCKING;
-            OptionalLong number = participant.write(writer, timestamp, inlineQos, payload, clock.getAsLong());
-            while (number.isEmpty() && mayWait && awaitRoom(end)) {
-                number = participant.write(writer, timestamp, inlineQos, payload, clock.getAsLong());
-            }
-            wakeUp();
+            OptionalLong number;
+            do {
+                number = locked(() -> participant.write(writer, timestamp, inlineQos, payload, clock.getAsLong()));
+            } while (number.isEmpty() && mayWait && awaitRoom(end));
             return number;
         }
     }
@@ -210,19 +231,13 @@ public final class UdpParticipant implements AutoCloseable {
 
     /// The reader's listener has room again ([SampleListener#hasRoom]). Any thread may say so.
     public void resume(SampleReader reader) {
-        synchronized (participant) {
-            participant.resume(reader, clock.getAsLong());
-            wakeUp();
-        }
+        locked(() -> participant.resume(reader, clock.getAsLong()));
     }
 
     /// Writes a sample that one participant waits for, when a reader of it is there and ready; at most 5 s
     /// later.
     public void write(SampleWriter writer, Reply reply) {
-        synchronized (participant) {
-            participant.write(writer, reply, clock.getAsLong());
-            wakeUp();
-        }
+        locked(() -> participant.write(writer, reply, clock.getAsLong()));
     }
 
     /// Readers of other participants that take what a writer writes from now on.
@@ -247,17 +262,11 @@ public final class UdpParticipant implements AutoCloseable {
     }
 
     public void remove(SampleWriter writer) {
-        synchronized (participant) {
-            participant.remove(writer, clock.getAsLong());
-            wakeUp();
-        }
+        locked(() -> participant.remove(writer, clock.getAsLong()));
     }
 
     public void remove(SampleReader reader) {
-        synchronized (participant) {
-            participant.remove(reader, clock.getAsLong());
-            wakeUp();
-        }
+        locked(() -> participant.remove(reader, clock.getAsLong()));
     }
 
     /// How many readers a writer has.
@@ -302,7 +311,7 @@ public final class UdpParticipant implements AutoCloseable {
             try {
                 long sleep;
                 synchronized (participant) {
-                    sleepsUntil = participant.tick(clock.getAsLong());
+                    sleepsUntil = locked(() -> participant.tick(clock.getAsLong()));
                     sleep = sleepsUntil - clock.getAsLong();
                     reportSurplus();
                 }
@@ -347,9 +356,7 @@ public final class UdpParticipant implements AutoCloseable {
                 continue; // the group's socket hears other machines, too
             }
             buffer.flip();
-            synchronized (participant) {
-                participant.receive(buffer, from, clock.getAsLong());
-            }
+            locked(() -> participant.receive(buffer, from, clock.getAsLong()));
         }
     }
 

@@ -19,7 +19,7 @@ import rsal.rtps.wire.Submessage.Heartbeat;
 import rsal.rtps.wire.Submessage.NackFragments;
 
 /// A writer as one of our readers knows it: which of its samples have come (DDSI-RTPS 2.5, 8.4.10 and 8.4.12).
-final class WriterProxy {
+final class WriterProxy implements SampleReader.Source {
     private static final long MILLISECOND = 1_000_000; // ns
     private static final long BETWEEN_REQUESTS = 10 * MILLISECOND;
     private static final long FIRST_REQUEST = 100 * MILLISECOND; // doubled each time, until there is a heartbeat
@@ -39,10 +39,13 @@ final class WriterProxy {
     private long next = 1; // that is to be delivered
     private long floor = 1; // what is below it and has not come never comes
     private long last; // that is known to have been written
+    private long resumed = 1; // where it went on when it was found again
     private boolean isRefusing; // the receiver takes nothing for now
+    private boolean owesWord; // it refused, and has not told the writer since that it takes more
     private boolean isHeard; // by a heartbeat
     private int heartbeats; // count of the newest
     private int requests; // count of the newest; goes on when the writer is lost and found again
+    private int fragmentRequests; // as well
     private long requested = Long.MIN_VALUE / 2; // when [ns]
     private long due; // of the next request [ns]; [Timestamp#INFINITE] for none
     private long patience = FIRST_REQUEST; // ns
@@ -92,7 +95,39 @@ final class WriterProxy {
         this.budget = budget;
         this.receiver = receiver;
         due = isReliable ? now : Long.MAX_VALUE;
-        requests = (int) (now / MILLISECOND); // there are fewer of them than milliseconds
+        requests = count(now, BETWEEN_REQUESTS);
+        fragmentRequests = count(now, BETWEEN_REQUESTS / MOST_INCOMPLETE);
+    }
+
+    /// With which number counts begin, so that they are higher than those before, of which no more than one
+    /// came in each interval. For 62 days and more it does not start over.
+    private static int count(long now, long interval) {
+        return (int) (now / interval & Integer.MAX_VALUE);
+    }
+
+    boolean isReliable() {
+        return isReliable;
+    }
+
+    /// The number of the sample that is to be delivered next.
+    long next() {
+        return next;
+    }
+
+    /// It was lost and is found again: samples below that number have been delivered.
+    void goOn(long number) {
+        resumed = number;
+        next = number;
+        floor = number;
+        last = number - 1;
+    }
+
+    /// It has started again, with the same name.
+    private void startOver() {
+        close();
+        early.clear();
+        earlyBytes = 0;
+        goOn(1);
     }
 
     void receive(Arrival sample) {
@@ -121,14 +156,15 @@ final class WriterProxy {
 
     private boolean takes() {
         isRefusing = !receiver.hasRoom();
+        owesWord |= isRefusing;
         return !isRefusing;
     }
 
-    /// The receiver takes samples again.
+    /// The receiver takes samples again, as it is asked for next.
     void resume(long now) {
-        if (isRefusing) {
+        if (owesWord) {
+            owesWord = false;
             isRefusing = false;
-            drain();
             due = Math.min(due, Math.max(now, requested + BETWEEN_REQUESTS)); // to acknowledge, and to ask for more
         }
     }
@@ -141,30 +177,33 @@ final class WriterProxy {
 
     /// Delivers those that waited for one before them, or for the receiver.
     private void drain() {
+        while (deliverNext()) {
+            // and the next one
+        }
+    }
+
+    @Override
+    public boolean deliverNext() {
         while (!early.isEmpty() || next < floor) {
             long first = early.isEmpty() ? floor : early.firstKey();
             if (first > next) {
                 if (next >= floor) {
-                    return;
+                    return false;
                 }
                 next = Math.min(first, floor);
             } else if (first < next || early.firstEntry().getValue().isGap || takes()) {
                 Arrival sample = early.pollFirstEntry().getValue();
                 earlyBytes -= sample.payload.remaining();
-                if (first == next) {
-                    next++;
-                    deliver(sample);
+                next = Math.max(next, first + 1);
+                if (first == next - 1 && !sample.isGap) {
+                    receiver.accept(sample);
+                    return true;
                 }
             } else {
-                return;
+                return false;
             }
         }
-    }
-
-    private void deliver(Arrival sample) {
-        if (!sample.isGap) {
-            receiver.accept(sample);
-        }
+        return false;
     }
 
     void receive(DataFragments part, long timestamp, long now) {
@@ -223,12 +262,20 @@ final class WriterProxy {
         if (!isReliable || (isHeard && heartbeat.count() - heartbeats <= 0)) {
             return;
         }
+        if (!isHeard && heartbeat.last() < resumed - 1) {
+            startOver();
+        }
         heartbeats = heartbeat.count();
         isHeard = true;
+        boolean takesMore = owesWord && takes();
+        if (takesMore) {
+            owesWord = false;
+            drain();
+        }
         due = Long.MAX_VALUE;
         last = Math.max(last, heartbeat.last());
         skip(heartbeat.first());
-        if (!heartbeat.isFinal() || next <= last) {
+        if (!heartbeat.isFinal() || next <= last || takesMore) {
             due = Math.max(now, requested + BETWEEN_REQUESTS);
         }
     }
@@ -246,10 +293,8 @@ final class WriterProxy {
         if (!isReliable) {
             return;
         }
-        if (gap.start() <= next && gap.more().base() > next && !early.containsKey(next)) {
-            next = gap.more().base();
-            incomplete.headMap(next).keySet().stream().toList().forEach(this::drop);
-            drain();
+        if (gap.start() <= next) {
+            skip(gap.more().base());
         } else {
             LongStream.range(gap.start(), gap.more().base())
                     .limit(budget.limits().early())
@@ -313,7 +358,7 @@ final class WriterProxy {
         if (!isRefusing) {
             incomplete.forEach((number, assembly) -> missing(assembly)
                     .ifPresent(fragments -> messages.nackFragments(
-                            new NackFragments(reader, guid.entity(), number, fragments, requests))));
+                            new NackFragments(reader, guid.entity(), number, fragments, ++fragmentRequests))));
         }
         addressee.addresses().forEach(address -> network.send(messages.message(), address));
     }

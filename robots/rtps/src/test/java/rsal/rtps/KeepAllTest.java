@@ -6,15 +6,24 @@ import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Deque;
 import java.util.List;
+import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.rtps.SimulatedNetwork.Node;
 import rsal.rtps.discovery.Qos;
+import rsal.rtps.wire.EntityId;
+import rsal.rtps.wire.Guid;
+import rsal.rtps.wire.GuidPrefix;
+import rsal.rtps.wire.NumberSet;
+import rsal.rtps.wire.Submessage.AckNack;
+import rsal.rtps.wire.Submessage.Content;
 import rsal.testkit.Rounds;
 
 /// Writers that keep all until their readers have it, and readers that refuse what they have no room for.
@@ -317,5 +326,155 @@ class KeepAllTest {
         long before = network.sent();
         network.run(Duration.ofSeconds(30));
         assertThat(network.sent() - before).isLessThan(2 * 2 * 21 + 2 * 70); // announcements, two heartbeats a second
+    }
+
+    /// What is written at once to a reader that acknowledges nothing takes little memory: the newest arrive.
+    @Test
+    void whatReadersOfBestEffortHaveNotBeenSentIsBounded() {
+        var network = new SimulatedNetwork(10, 0);
+        Node talker = join(network, LEASE);
+        Node listener = join(network, LEASE);
+        var store = new Store(1_000);
+        SampleReader reader =
+                listener.participant.createReader("rt/chatter", TYPE, Qos.SENSOR_DATA, "", store, network.now());
+        SampleWriter writer = writer(talker, network, ALL);
+        waitFor(writer, reader, network);
+        for (int i = 0; i < 500; i++) {
+            assertThat(talker.write(writer, sample(i, 20_000))).isTrue();
+        }
+        network.run(Duration.ofSeconds(2));
+        assertThat(store.waiting).hasSizeLessThan(70).startsWith(0).endsWith(499);
+    }
+
+    @Test
+    void whatAReaderHasIsNotSentToItAnyMore() {
+        var addressee = new Addressee(new GuidPrefix(1, 1), List.of());
+        var proxy = new ReaderProxy(new Guid(addressee.prefix(), EntityId.reader(1)), addressee, true, 0, 0);
+        for (int i = 1; i <= 3; i++) {
+            var kept = new KeptSample(i, 0, Optional.empty(), Content.DATA, sample(i, 5_000));
+            proxy.stream(kept).fragments().set(0, 4);
+        }
+        var answer = new AckNack(proxy.guid.entity(), EntityId.writer(2), NumberSet.empty(3), 1, true);
+        assertThat(proxy.answered(answer, 3, 0)).isTrue();
+        assertThat(proxy.streams).extracting(each -> each.sample().number()).containsExactly(3L);
+    }
+
+    /// It lacks what all others have.
+    @Test
+    void aLatchedWriterWaitsForALateReader() {
+        var network = new SimulatedNetwork(11, 0);
+        Node talker = join(network, LEASE);
+        SampleWriter writer = writer(talker, network, ALL.latched());
+        for (int i = 0; i < ROOM; i++) {
+            assertThat(talker.write(writer, sample(i, 100))).isTrue();
+        }
+        Node listener = join(network, LEASE);
+        var store = new Store(0);
+        listener.participant.createReader("rt/chatter", TYPE, ALL.latched(), "", store, network.now());
+        while (writer.matched() == 0) {
+            network.run(Duration.ofNanos(SimulatedNetwork.MILLISECOND / 50));
+        }
+        assertThat(talker.write(writer, sample(ROOM, 100))).isFalse();
+    }
+
+    @Test
+    void aLatchedWriterWaitsForALateNeighbor() {
+        var network = new SimulatedNetwork(12, 0);
+        Node node = join(network, LEASE);
+        SampleWriter writer = writer(node, network, ALL.latched());
+        for (int i = 0; i < ROOM; i++) {
+            assertThat(node.write(writer, sample(i, 100))).isTrue();
+        }
+        node.participant.createReader("rt/chatter", TYPE, ALL.latched(), "", new Store(0), network.now());
+        assertThat(node.write(writer, sample(ROOM, 100))).isFalse();
+    }
+
+    @Test
+    void aWriterThatLeavesWaitsForNeighbors() {
+        var network = new SimulatedNetwork(13, 0);
+        Node node = join(network, LEASE);
+        var store = new Store(1);
+        SampleReader reader = reader(node, network, store);
+        SampleWriter writer = writer(node, network, ALL);
+        for (int i = 0; i < 3; i++) {
+            assertThat(node.write(writer, sample(i, 100))).isTrue();
+        }
+        assertThat(writer.isAcknowledged()).isFalse();
+        node.participant.remove(writer, network.now());
+        for (int i = 0; i < 3; i++) {
+            network.run(Duration.ofMillis(100));
+            store.take(node, reader, network.now());
+        }
+        assertThat(store.taken).isEqualTo(numbers(3));
+        assertThat(writer.isAcknowledged()).isTrue();
+    }
+
+    /// A client that takes nothing costs what it may have waiting, and no more.
+    @Test
+    void repliesThatNobodyTakesAreBounded() {
+        var network = new SimulatedNetwork(14, 0);
+        Node server = join(network, LEASE);
+        Node client = join(network, LEASE);
+        var store = new Store(2);
+        SampleReader reader = reader(client, network, store);
+        SampleWriter writer = writer(server, network, ALL);
+        waitFor(writer, reader, network);
+        for (int i = 0; i < COUNT; i++) {
+            var reply = new Reply(reader.data().guid(), 0, Optional.empty(), sample(i, 100));
+            server.participant.write(writer, reply, network.now());
+            network.run(Duration.ofMillis(1));
+        }
+        for (int i = 0; i < COUNT; i++) {
+            store.take(client, reader, network.now());
+            network.run(Duration.ofMillis(5));
+        }
+        assertThat(store.taken).isEqualTo(numbers(ROOM + 2 + 16));
+    }
+
+    /// Two writers, of other participants or the same one, and a reader that takes one sample after the other.
+    @ParameterizedTest
+    @CsvSource({"false, false", "false, true", "true, false", "true, true"})
+    void writersTakeTurns(boolean firstIsNeighbor, boolean secondIsNeighbor) {
+        var network = new SimulatedNetwork(15, 0);
+        Node listener = join(network, LEASE);
+        Node first = firstIsNeighbor ? listener : join(network, LEASE);
+        Node second = secondIsNeighbor ? listener : join(network, LEASE);
+        var store = new Store(1);
+        SampleReader reader = reader(listener, network, store);
+        SampleWriter one = writer(first, network, ALL);
+        SampleWriter two = writer(second, network, ALL);
+        network.run(SOON);
+        for (int i = 0; i < COUNT; i++) {
+            while (first.write(one, sample(1, 100))) {
+                network.run(Duration.ofMillis(1));
+            }
+            while (second.write(two, sample(2, 100))) {
+                network.run(Duration.ofMillis(1));
+            }
+            store.take(listener, reader, network.now());
+            network.run(Duration.ofMillis(5));
+        }
+        assertThat(Collections.frequency(store.taken, 1)).isBetween(90, 110);
+        assertThat(Collections.frequency(store.taken, 2)).isBetween(90, 110);
+    }
+
+    /// It has room again, and does not say so.
+    @Test
+    void aReaderThatDoesNotSayThatItHasRoomGetsMoreSoon() {
+        var network = new SimulatedNetwork(16, 0);
+        Node talker = join(network, LEASE);
+        Node listener = join(network, LEASE);
+        var store = new Store(2);
+        SampleReader reader = reader(listener, network, store);
+        SampleWriter writer = writer(talker, network, ALL);
+        waitFor(writer, reader, network);
+        for (int i = 0; i < 4; i++) {
+            talker.write(writer, sample(i, 100));
+        }
+        network.run(SOON);
+        assertThat(store.waiting).containsExactly(0, 1);
+        store.waiting.clear();
+        network.run(Duration.ofSeconds(1));
+        assertThat(store.waiting).containsExactly(2, 3);
     }
 }

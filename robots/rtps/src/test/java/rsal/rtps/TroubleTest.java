@@ -7,6 +7,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import rsal.rtps.SimulatedNetwork.Node;
 import rsal.rtps.discovery.Qos;
@@ -217,6 +218,28 @@ class TroubleTest {
         assertThat(reader.matched()).isEqualTo(1);
         talker.write(writer, sample(100, 100));
         network.run(SOON);
-        assertThat(heard).contains(100);
+        assertThat(heard).isEqualTo(IntStream.rangeClosed(0, 100).boxed().toList());
+    }
+
+    /// The same where the writer keeps all: what was written meanwhile comes, and nothing twice.
+    @Test
+    void samplesOfAnOutageFollowThoseBeforeIt() {
+        var network = new SimulatedNetwork(8, 0.1);
+        Node watcher = network.join();
+        Node talker = network.join(RtpsLimits.DEFAULT, GraphListener.NONE, Duration.ofSeconds(10));
+        SampleReader reader = reader(watcher, network);
+        SampleWriter writer = writer(talker, network);
+        network.run(Duration.ofSeconds(2));
+        for (int i = 0; i < 300; i++) {
+            if (i == 100) {
+                talker.mute(true);
+            }
+            talker.write(writer, sample(i, 100));
+            network.run(Duration.ofMillis(100));
+        }
+        assertThat(reader.matched()).isZero();
+        talker.mute(false);
+        network.run(Duration.ofSeconds(5));
+        assertThat(heard).isEqualTo(IntStream.range(0, 300).boxed().toList());
     }
 }

@@ -4,10 +4,13 @@ import java.net.InetAddress;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import rsal.rtps.UdpParticipant;
 import rsal.system.Diagnosis.Finding;
 
-/// Which of the machines that are to be searched can be reached, and by which address of this one.
+/// Which of the machines that are to be searched have a route, and at which address of this one it begins.
+/// Whether anybody is there is not known: nothing is sent.
 final class RouteFindings {
     private RouteFindings() {}
 
@@ -20,22 +23,29 @@ final class RouteFindings {
 
     private static Finding of(InetAddress peer, UdpParticipant.Options options, Optional<InetAddress> route) {
         String there = peer.getHostAddress();
-        if (route.isEmpty()) {
+        if (peer.isLoopbackAddress()) {
+            return new Finding("peer", true, "%s is this machine".formatted(there), "");
+        }
+        Optional<InetAddress> begin = route.filter(address -> !address.isAnyLocalAddress());
+        if (begin.isEmpty()) {
             return new Finding(
                     "peer",
                     false,
                     "%s can't be reached: no network of this machine leads there".formatted(there),
                     "Connect this machine to that network, or correct 'peers'.");
         }
-        String here = route.get().getHostAddress();
-        if (!options.addresses().contains(route.get())) {
+        String here = begin.get().getHostAddress();
+        List<InetAddress> ours = options.addresses();
+        if (!ours.contains(begin.get())) {
+            String all = Stream.concat(ours.stream(), begin.stream())
+                    .map(InetAddress::getHostAddress)
+                    .collect(Collectors.joining(","));
             return new Finding(
                     "peer",
                     false,
-                    "%s is reached by the address %s, not by %s"
-                            .formatted(there, here, Ros2Diagnosis.words(options.addresses())),
-                    "Add it: --set address=%s".formatted(here));
+                    "the route to %s begins at %s, not at %s".formatted(there, here, Ros2Diagnosis.words(ours)),
+                    "Add that address: --set address=%s".formatted(all));
         }
-        return new Finding("peer", true, "%s is reached by the address %s".formatted(there, here), "");
+        return new Finding("peer", true, "the route to %s begins at %s; nothing was sent".formatted(there, here), "");
     }
 }

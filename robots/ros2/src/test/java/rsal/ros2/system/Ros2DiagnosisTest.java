@@ -125,11 +125,31 @@ class Ros2DiagnosisTest {
                 0, List.of(lab), List.of(robot, far, other), Duration.ofSeconds(20), "doctor", "");
         List<Finding> findings = RouteFindings.of(options, peer -> Optional.ofNullable(routes.get(peer)));
         assertThat(findings).extracting(Finding::ok).containsExactly(true, false, false);
-        assertThat(findings.get(0).found()).contains("10.1.0.7", "10.1.0.5");
+        assertThat(findings.get(0).found()).contains("10.1.0.7", "10.1.0.5", "nothing was sent");
         assertThat(findings.get(1).found()).contains("192.168.77.3", "can't be reached");
         assertThat(findings.get(1).remedy()).contains("'peers'");
         assertThat(findings.get(2).found()).contains("172.16.0.9", "172.16.0.2", "10.1.0.5");
-        assertThat(findings.get(2).remedy()).contains("--set address=172.16.0.2");
+        assertThat(findings.get(2).remedy()).endsWith("--set address=10.1.0.5,172.16.0.2");
+    }
+
+    @Test
+    void programsOnThisMachineNeedNoAddressInOthersNetworks() throws IOException {
+        InetAddress lab = InetAddress.getByName("10.1.0.5"); // of this machine
+        InetAddress here = InetAddress.getLoopbackAddress();
+        var options = new UdpParticipant.Options(0, List.of(lab), List.of(here), Duration.ofSeconds(20), "doctor", "");
+        assertThat(RouteFindings.of(options, Optional::of)).singleElement().matches(Finding::ok);
+    }
+
+    /// As some systems say.
+    @Test
+    void aRouteThatBeginsAtNoAddressIsNone() throws IOException {
+        InetAddress any = InetAddress.getByName("0.0.0.0");
+        InetAddress far = InetAddress.getByName("192.168.77.3");
+        var options = new UdpParticipant.Options(
+                0, List.of(InetAddress.getByName("10.1.0.5")), List.of(far), Duration.ofSeconds(20), "doctor", "");
+        List<Finding> findings = RouteFindings.of(options, _ -> Optional.of(any));
+        assertThat(findings).singleElement().matches(each -> !each.ok());
+        assertThat(findings.getFirst().found()).contains("can't be reached");
     }
 
     @Test

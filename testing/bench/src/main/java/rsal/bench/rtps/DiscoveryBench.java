@@ -20,19 +20,20 @@ import rsal.time.AllowedToReadWallClock;
 ///
 /// `found`: a hundred participants of this process join one after the other, each with a writer and a reader
 /// of the same topic; until every writer has all readers and every reader all writers, from before the first
-/// one joined. `crashed.lost`: from when a participant with a lease of 3 s sends nothing more until another
-/// one has lost it. `crashed.back`: from when it is started again until the other one hears a sample of it.
-/// `cut.back`: the same from when its broken cable is mended.
+/// one joined. `silent.lost`: from the last announcement of a participant with a lease of 3 s, which sends
+/// nothing more, until another one has lost it. `started.heard`: from before a participant is started until
+/// the other one, which is there, hears a sample of it. `mute.heard`: from when one sends again that could not
+/// send, but heard the other one, for longer than its lease, until a sample of it is heard.
 @AllowedToReadWallClock("Benchmarks measure real time.")
 public final class DiscoveryBench implements Bench {
     private static final String TYPE = "rsal::bench::dds_::Sample_";
     private static final Qos QOS = Qos.DEFAULT;
-    private static final String LOST = "ros2.crashed.lost";
-    private static final String BACK = "ros2.crashed.back";
-    private static final String CUT = "ros2.cut.back";
+    private static final String LOST = "ros2.silent.lost";
+    private static final String STARTED = "ros2.started.heard";
+    private static final String MUTE = "ros2.mute.heard";
     private static final double GOAL_FOUND = 3; // s
     private static final double GOAL_LATE = 0.5; // s beyond the lease
-    private static final double GOAL_BACK = 2; // s
+    private static final double GOAL_HEARD = 2; // s
     private static final Duration AGAIN = Duration.ofMillis(5); // between samples
     private static final byte[] PAYLOAD = {0, 1, 0, 0, 0, 0, 0, 0};
 
@@ -54,7 +55,7 @@ public final class DiscoveryBench implements Bench {
 
     @Override
     public List<String> names() {
-        return List.of(found(), LOST, BACK, CUT);
+        return List.of(found(), LOST, STARTED, MUTE);
     }
 
     @Override
@@ -68,7 +69,7 @@ public final class DiscoveryBench implements Bench {
             }
             assignment.report(Result.less(found(), "s", found).toReach(GOAL_FOUND));
         }
-        if (assignment.wantsAny(List.of(LOST, BACK, CUT))) {
+        if (assignment.wantsAny(List.of(LOST, STARTED, MUTE))) {
             var absences = new ArrayList<Absence>();
             for (int i = 0; i < repeats; i++) {
                 assignment.reach(LOST, i, repeats);
@@ -82,17 +83,19 @@ public final class DiscoveryBench implements Bench {
                                     absences.stream().mapToDouble(Absence::lost).toArray())
                             .toReach(least),
                     Result.less(
-                                    BACK,
+                                    STARTED,
                                     "s",
-                                    absences.stream().mapToDouble(Absence::back).toArray())
-                            .toReach(GOAL_BACK),
+                                    absences.stream()
+                                            .mapToDouble(Absence::started)
+                                            .toArray())
+                            .toReach(GOAL_HEARD),
                     Result.less(
-                                    CUT,
+                                    MUTE,
                                     "s",
                                     absences.stream()
                                             .mapToDouble(Absence::mended)
                                             .toArray())
-                            .toReach(GOAL_BACK));
+                            .toReach(GOAL_HEARD));
         }
     }
 
@@ -121,9 +124,9 @@ public final class DiscoveryBench implements Bench {
     }
 
     /// @param lost [s]
-    /// @param back [s]
+    /// @param started [s]
     /// @param mended [s]
-    private record Absence(double lost, double back, double mended) {}
+    private record Absence(double lost, double started, double mended) {}
 
     private Absence absence(int seed) {
         var heard = new AtomicInteger();
@@ -135,18 +138,19 @@ public final class DiscoveryBench implements Bench {
                 writeUntilHeard(robot, scans(robot), heard);
                 pause(random);
                 robot.cut(true);
-                lost = LoopbackPeer.await("nobody lost who crashed", () -> reader.matched() == 0);
+                LoopbackPeer.await("nobody lost who fell silent", () -> reader.matched() == 0);
+                lost = (System.nanoTime() - robot.announced()) * 1e-9;
             }
             long begun = System.nanoTime();
             try (LoopbackPeer robot = robot()) {
                 SampleWriter scans = scans(robot);
                 writeUntilHeard(robot, scans, heard);
-                double back = (System.nanoTime() - begun) * 1e-9;
+                double started = (System.nanoTime() - begun) * 1e-9;
                 robot.cut(true);
-                LoopbackPeer.await("nobody lost who was cut off", () -> reader.matched() == 0);
+                LoopbackPeer.await("nobody lost who was mute", () -> reader.matched() == 0);
                 pause(random);
                 robot.cut(false);
-                return new Absence(lost, back, writeUntilHeard(robot, scans, heard));
+                return new Absence(lost, started, writeUntilHeard(robot, scans, heard));
             }
         }
     }

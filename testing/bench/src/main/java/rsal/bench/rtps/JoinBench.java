@@ -66,9 +66,10 @@ public final class JoinBench implements Bench {
             assignment.reach(GROWTH, i, count);
             try (LoopbackPeer robot = LoopbackPeer.join(0, new SplittableRandom(i), LEASE, GraphListener.NONE)) {
                 SampleWriter scans = robot.writer("rt/scan", TYPE, Qos.DEFAULT);
-                robot.reader("rt/cmd_vel", TYPE, Qos.DEFAULT, _ -> {});
+                SampleReader commands = robot.reader("rt/cmd_vel", TYPE, Qos.DEFAULT, _ -> {});
                 LoopbackPeer.await(
-                        "one that joined was not found", () -> robot.ready(scans) == 1 && stays.ready(writer) > 0);
+                        "one that joined was not found",
+                        () -> robot.ready(scans) == 1 && stays.reaches(writer, commands));
                 if (i % SILENT == 0) {
                     robot.cut(true);
                 } else {

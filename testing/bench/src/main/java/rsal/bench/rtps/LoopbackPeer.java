@@ -22,7 +22,7 @@ import rsal.time.AllowedToReadWallClock;
 @AllowedToReadWallClock("Benchmarks measure real time.")
 final class LoopbackPeer implements AutoCloseable {
     static final Duration LEASE = Duration.ofSeconds(20);
-    private static final int DOMAIN = 94; // where nobody else should be
+    private static final int DOMAIN = 1 + (int) (ProcessHandle.current().pid() % 100); // no other run's
     private static final Duration GLANCE = Duration.ofNanos(200_000);
 
     private final UdpParticipant participant;
@@ -37,14 +37,25 @@ final class LoopbackPeer implements AutoCloseable {
     /// @param random which ones
     /// @param lease after which others take it for gone that hear nothing of it
     static LoopbackPeer join(double loss, RandomGenerator random, Duration lease, GraphListener graph) {
+        return join(loss, random, lease, UdpParticipant.LOCAL_FRAGMENT, graph);
+    }
+
+    /// One that loses datagrams as long as those of a network.
+    static LoopbackPeer inNetwork(double loss, RandomGenerator random) {
+        return join(loss, random, LEASE, UdpParticipant.NETWORK_FRAGMENT, GraphListener.NONE);
+    }
+
+    private static LoopbackPeer join(
+            double loss, RandomGenerator random, Duration lease, int fragment, GraphListener graph) {
         List<InetAddress> here = List.of(InetAddress.getLoopbackAddress());
         var options = new UdpParticipant.Options(DOMAIN, here, List.of(), lease, "bench", "");
         var link = new AtomicReference<LossyLink>();
         try {
-            var participant = new UdpParticipant(options, System::nanoTime, new SecureRandom(), graph, sockets -> {
-                link.set(new LossyLink(sockets, loss, random));
-                return link.get();
-            });
+            var participant =
+                    new UdpParticipant(options, System::nanoTime, new SecureRandom(), graph, fragment, sockets -> {
+                        link.set(new LossyLink(sockets, loss, random));
+                        return link.get();
+                    });
             return new LoopbackPeer(participant, link.get());
         } catch (IOException e) {
             throw new UncheckedIOException("A participant can't be on the loopback network.", e);
@@ -78,7 +89,17 @@ final class LoopbackPeer implements AutoCloseable {
         return participant.readers(writer).size();
     }
 
-    /// Sends nothing more, as after a crash or with a broken cable; or sends again.
+    /// Whether that reader takes what the writer writes from now on.
+    boolean reaches(SampleWriter writer, SampleReader theirs) {
+        return participant.readers(writer).contains(theirs.data().guid());
+    }
+
+    /// When it last announced itself [ns].
+    long announced() {
+        return link.announced();
+    }
+
+    /// Sends nothing more, as after a crash or where others can't be reached, but still hears; or sends again.
     void cut(boolean is) {
         link.cut(is);
     }

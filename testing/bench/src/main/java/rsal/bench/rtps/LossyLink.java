@@ -4,13 +4,16 @@ import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.util.random.RandomGenerator;
 import rsal.rtps.Transmitter;
+import rsal.time.AllowedToReadWallClock;
 
 /// Loses some of the datagrams that a participant sends, or all from some time on.
+@AllowedToReadWallClock("Benchmarks measure real time.")
 final class LossyLink implements Transmitter {
     private final Transmitter sockets;
     private final double loss;
     private final RandomGenerator random;
     private volatile boolean isCut;
+    private volatile long announced = System.nanoTime(); // when it last said that it is there [ns]
 
     /// @param loss share of datagrams that get lost
     LossyLink(Transmitter sockets, double loss, RandomGenerator random) {
@@ -22,6 +25,11 @@ final class LossyLink implements Transmitter {
     /// Loses all from now on, or no more than before.
     void cut(boolean is) {
         isCut = is;
+    }
+
+    /// When it last said to all that it is there, and that was not lost [ns].
+    long announced() {
+        return announced;
     }
 
     private boolean isLost() {
@@ -38,6 +46,7 @@ final class LossyLink implements Transmitter {
     @Override
     public void announce(ByteBuffer datagram) {
         if (!isLost()) {
+            announced = System.nanoTime();
             sockets.announce(datagram);
         }
     }

@@ -19,12 +19,12 @@ import rsal.ros2.message.MapMessage;
 import rsal.ros2.message.RosMessages;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeLibrary;
-import rsal.rtps.GraphListener;
 import rsal.rtps.SampleWriter;
 import rsal.rtps.discovery.Qos;
 
 /// A map of 4,000 × 4,000 cells as `nav_msgs/OccupancyGrid`, from writing it until the other participant has
-/// read it: without loss, and where each participant loses one of ten datagrams that it sends.
+/// read it: without loss, in long datagrams as between programs of one machine, and where each participant loses
+/// one of ten datagrams that it sends, which are as short as in a network.
 public final class MapBench implements Bench {
     private static final String WHOLE = "ros2.map.seconds";
     private static final String LOSSY = "ros2.map.loss10.seconds";
@@ -76,8 +76,8 @@ public final class MapBench implements Bench {
         }
         var map = new OccupancyGrid(side, side, 0.05, 0, 0, cells);
         var read = new CompletableFuture<OccupancyGrid>();
-        try (LoopbackPeer server = LoopbackPeer.join(loss, random.split(), LoopbackPeer.LEASE, GraphListener.NONE);
-                LoopbackPeer robot = LoopbackPeer.join(loss, random.split(), LoopbackPeer.LEASE, GraphListener.NONE)) {
+        try (LoopbackPeer server = join(loss, random);
+                LoopbackPeer robot = join(loss, random)) {
             robot.reader(
                     "rt/map",
                     DDS_TYPE,
@@ -95,6 +95,10 @@ public final class MapBench implements Bench {
             }
             return seconds;
         }
+    }
+
+    private static LoopbackPeer join(double loss, SplittableRandom random) {
+        return loss > 0 ? LoopbackPeer.inNetwork(loss, random.split()) : LoopbackPeer.join();
     }
 
     private Optional<OccupancyGrid> read(ByteBuffer payload) {

@@ -5,7 +5,7 @@ import java.io.UncheckedIOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
-import java.nio.channels.AsynchronousCloseException;
+import java.nio.channels.ClosedChannelException;
 import java.nio.channels.DatagramChannel;
 import java.time.Instant;
 import java.util.Arrays;
@@ -142,17 +142,30 @@ public final class TripBench implements Bench {
             one.connect(other.getLocalAddress());
             other.connect(one.getLocalAddress());
             Thread.ofPlatform().daemon().name("echo").start(() -> echo(other, scan.duplicate()));
-            var buffer = ByteBuffer.allocateDirect(scan.capacity());
-            for (int i = 0; i < times.length; i++) {
-                long begun = System.nanoTime();
-                one.write(scan.duplicate());
-                one.read(buffer.clear());
-                times[i] = System.nanoTime() - begun;
-            }
+            var done = new CompletableFuture<Boolean>();
+            Thread.ofPlatform().daemon().name("trips").start(() -> travel(one, scan, times, done));
+            LoopbackPeer.await("a datagram was lost", done::isDone);
+            done.join(); // or what has failed
         } catch (IOException e) {
             throw new UncheckedIOException("Two sockets of the loopback network can't be connected.", e);
         }
         return times;
+    }
+
+    private static void travel(
+            DatagramChannel channel, ByteBuffer scan, long[] times, CompletableFuture<Boolean> done) {
+        var buffer = ByteBuffer.allocateDirect(scan.capacity());
+        try {
+            for (int i = 0; i < times.length; i++) {
+                long begun = System.nanoTime();
+                channel.write(scan.duplicate());
+                channel.read(buffer.clear());
+                times[i] = System.nanoTime() - begun;
+            }
+            done.complete(true);
+        } catch (IOException e) {
+            done.completeExceptionally(e);
+        }
     }
 
     private static void echo(DatagramChannel channel, ByteBuffer scan) {
@@ -162,7 +175,7 @@ public final class TripBench implements Bench {
                 channel.read(buffer.clear());
                 channel.write(scan.duplicate());
             }
-        } catch (AsynchronousCloseException e) {
+        } catch (ClosedChannelException e) {
             // the trips are over
         } catch (IOException e) {
             throw new UncheckedIOException("A socket of the loopback network failed.", e);
