@@ -186,6 +186,20 @@ class PacedRunTest {
         assertThat(time()).isEqualTo(then.plus(run.plan().step().multipliedBy(4)));
     }
 
+    /// It may be the one that pauses the run, and waits for the answer before it goes on itself.
+    @Test
+    void aPausedRunDoesNotWaitForTheProgram() throws Exception {
+        allowed = GRAIN.multipliedBy(3).toNanos();
+        awaitTime(GRAIN.multipliedBy(3));
+        var standing = new CompletableFuture<Void>();
+        control.execute(() -> control.pause().thenAccept(standing::complete));
+        await(standing);
+        assertThat(isBetweenSteps(time())).isTrue();
+        Duration then = time();
+        pauseFor(50);
+        assertThat(time()).isEqualTo(then);
+    }
+
     private boolean isBetweenSteps(Duration time) {
         return time.toNanos() % run.plan().step().toNanos() == 0;
     }
