@@ -14,6 +14,7 @@ import rsal.ros2.link.RosNetwork;
 import rsal.ros2.message.RosMessages;
 import rsal.system.Bridge;
 import rsal.system.BridgeContext;
+import rsal.system.CommandTimeout;
 import rsal.system.ExportedDevice;
 import rsal.time.Phase;
 import rsal.time.Scheduler;
@@ -34,6 +35,8 @@ final class Ros2Bridge implements Bridge {
     private final RosMessages messages = new RosMessages();
     private final Map<String, Joined> robots = new LinkedHashMap<>(); // by id
     private final ClockFollowers clock;
+    private final CommandTimeout timeout; // by a clock of all robots
+    private final CommandClock commandClock;
     private final Task ticking;
     private final Executor requests; // are answered there
     private final PublishedHealth health;
@@ -61,6 +64,8 @@ final class Ros2Bridge implements Bridge {
         this.context = context;
         this.port = port;
         time = new PublishedTime(scheduler);
+        commandClock = new CommandClock(context.timeout().nanos(), scheduler);
+        timeout = new CommandTimeout(context.timeout().limit(), commandClock::now);
         clock = new ClockFollowers(
                 link,
                 context.isPaced(),
@@ -105,7 +110,9 @@ final class Ros2Bridge implements Bridge {
 
     @Override
     public Pace pace() {
-        return clock.pace();
+        Pace pace = clock.pace();
+        commandClock.follow(pace);
+        return pace;
     }
 
     @Override
@@ -128,7 +135,7 @@ final class Ros2Bridge implements Bridge {
         return new Joined(
                 robot,
                 node,
-                new PublishedRobot(robot, context, parameters, node, port, requests, time),
+                new PublishedRobot(robot, context.map(), timeout, parameters, node, port, requests, time),
                 new PublishedModel(robot, node, namespace, time),
                 truth.filter(tracked -> tracked.pose(robot.id()).isPresent())
                         .map(tracked -> new PublishedTruth(robot.id(), tracked, node, namespace, time)));
