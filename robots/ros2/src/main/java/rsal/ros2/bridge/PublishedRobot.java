@@ -52,6 +52,7 @@ final class PublishedRobot {
     private final String namespace;
     private final List<ExportedDevice> offers = new ArrayList<>();
     private final List<Runnable> ends = new ArrayList<>();
+    private final List<Runnable> aborts = new ArrayList<>(); // of goals
     private final CommandTimeout timeout;
     private final CommandWatch watch;
     private Optional<Twist2d> wanted = Optional.empty();
@@ -175,7 +176,14 @@ final class PublishedRobot {
 
     private void add(GoalServers.Served served) {
         offer(served.device(), served.name());
+        aborts.add(served.abort());
         ends.add(served.close());
+    }
+
+    /// The simulation is stopped: nothing that was commanded holds any more.
+    void halt() {
+        aborts.forEach(Runnable::run);
+        stop();
     }
 
     private void stop() {

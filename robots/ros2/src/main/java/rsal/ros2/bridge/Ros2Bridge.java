@@ -78,7 +78,7 @@ final class Ros2Bridge implements Bridge {
         truth = context.simulation().map(world -> new TruthTracker(world, scheduler));
         simulation = truth.flatMap(tracked -> context.control()
                 .map(control -> new SimulationServer(
-                        context.simulation().orElseThrow(), control, tracked, this::robot, this::restart, link, time)));
+                        context.simulation().orElseThrow(), control, tracked, this::robot, this::restart, this::halt, link, time)));
         link.together(() -> context.robots().forEach(this::join));
     }
 
@@ -100,6 +100,11 @@ final class Ros2Bridge implements Bridge {
         time.restart();
         clock.restart();
         tick();
+    }
+
+    /// A program stops the simulation.
+    private void halt() {
+        robots.values().forEach(robot -> robot.published.halt());
     }
 
     /// So that sensors and commands are late by no more than the time between two messages of `/clock`.
