@@ -104,11 +104,12 @@ class PacedRunTest {
 
     @BeforeEach
     void start() {
-        run = LiveRun.start(Runs.plan(
-                folder,
-                Runs.TWO_WANDERERS.replace("time >= 20", "time >= 2000"),
-                RunOptions.NONE.withSpeed(Double.POSITIVE_INFINITY)));
-        run.pause();
+        run = LiveRun.of(Runs.plan(
+                        folder,
+                        Runs.TWO_WANDERERS.replace("time >= 20", "time >= 2000"),
+                        RunOptions.NONE.withSpeed(Double.POSITIVE_INFINITY)))
+                .paused()
+                .start();
         run.operator()
                 .bridge(
                         new Following(),
@@ -117,6 +118,7 @@ class PacedRunTest {
                         true);
         BridgeContext context = await(opened);
         assertThat(context.isPaced()).isTrue();
+        assertThat(time()).as("it has waited for its bridge").isZero();
         control = context.control().orElseThrow();
         run.resume();
     }
