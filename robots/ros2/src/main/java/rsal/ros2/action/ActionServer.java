@@ -114,8 +114,7 @@ public final class ActionServer {
     /// @param name with its namespace: `/robot1/navigate_to_pose`
     /// @param type `nav2_msgs/action/NavigateToPose`
     /// @param services of its own, which it closes
-    public ActionServer(
-            RosLink link, Services services, String name, String type, ActionTime time, Handler handler) {
+    public ActionServer(RosLink link, Services services, String name, String type, ActionTime time, Handler handler) {
         this(link, services, name, type, services.codec(type + "_SendGoal")::read, time, handler);
     }
 

@@ -121,10 +121,12 @@ final class GoalServers {
                 navigator, node.link(), context.services.apply(node.link()), context.name(NAVIGATE), context.scheduler);
         var route = new PublishedRoute(
                 navigator, node.link(), context.services.apply(node.link()), context.name(THROUGH), context.scheduler);
-        return List.of(new Served(navigator, NAVIGATE, action::abortAll, action::close), new Served(navigator, THROUGH, route::abortAll, () -> {
-            route.close();
-            node.close();
-        }));
+        return List.of(
+                new Served(navigator, NAVIGATE, action::abortAll, action::close),
+                new Served(navigator, THROUGH, route::abortAll, () -> {
+                    route.close();
+                    node.close();
+                }));
     }
 
     /// All planners of a robot are served together.
@@ -159,6 +161,8 @@ final class GoalServers {
                 context.name(DOCK),
                 context.name(UNDOCK),
                 context.scheduler);
-        return List.of(new Served(docking, DOCK, actions::abortAll, actions::close), new Served(docking, UNDOCK, () -> {}, node::close));
+        return List.of(
+                new Served(docking, DOCK, actions::abortAll, actions::close),
+                new Served(docking, UNDOCK, () -> {}, node::close));
     }
 }

@@ -78,7 +78,14 @@ final class Ros2Bridge implements Bridge {
         truth = context.simulation().map(world -> new TruthTracker(world, scheduler));
         simulation = truth.flatMap(tracked -> context.control()
                 .map(control -> new SimulationServer(
-                        context.simulation().orElseThrow(), control, tracked, this::robot, this::restart, this::halt, link, time)));
+                        context.simulation().orElseThrow(),
+                        control,
+                        tracked,
+                        this::robot,
+                        this::restart,
+                        this::halt,
+                        link,
+                        time)));
         link.together(() -> context.robots().forEach(this::join));
     }
 

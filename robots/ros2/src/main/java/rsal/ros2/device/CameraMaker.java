@@ -69,8 +69,8 @@ final class CameraMaker implements RosParts.Maker {
                 ? Optional.of(named)
                 : all.stream()
                         .filter(topic -> isOfDepth(topic, topics) == hasDepth)
-                        .filter(topic -> topic.type().equals(IMAGE)
-                                || topic.name().endsWith(COMPRESSED_DEPTH) == hasDepth)
+                        .filter(topic ->
+                                topic.type().equals(IMAGE) || topic.name().endsWith(COMPRESSED_DEPTH) == hasDepth)
                         .findFirst();
     }
 

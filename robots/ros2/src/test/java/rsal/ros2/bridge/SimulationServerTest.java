@@ -447,8 +447,7 @@ class SimulationServerTest extends RobotBench {
 
     @Test
     void aStopEndsWhatWasCommanded() {
-        var velocities =
-                there.advertise(new RosTopic("/r1/cmd_vel", "geometry_msgs/msg/Twist"), Profile.DEFAULT);
+        var velocities = there.advertise(new RosTopic("/r1/cmd_vel", "geometry_msgs/msg/Twist"), Profile.DEFAULT);
         velocities.publish(messages.twist(Twist2d.drive(0.3, 0)));
         advance(2);
         assertThat(velocity()).isGreaterThan(0.2);
@@ -462,7 +461,12 @@ class SimulationServerTest extends RobotBench {
     }
 
     private double velocity() {
-        return robot().require(DriveBase.class).latest().orElseThrow().value().velocity().vx();
+        return robot().require(DriveBase.class)
+                .latest()
+                .orElseThrow()
+                .value()
+                .velocity()
+                .vx();
     }
 
     /// Goals have the time that they began at, by the clock that there is now.
@@ -487,8 +491,9 @@ class SimulationServerTest extends RobotBench {
                 .put((byte) 1)
                 .array();
         advance(17);
-        RosMessage forgotten =
-                read(ACTION + "_GetResult_Response", ask("/rsal/simulate_steps/_action/get_result", asked).join());
+        RosMessage forgotten = read(
+                ACTION + "_GetResult_Response",
+                ask("/rsal/simulate_steps/_action/get_result", asked).join());
         assertThat(forgotten.integer("status")).as("by the run's time").isZero();
     }
 

@@ -177,7 +177,8 @@ class RosGridsTest {
         odometry.publish(messages.odometry(
                 Instant.ofEpochSecond(1), new Odometry(Pose2d.ORIGIN, Twist2d.STOP, false), "odom", "base_link"));
         run.advance(Duration.ofMillis(50));
-        CdrWriter change = RosMessages.write(new CdrWriter(), Instant.ofEpochSecond(1)).text("map");
+        CdrWriter change =
+                RosMessages.write(new CdrWriter(), Instant.ofEpochSecond(1)).text("map");
         change.int32(0).int32(0).int32(1).int32(1);
         updates.publish(change.int32(1).int8s(new byte[] {100}).toBytes());
         run.advance(Duration.ofMillis(50));
