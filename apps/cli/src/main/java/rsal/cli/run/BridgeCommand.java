@@ -98,7 +98,8 @@ public final class BridgeCommand extends Subcommand {
             defaultValue = "0.5",
             converter = Timeout.Converter.class,
             description = "Robots stop after this time without a command of a client [s] (${DEFAULT-VALUE}). 'off': a"
-                    + " velocity is valid until the next one, for clients that send it only once.")
+                    + " velocity is valid until the next one, for clients that send it only once. With"
+                    + " --pace subscribers, it is simulated time while the run waits for programs.")
     private Timeout timeout = new Timeout(Optional.empty());
 
     @Option(
