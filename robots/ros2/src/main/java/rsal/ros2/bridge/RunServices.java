@@ -147,7 +147,7 @@ final class RunServices implements ActionServer.Handler {
         }
         isChanging = true;
         var result = new CompletableFuture<ResultCode>();
-        standing.thenRun(() -> {
+        var _ = standing.thenRun(() -> {
             boolean stands = control.isPaused();
             control.execute(() -> {
                 isChanging = false;
