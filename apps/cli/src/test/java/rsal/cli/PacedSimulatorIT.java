@@ -1,6 +1,7 @@
 package rsal.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.net.InetAddress;
@@ -17,12 +18,15 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import rsal.data.Pose2d;
 import rsal.engine.LiveRun;
+import rsal.engine.RunBuilder;
 import rsal.engine.report.Answer;
 import rsal.engine.report.Snapshot;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 import rsal.system.BridgeProvider;
+import rsal.system.CommandTimeout;
 
 /// A simulator that goes as fast as the run which follows its time over DDS, though that run is slow.
 @Timeout(value = 3, unit = TimeUnit.MINUTES)
@@ -37,17 +41,22 @@ class PacedSimulatorIT {
             run: {clock: {speed: max}}
             """;
 
-    /// Takes 30 ms of real time in each 50 ms of its own.
+    /// Drives, and takes 30 ms of real time in each 50 ms of its own; 1.2 s once in 2 s.
     private static final String SLOW = """
             import java.time.Duration;
             import java.util.concurrent.locks.LockSupport;
             import rsal.agent.Agent;
             import rsal.agent.AgentContext;
+            import rsal.data.Twist2d;
+            import rsal.device.DriveBase;
 
             public final class Slow implements Agent {
                 @Override
                 public void start(AgentContext self) {
+                    DriveBase base = self.robot().orElseThrow().require(DriveBase.class);
                     self.scheduler().every(Duration.ofMillis(50), () -> LockSupport.parkNanos(30_000_000));
+                    self.scheduler().every(Duration.ofSeconds(2), () -> LockSupport.parkNanos(1_200_000_000));
+                    self.scheduler().every(Duration.ofMillis(100), () -> base.command(Twist2d.drive(0.2, 0)));
                 }
             }
             """;
@@ -60,35 +69,36 @@ class PacedSimulatorIT {
     private LiveRun simulator;
     private LiveRun run;
 
-    private LiveRun start(String name, String text) throws IOException {
+    private RunBuilder run(String name, String text) throws IOException {
         Path file = Files.writeString(folder.resolve(name + ".yaml"), text);
-        return LiveRun.start(Scenario.load(file.toString()).plan(RunOptions.NONE));
+        return LiveRun.of(Scenario.load(file.toString()).plan(RunOptions.NONE));
     }
 
     @BeforeEach
     void start() throws Exception {
         Files.writeString(folder.resolve("Slow.java"), SLOW);
-        simulator = start("simulator", SIMULATOR);
+        simulator = run("simulator", SIMULATOR).paused().start(); // until it has a bridge
         BridgeProvider ros = ServiceLoader.load(BridgeProvider.class).stream()
                 .map(ServiceLoader.Provider::get)
                 .filter(each -> each.key().equals("ros2"))
                 .findFirst()
                 .orElseThrow();
         var at = new InetSocketAddress(InetAddress.getLoopbackAddress(), 7400 + 250 * domain);
-        simulator.pause(); // at this speed, it would be far before it has a bridge
         assertThat(simulator
                         .operator()
-                        .bridge(ros, at, Optional.empty(), true)
+                        .bridge(ros, at, Optional.of(CommandTimeout.USUAL), true)
                         .toCompletableFuture()
                         .get(30, TimeUnit.SECONDS))
                 .isInstanceOf(Answer.Bridged.class);
         simulator.resume();
-        run = start(
-                "follower",
-                SIMULATOR.replace("simulator", "follower").replace("speed: max", "mode: wall") + """
+        run = run(
+                        "follower",
+                        SIMULATOR.replace("simulator", "follower").replace("speed: max", "mode: wall")
+                                + """
                 mrs: {use: ros2, useSimTime: true, armed: true, wait: 10, domain: %d}
                 agents: {slow: {type: Slow.java, robot: r}}
-                """.formatted(domain));
+                """.formatted(domain))
+                .start();
         await(run, snapshot -> !snapshot.agents().isEmpty());
     }
 
@@ -126,6 +136,23 @@ class PacedSimulatorIT {
         double seconds = (System.nanoTime() - began) / 1e9;
         Duration passed = time(run).minus(from);
         assertThat(passed.toMillis() / 1e3).isBetween(0.2, 1.7 * seconds); // no faster than its agent: 50 ms in 30
+    }
+
+    /// Neither the simulator nor the follower stops the robot, though they wait for longer than the half second that a
+    /// command holds.
+    @Test
+    void aStallOfTheFollowerStopsNoRobot() throws Exception {
+        await(run, snapshot -> snapshot.time().compareTo(Duration.ofSeconds(2)) > 0);
+        Snapshot first = simulator.freshSnapshot().toCompletableFuture().join();
+        Snapshot last = await(
+                simulator, snapshot -> snapshot.time().compareTo(first.time().plusSeconds(6)) > 0);
+        double seconds = last.time().minus(first.time()).toMillis() / 1e3;
+        double driven = where(first).distanceTo(where(last));
+        assertThat(driven).isCloseTo(0.2 * seconds, within(0.02)); // as poses are those of the last step
+    }
+
+    private static Pose2d where(Snapshot now) {
+        return now.robots().getFirst().truth().orElseThrow();
     }
 
     @Test

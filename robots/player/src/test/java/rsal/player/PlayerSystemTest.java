@@ -536,13 +536,28 @@ class PlayerSystemTest {
     @Test
     void anArmedRobotJoinsWithItsMotorsOn() {
         Robot robot = discover(armed(), spec()).getFirst();
-        until(() -> !switched.isEmpty());
-        assertThat(switched).containsOnly(true);
+        until(() -> switched.contains(true));
+        assertThat(switched).as("off until it joins").isEqualTo(List.of(false, true));
         on(time, () -> {
             robot.require(DriveBase.class).enable(false);
             return true;
         });
         until(() -> switched.contains(false));
+    }
+
+    /// Its server may have them on, from somebody before.
+    @Test
+    void motorsAreOffWhileOthersAreWaitedFor() {
+        int port = port();
+        on(time, () -> {
+            system = create(
+                    Map.of("servers", "localhost:%d,localhost:1".formatted(port), "wait", 3.0),
+                    spec(),
+                    spec("r2", "pioneer2dx", Map.of("laser", "urg04lx")));
+            return system.discover();
+        });
+        until(() -> !switched.isEmpty());
+        assertThat(switched).containsOnly(false);
     }
 
     @Test

@@ -15,6 +15,7 @@ final class Pausing {
     private final Runnable onResume;
     private boolean paused;
     private boolean isWithinStep;
+    private boolean isRest; // what is left of the step under way, before those that are wanted
     private CompletableFuture<Void> standing = new CompletableFuture<>(); // when it is next paused between two steps
     private long wanted; // steps of people
     private Optional<Stepping> stepping = Optional.empty();
@@ -49,7 +50,17 @@ final class Pausing {
 
     /// Whether it has to wait.
     boolean isWaiting() {
-        return paused && !isWithinStep && wanted == 0 && stepping.isEmpty();
+        return paused && !isWithinStep && isIdle();
+    }
+
+    /// Whether it is paused, and only completes a step. It waits for nobody then: who paused it may be the one that
+    /// would be waited for.
+    boolean isCompleting() {
+        return paused && isWithinStep && isIdle();
+    }
+
+    private boolean isIdle() {
+        return wanted == 0 && stepping.isEmpty();
     }
 
     /// @return when the step is complete that is being made, or it was resumed
@@ -74,6 +85,7 @@ final class Pausing {
 
     void resume() {
         paused = false;
+        isRest = false;
         endStepping();
         onResume.run();
         stand();
@@ -88,7 +100,15 @@ final class Pausing {
 
     /// One more step, while it is paused.
     void step() {
-        wanted += paused ? 1 : 0;
+        if (paused) {
+            noteRest();
+            wanted++;
+        }
+    }
+
+    /// What is left of a step that was begun before is none of those that are wanted.
+    private void noteRest() {
+        isRest |= isCompleting();
     }
 
     /// As [rsal.system.RunControl#step].
@@ -96,6 +116,7 @@ final class Pausing {
         if (!paused || stepping.isPresent()) {
             throw new IllegalStateException("It can't be stepped now.");
         }
+        noteRest();
         var goal = new GoalSource<Long, Long>(this::endStepping);
         stepping = Optional.of(new Stepping(goal, count));
         return goal;
@@ -105,6 +126,10 @@ final class Pausing {
     void stepped() {
         isWithinStep = false;
         stand();
+        if (isRest) {
+            isRest = false;
+            return;
+        }
         wanted = Math.max(0, wanted - 1);
         stepping.ifPresent(steps -> {
             steps.made++;

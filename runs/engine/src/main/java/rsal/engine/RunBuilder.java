@@ -19,6 +19,7 @@ public final class RunBuilder {
     private LongSupplier operatorClock = System::nanoTime;
     private Optional<RunObserver> observer = Optional.empty();
     private Optional<RobotRecorder> recorder = Optional.empty();
+    private boolean isPaused;
 
     RunBuilder(RunPlan plan) {
         this.plan = plan;
@@ -43,6 +44,12 @@ public final class RunBuilder {
         return this;
     }
 
+    /// It begins paused, if its time is simulated: robots and agents come, and its first step is to be resumed.
+    public RunBuilder paused() {
+        this.isPaused = true;
+        return this;
+    }
+
     /// @param clock real time [ns], by which the run notices that people no longer drive a robot; any thread
     ///         asks it
     RunBuilder operatorClock(LongSupplier clock) {
@@ -60,6 +67,9 @@ public final class RunBuilder {
     /// [LiveRun#result].
     public LiveRun start() {
         var loop = new RunLoop(plan, helpers, operatorClock, new RunMonitors(observer, recorder));
+        if (isPaused && loop.isSimulated()) {
+            loop.pause();
+        }
         loop.start(patience);
         return new LiveRun(loop);
     }

@@ -10,6 +10,7 @@ import rsal.time.LockstepScheduler;
 @AllowedToReadWallClock("It says how long steps took.")
 final class SimulatedSteps {
     private static final long SHORT_REST = 500_000; // [ns], after which it looks again whether it may go on
+    private static final long LONGER_REST = 2_000_000; // [ns]; what arrives mostly wakes it before
 
     private final Duration step;
     private final Pacer pacer;
@@ -37,10 +38,10 @@ final class SimulatedSteps {
         if (early > 0) {
             return early;
         }
-        if (pace == Bridge.Pace.AWAITED
-                || (pacer.isAhead(elapsed) && run.bridges().isAwaited())) {
+        boolean isAwaited = pace == Bridge.Pace.AWAITED && !pausing.isCompleting();
+        if (isAwaited || (pacer.isAhead(elapsed) && run.bridges().isAwaited())) {
             time.runPending(); // what such a program asks meanwhile
-            return SHORT_REST;
+            return isAwaited ? LONGER_REST : SHORT_REST;
         }
         Duration grain = run.bridges().grain(left);
         long from = System.nanoTime();

@@ -104,11 +104,12 @@ class PacedRunTest {
 
     @BeforeEach
     void start() {
-        run = LiveRun.start(Runs.plan(
-                folder,
-                Runs.TWO_WANDERERS.replace("time >= 20", "time >= 2000"),
-                RunOptions.NONE.withSpeed(Double.POSITIVE_INFINITY)));
-        run.pause();
+        run = LiveRun.of(Runs.plan(
+                        folder,
+                        Runs.TWO_WANDERERS.replace("time >= 20", "time >= 2000"),
+                        RunOptions.NONE.withSpeed(Double.POSITIVE_INFINITY)))
+                .paused()
+                .start();
         run.operator()
                 .bridge(
                         new Following(),
@@ -117,6 +118,7 @@ class PacedRunTest {
                         true);
         BridgeContext context = await(opened);
         assertThat(context.isPaced()).isTrue();
+        assertThat(time()).as("it has waited for its bridge").isZero();
         control = context.control().orElseThrow();
         run.resume();
     }
@@ -184,6 +186,20 @@ class PacedRunTest {
         control.execute(() -> control.step(4).result().thenAccept(ended::complete));
         assertThat(await(ended)).isEqualTo(4);
         assertThat(time()).isEqualTo(then.plus(run.plan().step().multipliedBy(4)));
+    }
+
+    /// It may be the one that pauses the run, and waits for the answer before it goes on itself.
+    @Test
+    void aPausedRunDoesNotWaitForTheProgram() throws Exception {
+        allowed = GRAIN.multipliedBy(3).toNanos();
+        awaitTime(GRAIN.multipliedBy(3));
+        var standing = new CompletableFuture<Void>();
+        control.execute(() -> control.pause().thenAccept(standing::complete));
+        await(standing);
+        assertThat(isBetweenSteps(time())).isTrue();
+        Duration then = time();
+        pauseFor(50);
+        assertThat(time()).isEqualTo(then);
     }
 
     private boolean isBetweenSteps(Duration time) {

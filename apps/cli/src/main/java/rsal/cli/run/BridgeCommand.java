@@ -98,7 +98,8 @@ public final class BridgeCommand extends Subcommand {
             defaultValue = "0.5",
             converter = Timeout.Converter.class,
             description = "Robots stop after this time without a command of a client [s] (${DEFAULT-VALUE}). 'off': a"
-                    + " velocity is valid until the next one, for clients that send it only once.")
+                    + " velocity is valid until the next one, for clients that send it only once. With"
+                    + " --pace subscribers, it is simulated time while the run waits for programs.")
     private Timeout timeout = new Timeout(Optional.empty());
 
     @Option(
@@ -171,7 +172,7 @@ public final class BridgeCommand extends Subcommand {
     }
 
     private RunResult run(RunPlan plan, BridgeProvider provider, InetSocketAddress at) throws Exception {
-        try (LiveRun run = LiveRun.start(plan)) {
+        try (LiveRun run = start(plan)) {
             var ending = new ClosedAtExit(run);
             offer(run, provider, at);
             RunResult result = new Progress(err(), false).await(run);
@@ -184,6 +185,11 @@ public final class BridgeCommand extends Subcommand {
     private RunResult runWithPage(RunPlan plan, BridgeProvider provider, InetSocketAddress at) throws Exception {
         return PageRuns.show(PageRuns.First.alone(plan), PageRuns.Endpoints.USUAL, err(), new PageRuns.Eye() {
             @Override
+            public LiveRun start(RunPlan wanted) {
+                return BridgeCommand.this.start(wanted);
+            }
+
+            @Override
             public void began(LiveRun run) throws Exception {
                 offer(run, provider, at);
             }
@@ -195,13 +201,31 @@ public final class BridgeCommand extends Subcommand {
         });
     }
 
+    /// One that goes as fast as programs follow is to wait for its bridge.
+    private LiveRun start(RunPlan plan) {
+        return isPaced(plan) ? LiveRun.of(plan).paused().start() : LiveRun.start(plan);
+    }
+
+    /// Also of runs that were started in the page.
+    private boolean isPaced(RunPlan plan) {
+        return isPaced() && plan.clock() == RunPlan.Clock.SIMULATED;
+    }
+
     private void offer(LiveRun run, BridgeProvider provider, InetSocketAddress at) throws Exception {
+        boolean paced = isPaced(run.plan());
+        if (isPaced() && !paced) {
+            err().println("This run goes in real time, so it does not wait for programs.");
+        }
         printAnswer(
                 at,
                 run.operator()
-                        .bridge(provider, at, timeout.limit(), isPaced())
+                        .bridge(provider, at, timeout.limit(), paced)
                         .toCompletableFuture()
                         .get());
+        if (paced) {
+            run.speed(choices.speed().orElse(Double.POSITIVE_INFINITY));
+            run.resume();
+        }
     }
 
     private void printResult(RunPlan plan, RunResult result) {

@@ -140,10 +140,12 @@ final class ModelWriter {
         var written = new LinkedHashMap<String, Object>();
         switch (drive.steering()) {
             case Steering.Differential differential ->
-                differential
-                        .wheels()
-                        .ifPresent(wheels ->
-                                written.put("wheels", Map.of("radius", wheels.radius(), "track", wheels.track())));
+                differential.wheels().ifPresent(wheels -> {
+                    var sizes = new LinkedHashMap<String, Object>();
+                    sizes.put("radius", wheels.radius());
+                    sizes.put("track", wheels.track());
+                    written.put("wheels", sizes);
+                });
             case Steering.Omnidirectional _ -> written.put("type", "omnidirectional");
             case Steering.Car car -> {
                 written.put("type", "car");

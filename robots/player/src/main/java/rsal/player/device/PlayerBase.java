@@ -132,12 +132,9 @@ final class PlayerBase extends PlayerSensor<Odometry> implements DriveBase {
         motors();
     }
 
-    /// Has the server switch them as they are to be, once that is known.
+    /// Has the server switch them as they are to be: off as long as that is not known.
     void motors() {
-        if (!hasJoined) {
-            return;
-        }
-        server.ask(address(), Position2d.MOTORS, Optional.of(new Position2d.Motors(enabled ? 1 : 0)));
+        server.ask(address(), Position2d.MOTORS, Optional.of(new Position2d.Motors(enabled && hasJoined ? 1 : 0)));
     }
 
     @Override

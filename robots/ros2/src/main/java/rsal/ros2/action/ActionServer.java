@@ -19,7 +19,6 @@ import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.RosMessages;
-import rsal.time.Scheduler;
 
 /// Offers an action of ROS 2: takes goals, tells how they get on and how they ended. All but the arrival of
 /// requests is on the run's thread.
@@ -44,7 +43,7 @@ public final class ActionServer {
     private static final int MOST_GOALS = 100; // known at a time
     private static final int ID = 16; // bytes
 
-    private final Scheduler scheduler;
+    private final ActionTime time;
     private final Handler handler;
     private final Publication feedback;
     private final Publication statuses;
@@ -68,10 +67,10 @@ public final class ActionServer {
     /// A goal of somebody else.
     public final class ServedGoal {
         private final byte[] id;
-        private final Instant stamp = scheduler.instant();
+        private final Instant began = time.ofRun(); // which nobody resets
         private final CompletableFuture<byte[]> result = new CompletableFuture<>();
         private Status status = Status.EXECUTING;
-        private Instant forgotten = Instant.MAX;
+        private Instant forgotten = Instant.MAX; // also
 
         private ServedGoal(byte[] id) {
             this.id = id;
@@ -80,6 +79,10 @@ public final class ActionServer {
         /// Whether somebody wants it to be given up.
         public boolean isCanceling() {
             return status == Status.CANCELING;
+        }
+
+        private Instant stamp() {
+            return time.stamp(began);
         }
 
         boolean ended() {
@@ -99,7 +102,7 @@ public final class ActionServer {
         public void end(Status ending, Consumer<CdrWriter> fields) {
             if (!ended()) {
                 status = ending;
-                forgotten = scheduler.instant().plus(KEPT);
+                forgotten = time.ofRun().plus(KEPT);
                 CdrWriter writer = new CdrWriter().int8(ending.code);
                 fields.accept(writer);
                 result.complete(writer.toBytes());
@@ -111,9 +114,8 @@ public final class ActionServer {
     /// @param name with its namespace: `/robot1/navigate_to_pose`
     /// @param type `nav2_msgs/action/NavigateToPose`
     /// @param services of its own, which it closes
-    public ActionServer(
-            RosLink link, Services services, String name, String type, Scheduler scheduler, Handler handler) {
-        this(link, services, name, type, services.codec(type + "_SendGoal")::read, scheduler, handler);
+    public ActionServer(RosLink link, Services services, String name, String type, ActionTime time, Handler handler) {
+        this(link, services, name, type, services.codec(type + "_SendGoal")::read, time, handler);
     }
 
     /// As above, of a type whose goals differ between distributions.
@@ -125,9 +127,9 @@ public final class ActionServer {
             String name,
             String type,
             Inbox.Decoder<RosMessage> requests,
-            Scheduler scheduler,
+            ActionTime time,
             Handler handler) {
-        this.scheduler = scheduler;
+        this.time = time;
         this.handler = handler;
         feedback = link.advertise(new RosTopic(name + "/_action/feedback", type + "_FeedbackMessage"), Profile.DEFAULT);
         statuses = link.advertise(
@@ -138,7 +140,7 @@ public final class ActionServer {
         services.serveLater(name + "/_action/get_result", type + "_GetResult", this::result);
         services.serveLater(name + "/_action/cancel_goal", "action_msgs/srv/CancelGoal", this::cancel);
         ends.add(services::close);
-        ends.add(scheduler.every(Duration.ofSeconds(1), this::forget)::cancel);
+        ends.add(time.every(Duration.ofSeconds(1), this::forget)::cancel);
     }
 
     private static String id(RosMessage named) {
@@ -157,7 +159,7 @@ public final class ActionServer {
             publish();
             handler.begin(goal, request.message("goal"));
         }
-        CdrWriter response = RosMessages.write(new CdrWriter().bool(accepted), scheduler.instant());
+        CdrWriter response = RosMessages.write(new CdrWriter().bool(accepted), time.instant());
         return CompletableFuture.completedStage(response.toBytes());
     }
 
@@ -176,13 +178,13 @@ public final class ActionServer {
     private CompletionStage<byte[]> cancel(RosMessage request) {
         RosMessage info = request.message("goal_info");
         String id = id(info);
-        RosMessage time = info.message("stamp");
-        Instant stamp = Instant.ofEpochSecond(time.integer("sec"), time.integer("nanosec"));
+        RosMessage until = info.message("stamp");
+        Instant stamp = Instant.ofEpochSecond(until.integer("sec"), until.integer("nanosec"));
         boolean isOne = !id.chars().allMatch(digit -> digit == '0');
         boolean isTimed = !stamp.equals(Instant.EPOCH);
         List<ServedGoal> asked = goals.entrySet().stream()
                 .filter(each -> (isOne && each.getKey().equals(id))
-                        || (isTimed && !each.getValue().stamp.isAfter(stamp))
+                        || (isTimed && !each.getValue().stamp().isAfter(stamp))
                         || (!isOne && !isTimed))
                 .map(Map.Entry::getValue)
                 .filter(goal -> !goal.ended())
@@ -191,7 +193,7 @@ public final class ActionServer {
                 .int8((byte) (asked.isEmpty() ? returnCode(isOne, id) : 0))
                 .int32(asked.size());
         for (ServedGoal goal : asked) {
-            RosMessages.write(response.int8s(goal.id), goal.stamp);
+            RosMessages.write(response.int8s(goal.id), goal.stamp());
             goal.status = Status.CANCELING;
         }
         publish();
@@ -208,7 +210,7 @@ public final class ActionServer {
     private void publish() {
         CdrWriter writer = new CdrWriter().int32(goals.size());
         for (ServedGoal goal : goals.values()) {
-            RosMessages.write(writer.int8s(goal.id), goal.stamp).int8(goal.status.code);
+            RosMessages.write(writer.int8s(goal.id), goal.stamp()).int8(goal.status.code);
         }
         statuses.publish(writer.toBytes());
     }
@@ -219,17 +221,22 @@ public final class ActionServer {
     }
 
     private void forget() {
-        Instant now = scheduler.instant();
+        Instant now = time.ofRun();
         if (goals.values().removeIf(goal -> goal.forgotten.isBefore(now))) {
             publish();
         }
     }
 
-    public void close() {
+    /// Ends those that are under way.
+    public void abortAll() {
         goals.values().stream().filter(goal -> !goal.ended()).toList().forEach(goal -> {
             handler.cancel(goal);
             goal.end(Status.ABORTED, handler::writeNoResult);
         });
+    }
+
+    public void close() {
+        abortAll();
         ends.forEach(Runnable::run);
     }
 }

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.LongSupplier;
 import rsal.ros2.cdr.CdrReader;
 import rsal.ros2.cdr.InvalidCdr;
@@ -45,6 +46,7 @@ final class ClockFollowers {
     private final Map<String, Long> reached = new ConcurrentHashMap<>(); // [ns] by publishers
     private final Set<String> tooSlow = new HashSet<>(); // are not waited for
     private final Set<String> reported = new HashSet<>();
+    private final AtomicBoolean hasArrived = new AtomicBoolean(); // one, and the run has not looked since
     private long published = -1; // [ns]
     private byte[] message = {}; // that was published
     private long publishedAt; // in real time [ns]
@@ -71,7 +73,7 @@ final class ClockFollowers {
             if (reached.containsKey(publisher) || reached.size() < MOST) {
                 reached.put(publisher, time);
             }
-            if (isAwaiting) {
+            if (isAwaiting && hasArrived.compareAndSet(false, true)) {
                 onArrival.run();
             }
         } catch (InvalidCdr _) {
@@ -100,6 +102,7 @@ final class ClockFollowers {
         if (reaching.isEmpty()) {
             return Pace.FREE;
         }
+        hasArrived.set(false);
         long now = real.getAsLong();
         if (now - lookedAt >= LOOK.toNanos()) {
             lookedAt = now;
@@ -125,10 +128,19 @@ final class ClockFollowers {
         }
         isAwaiting = !behind.isEmpty();
         if (isAwaiting) {
-            repeat(now);
+            if (mayRepeat(behind, lacking)) {
+                repeat(now);
+            }
             return Pace.AWAITED;
         }
         return reached.size() + lacking.size() > tooSlow.size() ? Pace.FOLLOWED : Pace.UNFOLLOWED;
+    }
+
+    /// Those that acknowledge it do not need it again: it would only push out what is kept for them.
+    private boolean mayRepeat(Set<String> behind, Map<String, Long> lacking) {
+        return behind.stream().anyMatch(reached::containsKey)
+                && lacking.entrySet().stream()
+                        .allMatch(each -> each.getValue() < WINDOW || tooSlow.contains(each.getKey()));
     }
 
     /// The newest message may have been lost.

@@ -59,8 +59,9 @@ final class GoalServers {
     }
 
     /// @param name in the robot's namespace
+    /// @param abort ends its goals
     /// @param close ends it
-    record Served(Device device, String name, Runnable close) {}
+    record Served(Device device, String name, Runnable abort, Runnable close) {}
 
     private record Kind<D extends Device>(Class<D> type, Serving<D> serving) {
         List<Served> serve(Device device, Context context) {
@@ -103,7 +104,7 @@ final class GoalServers {
                 context.services.apply(context.link),
                 context.name(name),
                 context.scheduler);
-        return new Served(gripper, name, action::close);
+        return new Served(gripper, name, action::abortAll, action::close);
     }
 
     private static boolean isFirst(Device device, Class<? extends Device> kind, Context context) {
@@ -120,10 +121,12 @@ final class GoalServers {
                 navigator, node.link(), context.services.apply(node.link()), context.name(NAVIGATE), context.scheduler);
         var route = new PublishedRoute(
                 navigator, node.link(), context.services.apply(node.link()), context.name(THROUGH), context.scheduler);
-        return List.of(new Served(navigator, NAVIGATE, action::close), new Served(navigator, THROUGH, () -> {
-            route.close();
-            node.close();
-        }));
+        return List.of(
+                new Served(navigator, NAVIGATE, action::abortAll, action::close),
+                new Served(navigator, THROUGH, route::abortAll, () -> {
+                    route.close();
+                    node.close();
+                }));
     }
 
     /// All planners of a robot are served together.
@@ -139,7 +142,7 @@ final class GoalServers {
                 context.services.apply(node.link()),
                 context.name(PLAN),
                 context.scheduler);
-        return List.of(new Served(planner, PLAN, () -> {
+        return List.of(new Served(planner, PLAN, action::abortAll, () -> {
             action.close();
             node.close();
         }));
@@ -158,6 +161,8 @@ final class GoalServers {
                 context.name(DOCK),
                 context.name(UNDOCK),
                 context.scheduler);
-        return List.of(new Served(docking, DOCK, actions::close), new Served(docking, UNDOCK, node::close));
+        return List.of(
+                new Served(docking, DOCK, actions::abortAll, actions::close),
+                new Served(docking, UNDOCK, () -> {}, node::close));
     }
 }

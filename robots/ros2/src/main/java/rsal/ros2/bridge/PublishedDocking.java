@@ -19,7 +19,6 @@ import rsal.ros2.cdr.CdrWriter;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.message.StampedPose;
-import rsal.time.Scheduler;
 
 /// Docking of ours as Nav2's actions `dock_robot` and `undock_robot`. A new goal takes the place of the one before,
 /// which is aborted.
@@ -48,7 +47,7 @@ final class PublishedDocking {
                 RosLink link,
                 Services services,
                 String name,
-                Scheduler scheduler,
+                PublishedTime scheduler,
                 boolean isDocking,
                 Beginning beginning) {
             this.beginning = beginning;
@@ -140,7 +139,7 @@ final class PublishedDocking {
             Supplier<Services> services,
             String dock,
             String undock,
-            Scheduler scheduler) {
+            PublishedTime scheduler) {
         this.docking = docking;
         this.dock = new Server(link, services.get(), dock, scheduler, true, this::dock);
         this.undock = new Server(link, services.get(), undock, scheduler, false, _ -> Optional.of(docking.undock()));
@@ -154,6 +153,12 @@ final class PublishedDocking {
         }
         Optional<Pose2d> mapFromDock = StampedPose.onMap(fields.message("dock_pose"));
         return mapFromDock.map(pose -> docking.dock(pose, fields.text("dock_type")));
+    }
+
+    /// Ends all goals.
+    void abortAll() {
+        dock.server.abortAll();
+        undock.server.abortAll();
     }
 
     void close() {

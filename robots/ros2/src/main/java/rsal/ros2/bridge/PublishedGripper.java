@@ -17,7 +17,6 @@ import rsal.ros2.action.Services;
 import rsal.ros2.cdr.CdrWriter;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.link.RosLink;
-import rsal.time.Scheduler;
 
 /// Paddles or a lift of a gripper of ours as an action of type `control_msgs/GripperCommand`. It knows two places, so a
 /// position stands for the nearer one: 0 is closed or down, the greatest one is open or up [m]. A new goal takes the
@@ -45,7 +44,7 @@ final class PublishedGripper implements ActionServer.Handler {
     /// @param services which this closes
     /// @param name with its namespace: `/r1/gripper_controller/gripper_cmd`
     PublishedGripper(
-            Gripper gripper, Motion motion, RosLink link, Services services, String name, Scheduler scheduler) {
+            Gripper gripper, Motion motion, RosLink link, Services services, String name, PublishedTime scheduler) {
         this.gripper = gripper;
         this.motion = motion;
         server = new ActionServer(link, services, name, "control_msgs/action/GripperCommand", scheduler, this);
@@ -100,6 +99,11 @@ final class PublishedGripper implements ActionServer.Handler {
                 .map(reading -> motion.position.applyAsDouble(reading.value()))
                 .orElse(0.0);
         writer.float64(position).float64(0).bool(false).bool(false);
+    }
+
+    /// Ends all goals.
+    void abortAll() {
+        server.abortAll();
     }
 
     void close() {

@@ -89,6 +89,11 @@ final class PublishedNavigator implements ActionServer.Handler {
         result(0, "").accept(writer);
     }
 
+    /// Ends all goals.
+    void abortAll() {
+        server.abortAll();
+    }
+
     void close() {
         server.close();
     }

@@ -216,6 +216,11 @@ final class PublishedPlanner implements ActionServer.Handler {
         write(writer, List.of(), Duration.ZERO, 0, "");
     }
 
+    /// Ends all goals.
+    void abortAll() {
+        server.abortAll();
+    }
+
     void close() {
         server.close();
     }

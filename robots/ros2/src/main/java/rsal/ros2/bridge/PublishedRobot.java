@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
+import rsal.data.OccupancyGrid;
 import rsal.data.Twist2d;
 import rsal.device.Device;
 import rsal.device.DriveBase;
@@ -25,7 +26,6 @@ import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.RosMessages;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeLibrary;
-import rsal.system.BridgeContext;
 import rsal.system.CommandTimeout;
 import rsal.system.CommandWatch;
 import rsal.system.ExportedDevice;
@@ -52,15 +52,19 @@ final class PublishedRobot {
     private final String namespace;
     private final List<ExportedDevice> offers = new ArrayList<>();
     private final List<Runnable> ends = new ArrayList<>();
+    private final List<Runnable> aborts = new ArrayList<>(); // of goals
     private final CommandTimeout timeout;
     private final CommandWatch watch;
     private Optional<Twist2d> wanted = Optional.empty();
 
+    /// @param worldMap what robots know of the world
+    /// @param timeout of commands
     /// @param parameters of its nodes
     /// @param requests on whose thread they are answered
     PublishedRobot(
             Robot robot,
-            BridgeContext context,
+            OccupancyGrid worldMap,
+            CommandTimeout timeout,
             List<NodeParameters.Parameter> parameters,
             RosLink link,
             int port,
@@ -73,12 +77,12 @@ final class PublishedRobot {
         namespace = RosNetwork.namespace(robot.id());
         this.requests = requests;
         this.parameters = parameters;
-        timeout = context.timeout();
+        this.timeout = timeout;
         watch = timeout.watch();
         Publication transforms = advertise("tf", TRANSFORMS, Profile.DEFAULT);
         Publication fixed = advertise("tf_static", TRANSFORMS, Profile.LATCHED);
         Publication map = advertise("map", "nav_msgs/msg/OccupancyGrid", Profile.LATCHED);
-        map.publish(new RosMessages().map(scheduler.instant(), context.map(), FrameNames.PLAIN.map()));
+        map.publish(new RosMessages().map(scheduler.instant(), worldMap, FrameNames.PLAIN.map()));
         var outlet = new RobotOutlet(
                 robot,
                 link,
@@ -93,7 +97,7 @@ final class PublishedRobot {
         sensors.begin();
         robot.find(DriveBase.class).ifPresent(this::takeVelocities);
         var goals = new GoalServers.Context(
-                outlet, context.map(), link, node -> new Services(node, TYPES, requests), this::active, scheduler);
+                outlet, worldMap, link, node -> new Services(node, TYPES, requests), this::active, scheduler);
         for (Device device : robot.devices()) {
             if (device instanceof Localizer localizer) {
                 takePoses(localizer);
@@ -172,7 +176,21 @@ final class PublishedRobot {
 
     private void add(GoalServers.Served served) {
         offer(served.device(), served.name());
+        aborts.add(served.abort());
         ends.add(served.close());
+    }
+
+    /// The simulation is stopped: nothing that was commanded holds any more.
+    void halt() {
+        aborts.forEach(Runnable::run);
+        stop();
+    }
+
+    private void stop() {
+        if (wanted.isPresent()) {
+            wanted = Optional.empty();
+            robot.find(DriveBase.class).ifPresent(base -> base.command(Twist2d.STOP));
+        }
     }
 
     /// Whose state Nav2's programs ask for before they send goals.
@@ -187,8 +205,6 @@ final class PublishedRobot {
     /// A robot that was driven stops.
     void close() {
         ends.forEach(Runnable::run);
-        if (wanted.isPresent()) {
-            robot.find(DriveBase.class).ifPresent(base -> base.command(Twist2d.STOP));
-        }
+        stop();
     }
 }

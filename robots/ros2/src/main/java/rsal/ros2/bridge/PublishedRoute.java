@@ -200,6 +200,11 @@ final class PublishedRoute implements ActionServer.Handler {
         result(0, "").accept(writer);
     }
 
+    /// Ends all goals.
+    void abortAll() {
+        server.abortAll();
+    }
+
     void close() {
         server.close();
     }

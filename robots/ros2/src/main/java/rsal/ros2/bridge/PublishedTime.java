@@ -4,13 +4,14 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Supplier;
+import rsal.ros2.action.ActionTime;
 import rsal.time.Phase;
 import rsal.time.Scheduler;
 import rsal.time.Task;
 
 /// A run's scheduler with the time that programs of ROS see. That is the run's, until a program resets it: then it
 /// begins again at 0, while the run's own goes on. Of the run's thread.
-final class PublishedTime implements Scheduler {
+final class PublishedTime implements ActionTime {
     private final Scheduler run;
     private Duration behind = Duration.ZERO; // the run's time
 
@@ -23,13 +24,14 @@ final class PublishedTime implements Scheduler {
         behind = Duration.between(Instant.EPOCH, run.instant());
     }
 
-    /// The time of the run, which nobody resets.
-    Instant ofRun() {
+    @Override
+    public Instant ofRun() {
         return run.instant();
     }
 
-    /// The time that messages have of what happened at a time of the run: 0 for what was before the last reset.
-    Instant stamp(Instant ofRun) {
+    /// Also, 0 for what was before the last reset.
+    @Override
+    public Instant stamp(Instant ofRun) {
         Instant published = ofRun.minus(behind);
         return published.isBefore(Instant.EPOCH) && !behind.isZero() ? Instant.EPOCH : published;
     }

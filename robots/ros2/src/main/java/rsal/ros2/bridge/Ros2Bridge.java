@@ -2,18 +2,21 @@ package rsal.ros2.bridge;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.time.InstantSource;
 import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Executor;
+import java.util.function.LongSupplier;
 import rsal.robot.Robot;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosNetwork;
 import rsal.ros2.message.RosMessages;
 import rsal.system.Bridge;
 import rsal.system.BridgeContext;
+import rsal.system.CommandTimeout;
 import rsal.system.ExportedDevice;
 import rsal.time.Phase;
 import rsal.time.Scheduler;
@@ -34,6 +37,8 @@ final class Ros2Bridge implements Bridge {
     private final RosMessages messages = new RosMessages();
     private final Map<String, Joined> robots = new LinkedHashMap<>(); // by id
     private final ClockFollowers clock;
+    private final CommandTimeout timeout; // by a clock of all robots
+    private final CommandClock commandClock;
     private final Task ticking;
     private final Executor requests; // are answered there
     private final PublishedHealth health;
@@ -54,6 +59,44 @@ final class Ros2Bridge implements Bridge {
         }
     }
 
+    /// The time by which commands get old: that on the wall, or the run's own while programs that follow it hold
+    /// it back. Such a run is as slow as they are, so real time would make their commands old before they could
+    /// send others. Only goes forward. Of the run's thread.
+    private static final class CommandClock {
+        private final LongSupplier real; // [ns]
+        private final InstantSource run;
+        private boolean isOfRun;
+        private long before; // what had passed when it changed over [ns]
+        private long since; // what the one that counts said then [ns]
+
+        /// @param real time [ns]
+        CommandClock(LongSupplier real, InstantSource run) {
+            this.real = real;
+            this.run = run;
+            since = real.getAsLong();
+            before = since;
+        }
+
+        private long source() {
+            return isOfRun ? Duration.between(Instant.EPOCH, run.instant()).toNanos() : real.getAsLong();
+        }
+
+        /// [ns]
+        long now() {
+            return before + source() - since;
+        }
+
+        /// Whether the run is held back from now on.
+        void follow(Pace pace) {
+            boolean isHeld = pace == Pace.FOLLOWED || pace == Pace.AWAITED;
+            if (isHeld != isOfRun) {
+                before = now();
+                isOfRun = isHeld;
+                since = source();
+            }
+        }
+    }
+
     /// @param link of the node `/rsal`, which this closes
     /// @param port for people: where the domain's participants hear of each other
     Ros2Bridge(RosLink link, BridgeContext context, int port, Scheduler scheduler) {
@@ -61,6 +104,8 @@ final class Ros2Bridge implements Bridge {
         this.context = context;
         this.port = port;
         time = new PublishedTime(scheduler);
+        commandClock = new CommandClock(context.timeout().nanos(), scheduler);
+        timeout = new CommandTimeout(context.timeout().limit(), commandClock::now);
         clock = new ClockFollowers(
                 link,
                 context.isPaced(),
@@ -73,7 +118,14 @@ final class Ros2Bridge implements Bridge {
         truth = context.simulation().map(world -> new TruthTracker(world, scheduler));
         simulation = truth.flatMap(tracked -> context.control()
                 .map(control -> new SimulationServer(
-                        context.simulation().orElseThrow(), control, tracked, this::robot, this::restart, link, time)));
+                        context.simulation().orElseThrow(),
+                        control,
+                        tracked,
+                        this::robot,
+                        this::restart,
+                        this::halt,
+                        link,
+                        time)));
         link.together(() -> context.robots().forEach(this::join));
     }
 
@@ -97,6 +149,11 @@ final class Ros2Bridge implements Bridge {
         tick();
     }
 
+    /// A program stops the simulation.
+    private void halt() {
+        robots.values().forEach(robot -> robot.published.halt());
+    }
+
     /// So that sensors and commands are late by no more than the time between two messages of `/clock`.
     @Override
     public Optional<Duration> grain() {
@@ -105,7 +162,9 @@ final class Ros2Bridge implements Bridge {
 
     @Override
     public Pace pace() {
-        return clock.pace();
+        Pace pace = clock.pace();
+        commandClock.follow(pace);
+        return pace;
     }
 
     @Override
@@ -128,7 +187,7 @@ final class Ros2Bridge implements Bridge {
         return new Joined(
                 robot,
                 node,
-                new PublishedRobot(robot, context, parameters, node, port, requests, time),
+                new PublishedRobot(robot, context.map(), timeout, parameters, node, port, requests, time),
                 new PublishedModel(robot, node, namespace, time),
                 truth.filter(tracked -> tracked.pose(robot.id()).isPresent())
                         .map(tracked -> new PublishedTruth(robot.id(), tracked, node, namespace, time)));

@@ -1,11 +1,14 @@
 package rsal.ros2.bridge;
 
+import java.time.Instant;
+import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import rsal.device.GoalHandle;
 import rsal.ros2.action.ActionServer;
 import rsal.ros2.action.ActionServer.ServedGoal;
@@ -41,15 +44,22 @@ final class RunServices implements ActionServer.Handler {
 
     private final RunControl control;
     private final Runnable restart;
-    private boolean isStopped; // if it is paused
+    private final Runnable halt;
+    private final InstantSource time;
+    private Optional<Instant> stopped = Optional.empty(); // when it was, and stands since
+    private boolean isChanging; // is to be paused or stopped with the next step
     private Optional<Stepping> stepping = Optional.empty();
 
     private record Stepping(ServedGoal goal, GoalHandle<Long, Long> steps) {}
 
     /// @param restart lets the time of ROS begin again
-    RunServices(RunControl control, Runnable restart) {
+    /// @param halt ends what programs have commanded
+    /// @param time the run's, which nobody resets
+    RunServices(RunControl control, Runnable restart, Runnable halt, InstantSource time) {
         this.control = control;
         this.restart = restart;
+        this.halt = halt;
+        this.time = time;
     }
 
     /// @param prefix of names: `/rsal/`
@@ -82,9 +92,13 @@ final class RunServices implements ActionServer.Handler {
                 .toBytes();
     }
 
+    /// Others may resume and pause it, too. Then it has another time than when it was stopped.
     private int now() {
-        isStopped &= control.isPaused();
-        return !control.isPaused() ? PLAYING : isStopped ? STOPPED : PAUSED;
+        if (!control.isPaused()) {
+            stopped = Optional.empty();
+            return PLAYING;
+        }
+        return stopped.filter(time.instant()::equals).isPresent() ? STOPPED : PAUSED;
     }
 
     private byte[] state() {
@@ -98,7 +112,7 @@ final class RunServices implements ActionServer.Handler {
         }
         return switch ((int) state) {
             case PLAYING -> {
-                isStopped = false;
+                stopped = Optional.empty();
                 control.resume();
                 yield completed(ResultCode.OK);
             }
@@ -106,8 +120,9 @@ final class RunServices implements ActionServer.Handler {
                 if (!control.isPausable()) {
                     yield completed(ResultCode.unsupported("A run in real time can't be paused."));
                 }
-                isStopped = false;
-                yield control.pause().thenApply(_ -> state == STOPPED ? stop() : ResultCode.OK);
+                yield isChanging
+                        ? completed(ResultCode.incorrectState("Another request is still pausing the simulation."))
+                        : pause(() -> state == STOPPED ? stop() : ResultCode.OK);
             }
             case QUITTING -> {
                 control.end();
@@ -121,9 +136,34 @@ final class RunServices implements ActionServer.Handler {
         };
     }
 
-    /// As it was when it began, and paused.
+    /// Somebody may resume it before it stands. Then it plays on.
+    ///
+    /// @param then once it stands
+    private CompletionStage<ResultCode> pause(Supplier<ResultCode> then) {
+        stopped = Optional.empty();
+        CompletableFuture<Void> standing = control.pause().toCompletableFuture();
+        if (standing.isDone()) {
+            return completed(then.get());
+        }
+        isChanging = true;
+        var result = new CompletableFuture<ResultCode>();
+        var _ = standing.thenRun(() -> {
+            boolean stands = control.isPaused();
+            control.execute(() -> {
+                isChanging = false;
+                result.complete(
+                        stands && control.isPaused()
+                                ? then.get()
+                                : ResultCode.incorrectState("The simulation was resumed before it stood still."));
+            });
+        });
+        return result;
+    }
+
+    /// As it was when it began, and paused. Nothing goes on that was commanded before.
     private ResultCode stop() {
-        isStopped = true;
+        stopped = Optional.of(time.instant());
+        halt.run();
         return reset(ALL);
     }
 

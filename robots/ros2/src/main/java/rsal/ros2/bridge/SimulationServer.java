@@ -21,6 +21,7 @@ final class SimulationServer {
 
     /// @param robots by id
     /// @param restart lets the time of ROS begin again
+    /// @param halt ends what programs have commanded
     /// @param link of the node `/rsal`
     SimulationServer(
             SimulationControl world,
@@ -28,12 +29,13 @@ final class SimulationServer {
             TruthTracker truth,
             Function<String, Optional<Robot>> robots,
             Runnable restart,
+            Runnable halt,
             RosLink link,
             PublishedTime time) {
         TypeLibrary types = TypeLibrary.of(Distribution.JAZZY);
         services = new Services(link, types, control);
         new EntityServices(world, control, truth, robots, time).serve(services, PREFIX);
-        var run = new RunServices(control, restart);
+        var run = new RunServices(control, restart, halt, time::ofRun);
         run.serve(services, PREFIX);
         steps = new ActionServer(
                 link,

@@ -49,20 +49,21 @@ final class BumperMaker implements RosParts.Maker {
                 && all.stream().allMatch(topics::isPublished);
     }
 
-    private static List<RosTopic> hazards(RobotTopics topics) {
-        return topics.published(HAZARDS, "hazard_detection");
+    /// None where others are set, which may come later.
+    private static List<RosTopic> hazards(RobotTopics topics, RosSettings settings) {
+        return settings.bumperTopics().isEmpty() ? topics.published(HAZARDS, "hazard_detection") : List.of();
     }
 
     @Override
     public boolean isThere(Wanted wanted, RobotTopics topics, RosSettings settings) {
-        return hasFlags(wanted, topics, settings) || !hazards(topics).isEmpty();
+        return hasFlags(wanted, topics, settings) || !hazards(topics, settings).isEmpty();
     }
 
     @Override
     public RosDevice make(DeviceInfo info, Wanted wanted, RosContext context) {
         var bumper = new RosBumper(info, (Part.Bumper) wanted.part(), context.frames());
         if (!hasFlags(wanted, context.topics(), context.settings())) {
-            RosTopic topic = hazards(context.topics()).getFirst();
+            RosTopic topic = hazards(context.topics(), context.settings()).getFirst();
             Subscribed hazards = context.link()
                     .subscribe(
                             topic,

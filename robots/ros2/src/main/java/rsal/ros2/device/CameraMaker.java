@@ -69,9 +69,8 @@ final class CameraMaker implements RosParts.Maker {
                 ? Optional.of(named)
                 : all.stream()
                         .filter(topic -> isOfDepth(topic, topics) == hasDepth)
-                        .filter(topic -> !hasDepth
-                                || topic.type().equals(IMAGE)
-                                || topic.name().endsWith(COMPRESSED_DEPTH))
+                        .filter(topic ->
+                                topic.type().equals(IMAGE) || topic.name().endsWith(COMPRESSED_DEPTH) == hasDepth)
                         .findFirst();
     }
 
@@ -95,8 +94,8 @@ final class CameraMaker implements RosParts.Maker {
                 color.name(),
                 focal,
                 depth.isPresent(),
-                new ImageDecoder(context.scheduler()),
-                new ImageDecoder(context.scheduler()),
+                ImageDecoder.ofTenASecond(context.scheduler()),
+                ImageDecoder.ofAll(context.scheduler()), // those that have an image in color
                 context.frames(),
                 context.clock());
         boolean isCompressed = color.type().equals(COMPRESSED_IMAGE);

@@ -34,6 +34,12 @@ final class MapMaker implements RosParts.Maker {
         RosTopic topic = context.topics().ownOrShared("map", MAP);
         var map = new PublicMap(info, topic.name(), context.clock());
         var grid = new PublicGrid(topic, CellMeaning.OCCUPANCY, context, map::take);
-        return new RosDevice(map, now -> map.look(now, grid.publishers()), grid::close);
+        return new RosDevice(
+                map,
+                now -> {
+                    grid.look();
+                    map.look(now, grid.publishers());
+                },
+                grid::close);
     }
 }

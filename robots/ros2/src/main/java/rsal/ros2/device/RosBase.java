@@ -46,6 +46,7 @@ final class RosBase extends RosSensor<Odometry> implements DriveBase {
     private boolean mayMove; // since it was held last
     private boolean isUsed; // was told something, be it a stop
     private Instant heldUntil = Instant.MIN; // in real time
+    private boolean isHeld; // was stopped as time stood
     private Pose2d reported = Pose2d.ORIGIN;
     private Pose2d odomFromTheirs = Pose2d.ORIGIN; // others may use the robot's odometry: it is not set, but ours is
 
@@ -153,8 +154,17 @@ final class RosBase extends RosSensor<Odometry> implements DriveBase {
         if (now.isBefore(heldUntil)) {
             send(Twist2d.STOP);
             sentAt = Instant.MIN;
+            isHeld = true;
         }
         mayMove = false;
+    }
+
+    /// Time goes on: if it was held, what is wanted is sent again at once.
+    void release(Instant now) {
+        if (isHeld) {
+            isHeld = false;
+            drive(now);
+        }
     }
 
     private void send(Twist2d velocity) {

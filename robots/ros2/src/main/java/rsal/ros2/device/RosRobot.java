@@ -187,6 +187,11 @@ public final class RosRobot {
         base.hold(now);
     }
 
+    /// The run's time goes on: it does what is wanted at once if it was held before.
+    public void release(Instant now) {
+        base.release(now);
+    }
+
     /// Drives on, and looks how its devices are.
     public void look(Instant now) {
         base.drive(now);

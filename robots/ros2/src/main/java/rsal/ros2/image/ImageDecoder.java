@@ -6,11 +6,12 @@ import java.util.function.Consumer;
 import rsal.time.Scheduler;
 
 /// Decodes compressed images beside the run's thread, which they would hold up: one of 1920 × 1080 pixels takes 50 ms.
-/// One is decoded at a time, and ten a second at most; others are left out. All calls on the run's thread.
+/// One is decoded at a time; those that come meanwhile are left out. All calls on the run's thread.
 public final class ImageDecoder {
     private static final Duration PERIOD = Duration.ofMillis(95); // from one to the next at least
 
     private final Scheduler scheduler;
+    private final Duration period;
     private Instant begun = Instant.MIN; // the newest
     private boolean isBusy;
 
@@ -25,8 +26,19 @@ public final class ImageDecoder {
         ImageMessage read() throws CompressedImage.Unreadable;
     }
 
-    public ImageDecoder(Scheduler scheduler) {
+    private ImageDecoder(Scheduler scheduler, Duration period) {
         this.scheduler = scheduler;
+        this.period = period;
+    }
+
+    /// Ten a second at most; others are left out, too.
+    public static ImageDecoder ofTenASecond(Scheduler scheduler) {
+        return new ImageDecoder(scheduler, PERIOD);
+    }
+
+    /// As fast as it can.
+    public static ImageDecoder ofAll(Scheduler scheduler) {
+        return new ImageDecoder(scheduler, Duration.ZERO);
     }
 
     /// @param reading reads data that are not changed any more, on another thread
@@ -34,7 +46,7 @@ public final class ImageDecoder {
     /// @param onDamage gets why there is none
     public void decode(Reading reading, Consumer<ImageMessage> onImage, Consumer<String> onDamage) {
         Instant now = scheduler.instant();
-        if (isBusy || begun.plus(PERIOD).isAfter(now)) {
+        if (isBusy || begun.plus(period).isAfter(now)) {
             return;
         }
         begun = now;

@@ -102,10 +102,13 @@ final class Ros2System implements RobotSystem {
         timeListener = listener;
     }
 
-    /// A simulator that waits is not to wait for robots to be found.
+    /// A simulator that waits is not to wait for robots to be found. It hears of velocities first, also of those that
+    /// were wanted before time stood.
     @Override
     public void reached(Instant time) {
         if (discovered.isDone() && !closed) {
+            Instant now = scheduler.instant();
+            found.values().forEach(robot -> robot.release(now));
             clock.ifPresent(simulator -> simulator.reached(time));
         }
     }
@@ -171,12 +174,13 @@ final class Ros2System implements RobotSystem {
         }
     }
 
-    /// Stops robots that are commanded no more, as time stands.
+    /// Stops robots that are commanded no more, as time stands. A simulator that says the same time again and again
+    /// waits for a program: it stands itself, and a stop would only depend on how long that program takes.
     ///
     /// @throws IllegalStateException when the simulator has gone
     private void follow(SimulatorClock time, Instant now) {
         time.look(now);
-        if (time.hasBegun() && time.standing(now).compareTo(settings.safety().watchdog()) > 0) {
+        if (time.hasBegun() && time.silence(now).compareTo(settings.safety().watchdog()) > 0) {
             found.values().forEach(robot -> robot.hold(now));
         }
         if (time.hasBegun() && time.unpublished(now).compareTo(waiting.patience()) > 0) {

@@ -29,10 +29,12 @@ final class SimulatorClock {
     private final RosMessages messages = new RosMessages();
     private final Consumer<? super Instant> listener;
     private volatile long newest = -1; // [ns]; set on the link's thread
+    private volatile boolean isHeard; // since the last look; also
 
     // of the run's thread
     private long seen = -1; // [ns]
     private Instant movedAt = Instant.MAX; // in real time
+    private Instant heardAt = Instant.MAX; // in real time
     private Instant publishedAt = Instant.MAX; // in real time
     private boolean hasReported; // that it stands
 
@@ -51,6 +53,7 @@ final class SimulatorClock {
             long now = RosMessages.stamp(CdrReader.of(bytes));
             if (now >= 0) {
                 newest = now;
+                isHeard = true;
                 listener.accept(Instant.ofEpochSecond(0, now));
             }
         } catch (InvalidCdr _) {
@@ -77,6 +80,10 @@ final class SimulatorClock {
             movedAt = now;
             hasReported = false;
         }
+        if (isHeard || movedAt.equals(now)) {
+            isHeard = false;
+            heardAt = now;
+        }
         boolean isPublished = movedAt.equals(now) || subscribed.publishers() > 0;
         if (isPublished || link.trouble().isPresent() || publishedAt.equals(Instant.MAX)) {
             publishedAt = now;
@@ -96,6 +103,13 @@ final class SimulatorClock {
     /// @param now in real time
     Duration standing(Instant now) {
         return movedAt.isBefore(now) ? Duration.between(movedAt, now) : Duration.ZERO;
+    }
+
+    /// For how long no message has come, not even one of the same time.
+    ///
+    /// @param now in real time
+    Duration silence(Instant now) {
+        return heardAt.isBefore(now) ? Duration.between(heardAt, now) : Duration.ZERO;
     }
 
     /// For how long nobody has published it, since a new time came last, or what keeps the link from hearing others

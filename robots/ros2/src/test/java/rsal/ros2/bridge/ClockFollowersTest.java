@@ -141,6 +141,41 @@ class ClockFollowersTest {
         assertThat(heard).containsExactly(10L, 20L, 20L, 20L);
     }
 
+    /// They get each time once: only the newest ten are kept for them.
+    @Test
+    void nothingIsRepeatedForThoseThatAcknowledge() {
+        hear(second, Profile.DEFAULT);
+        network.delay(second, ClockFollowers.WINDOW + 1);
+        publish(10);
+        assertThat(followers.pace()).isEqualTo(Pace.AWAITED);
+        pass(200);
+        assertThat(followers.pace()).isEqualTo(Pace.AWAITED);
+        assertThat(heard).containsExactly(10L);
+        Publication one = follows(first);
+        one.publish(clock(5));
+        pass(200);
+        assertThat(followers.pace()).isEqualTo(Pace.AWAITED);
+        assertThat(heard).as("it would lose the first").containsExactly(10L);
+        network.delay(second, ClockFollowers.WINDOW - 1);
+        assertThat(followers.pace()).isEqualTo(Pace.AWAITED);
+        assertThat(heard).containsExactly(10L, 10L);
+    }
+
+    @Test
+    void manyArrivalsWakeTheRunOnce() {
+        Publication one = follows(first);
+        publish(10);
+        one.publish(clock(5));
+        assertThat(followers.pace()).isEqualTo(Pace.AWAITED);
+        for (int i = 0; i < 1_000; i++) {
+            one.publish(clock(6));
+        }
+        assertThat(arrivals).isEqualTo(1);
+        assertThat(followers.pace()).isEqualTo(Pace.AWAITED);
+        one.publish(clock(10));
+        assertThat(arrivals).isEqualTo(2);
+    }
+
     @Test
     void reliableSubscribersMayLackWhatIsKeptForThem() {
         hear(first, Profile.SENSOR_DATA);

@@ -26,6 +26,7 @@ final class FakeRunControl implements RunControl {
     final List<String> reported = new ArrayList<>();
     boolean pausable = true;
     boolean paused;
+    CompletableFuture<Void> standing = CompletableFuture.completedFuture(null); // once it is paused
     Optional<GoalSource<Long, Long>> steps = Optional.empty();
 
     FakeRunControl(SimulationControl world, Scheduler scheduler) {
@@ -65,7 +66,7 @@ final class FakeRunControl implements RunControl {
     @Override
     public CompletionStage<Void> pause() {
         paused = true;
-        return CompletableFuture.completedStage(null);
+        return standing;
     }
 
     @Override

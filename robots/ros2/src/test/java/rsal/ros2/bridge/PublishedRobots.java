@@ -26,6 +26,13 @@ public final class PublishedRobots {
                 link, new BridgeContext(robots, map, Optional.empty(), List.of(), timeout), 7400, scheduler);
     }
 
+    /// Also so that programs that follow the run's time hold it back.
+    static Bridge publishPaced(
+            List<Robot> robots, OccupancyGrid map, RosLink link, CommandTimeout timeout, Scheduler scheduler) {
+        var context = new BridgeContext(robots, map, Optional.empty(), List.of(), timeout, Optional.empty(), true);
+        return new Ros2Bridge(link, context, 7400, scheduler);
+    }
+
     /// Also with control of the run.
     static Bridge publish(
             List<Robot> robots,

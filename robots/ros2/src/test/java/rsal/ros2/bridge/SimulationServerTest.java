@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -17,6 +18,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
+import rsal.device.DriveBase;
 import rsal.device.SimulationControl;
 import rsal.ros2.MemoryNetwork;
 import rsal.ros2.cdr.CdrReader;
@@ -44,6 +46,7 @@ class SimulationServerTest extends RobotBench {
 
     private final MemoryNetwork network = new MemoryNetwork();
     private final RosLink there = network.join();
+    private final RosMessages messages = new RosMessages();
     private FakeRunControl control;
     private SimulationControl world;
     private final List<Long> times = new ArrayList<>(); // of /clock [ns]
@@ -385,6 +388,113 @@ class SimulationServerTest extends RobotBench {
         assertThat(state()).isEqualTo(1);
         control.paused = true;
         assertThat(state()).isEqualTo(2);
+    }
+
+    private CompletableFuture<byte[]> begin(long state) {
+        return ask(NAMES.get("SetSimulationState"), request("SetSimulationState", Map.of("state.state", state)));
+    }
+
+    private static RosMessage changed(CompletableFuture<byte[]> response) {
+        return read(SERVICES + "SetSimulationState_Response", response.join());
+    }
+
+    /// People may resume it meanwhile, as may programs.
+    @Test
+    void whatWasResumedIsNotStopped() {
+        control.reported.clear();
+        control.standing = new CompletableFuture<>();
+        CompletableFuture<byte[]> stopping = begin(0);
+        assertThat(stopping).isNotDone();
+        assertThat(why(changed(begin(0)))).contains("still pausing");
+        control.paused = false;
+        control.standing.complete(null);
+        control.paused = true; // again
+        run.runPending();
+        assertThat(code(changed(stopping))).isEqualTo(3);
+        assertThat(control.reported).isEmpty();
+        control.paused = false;
+        assertThat(code(changed(begin(0)))).isEqualTo(1);
+        assertThat(control.reported).containsExactly("remove spawned", "restore");
+    }
+
+    @Test
+    void aStopWaitsUntilTheSimulationStands() {
+        control.reported.clear();
+        control.standing = new CompletableFuture<>();
+        CompletableFuture<byte[]> stopping = begin(0);
+        assertThat(control.reported).isEmpty();
+        control.standing.complete(null);
+        run.runPending();
+        assertThat(code(changed(stopping))).isEqualTo(1);
+        assertThat(control.reported).containsExactly("remove spawned", "restore");
+        assertThat(state()).isZero();
+    }
+
+    /// Nobody asked meanwhile.
+    @Test
+    void whatGoesOnByThePageIsNoLongerStopped() {
+        assertThat(code(set(0))).isEqualTo(1);
+        control.paused = false;
+        advance(0.1);
+        control.paused = true;
+        assertThat(state()).isEqualTo(2);
+        CompletableFuture<byte[]> steps =
+                ask(NAMES.get("StepSimulation"), request("StepSimulation", Map.of("steps", 1L)));
+        control.end(1);
+        assertThat(code(read(SERVICES + "StepSimulation_Response", steps.join())))
+                .isEqualTo(1);
+    }
+
+    @Test
+    void aStopEndsWhatWasCommanded() {
+        var velocities = there.advertise(new RosTopic("/r1/cmd_vel", "geometry_msgs/msg/Twist"), Profile.DEFAULT);
+        velocities.publish(messages.twist(Twist2d.drive(0.3, 0)));
+        advance(2);
+        assertThat(velocity()).isGreaterThan(0.2);
+        assertThat(code(set(0))).isEqualTo(1);
+        assertThat(code(set(1))).isEqualTo(1);
+        advance(2);
+        assertThat(velocity()).isZero();
+        velocities.publish(messages.twist(Twist2d.drive(0.3, 0)));
+        advance(2);
+        assertThat(velocity()).isGreaterThan(0.2);
+    }
+
+    private double velocity() {
+        return robot().require(DriveBase.class)
+                .latest()
+                .orElseThrow()
+                .value()
+                .velocity()
+                .vx();
+    }
+
+    /// Goals have the time that they began at, by the clock that there is now.
+    @Test
+    void goalsFromBeforeAResetAreCanceledByAnyTime() {
+        advance(20);
+        control.paused = true;
+        CompletableFuture<byte[]> result = simulate(1, 1_000);
+        assertThat(code(call("ResetSimulation", Map.of("scope", 1L)))).isEqualTo(1);
+        byte[] untilOne = ByteBuffer.allocate(28)
+                .putInt(0x00010000)
+                .put(new byte[16])
+                .order(ByteOrder.LITTLE_ENDIAN)
+                .putInt(1)
+                .putInt(0)
+                .array();
+        var _ = ask("/rsal/simulate_steps/_action/cancel_goal", untilOne);
+        assertThat(ending(result)).as("canceled").containsExactly(5L, 4L);
+        byte[] asked = ByteBuffer.allocate(20)
+                .putInt(0x00010000)
+                .put(new byte[15])
+                .put((byte) 1)
+                .array();
+        advance(17);
+        RosMessage forgotten = read(
+                ACTION + "_GetResult_Response",
+                ask("/rsal/simulate_steps/_action/get_result", asked).join());
+        assertThat(forgotten.integer("status")).as("by the run's time").isZero();
     }
 
     /// All that has a time, has the new one.

@@ -166,6 +166,39 @@ class RosCompressedCameraTest {
         assertThat(seen).isEmpty();
     }
 
+    /// Depth is late and early in turn, as it takes time to compute.
+    @Test
+    void noImageIsLostBecauseItsDepthComesSoonAfterAnother() throws Exception {
+        depths = advertise("oak/depth/image_raw/compressedDepth", "sensor_msgs/msg/CompressedImage");
+        connect();
+        for (int i = 0; i < 10; i++) {
+            byte[] depth = compressedDepth("16UC1; compressedDepth png", 0, 0, 1500);
+            colors.publish(compressed(png(i)));
+            if (i % 2 == 0) {
+                advance();
+                depths.publish(depth);
+            } else {
+                depths.publish(depth);
+                advance();
+            }
+            advance();
+        }
+        advance();
+        assertThat(seen).hasSize(10);
+    }
+
+    /// Programs offer each image as compressed depth, too.
+    @Test
+    void compressedDepthIsNoColor() {
+        colors.close();
+        system = new OneRobot(network, run).system(Map.of("eyes", "depth-camera"));
+        var found = system.discover().toCompletableFuture();
+        for (int i = 0; i < 100; i++) {
+            advance();
+        }
+        assertThat(found.join().getFirst().find(Camera.class)).isEmpty();
+    }
+
     /// As `compressed_depth_image_transport` makes it.
     private byte[] compressedDepth(String format, float a, float b, int last) throws IOException {
         var image = new BufferedImage(4, 2, BufferedImage.TYPE_USHORT_GRAY);

@@ -154,6 +154,50 @@ class RosGridsTest {
         assertThat(map()).containsExactly(0, 0, 0, 0);
     }
 
+    /// A latched one comes once, maybe before the odometry that says that time went back.
+    @Test
+    void aMapThatIsThereBeforeTheTimeWentBackIsTakenThen() {
+        advance(5);
+        publish(maps, new byte[6]);
+        update(updates, run.instant(), 0, 0, 1, (byte) 100);
+        var grid = new OccupancyGrid(2, 2, 0.05, 0, 0, new byte[4]);
+        maps.publish(messages.map(Instant.ofEpochSecond(1), grid, "map"));
+        run.advance(Duration.ofMillis(50));
+        assertThat(map()).hasSize(6);
+        odometry.publish(messages.odometry(
+                Instant.ofEpochSecond(1), new Odometry(Pose2d.ORIGIN, Twist2d.STOP, false), "odom", "base_link"));
+        run.advance(Duration.ofMillis(100));
+        assertThat(map()).containsExactly(0, 0, 0, 0);
+    }
+
+    @Test
+    void updatesAreTakenAfterTheTimeWentBackThoughTheMapIsOfBefore() {
+        advance(5);
+        publish(maps, new byte[6]);
+        odometry.publish(messages.odometry(
+                Instant.ofEpochSecond(1), new Odometry(Pose2d.ORIGIN, Twist2d.STOP, false), "odom", "base_link"));
+        run.advance(Duration.ofMillis(50));
+        CdrWriter change =
+                RosMessages.write(new CdrWriter(), Instant.ofEpochSecond(1)).text("map");
+        change.int32(0).int32(0).int32(1).int32(1);
+        updates.publish(change.int32(1).int8s(new byte[] {100}).toBytes());
+        run.advance(Duration.ofMillis(50));
+        assertThat(map()).containsExactly(100, 0, 0, 0, 0, 0);
+    }
+
+    /// A clock that is wrong, or a message of anybody.
+    @Test
+    void anUpdateOfTheFutureDoesNotFreezeTheMap() {
+        publish(maps, new byte[6]);
+        update(updates, run.instant().plusSeconds(1_000_000), 0, 0, 1, (byte) 100);
+        assertThat(map()).containsExactly(100, 0, 0, 0, 0, 0);
+        publish(maps, run.instant(), new byte[4]);
+        assertThat(map()).containsExactly(0, 0, 0, 0);
+        publish(maps, run.instant().plusSeconds(1_000_000), new byte[6]);
+        update(updates, run.instant(), 1, 0, 1, (byte) 100);
+        assertThat(map()).containsExactly(0, 100, 0, 0, 0, 0);
+    }
+
     @Test
     void updatesThatDoNotFitChangeNothingAndAreToldOnce() {
         publish(maps, new byte[6]);

@@ -5,6 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -21,6 +24,10 @@ import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.RosMessages;
+import rsal.ros2.setting.GripperSettings;
+import rsal.ros2.setting.RosSettings;
+import rsal.ros2.setting.Safety;
+import rsal.system.RealRobots.Waiting;
 import rsal.time.LockstepScheduler;
 
 /// The bumper of an iRobot Create 3, which is among its hazards.
@@ -99,5 +106,35 @@ class RosHazardsTest {
         hazards.close();
         advance(1);
         assertThat(bumper.health()).isInstanceOf(Health.Lost.class);
+    }
+
+    /// They may be published later than hazards.
+    @Test
+    void topicsThatAreSetAreNotReplacedByHazards() {
+        var ours = new Ros2System(
+                Map.of(OneRobot.spec(Map.of("bumper", "create3-bumper")), "/r1"),
+                "domain 0",
+                network::join,
+                Optional.empty(),
+                new RosSettings(
+                        new Safety(Duration.ofMillis(500), true, "", ""),
+                        GripperSettings.USUAL,
+                        List.of("b0", "b1", "b2", "b3", "b4"),
+                        true,
+                        false),
+                Waiting.USUAL,
+                run,
+                new SplittableRandom(1));
+        var found = ours.discover().toCompletableFuture();
+        advance(0.5);
+        List<Publication> pads = IntStream.range(0, 5)
+                .mapToObj(i -> there.advertise(new RosTopic("/r1/b" + i, "std_msgs/msg/Bool"), Profile.DEFAULT))
+                .toList();
+        advance(3);
+        Bumper set = found.join().getFirst().require(Bumper.class);
+        pads.get(3).publish(new CdrWriter().bool(true).toBytes());
+        advance(0.1);
+        assertThat(set.latest().orElseThrow().value().pressed()).containsExactly(false, false, false, true, false);
+        ours.close();
     }
 }

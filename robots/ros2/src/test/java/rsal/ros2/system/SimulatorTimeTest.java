@@ -193,6 +193,40 @@ class SimulatorTimeTest {
         assertThat(commanded).contains(AHEAD);
     }
 
+    /// Else it would depend on real time what the simulator does in the part that it makes next.
+    @Test
+    void whatIsWantedIsSentBeforeANewTimeCountsAsReached() {
+        DriveBase base = base();
+        base.command(AHEAD);
+        advance(0.8, 0);
+        assertThat(commanded).last().isEqualTo(Twist2d.STOP);
+        commanded.clear();
+        there.subscribe(
+                ClockTopics.REACHED,
+                Profile.DEFAULT,
+                _ -> assertThat(commanded).last().isEqualTo(AHEAD));
+        simulated = simulated.plusMillis(10);
+        ofSimulator.advance(Duration.ofMillis(10));
+        system.reached(simulated);
+        system.reached(simulated);
+        assertThat(commanded).as("once").containsExactly(AHEAD);
+    }
+
+    /// It waits for a program of several that follow it, or for this one.
+    @Test
+    void basesAreNotStoppedWhileTheSimulatorSaysTheSameTimeAgain() {
+        DriveBase base = base();
+        base.command(AHEAD);
+        commanded.clear();
+        for (int i = 0; i < 60; i++) {
+            clock.orElseThrow().publish(messages.clock(simulated));
+            advance(0.05, 0);
+        }
+        assertThat(commanded).doesNotContain(Twist2d.STOP);
+        advance(0.8, 0);
+        assertThat(commanded).as("it says nothing").last().isEqualTo(Twist2d.STOP);
+    }
+
     @Test
     void aSimulatorThatLeavesEndsTheRun() {
         base();

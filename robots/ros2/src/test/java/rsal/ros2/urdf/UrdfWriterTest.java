@@ -148,4 +148,18 @@ class UrdfWriterTest {
         assertThat(laser.z()).isEqualTo(model.height("laser"));
         assertThat(UrdfWriter.mounting(model, "sonar_3", Pose2d.ORIGIN).z()).isEqualTo(model.height("sonar"));
     }
+
+    /// The left one is at positive y. A wheel that turns forward takes its top ahead and its front down.
+    @Test
+    void wheelsAreBesideTheBaseAndTurnForward() {
+        var wheels = new RobotModel.Wheels(0.1, 0.4);
+        FrameTransform left = UrdfWriter.wheel(wheels, UrdfWriter.LEFT_WHEEL, Math.PI / 2);
+        assertThat(left.y()).isEqualTo(0.2);
+        assertThat(left.z()).isEqualTo(0.1);
+        assertThat(UrdfWriter.wheel(wheels, UrdfWriter.RIGHT_WHEEL, 0).y()).isEqualTo(-0.2);
+        double[] top = left.rotation().rotated(0, 0, 0.1);
+        assertThat(top[0]).isCloseTo(0.1, within(1e-9));
+        double[] front = left.rotation().rotated(0.1, 0, 0);
+        assertThat(front[2]).isCloseTo(-0.1, within(1e-9));
+    }
 }
